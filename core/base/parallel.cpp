@@ -1,0 +1,38 @@
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <thread>
+
+namespace glisson {
+namespace {
+
+std::atomic<int> requested_threads{0};
+
+}  // namespace
+
+void set_thread_count(int threads) { requested_threads = std::max(0, threads); }
+
+int thread_count() {
+  const int requested = requested_threads;
+  return requested > 0 ? requested : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void parallel_for(std::size_t count, std::size_t grain,
+                  const std::function<void(std::size_t begin, std::size_t end)>& body) {
+  if (count == 0) return;
+  if (count <= grain || thread_count() == 1) {
+    body(0, count);
+    return;
+  }
+  tbb::task_arena arena(thread_count());
+  arena.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, std::max<std::size_t>(grain, 1)),
+                      [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
+  });
+}
+
+}  // namespace glisson

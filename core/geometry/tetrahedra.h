@@ -1,0 +1,41 @@
+#pragma once
+// A body of tetrahedra in patient coordinates (LPS, mm), with quantities on its points and cells.
+
+#include <array>
+#include <Eigen/Core>
+#include <vector>
+
+#include "base/result.h"
+#include "geometry/field.h"
+#include "geometry/surface.h"
+
+namespace glisson::geometry {
+
+struct TetMesh {
+  std::vector<Eigen::Vector3d> points_mm;
+  std::vector<std::array<int, 4>> cells;  // positive volume: (p1-p0) x (p2-p0) . (p3-p0) > 0
+  Fields point_fields;
+  Fields cell_fields;                     // "region": the label each cell belongs to, where it came from labels
+};
+
+[[nodiscard]] double cell_volume_mm3(const TetMesh& mesh, std::size_t cell);
+[[nodiscard]] double volume_mm3(const TetMesh& mesh);
+[[nodiscard]] Eigen::Vector3d cell_centroid_mm(const TetMesh& mesh, std::size_t cell);
+
+// The outer surface, its triangles counter-clockwise from outside. Points are renumbered; the point field
+// "mesh_point" tells which point of the mesh each one is, the cell field "mesh_cell" the tetrahedron behind each triangle.
+[[nodiscard]] Surface boundary_surface(const TetMesh& mesh);
+
+struct TetQuality {
+  double min_dihedral_deg = 0;
+  double max_dihedral_deg = 0;
+  double mean_aspect = 0;  // longest edge over the shortest height, scaled to 1 for the regular tetrahedron
+  double max_aspect = 0;
+};
+[[nodiscard]] TetQuality quality(const TetMesh& mesh);
+
+// Refuses what no later stage can use: an index out of range, a point that is not finite, no cells, a cell of zero
+// or negative volume (the first is named), parts that do not hang together by faces (their number and sizes are named).
+Result<void> check_tetrahedra(const TetMesh& mesh);
+
+}  // namespace glisson::geometry
