@@ -1,14 +1,14 @@
 #include "base/files.h"
 
+#include <openssl/evp.h>
+#include <unistd.h>
 #include <array>
 #include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
-#include <openssl/evp.h>
 #include <sstream>
 #include <system_error>
-#include <unistd.h>
 
 namespace glisson {
 namespace fs = std::filesystem;
@@ -45,13 +45,19 @@ class Sha256 {
 };
 
 Failure cannot_read(const fs::path& file) {
-  return failure(Error{"file-not-readable", GLISSON_TEXT("The file {0} cannot be read."), {file.string()},
-                       GLISSON_TEXT("Check that it exists and that you may read it."), file});
+  return failure(Error{"file-not-readable",
+                       GLISSON_TEXT("The file {0} cannot be read."),
+                       {file.string()},
+                       GLISSON_TEXT("Check that it exists and that you may read it."),
+                       file});
 }
 
 Failure cannot_write(const fs::path& file, const std::string& reason) {
-  return failure(Error{"file-not-writable", GLISSON_TEXT("{0} cannot be written: {1}."), {file.string(), reason},
-                       GLISSON_TEXT("Check the folder, your rights there and the free space."), file});
+  return failure(Error{"file-not-writable",
+                       GLISSON_TEXT("{0} cannot be written: {1}."),
+                       {file.string(), reason},
+                       GLISSON_TEXT("Check the folder, your rights there and the free space."),
+                       file});
 }
 
 }  // namespace
@@ -91,8 +97,11 @@ Result<std::string> read_text_file(const fs::path& file, std::uint64_t limit_byt
   const auto size = fs::file_size(file, problem);
   if (problem || !fs::is_regular_file(file, problem)) return cannot_read(file);
   if (size > limit_bytes) {
-    return failure(Error{"file-too-large", GLISSON_TEXT("The file {0} has {1} bytes; at most {2} are read."),
-                         {file.string(), std::to_string(size), std::to_string(limit_bytes)}, {}, file});
+    return failure(Error{"file-too-large",
+                         GLISSON_TEXT("The file {0} has {1} bytes; at most {2} are read."),
+                         {file.string(), std::to_string(size), std::to_string(limit_bytes)},
+                         {},
+                         file});
   }
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return cannot_read(file);
@@ -143,8 +152,11 @@ Result<fs::path> resource_folder() {
       if (fs::is_directory(folder / "resources" / "demo", problem)) return folder / "resources";
     }
   }
-  return failure(Error{"resources-missing", GLISSON_TEXT("The files that ship with Glisson were not found."), {},
-                       GLISSON_TEXT("Set GLISSON_RESOURCES to the folder named resources."), {}});
+  return failure(Error{"resources-missing",
+                       GLISSON_TEXT("The files that ship with Glisson were not found."),
+                       {},
+                       GLISSON_TEXT("Set GLISSON_RESOURCES to the folder named resources."),
+                       {}});
 }
 
 std::string version() { return GLISSON_VERSION; }

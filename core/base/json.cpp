@@ -54,15 +54,17 @@ bool nested_too_deep(std::string_view text) {
 
 Result<Json> parse_json(std::string_view text, const std::filesystem::path& file) {
   if (nested_too_deep(text)) {
-    return failure(Error{"json-too-deep", GLISSON_TEXT("{0} is nested too deep to be one of our files."),
-                         {file.string()}, {}, file});
+    return failure(Error{
+        "json-too-deep", GLISSON_TEXT("{0} is nested too deep to be one of our files."), {file.string()}, {}, file});
   }
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& problem) {
-    return failure(Error{"json-invalid", GLISSON_TEXT("{0} is not valid JSON at line {1}."),
+    return failure(Error{"json-invalid",
+                         GLISSON_TEXT("{0} is not valid JSON at line {1}."),
                          {file.string(), std::to_string(line_of(text, problem.byte))},
-                         GLISSON_TEXT("Look for a missing comma, quote or bracket there."), file});
+                         GLISSON_TEXT("Look for a missing comma, quote or bracket there."),
+                         file});
   }
 }
 
@@ -87,9 +89,11 @@ Result<void> refuse_unknown_keys(const Json& object, std::initializer_list<std::
     const auto nearest = std::min_element(known.begin(), known.end(), [&, &name = key](auto a, auto b) {
       return edit_distance(name, a) < edit_distance(name, b);
     });
-    return failure(Error{"json-unknown-key", GLISSON_TEXT("{0} has a key that is not known: \"{1}\"."),
+    return failure(Error{"json-unknown-key",
+                         GLISSON_TEXT("{0} has a key that is not known: \"{1}\"."),
                          {where, key, nearest == known.end() ? "" : std::string(*nearest)},
-                         GLISSON_TEXT("Did you mean \"{2}\"?"), {}});
+                         GLISSON_TEXT("Did you mean \"{2}\"?"),
+                         {}});
   }
   return {};
 }

@@ -1,10 +1,10 @@
 #include "base/parallel.h"
 
-#include <algorithm>
-#include <atomic>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <algorithm>
+#include <atomic>
 #include <thread>
 
 namespace glisson {

@@ -60,5 +60,4 @@ using Failure = tl::unexpected<Error>;
 }  // namespace glisson
 
 // A broken invariant of ours: ends the program (exit code 3 in glisson-cli), in every build.
-#define GLISSON_ASSERT(condition) \
-  ((condition) ? void(0) : ::glisson::assertion_failed(#condition, __FILE__, __LINE__))
+#define GLISSON_ASSERT(condition) ((condition) ? void(0) : ::glisson::assertion_failed(#condition, __FILE__, __LINE__))

@@ -14,7 +14,7 @@ struct Surface {
   std::vector<Eigen::Vector3d> points_mm;
   std::vector<std::array<int, 3>> triangles;  // counter-clockwise seen from outside
   Fields point_fields;
-  Fields cell_fields;                         // one item a triangle
+  Fields cell_fields;  // one item a triangle
 };
 
 struct Box {
@@ -27,7 +27,8 @@ struct Box {
 [[nodiscard]] Box bounding_box(const std::vector<Eigen::Vector3d>& points_mm);
 [[nodiscard]] double area_mm2(const Surface& surface);
 
-// Volume enclosed, by the divergence theorem; negative for a surface turned inside out. Meaningful only when watertight.
+// Volume enclosed, by the divergence theorem; negative for a surface turned inside out. Meaningful only when
+// watertight.
 [[nodiscard]] double volume_mm3(const Surface& surface);
 
 // Every edge is shared by exactly two triangles that run along it in opposite directions.

@@ -15,7 +15,7 @@ struct TetMesh {
   std::vector<Eigen::Vector3d> points_mm;
   std::vector<std::array<int, 4>> cells;  // positive volume: (p1-p0) x (p2-p0) . (p3-p0) > 0
   Fields point_fields;
-  Fields cell_fields;                     // "region": the label each cell belongs to, where it came from labels
+  Fields cell_fields;  // "region": the label each cell belongs to, where it came from labels
 };
 
 [[nodiscard]] double cell_volume_mm3(const TetMesh& mesh, std::size_t cell);
@@ -23,7 +23,8 @@ struct TetMesh {
 [[nodiscard]] Eigen::Vector3d cell_centroid_mm(const TetMesh& mesh, std::size_t cell);
 
 // The outer surface, its triangles counter-clockwise from outside. Points are renumbered; the point field
-// "mesh_point" tells which point of the mesh each one is, the cell field "mesh_cell" the tetrahedron behind each triangle.
+// "mesh_point" tells which point of the mesh each one is, the cell field "mesh_cell" the tetrahedron behind each
+// triangle.
 [[nodiscard]] Surface boundary_surface(const TetMesh& mesh);
 
 struct TetQuality {

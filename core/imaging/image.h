@@ -17,8 +17,8 @@ namespace glisson::imaging {
 struct Grid {
   std::array<int, 3> size{0, 0, 0};
   Eigen::Vector3d spacing_mm{1, 1, 1};
-  Eigen::Vector3d origin_mm{0, 0, 0};                          // centre of voxel (0, 0, 0)
-  Eigen::Matrix3d direction = Eigen::Matrix3d::Identity();     // columns: unit vectors of the i, j, k axes
+  Eigen::Vector3d origin_mm{0, 0, 0};                       // centre of voxel (0, 0, 0)
+  Eigen::Matrix3d direction = Eigen::Matrix3d::Identity();  // columns: unit vectors of the i, j, k axes
 
   [[nodiscard]] std::size_t voxels() const {
     return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]);
@@ -37,9 +37,7 @@ struct Grid {
   [[nodiscard]] Eigen::Vector3d position_mm(const Eigen::Vector3d& index) const {
     return origin_mm + direction * spacing_mm.cwiseProduct(index);
   }
-  [[nodiscard]] Eigen::Vector3d position_mm(int i, int j, int k) const {
-    return position_mm(Eigen::Vector3d(i, j, k));
-  }
+  [[nodiscard]] Eigen::Vector3d position_mm(int i, int j, int k) const { return position_mm(Eigen::Vector3d(i, j, k)); }
   [[nodiscard]] Eigen::Vector3d index_of(const Eigen::Vector3d& position_mm) const {
     return (direction.inverse() * (position_mm - origin_mm)).cwiseQuotient(spacing_mm);
   }

@@ -1,8 +1,8 @@
 // The foundations: errors that read well, files written whole or not at all, JSON that refuses politely.
 
+#include <gmock/gmock.h>
 #include <atomic>
 #include <fstream>
-#include <gmock/gmock.h>
 
 #include "base/files.h"
 #include "base/json.h"

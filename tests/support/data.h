@@ -1,9 +1,9 @@
 #pragma once
 // Where the tests find real data: $GLISSON_SHARED_DATA, or shared/data beside the project.
 
+#include <gtest/gtest.h>
 #include <cstdlib>
 #include <filesystem>
-#include <gtest/gtest.h>
 
 namespace glisson::test {
 
