@@ -1,0 +1,22 @@
+#pragma once
+// Where given points lie in a body of tetrahedra.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "geometry/tetrahedra.h"
+
+namespace glisson::mechanics {
+
+// A place in a cell. A point outside the body is held by the nearest place on its boundary, at `outside_by_mm`.
+struct PointInMesh {
+  int cell = -1;
+  Eigen::Vector4d barycentric{0, 0, 0, 0};  // of the cell's corners; not negative (to rounding), sums to 1
+  double outside_by_mm = 0;                 // 0 inside
+};
+
+// One place for each position (patient LPS, mm, finite). The mesh must have passed check_tetrahedra.
+[[nodiscard]] std::vector<PointInMesh> locate_points(const geometry::TetMesh& mesh,
+                                                     const std::vector<Eigen::Vector3d>& positions_mm);
+
+}  // namespace glisson::mechanics

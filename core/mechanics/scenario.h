@@ -1,0 +1,96 @@
+#pragma once
+// What is asked of a body: what it is made of, what holds it, what pulls at it, and which points are followed.
+// Plain values in the units of base/units.h (mm, mN, kPa, kg); positions are patient coordinates (LPS) at rest.
+// scenario_file.h reads them from JSON, which speaks N and kg/m3.
+
+#include <array>
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/units.h"
+#include "geometry/surface.h"
+
+namespace glisson::mechanics {
+
+enum class Engine { fem, meshfree };
+enum class MaterialLaw { linear, corotational, neo_hookean };
+
+// Which points of a mesh are meant: those where a point array is not zero, or those inside a ball or a box.
+struct NamedPoints {
+  std::string point_array;
+};
+struct Ball {
+  Eigen::Vector3d center_mm{0, 0, 0};
+  double radius_mm = 0;
+};
+using Region = std::variant<NamedPoints, Ball, geometry::Box>;
+
+// The named points do not move, in the directions (x, y, z) that are held. A mid-side node is held with them when
+// it belongs to a face all three of whose points are named.
+struct Held {
+  std::array<bool, 3> directions{true, true, true};
+};
+
+// A spring per unit area under the boundary faces all three of whose points are named; it pushes back equally in
+// all directions with `stiffness_kPa_per_mm` times the displacement.
+struct Foundation {
+  double stiffness_kPa_per_mm = 0;
+};
+
+struct Support {
+  Region where;
+  std::variant<Held, Foundation> how;
+};
+
+// A dead load: a uniform traction over the boundary faces whose centroid at rest lies within the radius.
+struct ToolLoad {
+  Eigen::Vector3d center_mm{0, 0, 0};
+  double radius_mm = 0;
+  Eigen::Vector3d force_mN{0, 0, 0};
+};
+
+// Acts against the outward normal of the whole boundary: positive compresses, as insufflation gas does.
+struct PressureLoad {
+  double pressure_kPa = 0;
+};
+
+struct GravityLoad {
+  Eigen::Vector3d acceleration_mm_s2{0, 0, 0};
+};
+
+using Load = std::variant<ToolLoad, PressureLoad, GravityLoad>;
+using Loads = std::vector<Load>;
+
+struct Landmark {
+  std::string id;
+  Eigen::Vector3d position_mm{0, 0, 0};  // at rest
+};
+
+// Present when motion is asked for; absent means equilibrium.
+struct Motion {
+  double step_s = 0.02;
+  int steps = 0;
+};
+
+// One modulus for the whole body, or the name of a cell field that holds one a cell (kPa).
+using YoungsModulus = std::variant<double, std::string>;
+
+// The name under which this project's own meshes carry Young's modulus, one value a cell.
+inline const std::string youngs_modulus_field = "youngs_modulus_kPa";
+
+struct Scenario {
+  Engine engine = Engine::fem;
+  MaterialLaw material = MaterialLaw::linear;
+  double poisson_ratio = 0.45;  // what liver simulations commonly take for a nearly incompressible organ
+  double density_kg_mm3 = units::kg_mm3_from_kg_m3(1000.0);
+  std::optional<YoungsModulus> youngs_modulus;  // absent: the mesh's own field `youngs_modulus_kPa`
+  std::vector<Support> supports;
+  Loads loads;
+  std::optional<Motion> motion;
+  std::vector<Landmark> landmarks;
+};
+
+}  // namespace glisson::mechanics

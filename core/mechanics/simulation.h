@@ -1,0 +1,44 @@
+#pragma once
+// A scenario on a mesh, from question to answer: what `glisson-cli simulate` runs.
+
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "geometry/tetrahedra.h"
+#include "mechanics/scenario.h"
+#include "mechanics/static_result.h"
+
+namespace glisson::mechanics {
+
+struct DisplacedLandmark {
+  std::string id;
+  Eigen::Vector3d rest_mm{0, 0, 0};
+  Eigen::Vector3d displaced_mm{0, 0, 0};
+  double displacement_mm = 0;
+  double outside_by_mm = 0;  // above 0: the landmark lies outside the body and moves with its nearest place
+};
+
+struct SimulationOptions {
+  // A landmark farther than this from the body is refused: it is in another frame, or of another patient.
+  double landmark_tolerance_mm = 10.0;
+};
+
+struct Simulation {
+  Scenario scenario;
+  StaticResult result;
+  std::vector<DisplacedLandmark> landmarks;
+  geometry::TetMesh mesh;  // the rest mesh with point field "displacement_mm" (3) and cell fields
+                           // "youngs_modulus_kPa" and "von_mises_kPa", as written to result.vtu
+};
+
+// Failures: those of StaticModel; "landmark-outside"; "modulus-missing" (no such cell field, or one of the wrong
+// size; the fields there are named); "not-available".
+Result<Simulation> simulate(const geometry::TetMesh& mesh, const Scenario& scenario,
+                            const SimulationOptions& options = {}, const Progress& progress = {});
+
+// Young's modulus of every cell as the scenario says (kPa).
+Result<std::vector<double>> youngs_modulus_of_cells(const geometry::TetMesh& mesh, const Scenario& scenario);
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,98 @@
+#pragma once
+// Static linear elasticity at small strain: one body, its supports, factorised once, solved for as many loads as
+// one likes.
+//
+// Quadratic tetrahedra with straight edges (ten nodes), which do not lock as Poisson's ratio nears 1/2; linear
+// ones (four nodes) exist to be compared with. Isotropic, one Young's modulus a cell, one Poisson's ratio:
+//   sigma = lambda tr(eps) I + 2 mu eps,  eps = (grad u + grad u^T) / 2,
+//   lambda = E nu / ((1 + nu) (1 - 2 nu)),  mu = E / (2 (1 + nu))
+// (any text on elasticity, e.g. Bower, Applied Mechanics of Solids, 3.2). Not valid where strains or rotations
+// are large: results say how large they became.
+//
+// Lengths mm, forces mN, moduli and stresses kPa, energies uJ, patient coordinates (LPS), the rest shape throughout.
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "geometry/tetrahedra.h"
+#include "mechanics/node_layout.h"
+#include "mechanics/point_location.h"
+#include "mechanics/scenario.h"
+#include "mechanics/static_result.h"
+
+namespace glisson::mechanics {
+
+struct StaticOptions {
+  double poisson_ratio = 0.45;
+  double density_kg_mm3 = units::kg_mm3_from_kg_m3(1000.0);
+  ElementOrder order = ElementOrder::quadratic;
+  double relative_tolerance = 1e-9;  // far below any measured modulus, a little above what 1e5 unknowns round to
+  int max_refinements = 8;           // each gains several digits; more would not help a matrix that needs them
+  std::uint64_t memory_limit_bytes = std::uint64_t{12} << 30;  // the factor is refused before it asks for more
+};
+
+// Forces and given displacements for callers that integrate their own (manufactured solutions, contact):
+// 3 values a node, x y z, in the order of NodeLayout.
+struct NodalLoad {
+  Eigen::VectorXd force_mN;              // 3 * nodes
+  Eigen::VectorXd held_displacement_mm;  // 3 * nodes, read where a node is held; empty: held nodes stay
+};
+
+class StaticModel {
+ public:
+  // Checks everything, assembles and factorises. `youngs_kPa` has one value a cell. Failures: those of
+  // check_tetrahedra; "modulus-invalid" (the first cell is named), "poisson-invalid", "support-empty" (a support
+  // that names nothing), "body-free" (not held enough to be in equilibrium; the free motion is named),
+  // "too-large" (the factor would not fit the memory limit), "factorisation-failed", "cancelled".
+  static Result<StaticModel> create(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
+                                    std::vector<Support> supports, StaticOptions options = {},
+                                    const Progress& progress = {});
+
+  // Equilibrium under all the loads together. Failures: "tool-touches-nothing" (how far the nearest face is),
+  // "load-invalid" (a number that is not finite). A solve that misses the tolerance is a result that may not be
+  // used, and says so.
+  [[nodiscard]] Result<StaticResult> solve(const Loads& loads) const;
+
+  // One result for each set of loads; together they cost less than one at a time.
+  [[nodiscard]] Result<std::vector<StaticResult>> solve_each(const std::vector<Loads>& cases) const;
+  [[nodiscard]] Result<StaticResult> solve_nodal(const NodalLoad& load) const;
+
+  [[nodiscard]] const geometry::TetMesh& mesh() const;
+  [[nodiscard]] const std::vector<double>& youngs_kPa() const;
+  [[nodiscard]] const NodeLayout& nodes() const;
+  [[nodiscard]] const StaticOptions& options() const;
+  [[nodiscard]] const std::vector<Support>& supports() const;
+
+  // Which faces of boundary() a tool of that centre and radius pushes on. Failure: "tool-touches-nothing".
+  [[nodiscard]] Result<std::vector<std::size_t>> touched_faces(const Eigen::Vector3d& center_mm,
+                                                               double radius_mm) const;
+
+  // The displacement at places in the body (see locate_points), by the cells' own shape functions.
+  [[nodiscard]] std::vector<Eigen::Vector3d> displacement_at(const StaticResult& result,
+                                                             const std::vector<PointInMesh>& places) const;
+
+  // Von Mises stress (kPa) at each cell's centroid.
+  [[nodiscard]] std::vector<double> von_mises_kPa(const StaticResult& result) const;
+
+  struct Cost {
+    double setup_s = 0;
+    std::size_t unknowns = 0;
+    std::uint64_t matrix_bytes = 0;
+    std::uint64_t factor_bytes = 0;
+  };
+  [[nodiscard]] Cost cost() const;
+
+ private:
+  struct Parts;
+  explicit StaticModel(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+  std::shared_ptr<const Parts> parts_;  // immutable and shared: copies are cheap, solving from several threads is safe
+};
+
+// The one-shot: builds the model, solves once.
+Result<StaticResult> solve_static(geometry::TetMesh mesh, std::vector<double> youngs_kPa, std::vector<Support> supports,
+                                  const Loads& loads, StaticOptions options = {}, const Progress& progress = {});
+
+}  // namespace glisson::mechanics

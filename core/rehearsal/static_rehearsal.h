@@ -1,0 +1,94 @@
+#pragma once
+// A live linear rehearsal: the patient's liver and its atlas twin (same mesh and supports, one modulus) under the
+// same tool. Moving the tool costs a solve; turning it or changing its force is a superposition, well under 1 ms.
+//
+// There is no state in which a force could be set and no tool be there: create() gives the rehearsal, place_tool()
+// gives a tool placed, and only that answers. All of it is immutable: the window may place a tool on a worker
+// thread while it draws the answers of the one before.
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "geometry/surface.h"
+#include "geometry/tetrahedra.h"
+#include "mechanics/static_model.h"
+#include "rehearsal/comparison.h"
+
+namespace glisson::rehearsal {
+
+struct RehearsalSetup {
+  geometry::TetMesh mesh;
+  std::vector<double> patient_youngs_kPa;  // one a cell
+  std::optional<double> atlas_youngs_kPa;  // the twin's single modulus; absent: no twin
+  std::vector<mechanics::Support> supports;
+  mechanics::Loads standing_loads;  // act always: gravity, pneumoperitoneum
+  std::vector<mechanics::Landmark> landmarks;
+  std::vector<geometry::Surface> structures;  // tumours, vessels: their points move with the liver around them
+  mechanics::StaticOptions options;
+  double landmark_tolerance_mm = 10.0;
+};
+
+// One of the two bodies under the present force.
+struct RehearsalBody {
+  std::vector<Eigen::Vector3d> surface_mm;                  // displaced points of StaticRehearsal::surface()
+  std::vector<std::vector<Eigen::Vector3d>> structures_mm;  // displaced points of each structure
+  std::vector<mechanics::DisplacedLandmark> landmarks;
+  double max_displacement_mm = 0;  // over the surface
+};
+
+struct RehearsalFrame {
+  Eigen::Vector3d force_N{0, 0, 0};
+  RehearsalBody patient;
+  std::optional<RehearsalBody> atlas;
+  std::vector<LandmarkDifference> differences;  // patient against atlas; empty without a twin
+  double max_difference_mm = 0;                 // over the surface
+  double relative_residual = 0;                 // the larger of the solves it is made from
+  double answer_ms = 0;
+};
+
+class PlacedTool {
+ public:
+  [[nodiscard]] const mechanics::ToolLoad& unit_load() const;  // where it is; its force is zero
+  [[nodiscard]] std::size_t touched_faces() const;
+  [[nodiscard]] double solve_ms() const;  // what placing it cost
+
+  // The bodies under that force (N, patient LPS). The force must be finite.
+  [[nodiscard]] RehearsalFrame answer(const Eigen::Vector3d& force_N) const;
+
+  // Displacement of every mesh point of the patient's body (mm), for saving a result.
+  [[nodiscard]] std::vector<Eigen::Vector3d> patient_displacement_mm(const Eigen::Vector3d& force_N) const;
+
+ private:
+  friend class StaticRehearsal;
+  struct Parts;
+  explicit PlacedTool(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+  std::shared_ptr<const Parts> parts_;
+};
+
+class StaticRehearsal {
+ public:
+  // Failures: those of StaticModel::create; "landmark-outside".
+  static Result<StaticRehearsal> create(RehearsalSetup setup, const Progress& progress = {});
+
+  // Failures: "tool-touches-nothing"; "not-converged" where a solve may not be used.
+  [[nodiscard]] Result<PlacedTool> place_tool(const Eigen::Vector3d& center_mm, double radius_mm) const;
+
+  // The liver's outer surface at rest, whose points the frames displace.
+  [[nodiscard]] const geometry::Surface& surface() const;
+  [[nodiscard]] const mechanics::StaticModel& patient() const;
+  [[nodiscard]] const mechanics::StaticModel* atlas() const;  // nullptr without a twin
+  [[nodiscard]] double setup_s() const;
+
+ private:
+  struct Parts;
+  explicit StaticRehearsal(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+  std::shared_ptr<const Parts> parts_;
+  friend class PlacedTool;
+};
+
+}  // namespace glisson::rehearsal
