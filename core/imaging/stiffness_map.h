@@ -1,0 +1,27 @@
+#pragma once
+// Bringing a stiffness map to kPa of shear modulus, whichever unit it was stored in.
+
+#include <string>
+
+#include "base/result.h"
+#include "imaging/image.h"
+
+namespace glisson::imaging {
+
+struct StiffnessMap {
+  Volume shear_kPa;      // unit "kPa"; 0 where the scanner gave nothing
+  std::string evidence;  // why it was taken to be in Pa or kPa, for a person to read
+};
+
+// Decides by the unit in `stored.unit` ("Pa", "kPa", or empty for none; `unit_evidence` says which header field it
+// came from) together with the size of the values: the median of the positive voxels must be a shear modulus that soft
+// tissue can have, 0.2 to 100 kPa. Healthy liver is near 2 kPa, cirrhosis up to 8 or 12 kPa, and E = 3 G = 80 kPa at
+// most has been reported (dissertation, sections 4.1 and 4.2). As the two readings are a factor 1000 apart, at most one
+// of them is plausible.
+//
+// Refused when it is not to be decided: the unit contradicts the values ("stiffness-unit-contradicted"), neither
+// reading is plausible ("stiffness-unit-unknown"), the unit is none of a stiffness ("stiffness-unit-foreign"), or no
+// voxel is positive ("stiffness-empty").
+[[nodiscard]] Result<StiffnessMap> stiffness_in_kPa(Volume stored, const std::string& unit_evidence = "");
+
+}  // namespace glisson::imaging
