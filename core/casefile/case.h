@@ -1,0 +1,87 @@
+#pragma once
+// A case: the folder NAME.glisson with everything known of one patient, and where each piece came from.
+//
+//   case.json               which files, their SHA-256, how each was made and from what
+//   volumes/ID.nrrd         anatomy, stiffness (shear modulus, kPa), confidence, ...
+//   labels/ID.nrrd          one structure each, with 3D Slicer's segment name and colour
+//   surfaces/ID.vtp, meshes/ID.vtu, results/NAME/...
+//
+// The folder is the state; a Case is a view of it. Each addition is one transaction: the new file is written beside the
+// old one, then case.json is replaced, then the new file takes its place. Killed at any moment, the case opens as it
+// was or as it became; nothing in between.
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace glisson::casefile {
+
+// How an entry was made. `from` names entries of this case; `sources` maps files from outside to their SHA-256.
+struct Made {
+  std::string by;                              // the stage: "import", "segment", "mesh", ...
+  std::map<std::string, std::string> options;  // as a person would write them, numbers with a dot
+  std::vector<std::string> from;
+  std::map<std::string, std::string> sources;
+  std::vector<std::string> notes;  // what a person should know of it ("the liver touches the image border")
+};
+
+struct Entry {
+  std::string id;              // "volumes/anatomy", "labels/liver", "meshes/liver"
+  std::filesystem::path file;  // relative to the case folder
+  std::string sha256;
+  Made made;
+  std::map<std::string, std::string> from_sha256;  // the content of each entry in made.from when this was made
+  std::string version;                             // of Glisson
+  std::string when_utc;                            // ISO 8601
+};
+
+enum class Freshness {
+  current,          // made from what the case holds now
+  stale,            // something that it was made from has changed since
+  changed_outside,  // the file is not the one that was saved: another program wrote it
+  missing,          // the file is gone
+};
+
+class Case {
+ public:
+  // Makes the folder, which must not exist yet or be empty; its name should end in ".glisson".
+  static Result<Case> create(const std::filesystem::path& folder);
+
+  // Reads case.json and finishes or takes back an addition that was interrupted.
+  static Result<Case> open(const std::filesystem::path& folder);
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+  [[nodiscard]] const Entry* find(const std::string& id) const;
+
+  // The full path of an entry's file; the error says which stage makes the missing entry.
+  [[nodiscard]] Result<std::filesystem::path> file_of(const std::string& id) const;
+
+  // "SIMULATED ...", or empty for a real patient: shown wherever anything of the case is shown.
+  [[nodiscard]] const std::string& origin() const { return origin_; }
+  Result<void> set_origin(std::string origin);
+
+  // Writes a file with write(path) and records it under `id`, replacing an entry of that id.
+  Result<void> add(const std::string& id, const std::string& extension, Made made,
+                   const std::function<Result<void>(const std::filesystem::path&)>& write);
+
+  // Takes an entry out and removes its file.
+  Result<void> remove(const std::string& id);
+
+  // Reads files to compare their content: costs time on large volumes.
+  [[nodiscard]] Freshness freshness(const std::string& id) const;
+
+ private:
+  Result<void> save() const;
+  Result<void> finish_interrupted_addition() const;
+
+  std::filesystem::path folder_;
+  std::string origin_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace glisson::casefile

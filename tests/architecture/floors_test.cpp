@@ -1,0 +1,126 @@
+// The folders are the architecture: a room includes only rooms on lower floors, third-party types stay inside the
+// rooms that own them, and Qt stays above the core. Read from the includes themselves.
+
+#include <gmock/gmock.h>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// ARCHITECTURE.md shows the same table.
+const std::map<std::string, int> floor_of = {
+    {"base", 0},         {"imaging", 1},   {"geometry", 1},   {"vision", 1},   {"segmentation", 2},
+    {"elastography", 2}, {"mechanics", 2}, {"platform", 2},   {"meshing", 3},  {"registration", 3},
+    {"quality", 4},      {"rehearsal", 4}, {"closedloop", 4}, {"casefile", 5}, {"scene", 6},
+    {"report", 6},       {"study", 7},     {"cli", 8},        {"widgets", 8},  {"desktop", 9},
+};
+
+// Third party, by how its headers are named, and the rooms whose .cpp files may use it.
+struct ThirdParty {
+  std::string name;
+  std::regex header;
+  std::set<std::string> rooms;
+};
+const std::vector<ThirdParty> third_parties = {
+    {"Qt", std::regex("Q[A-Z].*|Qt[A-Z].*"), {"widgets", "desktop"}},
+    {"VTK", std::regex("vtk.*"), {"geometry", "scene", "widgets"}},
+    {"ITK", std::regex("itk.*"), {"imaging", "segmentation", "elastography", "meshing"}},
+    {"DCMTK", std::regex("dcmtk/.*"), {"imaging"}},
+    {"CGAL", std::regex("CGAL/.*"), {"geometry", "meshing"}},
+    {"OpenCV", std::regex("opencv.*"), {"vision"}},
+    {"CHOLMOD", std::regex("cholmod.*|suitesparse/.*|Eigen/CholmodSupport"), {"mechanics"}},
+    {"spdlog", std::regex("spdlog/.*"), {"base"}},
+    {"CLI11", std::regex("CLI/.*"), {"cli"}},
+};
+const std::regex allowed_in_any_public_header("Eigen/.*|tl/expected\\.hpp|[a-z_]+|[a-z_]+\\.h");
+
+struct Include {
+  fs::path file;
+  std::string room;
+  std::string header;
+  enum class Form { quoted, angled } form;
+};
+
+std::string room_of(const fs::path& relative) {
+  auto part = relative.begin();
+  if (*part == "widgets") return "widgets";
+  return (++part)->string();  // core/<room>/... and app/<room>/...
+}
+
+std::vector<Include> all_includes() {
+  const fs::path root = GLISSON_SOURCE_DIR;
+  const std::regex pattern("^\\s*#\\s*include\\s*([<\"])([^>\"]+)[>\"].*");
+  std::vector<Include> includes;
+  for (const char* top : {"core", "app", "widgets"}) {
+    if (!fs::exists(root / top)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
+      const fs::path relative = entry.path().lexically_relative(root);
+      std::ifstream stream(entry.path());
+      for (std::string line; std::getline(stream, line);) {
+        std::smatch match;
+        if (!std::regex_match(line, match, pattern)) continue;
+        includes.push_back(
+            {relative, room_of(relative), match[2], match[1] == "<" ? Include::Form::angled : Include::Form::quoted});
+      }
+    }
+  }
+  return includes;
+}
+
+TEST(Floors, TheSourcesAreFound) { EXPECT_GT(all_includes().size(), 20u); }
+
+TEST(Floors, ARoomIncludesOnlyRoomsBelowIt) {
+  for (const Include& include : all_includes()) {
+    const std::string target = include.header.substr(0, include.header.find('/'));
+    if (include.form == Include::Form::angled || include.header.find('/') == std::string::npos ||
+        target == include.room)
+      continue;
+    ASSERT_TRUE(floor_of.contains(include.room)) << include.file << " is in a room that has no floor";
+    ASSERT_TRUE(floor_of.contains(target))
+        << include.file << " includes \"" << include.header << "\", which is no room";
+    EXPECT_LT(floor_of.at(target), floor_of.at(include.room))
+        << include.file << " includes \"" << include.header << "\"";
+  }
+}
+
+TEST(Floors, ThirdPartyStaysInItsRooms) {
+  for (const Include& include : all_includes()) {
+    for (const ThirdParty& party : third_parties) {
+      if (include.form == Include::Form::quoted || !std::regex_match(include.header, party.header)) continue;
+      EXPECT_TRUE(party.rooms.contains(include.room)) << include.file << " uses " << party.name;
+    }
+  }
+}
+
+// A header of the core shows only the standard library, Eigen and tl::expected; base/json.h is the stated exception.
+// A header that other rooms cannot reach (included only within its room) is named *_internal.h or *_detail.h.
+TEST(Floors, PublicHeadersShowNoThirdPartyTypes) {
+  for (const Include& include : all_includes()) {
+    if (include.file.extension() != ".h" || *include.file.begin() != "core" || include.form == Include::Form::quoted)
+      continue;
+    const std::string stem = include.file.stem().string();
+    if (stem.ends_with("_internal") || stem.ends_with("_detail") || include.file == "core/base/json.h") continue;
+    EXPECT_TRUE(std::regex_match(include.header, allowed_in_any_public_header))
+        << include.file << " shows <" << include.header << ">";
+  }
+}
+
+TEST(Floors, InternalHeadersStayInTheirRoom) {
+  for (const Include& include : all_includes()) {
+    const fs::path header = include.header;
+    const std::string stem = header.stem().string();
+    if (!stem.ends_with("_internal") && !stem.ends_with("_detail")) continue;
+    EXPECT_TRUE(!header.has_parent_path() || header.begin()->string() == include.room)
+        << include.file << " includes \"" << include.header << "\"";
+  }
+}
+
+}  // namespace
