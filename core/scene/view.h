@@ -1,0 +1,72 @@
+#pragma once
+// A scene in a renderer that somebody else owns (the window's 3D widget, or draw()), and the quick changes that a
+// live picture needs: points that move, a camera that turns, without building anything again.
+//
+// The one public header in which the name of a VTK class stands, declared and not defined.
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+class vtkRenderer;
+
+namespace glisson::scene {
+
+enum class Visibility { shown, hidden };
+
+class View {
+ public:
+  // The renderer must outlive the view and belong to a render window before the first frame. `pixel_scale` is how
+  // many device pixels one pixel of line width or text stands for (2 on a high-resolution screen).
+  explicit View(vtkRenderer& renderer, double pixel_scale = 1);
+  ~View();
+  View(const View&) = delete;
+  View& operator=(const View&) = delete;
+
+  // Shows this scene in place of what was there. The scene's camera applies; without one the present camera stays,
+  // or, the first time, everything is brought into view. Refuses as check_scene does and then changes nothing.
+  Result<void> show(const Scene& scene);
+
+  // Moves the points of one surface (by its place in Scene::surfaces), in the order they have there; cut lines of the
+  // same surface in slices follow. 20,000 points take about a millisecond. The count must match, which is asserted.
+  void move_surface(std::size_t surface, const std::vector<Eigen::Vector3d>& points_mm);
+  // New values for the coloured field of one surface, one an item of that field.
+  void recolour_surface(std::size_t surface, const std::vector<double>& values);
+  void set_visibility(std::size_t surface, Visibility visibility);
+  void set_opacity(std::size_t surface, double opacity);
+
+  void set_landmarks(const std::vector<LandmarkItem>& landmarks);
+  void set_arrows(const std::vector<ArrowItem>& arrows);
+  void set_crosshair(const std::optional<CrosshairItem>& crosshair);
+  void move_slice(std::size_t slice, const Eigen::Vector3d& center_mm);
+  void set_window(std::size_t slice, double center, double width);
+  void set_furniture(const Furniture& furniture);
+
+  void set_camera(const Camera& camera);
+  [[nodiscard]] const Camera& camera() const;
+
+  // Call before each frame, with the size of the picture in device pixels: places letters, scale bar and legends.
+  void prepare_frame(int width, int height);
+
+  struct Pick {
+    std::size_t surface = 0;  // its place in Scene::surfaces
+    Eigen::Vector3d position_mm{0, 0, 0};
+    Eigen::Vector3d normal{0, 0, 1};  // unit, outwards
+  };
+  // The first shown surface under a device pixel (from the top left), or none.
+  [[nodiscard]] std::optional<Pick> pick(double x, double y) const;
+
+  // Where the line of sight through a device pixel meets the plane through the focus: in a slice view, the point of
+  // the slice under the pointer.
+  [[nodiscard]] Eigen::Vector3d position_in_focal_plane(double x, double y) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace glisson::scene
