@@ -4,9 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "base/json.h"
 #include "base/progress.h"
@@ -22,12 +20,8 @@ struct Outcome {
 
 using Action = std::function<Result<Outcome>(const Progress&)>;
 
-// Each declares its options on `app` and sets `chosen` when the command line names it.
-void add_scan(CLI::App& app, Action& chosen);
-
-// Helpers that several commands share.
-
-// "1,2,3" as three numbers; the error names the option.
-Result<std::vector<double>> parse_numbers(const std::string& text, std::size_t count, const std::string& option);
+// Each command's file defines one of these: it declares the options on `app`, and sets `chosen` when the command line
+// names the command.
+void add_commands(CLI::App& app, Action& chosen);  // all of the below, in the order of --help
 
 }  // namespace glisson::cli
