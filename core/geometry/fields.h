@@ -1,0 +1,13 @@
+#pragma once
+// Fields that follow their points or cells when a mesh is taken apart.
+
+#include <vector>
+
+#include "geometry/field.h"
+
+namespace glisson::geometry {
+
+// The values of the items named, in that order. Every item must exist in every field.
+[[nodiscard]] Fields select(const Fields& fields, const std::vector<int>& items);
+
+}  // namespace glisson::geometry
