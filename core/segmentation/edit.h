@@ -1,0 +1,58 @@
+#pragma once
+// Correcting a mask by hand. Each operation takes a mask and gives the edited one back on the same grid; a caller who
+// no longer needs the old one moves it in: mask = paint(std::move(mask), ball). Lengths are mm in patient LPS, so that
+// a ball is a ball on any grid.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "imaging/image.h"
+
+namespace glisson::segmentation {
+
+struct Ball {
+  Eigen::Vector3d center_mm{0, 0, 0};
+  double radius_mm = 5;
+};
+
+// Adds, or takes away, the voxels whose centre lies in the ball. A ball between voxel centres does nothing.
+[[nodiscard]] imaging::Mask paint(imaging::Mask mask, const Ball& ball);
+[[nodiscard]] imaging::Mask erase(imaging::Mask mask, const Ball& ball);
+
+struct Plane {
+  Eigen::Vector3d point_mm{0, 0, 0};
+  Eigen::Vector3d normal{0, 0, 1};  // any length but zero
+};
+
+// Takes away what lies on the side that the normal points to.
+[[nodiscard]] imaging::Mask cut(imaging::Mask mask, const Plane& plane);
+
+// A closed outline drawn on a view and pushed through the volume along the view's direction, both ways.
+struct Outline {
+  std::vector<Eigen::Vector3d> points_mm;  // at least three; the last is joined to the first
+  Eigen::Vector3d direction{0, 0, 1};      // any length but zero
+};
+enum class CutSide { inside, outside };
+
+// Takes away what lies on that side of the outline. Where the outline crosses itself, even-odd rule.
+[[nodiscard]] imaging::Mask cut(imaging::Mask mask, const Outline& outline, CutSide side);
+
+// Fills every hole that no path through faces leads out of.
+[[nodiscard]] imaging::Mask fill_holes(imaging::Mask mask);
+
+// Keeps the largest piece (26 neighbours); an empty mask stays empty.
+[[nodiscard]] imaging::Mask keep_largest(imaging::Mask mask);
+
+// Rounds what is smaller than about radius_mm: the half level of the mask blurred with a Gaussian of that standard
+// deviation. Volume is nearly kept where the surface is flat on that scale; thinner parts vanish.
+[[nodiscard]] imaging::Mask smooth(imaging::Mask mask, double radius_mm);
+
+// Grows (positive) or shrinks (negative) by a margin: every voxel whose centre is at most that far from the centre of
+// a voxel inside joins, or of one outside leaves. The image's border does not count as outside.
+[[nodiscard]] imaging::Mask with_margin(imaging::Mask mask, double margin_mm);
+
+// Voxel by voxel; the other mask must be on the same grid (asserts).
+[[nodiscard]] imaging::Mask united(imaging::Mask mask, const imaging::Mask& other);
+[[nodiscard]] imaging::Mask subtracted(imaging::Mask mask, const imaging::Mask& other);
+
+}  // namespace glisson::segmentation
