@@ -68,9 +68,8 @@ Result<void> write_atomically(const fs::path& target,
   if (target.has_parent_path()) fs::create_directories(target.parent_path(), problem);
   if (problem) return cannot_write(target, problem.message());
 
-  // The extension stays, since writers choose the format by it.
-  const fs::path beside =
-      target.parent_path() / ("." + target.stem().string() + ".part-" + unique_suffix() + target.extension().string());
+  // The name's end stays (".nii.gz" too), since writers choose the format by it.
+  const fs::path beside = target.parent_path() / (".part-" + unique_suffix() + "-" + target.filename().string());
   auto written = write(beside);
   if (written) {
     fs::rename(beside, target, problem);

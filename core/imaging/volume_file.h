@@ -15,7 +15,7 @@ namespace glisson::imaging {
 
 // Any scalar type, as float (a value beyond 2^24 loses its last digits). The unit is that of the NRRD or MetaImage
 // key "unit"; NIfTI has no place for it.
-// Fails with volume-file-unknown-type, -unreadable, -not-scalar, -not-3d, -too-large, -truncated, -bad-grid.
+// Fails with volume-file-unknown-type, -unreadable, -not-scalar, -not-3d, -truncated, -bad-grid.
 Result<Volume> read_volume_file(const std::filesystem::path& file);
 
 // The same for whole numbers 0..65535; refuses others (volume-file-not-labels), since they are not a label map.
