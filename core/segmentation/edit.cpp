@@ -1,0 +1,188 @@
+// Edits of a mask.
+
+#include "segmentation/edit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <Eigen/Geometry>
+
+#include "base/parallel.h"
+#include "base/result.h"
+#include "imaging/distance_map.h"
+#include "imaging/gaussian_blur.h"
+#include "segmentation/connected.h"
+
+namespace glisson::segmentation {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using imaging::Grid;
+using imaging::Mask;
+
+void set_in_ball(Mask& mask, const Ball& ball, std::uint8_t value);
+void set_within(Mask& mask, const Mask& target, double distance_mm, std::uint8_t value);
+Mask inverse_of(const Mask& mask);
+bool is_inside(const std::vector<Vector2d>& polygon, const Vector2d& point);
+
+// Takes away the voxels for whose position `leaves` says so.
+template <typename Leaves>
+void remove_where(Mask& mask, const Leaves& leaves) {
+  const Grid& grid = mask.grid;
+  parallel_for(static_cast<std::size_t>(grid.size[2]), 1, [&](std::size_t begin, std::size_t end) {
+    for (auto k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
+      for (int j = 0; j < grid.size[1]; ++j) {
+        for (int i = 0; i < grid.size[0]; ++i) {
+          std::uint8_t& value = mask.at(i, j, k);
+          if (value != 0 && leaves(grid.position_mm(i, j, k))) value = 0;
+        }
+      }
+    }
+  });
+}
+
+}  // namespace
+
+Mask paint(Mask mask, const Ball& ball) {
+  set_in_ball(mask, ball, 1);
+  return mask;
+}
+
+Mask erase(Mask mask, const Ball& ball) {
+  set_in_ball(mask, ball, 0);
+  return mask;
+}
+
+Mask cut(Mask mask, const Plane& plane) {
+  remove_where(mask, [&](const Vector3d& at_mm) { return (at_mm - plane.point_mm).dot(plane.normal) > 0; });
+  return mask;
+}
+
+Mask cut(Mask mask, const Outline& outline, CutSide side) {
+  GLISSON_ASSERT(outline.points_mm.size() >= 3 && outline.direction.norm() > 0);
+  const Vector3d w = outline.direction.normalized();
+  const Vector3d u = w.unitOrthogonal();
+  const Vector3d v = w.cross(u);
+  const auto on_plane = [&](const Vector3d& at_mm) { return Vector2d(at_mm.dot(u), at_mm.dot(v)); };
+  std::vector<Vector2d> polygon;
+  for (const Vector3d& point_mm : outline.points_mm) polygon.push_back(on_plane(point_mm));
+  remove_where(mask,
+               [&](const Vector3d& at_mm) { return is_inside(polygon, on_plane(at_mm)) == (side == CutSide::inside); });
+  return mask;
+}
+
+Mask fill_holes(Mask mask) {
+  const ConnectedVoxels background = connected_voxels(inverse_of(mask), Neighbours::faces);
+  std::vector<bool> reaches_border(background.sizes.size(), false);
+  const Grid& grid = mask.grid;
+  for (int k = 0; k < grid.size[2]; ++k) {
+    for (int j = 0; j < grid.size[1]; ++j) {
+      const bool whole_row = k == 0 || j == 0 || k + 1 == grid.size[2] || j + 1 == grid.size[1];
+      for (int i = 0; i < grid.size[0]; ++i) {
+        if (whole_row || i == 0 || i + 1 == grid.size[0]) reaches_border[background.piece[grid.offset(i, j, k)]] = true;
+      }
+    }
+  }
+  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+    if (mask.values[voxel] == 0 && !reaches_border[background.piece[voxel]]) mask.values[voxel] = 1;
+  }
+  return mask;
+}
+
+Mask keep_largest(Mask mask) {
+  const ConnectedVoxels connected = connected_voxels(mask, Neighbours::all);
+  const std::uint32_t largest = connected.largest();
+  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+    if (connected.piece[voxel] != largest) mask.values[voxel] = 0;
+  }
+  return mask;
+}
+
+Mask smooth(Mask mask, double radius_mm) {
+  const std::vector<float> inside(mask.values.begin(), mask.values.end());
+  // What lies beyond the image is unknown, not empty: the weights keep a structure from shrinking from the border.
+  const std::vector<float> sum = imaging::gaussian_blur(inside, mask.grid, radius_mm);
+  const std::vector<float> weight =
+      imaging::gaussian_blur(std::vector<float>(inside.size(), 1.0F), mask.grid, radius_mm);
+  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+    mask.values[voxel] = sum[voxel] >= 0.5F * weight[voxel] ? 1 : 0;
+  }
+  return mask;
+}
+
+Mask with_margin(Mask mask, double margin_mm) {
+  if (margin_mm > 0) set_within(mask, mask, margin_mm, 1);
+  if (margin_mm < 0) set_within(mask, inverse_of(mask), -margin_mm, 0);
+  return mask;
+}
+
+Mask united(Mask mask, const Mask& other) {
+  GLISSON_ASSERT(imaging::same_grid(mask.grid, other.grid));
+  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+    if (other.values[voxel] != 0) mask.values[voxel] = 1;
+  }
+  return mask;
+}
+
+Mask subtracted(Mask mask, const Mask& other) {
+  GLISSON_ASSERT(imaging::same_grid(mask.grid, other.grid));
+  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+    if (other.values[voxel] != 0) mask.values[voxel] = 0;
+  }
+  return mask;
+}
+
+namespace {
+
+void set_in_ball(Mask& mask, const Ball& ball, std::uint8_t value) {
+  if (!(ball.radius_mm > 0) || !ball.center_mm.allFinite()) return;
+  const Grid& grid = mask.grid;
+  const Vector3d center = grid.index_of(ball.center_mm);
+  std::array<int, 3> first{}, last{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    const double reach = ball.radius_mm / grid.spacing_mm[a] + 1e-9;
+    const double beyond = grid.size[axis];
+    first[axis] = static_cast<int>(std::clamp(std::ceil(center[a] - reach), 0.0, beyond));
+    last[axis] = static_cast<int>(std::clamp(std::floor(center[a] + reach), -1.0, beyond - 1.0));
+  }
+  for (int k = first[2]; k <= last[2]; ++k) {
+    for (int j = first[1]; j <= last[1]; ++j) {
+      for (int i = first[0]; i <= last[0]; ++i) {
+        const double squared_distance_mm2 = (grid.position_mm(i, j, k) - ball.center_mm).squaredNorm();
+        if (squared_distance_mm2 <= ball.radius_mm * ball.radius_mm) mask.at(i, j, k) = value;
+      }
+    }
+  }
+}
+
+void set_within(Mask& mask, const Mask& target, double distance_mm, std::uint8_t value) {
+  const std::vector<float> squared_mm2 = imaging::squared_distances_mm2(target);
+  const double limit_mm2 = distance_mm * distance_mm * (1 + 1e-6);  // the distances are single precision
+  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+    if (static_cast<double>(squared_mm2[voxel]) <= limit_mm2) mask.values[voxel] = value;
+  }
+}
+
+Mask inverse_of(const Mask& mask) {
+  Mask inverse{mask.grid, std::vector<std::uint8_t>(mask.values.size())};
+  std::transform(mask.values.begin(), mask.values.end(), inverse.values.begin(),
+                 [](std::uint8_t value) { return std::uint8_t{value == 0}; });
+  return inverse;
+}
+
+// Even-odd rule: how often a ray from the point crosses the polygon.
+bool is_inside(const std::vector<Vector2d>& polygon, const Vector2d& point) {
+  bool inside = false;
+  for (std::size_t n = 0, before = polygon.size() - 1; n < polygon.size(); before = n++) {
+    const Vector2d& a = polygon[before];
+    const Vector2d& b = polygon[n];
+    if ((a.y() > point.y()) == (b.y() > point.y())) continue;
+    if (point.x() < a.x() + (point.y() - a.y()) * (b.x() - a.x()) / (b.y() - a.y())) inside = !inside;
+  }
+  return inside;
+}
+
+}  // namespace
+}  // namespace glisson::segmentation
