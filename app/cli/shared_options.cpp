@@ -1,0 +1,62 @@
+#include "shared_options.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace glisson::cli {
+namespace {
+
+// Numbers with a dot whatever the locale; false unless all of `text` is one finite number.
+bool read_number(std::string_view text, double& number) {
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return problem == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+}
+
+}  // namespace
+
+Result<Eigen::Vector3d> parse_position(const std::string& text, const std::string& option) {
+  Eigen::Vector3d position;
+  std::string_view rest = text;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t comma = axis < 2 ? rest.find(',') : rest.size();
+    if (comma == std::string_view::npos || !read_number(rest.substr(0, comma), position[axis])) {
+      return failure("position-invalid", GLISSON_TEXT("{0} wants a position X,Y,Z in mm, not \"{1}\"."),
+                     {option, text});
+    }
+    if (axis < 2) rest.remove_prefix(comma + 1);
+  }
+  return position;
+}
+
+Result<PictureSize> parse_size(const std::string& text) {
+  constexpr double largest = 16384;  // what OpenGL implementations draw at once
+  const std::size_t cross = text.find('x');
+  double width = 0;
+  double height = 0;
+  if (cross == std::string::npos || !read_number(std::string_view(text).substr(0, cross), width) ||
+      !read_number(std::string_view(text).substr(cross + 1), height) || width < 16 || height < 16 || width > largest ||
+      height > largest) {
+    return failure("size-invalid", GLISSON_TEXT("--size wants WxH in pixels, 16 to 16384 each, not \"{0}\"."), {text});
+  }
+  return PictureSize{static_cast<int>(width), static_cast<int>(height)};
+}
+
+Json three(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+Json three(const std::array<int, 3>& v) { return Json::array({v[0], v[1], v[2]}); }
+
+Json direction_json(const Eigen::Matrix3d& direction) {
+  Json json = Json::array();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) json.push_back(direction(row, column));
+  }
+  return json;
+}
+
+std::string bullet_list(const std::vector<std::string>& sentences) {
+  std::string list;
+  for (const std::string& sentence : sentences) list += "  - " + sentence + "\n";
+  return list;
+}
+
+}  // namespace glisson::cli

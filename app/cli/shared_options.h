@@ -1,0 +1,31 @@
+#pragma once
+// What several commands read from the command line or write to their answers in the same way.
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "base/json.h"
+#include "base/result.h"
+#include "imaging/image.h"
+
+namespace glisson::cli {
+
+// "1.5,-2,30" as a position; `option` is named in the error.
+Result<Eigen::Vector3d> parse_position(const std::string& text, const std::string& option);
+
+// "1600x1000".
+struct PictureSize {
+  int width;
+  int height;
+};
+Result<PictureSize> parse_size(const std::string& text);
+
+Json three(const Eigen::Vector3d& v);
+Json three(const std::array<int, 3>& v);
+Json direction_json(const Eigen::Matrix3d& direction);  // nine numbers, row after row
+
+// One "- sentence" a line.
+std::string bullet_list(const std::vector<std::string>& sentences);
+
+}  // namespace glisson::cli

@@ -1,0 +1,85 @@
+// glisson-cli simulate (CASE | --mesh FILE.vtu) --scenario S.json --out DIR: equilibrium under supports, tools and
+// loads.
+
+#include <fmt/format.h>
+
+#include "casefile/model.h"
+#include "casefile/result_folder.h"
+#include "command.h"
+#include "geometry/mesh_file.h"
+#include "mechanics/scenario_file.h"
+#include "mechanics/simulation.h"
+#include "shared_options.h"
+
+namespace glisson::cli {
+namespace {
+
+struct Options {
+  std::optional<std::string> case_folder;
+  std::optional<std::string> mesh_file;
+  std::string scenario_file;
+  std::string out;
+};
+
+// A case brings its mesh, and what the scenario leaves out: the usual supports, and landmarks on tumours and vessels.
+Result<geometry::TetMesh> mesh_and_defaults(const Options& options, mechanics::Scenario& scenario) {
+  if (options.mesh_file) return geometry::read_tetrahedra(*options.mesh_file);
+  auto model = casefile::Case::open(*options.case_folder).and_then([](const casefile::Case& patient) {
+    return casefile::read_model(patient);
+  });
+  if (!model) return failure(model.error());
+  if (scenario.supports.empty()) scenario.supports = model->supports;
+  if (scenario.landmarks.empty()) scenario.landmarks = model->landmarks;
+  return std::move(model->mesh);
+}
+
+std::string describe(const mechanics::Simulation& simulation) {
+  const mechanics::StaticResult& result = simulation.result;
+  std::string text =
+      fmt::format("Largest displacement {:.2f} mm; relative residual {:.1e}; set-up {:.2f} s, solve {:.0f} ms\n",
+                  result.max_displacement_mm, result.relative_residual, result.setup_s, result.step_ms);
+  for (const auto& landmark : simulation.landmarks) {
+    text += fmt::format("  {:24} {:7.2f} mm{}\n", landmark.id, landmark.displacement_mm,
+                        landmark.displacement_mm >= rehearsal::significant_mm ? "  >= 5 mm" : "");
+  }
+  return text + bullet_list(result.notes);
+}
+
+Result<Outcome> simulate(const Options& options, const Progress& progress) {
+  auto scenario = mechanics::read_scenario(options.scenario_file);
+  if (!scenario) return failure(scenario.error());
+  progress.report(0.0, "Reading the mesh");
+  const auto mesh = mesh_and_defaults(options, *scenario);
+  if (!mesh) return failure(mesh.error());
+  const auto simulation = mechanics::simulate(*mesh, *scenario, {}, progress);
+  if (!simulation) return failure(simulation.error());
+  if (!simulation->result.may_be_used()) {
+    return failure(Error{"not-converged",
+                         GLISSON_TEXT("The computation did not converge: {0}"),
+                         {simulation->result.why_stopped},
+                         {},
+                         options.scenario_file});
+  }
+  if (auto written = casefile::write_result(options.out, *simulation); !written) return failure(written.error());
+  Outcome outcome{parse_json(casefile::result_text(*simulation)).value(), describe(*simulation)};
+  outcome.document["out"] = options.out;
+  return outcome;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand("simulate", "Move the liver: equilibrium under supports, tools and loads");
+  auto options = std::make_shared<Options>();
+  CLI::Option* case_folder = command->add_option("case", options->case_folder, "The case");
+  CLI::Option* mesh = command->add_option("--mesh", options->mesh_file, "Tetrahedra (.vtu), instead of a case");
+  command->add_option("--scenario", options->scenario_file, "Supports, loads and landmarks (JSON)")->required();
+  command->add_option("--out", options->out, "Folder for the result")->required();
+  case_folder->excludes(mesh);
+  command->callback([&chosen, options] {
+    if (!options->case_folder && !options->mesh_file) throw CLI::RequiredError("a case or --mesh");
+    chosen = [options](const Progress& progress) { return simulate(*options, progress); };
+  });
+}
+
+}  // namespace glisson::cli

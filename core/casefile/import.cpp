@@ -1,0 +1,214 @@
+#include "casefile/import.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cctype>
+
+#include "base/files.h"
+#include "imaging/dicom_seg.h"
+#include "imaging/read_series.h"
+#include "imaging/stiffness_map.h"
+#include "imaging/volume_file.h"
+#include "segmentation/resample.h"
+
+namespace glisson::casefile {
+namespace {
+
+constexpr const char* simulated_origin = "SIMULATED from a real patient's anatomy, not measured";
+
+using imaging::Role;
+using imaging::Series;
+using imaging::Study;
+
+struct Chosen {
+  Role role;
+  std::string id;
+  const Series* series;
+};
+
+Result<std::vector<Chosen>> choose(const Study& study, const ImportChoice& choice);
+Result<void> import_series(Case& patient, const Chosen& chosen, std::vector<ImportedVolume>& imported,
+                           const Progress& progress);
+Result<void> import_segments(Case& patient, const Series& series, const imaging::Grid& grid);
+std::string origin_of(const Study& study);
+
+}  // namespace
+
+Result<std::vector<ImportedVolume>> import_study(Case& patient, const Study& study, const ImportChoice& choice,
+                                                 const Progress& progress) {
+  const auto chosen = choose(study, choice);
+  if (!chosen) return failure(chosen.error());
+
+  std::vector<ImportedVolume> imported;
+  for (std::size_t i = 0; i < chosen->size(); ++i) {
+    const double count = static_cast<double>(chosen->size());
+    const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    if (auto done = import_series(patient, (*chosen)[i], imported, part); !done) return failure(done.error());
+  }
+  for (const Series& series : study.series) {
+    if (series.role != Role::segmentation) continue;
+    if (auto done = import_segments(patient, series, imported.front().grid); !done) return failure(done.error());
+  }
+  if (auto saved = patient.set_origin(origin_of(study)); !saved) return failure(saved.error());
+  return imported;
+}
+
+std::string structure_name(const std::string& name) {
+  std::string simple;
+  for (const char c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c))) {
+      simple += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (!simple.empty() && simple.back() != '-') {
+      simple += '-';
+    }
+  }
+  while (simple.ends_with('-')) simple.pop_back();
+  return simple.empty() ? "structure" : simple;
+}
+
+namespace {
+
+std::string list_of(const std::vector<const Series*>& candidates) {
+  std::string list;
+  for (const Series* series : candidates) {
+    list += fmt::format("\n  {}  {} ({} x {} x {})", series->uid, series->description, series->grid.size[0],
+                        series->grid.size[1], series->grid.size[2]);
+  }
+  return list;
+}
+
+// The series for a role: the one with that uid, else the only candidate. nullptr where there is none.
+Result<const Series*> series_for(const Study& study, Role role, const std::optional<std::string>& uid,
+                                 const std::string& option) {
+  std::vector<const Series*> candidates;
+  for (const Series& series : study.series) {
+    if (uid && series.uid == *uid) return &series;
+    if (series.role == role) candidates.push_back(&series);
+  }
+  if (uid) {
+    return failure(Error{"import-unknown-uid",
+                         GLISSON_TEXT("The study has no series {0}."),
+                         {*uid},
+                         GLISSON_TEXT("glisson-cli scan lists them."),
+                         {}});
+  }
+  if (candidates.size() > 1) {
+    return failure(
+        Error{"import-ambiguous",
+              GLISSON_TEXT("{0} series could be the {1}:{2}"),
+              {std::to_string(candidates.size()), std::string(imaging::role_name(role)), list_of(candidates), option},
+              GLISSON_TEXT("Name one with {3} UID."),
+              {}});
+  }
+  return candidates.empty() ? nullptr : candidates.front();
+}
+
+Result<std::vector<Chosen>> choose(const Study& study, const ImportChoice& choice) {
+  struct Wanted {
+    Role role;
+    const char* id;
+    const std::optional<std::string>& uid;
+    const char* option;
+  };
+  const std::optional<std::string> unnamed;
+  const Wanted wanted[] = {
+      {Role::anatomy, "volumes/anatomy", choice.anatomy_uid, "--anatomy"},
+      {Role::mre_stiffness, "volumes/stiffness", choice.stiffness_uid, "--stiffness"},
+      {Role::mre_magnitude, "volumes/magnitude", choice.magnitude_uid, "--magnitude"},
+      {Role::mre_phase, "volumes/phase", choice.phase_uid, "--phase"},
+      {Role::mre_wave, "volumes/wave", unnamed, ""},
+      {Role::mre_confidence, "volumes/confidence", unnamed, ""},
+  };
+  std::vector<Chosen> chosen;
+  for (const Wanted& want : wanted) {
+    const auto series = series_for(study, want.role, want.uid, want.option);
+    // Of waves and confidence, which no option names, several are no reason to stop: none is taken.
+    if (!series && *want.option == '\0') continue;
+    if (!series) return failure(series.error());
+    if (*series) chosen.push_back({want.role, want.id, *series});
+  }
+  if (chosen.empty() || chosen.front().role != Role::anatomy) {
+    // One unlabelled volume is the anatomy; of several, the person must say which.
+    std::vector<const Series*> images;
+    for (const Series& series : study.series) {
+      if (series.role == Role::other) images.push_back(&series);
+    }
+    if (images.size() == 1) {
+      chosen.insert(chosen.begin(), {Role::anatomy, "volumes/anatomy", images.front()});
+    } else {
+      return failure(Error{"import-no-anatomy",
+                           GLISSON_TEXT("No series is recognised as the anatomy.{0}"),
+                           {list_of(images)},
+                           images.empty() ? GLISSON_TEXT("glisson-cli scan says what is there, and what was skipped.")
+                                          : GLISSON_TEXT("Name one with --anatomy UID."),
+                           {}});
+    }
+  }
+  return chosen;
+}
+
+Made made_from(const Series& series) {
+  Made made{"import", {{"series", series.uid}, {"description", series.description}}, {}, {}, series.problems};
+  for (const auto& file : series.files) {
+    made.sources[file.filename().string()] = sha256_of_file(file).value_or("unreadable");
+  }
+  return made;
+}
+
+Result<void> import_series(Case& patient, const Chosen& chosen, std::vector<ImportedVolume>& imported,
+                           const Progress& progress) {
+  const Series& series = *chosen.series;
+  const Made source = made_from(series);
+  for (int index = 0; index < series.volumes; ++index) {
+    if (progress.cancelled()) return cancelled();
+    const double count = series.volumes;
+    auto volume = imaging::read_series(series, index, progress.part(index / count, (index + 1) / count));
+    if (!volume) return failure(volume.error());
+
+    Made made = source;
+    if (series.volumes > 1) made.options["volume"] = std::to_string(index + 1);
+    if (chosen.role == Role::mre_stiffness) {
+      auto stiffness = imaging::stiffness_in_kPa(std::move(*volume), series.unit_evidence);
+      if (!stiffness) return failure(stiffness.error());
+      made.notes.push_back(stiffness->evidence);
+      volume = std::move(stiffness->shear_kPa);
+    }
+    const std::string id = series.volumes == 1 ? chosen.id : fmt::format("{}-{:02}", chosen.id, index + 1);
+    auto added =
+        patient.add(id, ".nrrd", made, [&](const auto& file) { return imaging::write_volume_file(file, *volume); });
+    if (!added) return added;
+    imported.push_back({id, chosen.role, volume->grid, made.notes});
+  }
+  return {};
+}
+
+Result<void> import_segments(Case& patient, const Series& series, const imaging::Grid& grid) {
+  const auto segments = imaging::read_dicom_seg(series.files.front());
+  if (!segments) return failure(segments.error());
+  for (const imaging::SegmentedMask& segment : *segments) {
+    imaging::SegmentInfo info = segment.info;
+    info.name = structure_name(info.name);
+    info.label_value = 1;
+    Made made = made_from(series);
+    made.options["segment"] = segment.info.name;
+    auto added = patient.add("labels/" + info.name, ".nrrd", made, [&](const auto& file) {
+      return imaging::write_mask_file(file, segmentation::resample(segment.mask, grid), info);
+    });
+    if (!added) return added;
+  }
+  return {};
+}
+
+// The demo patient's series say in their descriptions what they are; a case made from them says it too.
+std::string origin_of(const Study& study) {
+  for (const Series& series : study.series) {
+    std::string description = series.description;
+    std::transform(description.begin(), description.end(), description.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (description.find("simulated") != std::string::npos) return simulated_origin;
+  }
+  return {};
+}
+
+}  // namespace
+}  // namespace glisson::casefile

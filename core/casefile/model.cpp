@@ -1,0 +1,195 @@
+#include "casefile/model.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "casefile/structures.h"
+#include "geometry/mesh_file.h"
+#include "imaging/volume_file.h"
+#include "meshing/mask_surface.h"
+#include "rehearsal/liver_supports.h"
+
+namespace glisson::casefile {
+namespace fs = std::filesystem;
+namespace {
+
+using segmentation::Structure;
+
+bool in_liver(const Structure& structure) {
+  const auto place = segmentation::known_structure(structure.name).place;
+  return place == segmentation::Place::liver || place == segmentation::Place::inside;
+}
+
+Result<void> save_structure_surfaces(Case& patient, const std::vector<Structure>& structures);
+Result<elastography::CellStiffness> stiffness_from_mre(const Case& patient, const geometry::TetMesh& mesh,
+                                                       const elastography::StiffnessOptions& options, Made& made);
+std::vector<Eigen::Vector3d> centroids_mm(const geometry::TetMesh& mesh);
+
+}  // namespace
+
+Result<meshing::LiverMesh> mesh_liver(Case& patient, const meshing::MeshOptions& options, const Progress& progress) {
+  progress.report(0.0, "Reading the structures");
+  auto structures = read_structures(patient);
+  if (!structures) return failure(structures.error());
+  std::erase_if(*structures, [](const Structure& structure) { return !in_liver(structure); });
+  if (structures->empty() || structures->front().name != "liver")
+    return failure(patient.file_of("labels/liver").error());
+
+  const auto composed = segmentation::compose_labels(*structures, segmentation::Extent::liver);
+  if (!composed) return failure(composed.error());
+  auto meshed = meshing::mesh_labels(composed->labels, options, progress.part(0.05, 0.85));
+  if (!meshed) return failure(meshed.error());
+
+  Made made{"mesh", {{"target-cells", std::to_string(options.target_cells)}}, {}, {}, meshed->notes};
+  for (const Structure& structure : *structures) made.from.push_back("labels/" + structure.name);
+  for (std::size_t i = 0; i < composed->names.size(); ++i) {
+    made.options[fmt::format("region-{}", i + 1)] = composed->names[i];
+  }
+  // A liver that is cut by the image may lack its upper rear; then the scenario must say what holds it.
+  if (auto marked = rehearsal::mark_attachments(meshed->body); !marked) made.notes.push_back(marked.error().message());
+
+  progress.report(0.9, "Saving the mesh");
+  auto saved = patient.add("meshes/liver", ".vtu", made,
+                           [&](const fs::path& file) { return geometry::write_tetrahedra(file, meshed->body); });
+  if (!saved) return failure(saved.error());
+  if (auto surfaces = save_structure_surfaces(patient, *structures); !surfaces) return failure(surfaces.error());
+  meshed->notes = made.notes;
+  return meshed;
+}
+
+Result<elastography::CellStiffness> assign_stiffness(Case& patient, const StiffnessChoice& choice,
+                                                     const elastography::StiffnessOptions& options,
+                                                     const Progress& progress) {
+  progress.report(0.0, "Reading the mesh");
+  auto mesh =
+      patient.file_of("meshes/liver").and_then([](const fs::path& file) { return geometry::read_tetrahedra(file); });
+  if (!mesh) return failure(mesh.error());
+
+  Made made{"stiffness", {{"poisson-ratio", fmt::format("{}", options.poisson_ratio)}}, {"meshes/liver"}, {}, {}};
+  Result<elastography::CellStiffness> stiffness = tl::unexpected(Error{});
+  if (std::holds_alternative<FromMre>(choice)) {
+    progress.report(0.2, "Stiffness of each cell from the MRE map");
+    stiffness = stiffness_from_mre(patient, *mesh, options, made);
+  } else {
+    const auto* uniform = std::get_if<Uniform>(&choice);
+    const double youngs_kPa =
+        uniform ? uniform->youngs_kPa
+                : elastography::atlas_youngs_kPa(std::get<FromAtlas>(choice).atlas, options.poisson_ratio);
+    if (!(youngs_kPa > 0) || !std::isfinite(youngs_kPa)) {
+      return failure("stiffness-invalid", GLISSON_TEXT("A Young's modulus of {0} kPa is not possible."),
+                     {fmt::format("{}", youngs_kPa)});
+    }
+    stiffness = elastography::uniform_stiffness(mesh->cells.size(), youngs_kPa);
+    made.options[uniform ? "uniform_kPa" : "atlas_kPa"] = fmt::format("{:g}", youngs_kPa);
+  }
+  if (!stiffness) return stiffness;
+
+  geometry::set_field(mesh->cell_fields, {mechanics::youngs_modulus_field, 1, stiffness->youngs_kPa});
+  geometry::Field source{"stiffness_source", 1, {}};
+  for (const auto s : stiffness->source) source.values.push_back(static_cast<double>(s));
+  geometry::set_field(mesh->cell_fields, std::move(source));
+  progress.report(0.9, "Saving the model");
+  auto saved = patient.add("meshes/model", ".vtu", std::move(made),
+                           [&](const fs::path& file) { return geometry::write_tetrahedra(file, *mesh); });
+  if (!saved) return failure(saved.error());
+  return stiffness;
+}
+
+Result<PatientModel> read_model(const Case& patient) {
+  auto mesh =
+      patient.file_of("meshes/model").and_then([](const fs::path& file) { return geometry::read_tetrahedra(file); });
+  if (!mesh) {
+    return failure(patient.find("meshes/liver") && !patient.find("meshes/model")
+                       ? std::move(mesh.error())
+                             .with_hint(GLISSON_TEXT("Give the mesh its stiffness first (glisson-cli stiffness)."))
+                       : mesh.error());
+  }
+  PatientModel model;
+  model.mesh = std::move(*mesh);
+  const geometry::Field* youngs = geometry::find_field(model.mesh.cell_fields, mechanics::youngs_modulus_field);
+  if (!youngs) {
+    return failure(Error{"model-no-stiffness",
+                         GLISSON_TEXT("The model of {0} has no stiffness."),
+                         {patient.folder().string()},
+                         GLISSON_TEXT("Run glisson-cli stiffness again."),
+                         patient.folder()});
+  }
+  model.youngs_kPa = youngs->values;
+  model.atlas_youngs_kPa = elastography::atlas_youngs_kPa(elastography::Atlas::dissertation_cohort);
+  model.supports = rehearsal::usual_supports();
+
+  const auto structures = read_structures(patient);
+  if (!structures) return failure(structures.error());
+  model.landmarks = landmarks_of(*structures);
+  for (const Structure& structure : *structures) {
+    if (!in_liver(structure) || !patient.find("surfaces/" + structure.name)) continue;
+    auto surface = patient.file_of("surfaces/" + structure.name).and_then([](const fs::path& file) {
+      return geometry::read_surface(file);
+    });
+    if (!surface) return failure(surface.error());
+    StructureSurface shown{structure.name, structure.color_rgb, std::move(*surface)};
+    if (structure.name == "liver") {
+      model.liver = std::move(shown);
+    } else {
+      model.structures.push_back(std::move(shown));
+    }
+  }
+  return model;
+}
+
+namespace {
+
+Result<void> save_structure_surfaces(Case& patient, const std::vector<Structure>& structures) {
+  for (const Structure& structure : structures) {
+    if (segmentation::voxel_count(structure.mask) == 0) continue;
+    const auto surface = meshing::mask_surface(structure.mask);
+    if (!surface) return failure(surface.error());
+    auto saved =
+        patient.add("surfaces/" + structure.name, ".vtp", Made{"mesh", {}, {"labels/" + structure.name}, {}, {}},
+                    [&](const fs::path& file) { return geometry::write_surface(file, *surface); });
+    if (!saved) return saved;
+  }
+  return {};
+}
+
+Result<elastography::CellStiffness> stiffness_from_mre(const Case& patient, const geometry::TetMesh& mesh,
+                                                       const elastography::StiffnessOptions& options, Made& made) {
+  const auto map = patient.file_of("volumes/stiffness").and_then([](const fs::path& file) {
+    return imaging::read_volume_file(file);
+  });
+  if (!map) {
+    return failure(Error{map.error()}.with_hint(
+        GLISSON_TEXT("Import a study with MR elastography, or choose --uniform-kPa or --atlas.")));
+  }
+  made.from.push_back("volumes/stiffness");
+
+  elastography::Reliability reliability;
+  if (patient.find("volumes/confidence")) {
+    const auto confidence = patient.file_of("volumes/confidence").and_then([](const fs::path& file) {
+      return imaging::read_volume_file(file);
+    });
+    if (!confidence) return failure(confidence.error());
+    reliability.confident = imaging::Mask{confidence->grid, {}};
+    // Scanners store the mask as 0 and something, or as a percentage; half of the largest value counts as confident.
+    const float half = 0.5f * *std::max_element(confidence->values.begin(), confidence->values.end());
+    for (const float value : confidence->values) reliability.confident->values.push_back(value > half ? 1 : 0);
+    made.from.push_back("volumes/confidence");
+  }
+  if (patient.find("labels/liver")) {
+    auto liver =
+        patient.file_of("labels/liver").and_then([](const fs::path& file) { return imaging::read_mask_file(file); });
+    if (!liver) return failure(liver.error());
+    reliability.organ = std::move(liver->mask);
+    made.from.push_back("labels/liver");
+  }
+  return elastography::cell_stiffness(centroids_mm(mesh), *map, reliability, options);
+}
+
+std::vector<Eigen::Vector3d> centroids_mm(const geometry::TetMesh& mesh) {
+  std::vector<Eigen::Vector3d> centroids(mesh.cells.size());
+  for (std::size_t cell = 0; cell < centroids.size(); ++cell) centroids[cell] = geometry::cell_centroid_mm(mesh, cell);
+  return centroids;
+}
+
+}  // namespace
+}  // namespace glisson::casefile

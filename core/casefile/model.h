@@ -1,0 +1,56 @@
+#pragma once
+// The mechanical model of a case: the liver as tetrahedra, with each cell's own stiffness.
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/progress.h"
+#include "casefile/case.h"
+#include "elastography/cell_stiffness.h"
+#include "mechanics/scenario.h"
+#include "meshing/mesh_labels.h"
+#include "segmentation/structures.h"
+
+namespace glisson::casefile {
+
+// Meshes labels/liver with the structures inside it: meshes/liver.vtu (cell field "region", point fields that name the
+// attachments of rehearsal/liver_supports.h) and surfaces/NAME.vtp of the liver and of each structure.
+Result<meshing::LiverMesh> mesh_liver(Case& patient, const meshing::MeshOptions& options = {},
+                                      const Progress& progress = {});
+
+// Where the stiffness comes from: the MRE map of the case, one value, or the atlas.
+struct FromMre {};
+struct Uniform {
+  double youngs_kPa;
+};
+struct FromAtlas {
+  elastography::Atlas atlas = elastography::Atlas::dissertation_cohort;
+};
+using StiffnessChoice = std::variant<FromMre, Uniform, FromAtlas>;
+
+// Gives each cell of meshes/liver its Young's modulus and saves meshes/model.vtu with the cell fields
+// "youngs_modulus_kPa" and "stiffness_source" (0 measured, 1 filled, 2 chosen).
+Result<elastography::CellStiffness> assign_stiffness(Case& patient, const StiffnessChoice& choice,
+                                                     const elastography::StiffnessOptions& options = {},
+                                                     const Progress& progress = {});
+
+// What a rehearsal needs of a case.
+struct StructureSurface {
+  std::string name;
+  std::array<double, 3> color_rgb;
+  geometry::Surface surface;
+};
+struct PatientModel {
+  geometry::TetMesh mesh;          // with youngs_modulus_kPa, bare_area, diaphragm
+  std::vector<double> youngs_kPa;  // one a cell
+  double atlas_youngs_kPa = 0;     // of the twin that it is compared with
+  std::vector<mechanics::Support> supports;
+  std::vector<mechanics::Landmark> landmarks;
+  std::vector<StructureSurface> structures;  // those inside the liver
+  StructureSurface liver;                    // its smooth surface, for pictures
+};
+Result<PatientModel> read_model(const Case& patient);
+
+}  // namespace glisson::casefile

@@ -1,0 +1,91 @@
+#include "casefile/result_folder.h"
+
+#include "base/files.h"
+#include "base/json.h"
+#include "geometry/mesh_file.h"
+#include "mechanics/scenario_file.h"
+
+namespace glisson::casefile {
+namespace fs = std::filesystem;
+namespace {
+
+Json three(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+Failure not_a_result(const fs::path& folder, const std::string& why) {
+  return failure(Error{"not-a-result",
+                       GLISSON_TEXT("{0} does not hold a simulation's result: {1}."),
+                       {folder.string(), why},
+                       GLISSON_TEXT("Make one with glisson-cli simulate --out DIR."),
+                       folder});
+}
+
+std::string_view engine_name(mechanics::Engine engine) { return engine == mechanics::Engine::fem ? "fem" : "meshfree"; }
+
+}  // namespace
+
+Result<void> write_result(const fs::path& folder, const mechanics::Simulation& simulation) {
+  return geometry::write_tetrahedra(folder / "result.vtu", simulation.mesh)
+      .and_then(
+          [&] { return write_text_file(folder / "scenario.json", mechanics::scenario_text(simulation.scenario)); })
+      .and_then([&] { return write_text_file(folder / "result.json", result_text(simulation)); });
+}
+
+std::string result_text(const mechanics::Simulation& simulation) {
+  const mechanics::StaticResult& result = simulation.result;
+  Json document{{"format", "glisson-result/1"},
+                {"engine", engine_name(simulation.scenario.engine)},
+                {"converged", result.may_be_used()},
+                {"why_stopped", result.why_stopped},
+                {"relative_residual", result.relative_residual},
+                {"iterations", result.iterations},
+                {"max_displacement_mm", result.max_displacement_mm},
+                {"strain_energy_uJ", result.strain_energy_uJ},
+                {"largest_strain", result.largest_strain},
+                {"inverted_cells", result.inverted_cells},
+                {"applied_force_N", three(result.applied_force_mN * 1e-3)},
+                {"timing", {{"setup_s", result.setup_s}, {"step_ms", result.step_ms}}},
+                {"notes", result.notes},
+                {"landmarks", Json::array()}};
+  for (const mechanics::DisplacedLandmark& landmark : simulation.landmarks) {
+    document["landmarks"].push_back({{"id", landmark.id},
+                                     {"rest_mm", three(landmark.rest_mm)},
+                                     {"displaced_mm", three(landmark.displaced_mm)},
+                                     {"displacement_mm", landmark.displacement_mm}});
+  }
+  return document.dump(2) + "\n";
+}
+
+Result<rehearsal::ComparedResult> read_result(const fs::path& folder) {
+  std::error_code problem;
+  if (!fs::exists(folder / "result.vtu", problem)) return not_a_result(folder, "result.vtu is missing");
+  const auto document = read_json_file(folder / "result.json");
+  if (!document) return failure(document.error());
+  if (document->value("format", "") != "glisson-result/1") {
+    return not_a_result(folder, "result.json does not say \"format\": \"glisson-result/1\"");
+  }
+  if (!document->value("converged", false)) return not_a_result(folder, "the computation did not converge");
+
+  rehearsal::ComparedResult read;
+  auto mesh = geometry::read_tetrahedra(folder / "result.vtu");
+  if (!mesh) return failure(mesh.error());
+  read.mesh = std::move(*mesh);
+  const auto scenario = mechanics::read_scenario(folder / "scenario.json");
+  if (!scenario) return failure(scenario.error());
+  for (const mechanics::Load& load : scenario->loads) {
+    if (const auto* tool = std::get_if<mechanics::ToolLoad>(&load)) read.tools.push_back(*tool);
+  }
+  try {
+    const auto vector = [](const Json& json) {
+      return Eigen::Vector3d(json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>());
+    };
+    for (const Json& landmark : document->at("landmarks")) {
+      read.landmarks.push_back({landmark.at("id").get<std::string>(), vector(landmark.at("rest_mm")),
+                                vector(landmark.at("displaced_mm")), landmark.at("displacement_mm").get<double>(), 0});
+    }
+  } catch (const Json::exception& damage) {
+    return not_a_result(folder, std::string("result.json is damaged: ") + damage.what());
+  }
+  return read;
+}
+
+}  // namespace glisson::casefile

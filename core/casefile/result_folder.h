@@ -1,0 +1,22 @@
+#pragma once
+// A simulation's outcome as files: DIR/result.vtu (the rest mesh with point array displacement_mm and its cell
+// fields), DIR/result.json (what was reached, the landmarks) and DIR/scenario.json (the question, in full).
+
+#include <filesystem>
+
+#include "base/result.h"
+#include "mechanics/simulation.h"
+#include "rehearsal/comparison.h"
+
+namespace glisson::casefile {
+
+// The folder is made where absent; files of these names are replaced, each whole.
+Result<void> write_result(const std::filesystem::path& folder, const mechanics::Simulation& simulation);
+
+// Fails with "not-a-result", naming what is missing or damaged.
+Result<rehearsal::ComparedResult> read_result(const std::filesystem::path& folder);
+
+// The summary that `simulate --json` prints and result.json holds, as JSON text.
+std::string result_text(const mechanics::Simulation& simulation);
+
+}  // namespace glisson::casefile

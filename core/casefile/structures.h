@@ -1,0 +1,45 @@
+#pragma once
+// The structures of a case: grown from seeds, or taken from a file that somebody drew.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "casefile/case.h"
+#include "mechanics/scenario.h"
+#include "segmentation/structures.h"
+
+namespace glisson::casefile {
+
+struct SavedStructure {
+  std::string name;
+  std::string id;  // of the entry: "labels/liver"
+  std::size_t voxels = 0;
+  double volume_ml = 0;
+  std::vector<std::string> notes;  // doubts about it, one sentence each
+};
+
+// Grows from points inside the structure (patient LPS, mm) on volumes/anatomy and saves the outcome.
+Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
+                                      const std::vector<Eigen::Vector3d>& seeds_mm, const Progress& progress = {});
+
+// Takes a structure from a label file (NRRD, NIfTI, MetaImage, DICOM SEG), carried to the grid of volumes/anatomy.
+// Without a label value the file must hold one structure only; else it is refused with the values there are
+// ("labels-ambiguous"). Fails with "labels-no-overlap" where no labelled voxel lies in the anatomy.
+Result<SavedStructure> import_structure(Case& patient, const std::string& name, const std::filesystem::path& labels,
+                                        std::optional<int> label_value, const Progress& progress = {});
+
+// Saves a structure that was edited; its name decides the entry.
+Result<SavedStructure> save_structure(Case& patient, const segmentation::Structure& structure, Made made);
+
+// All structures of the case, the liver first.
+Result<std::vector<segmentation::Structure>> read_structures(const Case& patient);
+
+// Points to follow: the centre of each tumour and cyst, and points spread along each vessel inside the liver (the
+// farthest from one another first). Positions are rest positions, patient LPS, mm.
+std::vector<mechanics::Landmark> landmarks_of(const std::vector<segmentation::Structure>& structures,
+                                              int points_per_vessel = 6);
+
+}  // namespace glisson::casefile
