@@ -33,6 +33,7 @@
 #include "geometry/fields.h"
 #include "geometry/mesh_file_guard.h"
 #include "geometry/obj_file.h"
+#include "geometry/off_file.h"
 
 namespace glisson::geometry {
 namespace {
@@ -59,8 +60,8 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_from(const TetMesh& mesh);
 
 Result<Surface> read_surface(const fs::path& file) {
   const std::string extension = file.extension().string();
-  if (extension == ".obj") {
-    auto surface = read_obj(file);
+  if (extension == ".obj" || extension == ".off") {
+    auto surface = extension == ".obj" ? read_obj(file) : read_off(file);
     if (!surface) return surface;
     if (auto checked = check_surface(*surface); !checked) return failure(std::move(checked.error()).in_file(file));
     return surface;
@@ -75,7 +76,7 @@ Result<Surface> read_surface(const fs::path& file) {
   } else if (extension == ".ply") {
     polygons = read_with<vtkPLYReader, vtkPolyData>(file);
   } else {
-    return format_unknown(file, ".vtp, .vtk, .stl, .obj, .ply");
+    return format_unknown(file, ".vtp, .vtk, .stl, .obj, .off, .ply");
   }
   if (!polygons) return failure(polygons.error());
   return surface_from(*polygons, file);

@@ -15,7 +15,7 @@
 
 namespace glisson::geometry {
 
-// Reads .vtp, .vtk (polygons), .stl, .obj or .ply. Points keep their order, except that the points which STL repeats
+// Reads .vtp, .vtk (polygons), .stl, .obj, .off or .ply. Points keep their order, except that the points which STL repeats
 // for every triangle are merged; polygons are cut into triangles; lines and loose vertices are left out. All numeric
 // point and cell arrays of the VTK formats become fields.
 Result<Surface> read_surface(const std::filesystem::path& file);

@@ -54,7 +54,8 @@ Result<void> check(const MatchingProblem& problem) {
   const bool seeded = problem.seed.size() > 0;
   if (seeded && (problem.seed.rows() != problem.nodes() || problem.seed.cols() != problem.labels() ||
                  !problem.seed.allFinite())) {
-    return failure("matching-seed", GLISSON_TEXT("The seed must hold one finite cost a source point and target point."));
+    return failure("matching-seed",
+                   GLISSON_TEXT("The seed must hold one finite cost a source point and target point."));
   }
   const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
   if (!positive(problem.sigma_mm) || !positive(problem.tau_mm) || !positive(problem.q)) {
@@ -124,7 +125,8 @@ Result<StoredMrf> store(const MatchingProblem& problem, std::uint64_t limit_byte
       for (int k = 0; k < labels; ++k) {
         for (int l = 0; l < labels; ++l) {
           const double y = problem.target_mm(k, l);
-          *cell++ = problem.q * std::exp(-std::min(x, y) / problem.sigma_mm) * std::min(std::abs(x - y), problem.tau_mm);
+          *cell++ =
+              problem.q * std::exp(-std::min(x, y) / problem.sigma_mm) * std::min(std::abs(x - y), problem.tau_mm);
         }
       }
     }

@@ -20,10 +20,10 @@ namespace glisson::registration {
 struct MatchingProblem {
   Eigen::MatrixXd source_mm;  // nodes x nodes: geodesic distances; symmetric, zero diagonal
   Eigen::MatrixXd target_mm;  // labels x labels, the same
-  Eigen::MatrixXd seed;       // nodes x labels: what each label costs by itself (U of algorithm 1), or empty for nothing
-  double sigma_mm = 0;        // how soon a pair of far points counts less
-  double tau_mm = 0;          // the largest difference that still counts more
-  double q = 1;               // energy a mm
+  Eigen::MatrixXd seed;  // nodes x labels: what each label costs by itself (U of algorithm 1), or empty for nothing
+  double sigma_mm = 0;   // how soon a pair of far points counts less
+  double tau_mm = 0;     // the largest difference that still counts more
+  double q = 1;          // energy a mm
 
   [[nodiscard]] int nodes() const { return static_cast<int>(source_mm.rows()); }
   [[nodiscard]] int labels() const { return static_cast<int>(target_mm.rows()); }
@@ -79,7 +79,8 @@ enum class Stopping {
 struct SolverOptions {
   int passes = 20;  // the dissertation's fixed number (section 3.3.5); a pass goes once forth and once back
   Stopping stopping = Stopping::dynamic;
-  int patience = 3;  // passes without a lower energy before it is said to have stopped falling: TRW-S often pauses for two
+  int patience =
+      3;  // passes without a lower energy before it is said to have stopped falling: TRW-S often pauses for two
   double relative_gap = 1e-6;  // the bound is met when the energy lies this little above it
 };
 

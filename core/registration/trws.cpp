@@ -121,7 +121,8 @@ double Trws::update_message(int s, int t, double gamma) {
   } else {
     const double* cost = mrf_.pair(t, s);
     for (int l = 0; l < labels_; ++l, cost += labels_) {
-      for (int k = 0; k < labels_; ++k) updated[l] = std::min(updated[l], offset_[static_cast<std::size_t>(k)] + cost[k]);
+      for (int k = 0; k < labels_; ++k)
+        updated[l] = std::min(updated[l], offset_[static_cast<std::size_t>(k)] + cost[k]);
     }
   }
   return take_minimum_off(updated, labels_);
@@ -139,8 +140,7 @@ Labelling Trws::labelling() const {
       for (int t = 0; t < s; ++t) sum += mrf_.pair(t, s)[labels[static_cast<std::size_t>(t)] * labels_ + k];
       for (int u = s + 1; u < nodes_; ++u) sum += message(u, s)[k];
     }
-    labels[static_cast<std::size_t>(s)] =
-        static_cast<int>(std::min_element(cost.begin(), cost.end()) - cost.begin());
+    labels[static_cast<std::size_t>(s)] = static_cast<int>(std::min_element(cost.begin(), cost.end()) - cost.begin());
   }
   return labels;
 }

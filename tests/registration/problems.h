@@ -12,8 +12,7 @@ namespace glisson::registration::test {
 inline Eigen::MatrixXd distances_mm(const Eigen::MatrixXd& points_mm) {  // points are rows
   Eigen::MatrixXd distances(points_mm.rows(), points_mm.rows());
   for (Eigen::Index i = 0; i < points_mm.rows(); ++i)
-    for (Eigen::Index j = 0; j < points_mm.rows(); ++j)
-      distances(i, j) = (points_mm.row(i) - points_mm.row(j)).norm();
+    for (Eigen::Index j = 0; j < points_mm.rows(); ++j) distances(i, j) = (points_mm.row(i) - points_mm.row(j)).norm();
   return distances;
 }
 

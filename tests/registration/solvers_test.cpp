@@ -55,8 +55,7 @@ TEST(Trws, BracketsTheLeastEnergy) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const MatchingProblem problem = shuffled_points(5, 5, seed).problem;
     const double least = least_energy(problem);
-    const MatchingSolution solution =
-        trws(store(problem).value(), {.passes = 100, .stopping = Stopping::fixed_passes});
+    const MatchingSolution solution = trws(store(problem).value(), {.passes = 100, .stopping = Stopping::fixed_passes});
     EXPECT_LE(solution.lower_bound, least + 1e-9);
     EXPECT_GE(solution.energy, least - 1e-9);
     EXPECT_NEAR(MatchingEnergy(problem)(solution.labels), solution.energy, 1e-9);

@@ -1,0 +1,36 @@
+#pragma once
+// Distances along a surface.
+
+#include <memory>
+#include <vector>
+
+#include "base/result.h"
+#include "geometry/surface.h"
+
+namespace glisson::geometry {
+
+// Geodesic distances by the heat method (Crane, Weischedel, Wardetzky 2013) on the intrinsic Delaunay triangulation:
+// factorised once, then two sparse solves a source. On well-shaped meshes within some per cent of the exact distance.
+class HeatGeodesics {
+ public:
+  // Failures: those of check_surface; surface-not-manifold (a triangle that does not fit its neighbours is named);
+  // surface-in-pieces (distances between pieces are infinite); geodesic-singular (degenerate triangles).
+  static Result<HeatGeodesics> prepare(const Surface& surface);
+
+  HeatGeodesics(HeatGeodesics&&) noexcept;
+  HeatGeodesics& operator=(HeatGeodesics&&) noexcept;
+  ~HeatGeodesics();
+
+  // From one point of the surface to each, in mm. Not to be called from two threads at once.
+  [[nodiscard]] std::vector<double> distances_mm(int from_point);
+
+ private:
+  struct Inside;
+  explicit HeatGeodesics(std::unique_ptr<Inside> inside);
+  std::unique_ptr<Inside> inside_;
+};
+
+// The same exactly (Xin and Wang 2009: windows over the unfolded triangles). Much slower: the judge of the heat method.
+Result<std::vector<double>> exact_geodesic_distances_mm(const Surface& surface, int from_point);
+
+}  // namespace glisson::geometry
