@@ -1,0 +1,93 @@
+#include "study/demo_report.h"
+
+#include <fmt/format.h>
+
+#include "base/files.h"
+#include "report/html.h"
+#include "study/demo_patient.h"
+
+namespace glisson::study {
+namespace {
+
+report::Figure figure(const DemoSummary& summary, const std::string& name, const std::string& caption) {
+  for (const auto& picture : summary.pictures) {
+    if (picture.stem() == name) return {picture, caption};
+  }
+  GLISSON_ASSERT(false && "a picture of the report was not drawn");
+  return {};
+}
+
+report::Table landmark_table(const rehearsal::Comparison& comparison) {
+  report::Table table{"Each landmark's way under the retractor. A difference of 5 mm or more matters to a surgeon.",
+                      {"Landmark", "MRE stiffness (mm)", "Atlas stiffness (mm)", "Difference (mm)", "5 mm"},
+                      {}};
+  for (const auto& landmark : comparison.landmarks) {
+    const auto emphasis = landmark.significant() ? report::Cell::Emphasis::flag : report::Cell::Emphasis::none;
+    table.rows.push_back({{landmark.id},
+                          {fmt::format("{:.1f}", landmark.displacement_a_mm)},
+                          {fmt::format("{:.1f}", landmark.displacement_b_mm)},
+                          {fmt::format("{:.1f}", landmark.difference_mm), emphasis},
+                          {landmark.significant() ? "exceeded" : "within", emphasis}});
+  }
+  return table;
+}
+
+report::Table quality_table(const DemoSummary& summary) {
+  return {
+      "How the chain did against the truth, which only a simulated patient has.",
+      {"Stage", "Result"},
+      {{{"Liver grown from seeds"},
+        {fmt::format("{:.0f} ml of {:.0f} ml, Dice {:.3f}", summary.liver_ml, summary.true_liver_ml,
+                     summary.liver_dice)}},
+       {{"Mesh"},
+        {fmt::format("{} cells, smallest dihedral angle {:.1f} deg, within {:.2f} mm of the labels", summary.cells,
+                     summary.min_dihedral_deg, summary.hausdorff_mm)}},
+       {{"Young's modulus"},
+        {fmt::format("{:.2f} kPa on average (sd {:.2f}); {:.0f} % of the cells filled from inside; mean error {:.2f} "
+                     "kPa",
+                     summary.stiffness.mean_kPa, summary.stiffness.sd_kPa, 100 * summary.stiffness.filled_fraction,
+                     summary.stiffness_error_kPa)}},
+       {{"Equilibrium"}, {fmt::format("relative residual {:.1e}", summary.relative_residual)}}}};
+}
+
+std::size_t significant_landmarks(const rehearsal::Comparison& comparison) {
+  return static_cast<std::size_t>(std::count_if(comparison.landmarks.begin(), comparison.landmarks.end(),
+                                                [](const auto& landmark) { return landmark.significant(); }));
+}
+
+}  // namespace
+
+Result<void> write_demo_report(const DemoSummary& summary) {
+  const auto& comparison = summary.atlas_against_mre;
+  report::Page page;
+  page.title = "A rehearsed retraction";
+  page.subtitle = "Demo patient: from a DICOM study to moved landmarks";
+  page.warning = std::string(demo_is_simulated) + " Not a medical device.";
+  page.footer = fmt::format("Glisson {}. Made in {:.0f} s. Anatomy: UCL scikit-surgeryvtk liver models (BSD-3-Clause).",
+                            version(), summary.seconds);
+  page.blocks = {
+      report::Paragraph{fmt::format("A {} hoists segment VI with {:.1f} N. On the patient's own stiffness the liver "
+                                    "moves by up to {:.1f} mm. With "
+                                    "one atlas value for all livers, points would be misplaced by {:.1f} mm on average "
+                                    "and {:.1f} mm at most; {} of "
+                                    "{} landmarks by 5 mm or more.",
+                                    summary.tool, summary.force_N, summary.max_displacement_mm, comparison.mean_mm,
+                                    comparison.max_mm, significant_landmarks(comparison), comparison.landmarks.size())},
+      report::FigureRow{
+          {figure(summary, "displacement", "The moved liver, coloured by displacement, with the tool's force."),
+           figure(summary, "comparison",
+                  "Atlas in red, MRE in blue: purple where they agree, red or blue where they do not.")}},
+      report::Heading{"Landmarks"},
+      landmark_table(comparison),
+      report::Heading{"From images to a model"},
+      report::FigureRow{{figure(summary, "anatomy", "The MR series and the structures found in it."),
+                         figure(summary, "stiffness", "Shear stiffness from MR elastography.")}},
+      report::FigureRow{{figure(summary, "liver", "The liver with its tumour and vessels."),
+                         figure(summary, "model", "Young's modulus of the cells at the surface.")}},
+      report::Heading{"How far to trust it"},
+      quality_table(summary),
+  };
+  return report::write_html(summary.report, page);
+}
+
+}  // namespace glisson::study
