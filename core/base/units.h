@@ -13,7 +13,9 @@ constexpr double standard_gravity_mm_s2 = 9810.0;
 constexpr double mN_from_N(double force_N) { return force_N * 1e3; }
 constexpr double N_from_mN(double force_mN) { return force_mN * 1e-3; }
 constexpr double kg_mm3_from_kg_m3(double density_kg_m3) { return density_kg_m3 * 1e-9; }
+constexpr double kg_m3_from_kg_mm3(double density_kg_mm3) { return density_kg_mm3 * 1e9; }
 constexpr double mm_s2_from_m_s2(double acceleration_m_s2) { return acceleration_m_s2 * 1e3; }
+constexpr double m_s2_from_mm_s2(double acceleration_mm_s2) { return acceleration_mm_s2 * 1e-3; }
 constexpr double kPa_from_Pa(double stress_Pa) { return stress_Pa * 1e-3; }
 constexpr double ml_from_mm3(double volume_mm3) { return volume_mm3 * 1e-3; }
 

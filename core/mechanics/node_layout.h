@@ -20,12 +20,14 @@ struct NodeLayout {
   ElementOrder order = ElementOrder::quadratic;
   std::vector<Eigen::Vector3d> positions_mm;  // rest position of every node
   std::vector<int> node_of_point;             // for each mesh point, its node; -1 where no cell uses the point
-  std::vector<std::array<int, 2>> edges;      // mesh points at the ends; edge k has node corner_nodes + k
+  std::vector<std::array<int, 2>> edges;      // mesh points at the ends, sorted; edge k has node corner_nodes + k
   std::vector<std::array<int, 10>> cells;     // nodes of each cell; the last six are -1 for linear cells
   int corner_nodes = 0;
 
   [[nodiscard]] int nodes() const { return static_cast<int>(positions_mm.size()); }
   [[nodiscard]] int nodes_per_cell() const { return order == ElementOrder::linear ? 4 : 10; }
+  // The node in the middle of an edge of a quadratic layout, given the mesh points at its ends.
+  [[nodiscard]] int node_of_edge(int point_a, int point_b) const;
 };
 
 // The mesh must have passed check_tetrahedra.

@@ -7,10 +7,14 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "geometry/tetrahedra.h"
+#include "mechanics/point_location.h"
 #include "mechanics/scenario.h"
 #include "mechanics/static_result.h"
 
 namespace glisson::mechanics {
+
+// The point field of a result, three components.
+inline const std::string displacement_field = "displacement_mm";
 
 struct DisplacedLandmark {
   std::string id;
@@ -37,6 +41,16 @@ struct Simulation {
 // size; the fields there are named); "not-available".
 Result<Simulation> simulate(const geometry::TetMesh& mesh, const Scenario& scenario,
                             const SimulationOptions& options = {}, const Progress& progress = {});
+
+// Where the landmarks lie in the body. Failures: "landmark-outside" (the first beyond the tolerance),
+// "landmark-invalid" (not a finite point).
+Result<std::vector<PointInMesh>> locate_landmarks(const geometry::TetMesh& mesh, const std::vector<Landmark>& landmarks,
+                                                  double tolerance_mm);
+
+// One for each landmark, from its place and displacement.
+[[nodiscard]] std::vector<DisplacedLandmark> displaced_landmarks(const std::vector<Landmark>& landmarks,
+                                                                 const std::vector<PointInMesh>& places,
+                                                                 const std::vector<Eigen::Vector3d>& displacements_mm);
 
 // Young's modulus of every cell as the scenario says (kPa).
 Result<std::vector<double>> youngs_modulus_of_cells(const geometry::TetMesh& mesh, const Scenario& scenario);

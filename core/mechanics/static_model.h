@@ -11,6 +11,7 @@
 //
 // Lengths mm, forces mN, moduli and stresses kPa, energies uJ, patient coordinates (LPS), the rest shape throughout.
 
+#include <cstdint>
 #include <Eigen/Core>
 #include <memory>
 #include <vector>
@@ -66,9 +67,8 @@ class StaticModel {
   [[nodiscard]] const StaticOptions& options() const;
   [[nodiscard]] const std::vector<Support>& supports() const;
 
-  // Which faces of boundary() a tool of that centre and radius pushes on. Failure: "tool-touches-nothing".
-  [[nodiscard]] Result<std::vector<std::size_t>> touched_faces(const Eigen::Vector3d& center_mm,
-                                                               double radius_mm) const;
+  // How many faces of the surface a tool of that centre and radius pushes on. Failure: "tool-touches-nothing".
+  [[nodiscard]] Result<std::size_t> faces_touched_by(const Eigen::Vector3d& center_mm, double radius_mm) const;
 
   // The displacement at places in the body (see locate_points), by the cells' own shape functions.
   [[nodiscard]] std::vector<Eigen::Vector3d> displacement_at(const StaticResult& result,

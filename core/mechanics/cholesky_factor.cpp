@@ -1,0 +1,122 @@
+#include "mechanics/cholesky_factor.h"
+
+#include <cholmod.h>
+#include <fmt/format.h>
+#include <mutex>
+
+namespace glisson::mechanics {
+
+struct CholeskyFactor::State {
+  cholmod_common common{};
+  cholmod_factor* factor = nullptr;
+  double reciprocal_condition = 0;
+  std::uint64_t bytes = 0;
+  std::mutex one_at_a_time;  // cholmod_common is the workspace of every call
+
+  State() {
+    cholmod_start(&common);
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_METIS;
+    common.postorder = 1;
+    common.print = 0;  // what went wrong is in common.status
+  }
+  ~State() {
+    cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
+  }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+};
+
+namespace {
+
+// The matrix as CHOLMOD sees it; nothing is copied and nothing written.
+cholmod_sparse view_of(const Eigen::SparseMatrix<double>& lower) {
+  cholmod_sparse view{};
+  view.nrow = static_cast<std::size_t>(lower.rows());
+  view.ncol = static_cast<std::size_t>(lower.cols());
+  view.nzmax = static_cast<std::size_t>(lower.nonZeros());
+  view.p = const_cast<int*>(lower.outerIndexPtr());
+  view.i = const_cast<int*>(lower.innerIndexPtr());
+  view.x = const_cast<double*>(lower.valuePtr());
+  view.stype = -1;  // the lower triangle
+  view.itype = CHOLMOD_INT;
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.sorted = 1;
+  view.packed = 1;
+  return view;
+}
+
+double gigabytes(double bytes) { return bytes / (1 << 30); }
+
+}  // namespace
+
+Result<CholeskyFactor> CholeskyFactor::create(const Eigen::SparseMatrix<double>& lower,
+                                              std::uint64_t memory_limit_bytes, const Progress& progress) {
+  GLISSON_ASSERT(lower.isCompressed() && lower.rows() == lower.cols());
+  auto state = std::make_shared<State>();
+  cholmod_common& common = state->common;
+  cholmod_sparse matrix = view_of(lower);
+
+  progress.report(0.0, "Ordering the equations");
+  if (progress.cancelled()) return cancelled();
+  state->factor = cholmod_analyze(&matrix, &common);
+  const double needed_bytes = 8.0 * common.lnz;
+  if (state->factor != nullptr && needed_bytes > static_cast<double>(memory_limit_bytes)) {
+    return failure(Error{"too-large",
+                         GLISSON_TEXT("Solving for {0} unknowns would take {1} GB of memory; the limit is {2} GB."),
+                         {std::to_string(lower.rows()), fmt::format("{:.1f}", gigabytes(needed_bytes)),
+                          fmt::format("{:.1f}", gigabytes(static_cast<double>(memory_limit_bytes)))},
+                         GLISSON_TEXT("Mesh with fewer cells."),
+                         {}});
+  }
+
+  progress.report(0.1, "Factorising");
+  if (progress.cancelled()) return cancelled();
+  if (state->factor != nullptr) cholmod_factorize(&matrix, state->factor, &common);
+  if (common.status == CHOLMOD_NOT_POSDEF) {
+    return failure(
+        Error{"factorisation-failed",
+              GLISSON_TEXT("The stiffness matrix is not positive definite (column {0} of {1})."),
+              {std::to_string(state->factor->minor), std::to_string(lower.rows())},
+              GLISSON_TEXT("Poisson's ratio may be too near 1/2, or cells may be flat: look at the mesh's quality."),
+              {}});
+  }
+  if (state->factor == nullptr || common.status < CHOLMOD_OK) {
+    return failure("factorisation-failed", GLISSON_TEXT("The solver ran out of memory for {0} unknowns."),
+                   {std::to_string(lower.rows())});
+  }
+  state->reciprocal_condition = cholmod_rcond(state->factor, &common);
+  state->bytes = static_cast<std::uint64_t>(state->factor->xsize) * sizeof(double);
+  progress.report(1.0, "Factorised");
+  return CholeskyFactor(std::move(state));
+}
+
+Eigen::MatrixXd CholeskyFactor::solve(const Eigen::MatrixXd& right_hand_sides) const {
+  GLISSON_ASSERT(static_cast<std::size_t>(right_hand_sides.rows()) == state_->factor->n);
+  if (right_hand_sides.cols() == 0) return right_hand_sides;
+  cholmod_dense view{};
+  view.nrow = static_cast<std::size_t>(right_hand_sides.rows());
+  view.ncol = static_cast<std::size_t>(right_hand_sides.cols());
+  view.nzmax = view.nrow * view.ncol;
+  view.d = view.nrow;
+  view.x = const_cast<double*>(right_hand_sides.data());
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+
+  const std::lock_guard lock(state_->one_at_a_time);
+  cholmod_dense* solution = cholmod_solve(CHOLMOD_A, state_->factor, &view, &state_->common);
+  if (solution == nullptr) throw std::bad_alloc();
+  Eigen::MatrixXd columns = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solution->x),
+                                                              right_hand_sides.rows(), right_hand_sides.cols());
+  cholmod_free_dense(&solution, &state_->common);
+  return columns;
+}
+
+double CholeskyFactor::reciprocal_condition() const { return state_->reciprocal_condition; }
+
+std::uint64_t CholeskyFactor::bytes() const { return state_->bytes; }
+
+}  // namespace glisson::mechanics

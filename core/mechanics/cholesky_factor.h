@@ -1,0 +1,35 @@
+#pragma once
+// Cholesky factorisation of a symmetric positive definite sparse matrix, kept for many right-hand sides: CHOLMOD,
+// supernodal, nested dissection by METIS. OpenBLAS does the arithmetic: with the reference BLAS it is ten times slower.
+
+#include <cstdint>
+#include <Eigen/SparseCore>
+#include <memory>
+
+#include "base/progress.h"
+#include "base/result.h"
+
+namespace glisson::mechanics {
+
+class CholeskyFactor {
+ public:
+  // `lower` holds the lower triangle. Failures: "too-large" (the factor would take more than the limit, known before
+  // it is asked for), "factorisation-failed" (not positive definite, or out of memory), "cancelled".
+  static Result<CholeskyFactor> create(const Eigen::SparseMatrix<double>& lower, std::uint64_t memory_limit_bytes,
+                                       const Progress& progress = {});
+
+  // One column a right-hand side. Safe from several threads, one at a time.
+  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) const;
+
+  // A cheap estimate of the condition from the factor's diagonal, 1 at best. Below about 1e-14 the solution has no
+  // correct digit left.
+  [[nodiscard]] double reciprocal_condition() const;
+  [[nodiscard]] std::uint64_t bytes() const;
+
+ private:
+  struct State;
+  explicit CholeskyFactor(std::shared_ptr<State> state) : state_(std::move(state)) {}
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,101 @@
+#include "mechanics/constrained_system.h"
+
+#include <cmath>
+
+namespace glisson::mechanics {
+namespace {
+
+Eigen::SparseMatrix<double> free_part(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& free,
+                                      const std::vector<std::uint8_t>& given) {
+  std::vector<int> free_index(given.size(), -1);
+  for (std::size_t k = 0; k < free.size(); ++k) free_index[free[k]] = static_cast<int>(k);
+  const auto size = static_cast<Eigen::Index>(free.size());
+  Eigen::SparseMatrix<double> part(size, size);
+  part.reserve(lower.nonZeros());
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    part.startVec(static_cast<Eigen::Index>(k));
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, free[k]); entry; ++entry) {
+      const int row = free_index[entry.row()];
+      if (row >= 0) part.insertBack(row, static_cast<Eigen::Index>(k)) = entry.value();
+    }
+  }
+  part.finalize();
+  return part;
+}
+
+}  // namespace
+
+Result<ConstrainedSystem> ConstrainedSystem::create(Eigen::SparseMatrix<double> lower, std::vector<std::uint8_t> given,
+                                                    std::uint64_t memory_limit_bytes, const Progress& progress) {
+  ConstrainedSystem system;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (!given[i]) system.free_.push_back(static_cast<int>(i));
+  }
+  if (!system.free_.empty()) {
+    auto factor = CholeskyFactor::create(free_part(lower, system.free_, given), memory_limit_bytes, progress);
+    if (!factor) return failure(std::move(factor.error()));
+    system.factor_ = std::move(*factor);
+  }
+  system.lower_ = std::move(lower);
+  return system;
+}
+
+std::vector<ConstrainedSolution> ConstrainedSystem::solve(const Eigen::MatrixXd& f, const Eigen::MatrixXd& given_u,
+                                                          const Refinement& refinement) const {
+  GLISSON_ASSERT(f.rows() == lower_.rows());
+  GLISSON_ASSERT(given_u.size() == 0 || (given_u.rows() == f.rows() && given_u.cols() == f.cols()));
+  const auto symmetric = lower_.selfadjointView<Eigen::Lower>();
+
+  Eigen::MatrixXd u = Eigen::MatrixXd::Zero(f.rows(), f.cols());
+  if (given_u.size() > 0) {
+    u = given_u;
+    u(free_, Eigen::all).setZero();
+  }
+  Eigen::MatrixXd residual = f - symmetric * u;
+  Eigen::MatrixXd free_residual = residual(free_, Eigen::all);
+  const Eigen::VectorXd scale = free_residual.colwise().norm();
+  const auto relative = [&](Eigen::Index column) {
+    return scale[column] > 0 ? free_residual.col(column).norm() / scale[column] : 0.0;
+  };
+
+  std::vector<ConstrainedSolution> solutions(static_cast<std::size_t>(f.cols()));
+  // The first pass is the direct solve; each further one refines the columns together while any of them gains.
+  for (int pass = 0; pass <= refinement.max_refinements && factor_; ++pass) {
+    bool gains = false;
+    const Eigen::MatrixXd before_u = u, before_residual = residual;
+    u(free_, Eigen::all) += factor_->solve(free_residual);
+    residual = f - symmetric * u;
+    free_residual = residual(free_, Eigen::all);
+    bool all_converged = true;
+    for (Eigen::Index column = 0; column < f.cols(); ++column) {
+      ConstrainedSolution& solution = solutions[static_cast<std::size_t>(column)];
+      const double now = relative(column);
+      if (pass > 0 && !(now < solution.relative_residual)) {  // worse, or not a number: keep what was
+        u.col(column) = before_u.col(column);
+        residual.col(column) = before_residual.col(column);
+        free_residual.col(column) = residual(free_, column);
+      } else {
+        gains |= pass == 0 || now < 0.5 * solution.relative_residual;
+        solution.relative_residual = now;
+        solution.iterations = pass;
+      }
+      all_converged &= solution.relative_residual <= refinement.relative_tolerance;
+    }
+    if (all_converged || !gains) break;
+  }
+
+  for (Eigen::Index column = 0; column < f.cols(); ++column) {
+    ConstrainedSolution& solution = solutions[static_cast<std::size_t>(column)];
+    solution.u = u.col(column);
+    solution.reaction = -residual.col(column);
+    for (const int i : free_) solution.reaction[i] = 0.0;
+    solution.converged = solution.relative_residual <= refinement.relative_tolerance && solution.u.allFinite();
+  }
+  return solutions;
+}
+
+std::uint64_t ConstrainedSystem::matrix_bytes() const {
+  return static_cast<std::uint64_t>(lower_.nonZeros()) * (sizeof(double) + sizeof(int));
+}
+
+}  // namespace glisson::mechanics

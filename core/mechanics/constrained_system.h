@@ -1,0 +1,51 @@
+#pragma once
+// K u = f where some of u is given: factorised once, solved for many f, with iterative refinement that brings the
+// residual down to what was asked or says that it could not.
+
+#include <cstdint>
+#include <Eigen/SparseCore>
+#include <optional>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "mechanics/cholesky_factor.h"
+
+namespace glisson::mechanics {
+
+struct Refinement {
+  double relative_tolerance = 1e-9;
+  int max_refinements = 8;
+};
+
+struct ConstrainedSolution {
+  Eigen::VectorXd u;             // all unknowns, the given ones included
+  Eigen::VectorXd reaction;      // K u - f where u is given, zero elsewhere
+  double relative_residual = 0;  // |K u - f| / |f - K u_given| over the free unknowns; 0 where nothing loads them
+  int iterations = 0;
+  bool converged = false;
+};
+
+class ConstrainedSystem {
+ public:
+  // `lower` is the lower triangle of K, with all unknowns; `given` has 1 where u is given. Failures: CholeskyFactor's.
+  static Result<ConstrainedSystem> create(Eigen::SparseMatrix<double> lower, std::vector<std::uint8_t> given,
+                                          std::uint64_t memory_limit_bytes, const Progress& progress = {});
+
+  // One column of f a case. `given_u` has the same shape and is read where u is given; empty means zero.
+  [[nodiscard]] std::vector<ConstrainedSolution> solve(const Eigen::MatrixXd& f, const Eigen::MatrixXd& given_u,
+                                                       const Refinement& refinement) const;
+
+  [[nodiscard]] const Eigen::SparseMatrix<double>& lower() const { return lower_; }
+  [[nodiscard]] std::size_t free_unknowns() const { return free_.size(); }
+  [[nodiscard]] std::uint64_t matrix_bytes() const;
+  // No factor where nothing is free to move.
+  [[nodiscard]] const std::optional<CholeskyFactor>& factor() const { return factor_; }
+
+ private:
+  Eigen::SparseMatrix<double> lower_;
+  std::vector<int> free_;  // the unknowns that are not given, ascending
+  std::optional<CholeskyFactor> factor_;
+};
+
+}  // namespace glisson::mechanics

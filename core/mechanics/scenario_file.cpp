@@ -1,0 +1,305 @@
+#include "mechanics/scenario_file.h"
+
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+
+#include "base/files.h"
+#include "base/json.h"
+
+namespace glisson::mechanics {
+namespace {
+
+using Eigen::Vector3d;
+
+// Refusals travel as exceptions inside this file alone: each reader below can then simply give back its value.
+struct Refusal {
+  Error error;
+};
+
+[[noreturn]] void refuse(const std::string& where, const std::string& text, std::vector<std::string> more = {}) {
+  std::vector<std::string> arguments{where};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  throw Refusal{{"scenario-invalid", text, std::move(arguments), {}, {}}};
+}
+
+Scenario scenario_from(const Json& json);
+Support support_from(const Json& json, const std::string& where);
+Load load_from(const Json& json, const std::string& where);
+Landmark landmark_from(const Json& json, const std::string& where);
+Motion motion_from(const Json& json, const std::string& where);
+Json json_of(const Support& support);
+Json json_of(const Load& load);
+
+}  // namespace
+
+Result<Scenario> read_scenario(const std::filesystem::path& file) {
+  return read_text_file(file, std::uint64_t{64} << 20).and_then([&](const std::string& text) {
+    return parse_scenario(text, file);
+  });
+}
+
+Result<Scenario> parse_scenario(std::string_view json, const std::filesystem::path& file) {
+  auto document = parse_json(json, file);
+  if (!document) return failure(std::move(document.error()));
+  try {
+    return scenario_from(*document);
+  } catch (Refusal& refusal) {
+    return failure(std::move(refusal.error).in_file(file));
+  }
+}
+
+std::string scenario_text(const Scenario& scenario) {
+  constexpr const char* materials[] = {"linear", "corotational", "neo-hookean"};
+  Json json;
+  json["engine"] = scenario.engine == Engine::fem ? "fem" : "meshfree";
+  json["material"] = materials[static_cast<int>(scenario.material)];
+  json["poisson_ratio"] = scenario.poisson_ratio;
+  json["density_kg_m3"] = units::kg_m3_from_kg_mm3(scenario.density_kg_mm3);
+  if (scenario.youngs_modulus) {
+    std::visit([&](const auto& modulus) { json["youngs_modulus_kPa"] = modulus; }, *scenario.youngs_modulus);
+  }
+  json["supports"] = Json::array();
+  for (const Support& support : scenario.supports) json["supports"].push_back(json_of(support));
+  json["loads"] = Json::array();
+  for (const Load& load : scenario.loads) json["loads"].push_back(json_of(load));
+  if (scenario.motion) json["motion"] = {{"step_s", scenario.motion->step_s}, {"steps", scenario.motion->steps}};
+  json["landmarks"] = Json::array();
+  for (const Landmark& landmark : scenario.landmarks) {
+    const Vector3d& p = landmark.position_mm;
+    json["landmarks"].push_back({{"id", landmark.id}, {"position_mm", {p.x(), p.y(), p.z()}}});
+  }
+  return json.dump(2) + "\n";
+}
+
+namespace {
+
+// --- what every reader needs
+
+void known_keys(const Json& json, std::initializer_list<std::string_view> known, const std::string& where) {
+  if (!json.is_object()) refuse(where, GLISSON_TEXT("{0} must be an object in braces."));
+  if (auto checked = refuse_unknown_keys(json, known, where); !checked) {
+    checked.error().code = "scenario-invalid";
+    throw Refusal{std::move(checked.error())};
+  }
+}
+
+const Json& required(const Json& json, const char* key, const std::string& where) {
+  const auto found = json.find(key);
+  if (found == json.end()) refuse(where, GLISSON_TEXT("{0} lacks \"{1}\"."), {key});
+  return *found;
+}
+
+double number(const Json& json, const std::string& where) {
+  if (!json.is_number() || !std::isfinite(json.get<double>()))
+    refuse(where, GLISSON_TEXT("{0} must be a finite number."));
+  return json.get<double>();
+}
+
+double positive_number(const Json& json, const std::string& where) {
+  const double value = number(json, where);
+  if (value <= 0) refuse(where, GLISSON_TEXT("{0} must be above zero."));
+  return value;
+}
+
+Vector3d vector(const Json& json, const std::string& where) {
+  if (!json.is_array() || json.size() != 3) refuse(where, GLISSON_TEXT("{0} must be three numbers [x, y, z]."));
+  Vector3d value;
+  for (std::size_t i = 0; i < 3; ++i) value[static_cast<Eigen::Index>(i)] = number(json[i], where);
+  return value;
+}
+
+std::string name(const Json& json, const std::string& where) {
+  if (!json.is_string() || json.get_ref<const std::string&>().empty())
+    refuse(where, GLISSON_TEXT("{0} must be a name in quotes."));
+  return json.get<std::string>();
+}
+
+template <typename Value>
+Value one_of(const Json& json, const std::string& where, std::initializer_list<std::pair<const char*, Value>> choices) {
+  std::string list;
+  for (const auto& [text, value] : choices) {
+    if (json == text) return value;
+    list += (list.empty() ? "\"" : ", \"") + std::string(text) + "\"";
+  }
+  refuse(where, GLISSON_TEXT("{0} must be one of {1}."), {list});
+}
+
+std::string item(const char* list, std::size_t index) { return std::string(list) + " " + std::to_string(index + 1); }
+
+// "supports" -> support_from for each, and so on.
+template <typename Value>
+std::vector<Value> list_of(const Json& json, const char* key, const char* each,
+                           Value (*read)(const Json&, const std::string&)) {
+  std::vector<Value> values;
+  const auto found = json.find(key);
+  if (found == json.end()) return values;
+  if (!found->is_array()) refuse(key, GLISSON_TEXT("{0} must be a list in brackets."));
+  for (std::size_t i = 0; i < found->size(); ++i) values.push_back(read((*found)[i], item(each, i)));
+  return values;
+}
+
+// --- the scenario, from its outside in
+
+Scenario scenario_from(const Json& json) {
+  known_keys(json,
+             {"engine", "material", "poisson_ratio", "density_kg_m3", "youngs_modulus_kPa", "supports", "loads",
+              "motion", "landmarks"},
+             "The scenario");
+  Scenario scenario;
+  if (json.contains("engine")) {
+    scenario.engine = one_of<Engine>(json["engine"], "engine", {{"fem", Engine::fem}, {"meshfree", Engine::meshfree}});
+  }
+  if (json.contains("material")) {
+    scenario.material = one_of<MaterialLaw>(json["material"], "material",
+                                            {{"linear", MaterialLaw::linear},
+                                             {"corotational", MaterialLaw::corotational},
+                                             {"neo-hookean", MaterialLaw::neo_hookean}});
+  }
+  if (json.contains("poisson_ratio")) {
+    scenario.poisson_ratio = number(json["poisson_ratio"], "poisson_ratio");
+    if (scenario.poisson_ratio <= -1.0 || scenario.poisson_ratio >= 0.5) {
+      refuse("poisson_ratio", GLISSON_TEXT("{0} must lie between -1 and 0.5, both excluded."));
+    }
+  }
+  if (json.contains("density_kg_m3")) {
+    scenario.density_kg_mm3 = units::kg_mm3_from_kg_m3(positive_number(json["density_kg_m3"], "density_kg_m3"));
+  }
+  if (json.contains("youngs_modulus_kPa")) {
+    const Json& modulus = json["youngs_modulus_kPa"];
+    if (modulus.is_string()) {
+      scenario.youngs_modulus = name(modulus, "youngs_modulus_kPa");
+    } else {
+      scenario.youngs_modulus = positive_number(modulus, "youngs_modulus_kPa");
+    }
+  }
+  scenario.supports = list_of<Support>(json, "supports", "support", support_from);
+  scenario.loads = list_of<Load>(json, "loads", "load", load_from);
+  scenario.landmarks = list_of<Landmark>(json, "landmarks", "landmark", landmark_from);
+  if (json.contains("motion")) scenario.motion = motion_from(json["motion"], "motion");
+  for (std::size_t i = 0; i < scenario.landmarks.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (scenario.landmarks[i].id == scenario.landmarks[k].id) {
+        refuse(item("landmark", i), GLISSON_TEXT("{0} has the same id \"{1}\" as another."),
+               {scenario.landmarks[i].id});
+      }
+    }
+  }
+  return scenario;
+}
+
+Support support_from(const Json& json, const std::string& where) {
+  known_keys(json, {"point_array", "sphere", "box", "foundation_kPa_per_mm", "directions"}, where);
+  const auto kinds = json.count("point_array") + json.count("sphere") + json.count("box");
+  if (kinds != 1) refuse(where, GLISSON_TEXT("{0} needs exactly one of \"point_array\", \"sphere\" and \"box\"."));
+
+  Support support{NamedPoints{}, Held{}};
+  if (json.contains("point_array")) {
+    support.where = NamedPoints{name(json["point_array"], where + ", point_array")};
+  } else if (json.contains("sphere")) {
+    const Json& sphere = json["sphere"];
+    known_keys(sphere, {"center_mm", "radius_mm"}, where + ", sphere");
+    support.where = Ball{vector(required(sphere, "center_mm", where + ", sphere"), where + ", center_mm"),
+                         positive_number(required(sphere, "radius_mm", where + ", sphere"), where + ", radius_mm")};
+  } else {
+    const Json& box = json["box"];
+    known_keys(box, {"min_mm", "max_mm"}, where + ", box");
+    const geometry::Box region{vector(required(box, "min_mm", where + ", box"), where + ", min_mm"),
+                               vector(required(box, "max_mm", where + ", box"), where + ", max_mm")};
+    if ((region.min_mm.array() > region.max_mm.array()).any()) {
+      refuse(where, GLISSON_TEXT("In {0} the box's min_mm must not exceed its max_mm."));
+    }
+    support.where = region;
+  }
+
+  if (json.contains("foundation_kPa_per_mm")) {
+    if (json.contains("directions"))
+      refuse(where,
+             GLISSON_TEXT(
+                 "{0} has both \"foundation_kPa_per_mm\" and \"directions\": a foundation acts in all directions."));
+    support.how = Foundation{positive_number(json["foundation_kPa_per_mm"], where + ", foundation_kPa_per_mm")};
+  } else if (json.contains("directions")) {
+    const Json& directions = json["directions"];
+    Held held{{false, false, false}};
+    if (!directions.is_array() || directions.empty())
+      refuse(where, GLISSON_TEXT("The directions of {0} must be a list such as [\"x\", \"z\"]."));
+    for (const Json& direction : directions) {
+      held.directions[one_of<std::size_t>(direction, where + ", directions", {{"x", 0}, {"y", 1}, {"z", 2}})] = true;
+    }
+    support.how = held;
+  }
+  return support;
+}
+
+Load load_from(const Json& json, const std::string& where) {
+  known_keys(json, {"tool", "pressure_kPa", "gravity_m_s2"}, where);
+  if (json.size() != 1)
+    refuse(where, GLISSON_TEXT("{0} needs exactly one of \"tool\", \"pressure_kPa\" and \"gravity_m_s2\"."));
+  if (json.contains("pressure_kPa")) return PressureLoad{number(json["pressure_kPa"], where + ", pressure_kPa")};
+  if (json.contains("gravity_m_s2")) {
+    return GravityLoad{vector(json["gravity_m_s2"], where + ", gravity_m_s2").unaryExpr(&units::mm_s2_from_m_s2)};
+  }
+  const Json& tool = json["tool"];
+  known_keys(tool, {"center_mm", "radius_mm", "force_N"}, where + ", tool");
+  return ToolLoad{
+      vector(required(tool, "center_mm", where + ", tool"), where + ", center_mm"),
+      positive_number(required(tool, "radius_mm", where + ", tool"), where + ", radius_mm"),
+      vector(required(tool, "force_N", where + ", tool"), where + ", force_N").unaryExpr(&units::mN_from_N)};
+}
+
+Landmark landmark_from(const Json& json, const std::string& where) {
+  known_keys(json, {"id", "position_mm"}, where);
+  return {name(required(json, "id", where), where + ", id"),
+          vector(required(json, "position_mm", where), where + ", position_mm")};
+}
+
+Motion motion_from(const Json& json, const std::string& where) {
+  known_keys(json, {"step_s", "steps"}, where);
+  Motion motion;
+  motion.step_s = positive_number(required(json, "step_s", where), where + ", step_s");
+  const Json& steps = required(json, "steps", where);
+  if (!steps.is_number_integer() || steps.get<double>() < 1 || steps.get<double>() > 1e6) {
+    refuse(where, GLISSON_TEXT("The steps of {0} must be a whole number from 1 to 1000000."));
+  }
+  motion.steps = steps.get<int>();
+  return motion;
+}
+
+// --- and back
+
+Json json_of(const Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+Json json_of(const Support& support) {
+  Json json;
+  if (const auto* named = std::get_if<NamedPoints>(&support.where)) {
+    json["point_array"] = named->point_array;
+  } else if (const auto* ball = std::get_if<Ball>(&support.where)) {
+    json["sphere"] = {{"center_mm", json_of(ball->center_mm)}, {"radius_mm", ball->radius_mm}};
+  } else {
+    const auto& box = std::get<geometry::Box>(support.where);
+    json["box"] = {{"min_mm", json_of(box.min_mm)}, {"max_mm", json_of(box.max_mm)}};
+  }
+  if (const auto* foundation = std::get_if<Foundation>(&support.how)) {
+    json["foundation_kPa_per_mm"] = foundation->stiffness_kPa_per_mm;
+  } else if (const auto& held = std::get<Held>(support.how).directions; held != std::array{true, true, true}) {
+    json["directions"] = Json::array();
+    for (std::size_t d = 0; d < 3; ++d) {
+      if (held[d]) json["directions"].push_back(std::string(1, "xyz"[d]));
+    }
+  }
+  return json;
+}
+
+Json json_of(const Load& load) {
+  if (const auto* tool = std::get_if<ToolLoad>(&load)) {
+    return {{"tool",
+             {{"center_mm", json_of(tool->center_mm)},
+              {"radius_mm", tool->radius_mm},
+              {"force_N", json_of(tool->force_mN.unaryExpr(&units::N_from_mN))}}}};
+  }
+  if (const auto* pressure = std::get_if<PressureLoad>(&load)) return {{"pressure_kPa", pressure->pressure_kPa}};
+  return {{"gravity_m_s2", json_of(std::get<GravityLoad>(load).acceleration_mm_s2.unaryExpr(&units::m_s2_from_mm_s2))}};
+}
+
+}  // namespace
+}  // namespace glisson::mechanics

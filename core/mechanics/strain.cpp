@@ -1,0 +1,68 @@
+#include "mechanics/strain.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <mutex>
+
+#include "base/parallel.h"
+#include "mechanics/shape_functions.h"
+
+namespace glisson::mechanics {
+namespace {
+
+using CellDisplacement = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 10>;
+
+CellDisplacement displacement_of_cell(const NodeLayout& layout, std::size_t cell, const Eigen::VectorXd& u_mm) {
+  CellDisplacement displacement(3, layout.nodes_per_cell());
+  for (int i = 0; i < layout.nodes_per_cell(); ++i) displacement.col(i) = u_mm.segment<3>(3 * layout.cells[cell][i]);
+  return displacement;
+}
+
+}  // namespace
+
+Eigen::Matrix3d displacement_gradient(const geometry::TetMesh& mesh, const NodeLayout& layout, std::size_t cell,
+                                      const Eigen::Vector4d& barycentric, const Eigen::VectorXd& u_mm) {
+  return displacement_of_cell(layout, cell, u_mm) *
+         tet_gradients(tet_derivatives(layout.order, barycentric), cell_geometry(mesh, cell));
+}
+
+StrainRange strain_range(const geometry::TetMesh& mesh, const NodeLayout& layout, const Eigen::VectorXd& u_mm) {
+  std::array<TetDerivatives, 4> derivatives;
+  for (int i = 0; i < 4; ++i) derivatives[i] = tet_derivatives(layout.order, Eigen::Vector4d::Unit(i));
+  StrainRange range;
+  std::mutex joining;
+  parallel_for(layout.cells.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    StrainRange part;
+    for (std::size_t c = begin; c < end; ++c) {
+      const CellDisplacement displacement = displacement_of_cell(layout, c, u_mm);
+      const CellGeometry shape = cell_geometry(mesh, c);
+      bool inverted = false;
+      for (const TetDerivatives& at_corner : derivatives) {
+        const Eigen::Matrix3d gradient = displacement * tet_gradients(at_corner, shape);
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal;
+        principal.computeDirect(small_strain(gradient), Eigen::EigenvaluesOnly);
+        part.largest_strain = std::max(part.largest_strain, principal.eigenvalues().cwiseAbs().maxCoeff());
+        inverted |= (Eigen::Matrix3d::Identity() + gradient).determinant() <= 0;
+      }
+      part.inverted_cells += inverted ? 1 : 0;
+    }
+    const std::lock_guard lock(joining);
+    range.largest_strain = std::max(range.largest_strain, part.largest_strain);
+    range.inverted_cells += part.inverted_cells;
+  });
+  return range;
+}
+
+std::vector<double> von_mises_of_cells(const geometry::TetMesh& mesh, const NodeLayout& layout,
+                                       const std::vector<Lame>& materials, const Eigen::VectorXd& u_mm) {
+  std::vector<double> stresses(layout.cells.size());
+  parallel_for(stresses.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      const Eigen::Matrix3d gradient = displacement_gradient(mesh, layout, c, Eigen::Vector4d::Constant(0.25), u_mm);
+      stresses[c] = von_mises(stress_kPa(materials[c], small_strain(gradient)));
+    }
+  });
+  return stresses;
+}
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,29 @@
+#pragma once
+// Strain and stress of a displaced body, and how far beyond small strain it has gone.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "geometry/tetrahedra.h"
+#include "mechanics/linear_elasticity.h"
+#include "mechanics/node_layout.h"
+
+namespace glisson::mechanics {
+
+// The displacement gradient du_i/dx_j of one cell at a place in it. `u_mm` has 3 values a node.
+[[nodiscard]] Eigen::Matrix3d displacement_gradient(const geometry::TetMesh& mesh, const NodeLayout& layout,
+                                                    std::size_t cell, const Eigen::Vector4d& barycentric,
+                                                    const Eigen::VectorXd& u_mm);
+
+struct StrainRange {
+  double largest_strain = 0;  // largest principal small strain in magnitude, over the corners of all cells
+  int inverted_cells = 0;     // cells where det(I + grad u) <= 0 at some corner
+};
+[[nodiscard]] StrainRange strain_range(const geometry::TetMesh& mesh, const NodeLayout& layout,
+                                       const Eigen::VectorXd& u_mm);
+
+// Von Mises stress (kPa) at each cell's centroid.
+[[nodiscard]] std::vector<double> von_mises_of_cells(const geometry::TetMesh& mesh, const NodeLayout& layout,
+                                                     const std::vector<Lame>& materials, const Eigen::VectorXd& u_mm);
+
+}  // namespace glisson::mechanics
