@@ -185,7 +185,8 @@ Result<void> Walk::read_meta_information() {
 Result<void> Walk::guess_without_meta_information() {
   const std::uint8_t* first = bytes_.view(0, 8);
   if (first == nullptr || number16(first, true) != 0x0008 || number16(first + 2, true) > 0x0070) {
-    return error("not-dicom", GLISSON_TEXT("{0} is not a DICOM file."));
+    return error("not-dicom",
+                 GLISSON_TEXT("{0} is no DICOM file, nor named as one of the volume files that are read."));
   }
   found_.syntax.explicit_vr = looks_like_vr(first + 4);
   found_.syntax.uid = found_.syntax.explicit_vr ? "1.2.840.10008.1.2.1" : "1.2.840.10008.1.2";

@@ -34,6 +34,7 @@ void read_identity(DcmItem& data_set, DicomImage& image) {
   image.series_number = whole_number_of(data_set, DCM_SeriesNumber, 0);
   image.instance_number = whole_number_of(data_set, DCM_InstanceNumber, 0);
   image.acquisition_number = whole_number_of(data_set, DCM_AcquisitionNumber, 0);
+  image.temporal_positions = whole_number_of(data_set, DCM_NumberOfTemporalPositions, 0);
   image.acquisition_time = text_of(data_set, DCM_AcquisitionTime);
   image.gantry_tilt_deg = number_of(data_set, DCM_GantryDetectorTilt).value_or(0);
   image.window_center = number_of(data_set, DCM_WindowCenter).value_or(0);
@@ -42,6 +43,13 @@ void read_identity(DcmItem& data_set, DicomImage& image) {
     const std::string name = private_bytes(data_set, *key);
     image.ge_pulse_sequence = name.substr(0, name.find_first_of(std::string_view("\0 ", 2)));
   }
+}
+
+// De-identified files come without identifiers; then a folder is taken for a series.
+void name_series_after_folder(DicomImage& image) {
+  image.series_uid = image.path.parent_path().string() + "/series-" + std::to_string(image.series_number);
+  image.problems.push_back(
+      "No SeriesInstanceUID is given: pictures of one folder with the same series number are taken together.");
 }
 
 Failure unfit(const DicomImage& image, const char* code, std::string text, std::vector<std::string> more = {}) {
@@ -134,6 +142,22 @@ void place(Picture& picture, const std::vector<double>& position, const std::vec
   picture.placed = true;
 }
 
+// Which part of the complex signal: Siemens and Philips write one letter as third or fourth value of ImageType; GE has
+// a private number for it, (0043,xx2f) of GEMS_PARM_01: 0 magnitude, 1 phase, 2 real, 3 imaginary.
+std::string classic_component(DcmItem& data_set, const DicomImage& image) {
+  for (std::size_t i = 2; i < image.image_type.size() && i < 4; ++i) {
+    const std::string& value = image.image_type[i];
+    if (value == "M" || value == "P" || value == "R" || value == "I") return value;
+    if (value == "PHASE MAP" || value == "PHASE") return "P";
+  }
+  if (const auto key = private_key(data_set, 0x0043, "GEMS_PARM_01", 0x2f)) {
+    const std::string bytes = private_bytes(data_set, *key);
+    const int number = whole_number_of(data_set, *key, bytes.size() == 2 ? bytes[0] : -1);
+    if (number >= 0 && number <= 3) return std::string(1, "MPRI"[number]);
+  }
+  return {};
+}
+
 Picture classic_picture(DcmItem& data_set, const DicomImage& image) {
   Picture picture;
   picture.columns = image.format.columns;
@@ -147,6 +171,8 @@ Picture classic_picture(DcmItem& data_set, const DicomImage& image) {
   picture.trigger_time_ms = number_of(data_set, DCM_TriggerTime).value_or(0);
   picture.b_value = number_of(data_set, DCM_DiffusionBValue).value_or(0);
   picture.stack_id = text_of(data_set, DCM_StackID);
+  picture.slice_thickness_mm = number_of(data_set, DCM_SliceThickness).value_or(0);
+  picture.component = classic_component(data_set, image);
   return picture;
 }
 
@@ -161,6 +187,7 @@ Picture enhanced_picture(DcmItem* frame, DcmItem* shared, const Picture& common)
   }
   if (DcmItem* macro = macro_of(frame, shared, DCM_PixelMeasuresSequence)) {
     spacing = numbers_of(*macro, DCM_PixelSpacing);
+    picture.slice_thickness_mm = number_of(*macro, DCM_SliceThickness).value_or(0);
   }
   place(picture, position, orientation, spacing);
 
@@ -178,7 +205,7 @@ Picture enhanced_picture(DcmItem* frame, DcmItem* shared, const Picture& common)
     picture.echo_time_ms = number_of(*echo, DCM_EffectiveEchoTime).value_or(0);
   }
   if (DcmItem* type = macro_of(frame, shared, DCM_MRImageFrameTypeSequence)) {
-    picture.component = text_of(*type, DCM_ComplexImageComponent);
+    picture.component = text_of(*type, DCM_ComplexImageComponent).substr(0, 1);
   }
   if (DcmItem* diffusion = macro_of(frame, shared, DCM_MRDiffusionSequence)) {
     picture.b_value = number_of(*diffusion, DCM_DiffusionBValue).value_or(0);
@@ -252,9 +279,7 @@ Result<DicomImage> read_dicom_image_header(const std::filesystem::path& file) {
                  {image.modality.empty() ? "no modality given" : image.modality});
   }
   image.pixels = std::move(*checked->pixels);
-  if (image.series_uid.empty()) {
-    return unfit(image, "dicom-no-series", GLISSON_TEXT("{0} does not say which series it belongs to."));
-  }
+  if (image.series_uid.empty()) name_series_after_folder(image);
   if (const Result<void> format = read_format(*data_set, image); !format) return failure(format.error());
   if (const Result<void> enough = compare_with_pixels(image); !enough) return failure(enough.error());
   read_pictures(*data_set, image);

@@ -58,6 +58,7 @@ struct Picture {
   double echo_time_ms = 0;
   double trigger_time_ms = 0;
   double b_value = 0;
+  double slice_thickness_mm = 0;
 };
 
 struct DicomImage {
@@ -67,6 +68,7 @@ struct DicomImage {
   std::vector<std::string> image_type;
   std::string ge_pulse_sequence;  // (0019,xx9c) of GEMS_ACQU_01: "fgremre", "epimre"
   int series_number = 0, instance_number = 0, acquisition_number = 0;
+  int temporal_positions = 0;  // NumberOfTemporalPositions
   std::string acquisition_time;
   double gantry_tilt_deg = 0;
   double window_center = 0, window_width = 0;
@@ -79,8 +81,8 @@ struct DicomImage {
   std::vector<std::string> problems;  // of this file alone
 };
 
-// Fails as check_dicom_file does, and with "dicom-no-image" (a report, a plan, ...), "dicom-no-series",
-// "dicom-size" (the sizes do not fit together), "dicom-truncated" (fewer pixels than the sizes ask for).
+// Fails as check_dicom_file does, and with "dicom-no-image" (a report, a plan, ...), "dicom-size" (the sizes do not fit
+// together), "dicom-truncated" (fewer pixels than the sizes ask for).
 [[nodiscard]] Result<DicomImage> read_dicom_image_header(const std::filesystem::path& file);
 
 // The files that a DICOMDIR names, as paths beside it.

@@ -31,6 +31,7 @@ struct OpenedFile {
   Grid grid;
 };
 Result<OpenedFile> open_file(const fs::path& file);
+itk::ImageIOBase::Pointer io_for(const fs::path& file);
 
 // Reads the values, each turned by convert(double) -> Value.
 template <typename Value, typename Convert>
@@ -56,6 +57,16 @@ Result<Volume> read_volume_file(const fs::path& file) {
   volume.unit = note(*opened->io, unit_key);
   return volume;
 }
+
+Result<VolumeFileHeader> read_volume_file_header(const fs::path& file) {
+  auto opened = open_file(file);
+  if (!opened) return failure(std::move(opened.error()));
+  const itk::IOComponentEnum type = opened->io->GetComponentType();
+  return VolumeFileHeader{opened->grid, note(*opened->io, unit_key),
+                          type == itk::IOComponentEnum::UCHAR || type == itk::IOComponentEnum::CHAR};
+}
+
+bool has_volume_file_name(const fs::path& file) { return io_for(file).IsNotNull(); }
 
 Result<LabelMap> read_labels_file(const fs::path& file) {
   auto opened = open_file(file);

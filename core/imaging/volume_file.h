@@ -13,6 +13,17 @@
 
 namespace glisson::imaging {
 
+// What the header alone says, believed under the same conditions; scan() lists such files by it.
+struct VolumeFileHeader {
+  Grid grid;
+  std::string unit;
+  bool holds_bytes = false;  // whole numbers of 8 bits, as label maps mostly are
+};
+Result<VolumeFileHeader> read_volume_file_header(const std::filesystem::path& file);
+
+// Whether the name ends as those of the formats above.
+bool has_volume_file_name(const std::filesystem::path& file);
+
 // Any scalar type, as float (a value beyond 2^24 loses its last digits). The unit is that of the NRRD or MetaImage
 // key "unit"; NIfTI has no place for it.
 // Fails with volume-file-unknown-type, -unreadable, -not-scalar, -not-3d, -truncated, -bad-grid.

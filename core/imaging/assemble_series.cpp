@@ -1,0 +1,272 @@
+// A stack's grid in the patient, what is wrong with it, and where its voxels lie.
+
+#include "imaging/assemble_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "imaging/roles.h"
+#include "imaging/slice_spacing.h"
+#include "imaging/stacks.h"
+#include "imaging/voxel_layout.h"
+
+namespace glisson::imaging {
+namespace {
+
+using Images = std::vector<DicomImage>;
+
+// Under gantry tilt slices slide sideways by tan(tilt) of the way up; below 0.005 (0.3 degrees) it is rounding.
+constexpr double least_slide = 0.005;
+constexpr double least_tilt_deg = 0.1;
+constexpr std::size_t most_problems_of_a_kind = 5;
+
+std::vector<std::string> leave_out_copies(Images& images);
+Series assemble_stack(const Images& images, const Stack& stack);
+void describe_parts(const std::vector<Stack>& stacks, std::vector<Series>& parts);
+EvenSlices place_slices(const Images& images, const Volumes& volumes, Series& series);
+void lay_out(const Images& images, const Volumes& volumes, const EvenSlices& even, Series& series);
+void find_role_and_unit(const Images& images, const Stack& stack, Series& series);
+void append(std::vector<std::string>& problems, std::vector<std::string> more);
+
+}  // namespace
+
+std::vector<Series> assemble_series(std::vector<DicomImage> images) {
+  std::vector<std::string> copies = leave_out_copies(images);
+  const std::vector<Stack> stacks = part_into_stacks(images);
+  std::vector<Series> parts;
+  for (const Stack& stack : stacks) parts.push_back(assemble_stack(images, stack));
+  describe_parts(stacks, parts);
+  append(parts.front().problems, std::move(copies));
+  return parts;
+}
+
+namespace {
+
+// The same image under two names, as when a disc was copied twice.
+std::vector<std::string> leave_out_copies(Images& images) {
+  std::sort(images.begin(), images.end(), [](const DicomImage& a, const DicomImage& b) { return a.path < b.path; });
+  std::vector<std::string> problems;
+  std::map<std::string, std::string> first_name;
+  Images kept;
+  for (DicomImage& image : images) {
+    const auto [entry, is_new] = first_name.try_emplace(image.sop_instance_uid, image.path.filename().string());
+    if (image.sop_instance_uid.empty() || is_new) {
+      kept.push_back(std::move(image));
+    } else {
+      problems.push_back(fmt::format("{} and {} are the same picture; the second is left out.", entry->second,
+                                     image.path.filename().string()));
+    }
+  }
+  images = std::move(kept);
+  return problems;
+}
+
+Series assemble_stack(const Images& images, const Stack& stack) {
+  const PictureRef front = stack.pictures.front();
+  const DicomImage& image = images[front.image];
+  Series series;
+  series.uid = image.series_uid;
+  series.study_uid = image.study_uid;
+  series.frame_of_reference_uid = image.frame_of_reference_uid;
+  series.description = image.description;
+  series.modality = image.modality;
+  series.number = image.series_number;
+
+  const Volumes volumes = part_into_volumes(images, stack);
+  series.volumes = static_cast<int>(volumes.of_volume.size());
+  series.volume_labels = volumes.labels;
+  const EvenSlices even = place_slices(images, volumes, series);
+  if (image.modality != "SEG") append(series.problems, volumes.problems);
+  lay_out(images, volumes, even, series);
+  find_role_and_unit(images, stack, series);
+  append(series.problems, image.problems);
+  return series;
+}
+
+void describe_parts(const std::vector<Stack>& stacks, std::vector<Series>& parts) {
+  if (parts.size() < 2) return;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i > 0) parts[i].uid += "#" + std::to_string(i + 1);
+    const std::string kind = stacks[i].kind.empty() ? "" : ": " + stacks[i].kind;
+    const Grid& grid = parts[i].grid;
+    parts[i].problems.insert(
+        parts[i].problems.begin(),
+        fmt::format("The series mixes sizes, orientations or kinds of picture; this is stack {} of {}, with {} x {} x "
+                    "{} voxels{}.",
+                    i + 1, parts.size(), grid.size[0], grid.size[1], grid.size[2], kind));
+  }
+}
+
+std::string gap_sentence(const Images& images, const std::vector<PictureRef>& slices, const SliceGap& gap,
+                         double spacing_mm) {
+  const std::string before = name_of(images, slices[gap.before]);
+  const std::string after = name_of(images, slices[gap.before + 1]);
+  if (gap.missing > 0) {
+    return fmt::format(
+        "{} missing between {} and {}, which are {:.4g} mm apart where the others are {:.4g} mm: the gap "
+        "is filled by interpolation.",
+        gap.missing == 1 ? "One slice is" : fmt::format("{} slices are", gap.missing), before, after, gap.width_mm,
+        spacing_mm);
+  }
+  return fmt::format(
+      "The spacing is uneven: {} and {} are {:.4g} mm apart where the usual is {:.4g} mm; slices between "
+      "are interpolated.",
+      before, after, gap.width_mm, spacing_mm);
+}
+
+// How far the slices slide sideways for each mm along the normal.
+Eigen::Vector3d slide_of(const Images& images, const std::vector<PictureRef>& slices, double length_mm,
+                         const Eigen::Vector3d& normal) {
+  const Eigen::Vector3d way =
+      picture_of(images, slices.back()).position_mm - picture_of(images, slices.front()).position_mm;
+  const Eigen::Vector3d slide = (way - way.dot(normal) * normal) / length_mm;
+  return slide.norm() < least_slide ? Eigen::Vector3d::Zero() : slide;
+}
+
+EvenSlices place_slices(const Images& images, const Volumes& volumes, Series& series) {
+  const std::vector<PictureRef>& slices = volumes.of_volume.front();
+  const Picture& first = picture_of(images, slices.front());
+  const Eigen::Vector3d normal = first.along_row.cross(first.along_column);
+  Grid& grid = series.grid;
+  grid.spacing_mm = {first.column_spacing_mm, first.row_spacing_mm, 1};
+  grid.direction.col(0) = first.along_row;
+  grid.direction.col(1) = first.along_column;
+  grid.direction.col(2) = normal;
+  grid.origin_mm = first.position_mm;
+
+  EvenSlices even;
+  even.slices = {{0, 0, 0}};
+  if (slices.size() >= 2) {
+    even = even_slices(volumes.positions_mm);
+    grid.spacing_mm[2] = even.spacing_mm;
+  } else if (first.slice_thickness_mm > 0) {
+    grid.spacing_mm[2] = first.slice_thickness_mm;
+  }
+  grid.size = {first.columns, first.rows, static_cast<int>(even.slices.size())};
+  if (!first.placed) {
+    series.problems.push_back(
+        "No place in the patient is given: the pictures are in the order of their numbers, one "
+        "mm apart.");
+    return even;
+  }
+  if (slices.size() < 2) {
+    series.problems.push_back("It is a single slice; its thickness is taken for the third dimension.");
+    return even;
+  }
+  std::vector<std::string> gaps;
+  for (const SliceGap& gap : even.gaps) gaps.push_back(gap_sentence(images, slices, gap, even.spacing_mm));
+  if (series.modality != "SEG") append(series.problems, std::move(gaps));
+
+  const double length_mm = volumes.positions_mm.back() - volumes.positions_mm.front();
+  const Eigen::Vector3d slide = slide_of(images, slices, length_mm, normal);
+  const Eigen::Vector3d upwards = normal + slide;
+  grid.direction.col(2) = upwards.normalized();
+  grid.spacing_mm[2] *= upwards.norm();
+  if (!slide.isZero()) {
+    series.problems.push_back(
+        fmt::format("The slices are sheared by {:.1f} degrees, as under gantry tilt{}: the third axis of the volume is "
+                    "not perpendicular to the slices.",
+                    std::atan(slide.norm()) * 180 / std::numbers::pi,
+                    std::abs(images[slices.front().image].gantry_tilt_deg) > least_tilt_deg
+                        ? fmt::format(" (the header gives {:.1f})", images[slices.front().image].gantry_tilt_deg)
+                        : ""));
+  }
+  double worst_mm = 0;
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    const double up_mm = volumes.positions_mm[k] - volumes.positions_mm.front();
+    const Eigen::Vector3d expected = first.position_mm + upwards * up_mm;
+    worst_mm = std::max(worst_mm, (picture_of(images, slices[k]).position_mm - expected).norm());
+  }
+  if (worst_mm > 0.5 * std::max(first.column_spacing_mm, first.row_spacing_mm)) {
+    series.problems.push_back(
+        fmt::format("Slices are shifted sideways against each other by up to {:.2f} mm, which is "
+                    "not corrected.",
+                    worst_mm));
+  }
+  return even;
+}
+
+void lay_out(const Images& images, const Volumes& volumes, const EvenSlices& even, Series& series) {
+  auto layout = std::make_shared<VoxelLayout>();
+  std::map<std::size_t, int> file_of_image;
+  for (const std::vector<PictureRef>& slices : volumes.of_volume) {
+    const int first_source = static_cast<int>(layout->sources.size());
+    for (const PictureRef& ref : slices) {
+      const DicomImage& image = images[ref.image];
+      const auto [entry, is_new] = file_of_image.try_emplace(ref.image, static_cast<int>(layout->files.size()));
+      if (is_new) {
+        layout->files.push_back({image.path, image.file_bytes, image.frames, image.syntax, image.format, image.pixels});
+        series.files.push_back(image.path);
+      }
+      const Picture& picture = image.pictures[ref.picture];
+      layout->sources.push_back(
+          {entry->second, picture.frame, picture.left, picture.top, picture.mapping.slope, picture.mapping.intercept});
+    }
+    for (const SliceBlend& blend : even.slices) {
+      const bool alone = blend.first == blend.second;
+      layout->slices.push_back({first_source + static_cast<int>(blend.first),
+                                alone ? -1 : first_source + static_cast<int>(blend.second),
+                                static_cast<float>(blend.weight_of_second)});
+    }
+  }
+  series.layout = std::move(layout);
+}
+
+void find_role_and_unit(const Images& images, const Stack& stack, Series& series) {
+  const DicomImage& image = images[stack.pictures.front().image];
+  const Picture& picture = picture_of(images, stack.pictures.front());
+  series.unit = picture.mapping.unit;
+  series.unit_evidence = picture.mapping.evidence;
+
+  RoleClues clues;
+  clues.modality = image.modality;
+  clues.manufacturer = image.manufacturer;
+  clues.image_type = image.image_type;
+  clues.description = image.description;
+  clues.protocol = image.protocol;
+  clues.sequence_name = image.sequence_name;
+  clues.comments = image.comments;
+  clues.ge_pulse_sequence = image.ge_pulse_sequence;
+  clues.unit = series.unit;
+  clues.component = picture.component;
+  if (stack.kind == "phase") clues.component = "P";
+  if (stack.kind == "magnitude") clues.component = "M";
+  clues.is_colour = image.format.is_colour();
+  clues.volumes = series.volumes;
+  clues.series_number = image.series_number;
+  clues.window_center = image.window_center;
+  clues.window_width = image.window_width;
+  const RoleFinding finding = role_of(clues);
+  series.role = finding.role;
+  series.role_evidence = finding.evidence;
+
+  if (clues.is_colour) series.problems.push_back("The pictures are in colour, so that they hold no values to measure.");
+  const bool wants_rescale = image.modality == "CT" || series.role == Role::mre_phase ||
+                             series.role == Role::mre_wave || series.role == Role::mre_stiffness;
+  if (wants_rescale && !picture.mapping.stated && image.pixels.element == 0x0010 && !clues.is_colour) {
+    series.problems.push_back("No rescale is given: the values are taken as they are stored.");
+  }
+  if (!picture.placed && series.role != Role::other) {
+    series.role = Role::other;
+    series.role_evidence = "no place in the patient is given";
+  }
+}
+
+void append(std::vector<std::string>& problems, std::vector<std::string> more) {
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    if (i == most_problems_of_a_kind) {
+      problems.push_back(fmt::format("And {} more of this kind.", more.size() - i));
+      return;
+    }
+    problems.push_back(std::move(more[i]));
+  }
+}
+
+}  // namespace
+}  // namespace glisson::imaging

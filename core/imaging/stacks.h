@@ -1,0 +1,47 @@
+#pragma once
+// The pictures of one DICOM series, parted into stacks of parallel slices and each stack into its volumes. Inside this
+// room only.
+
+#include <string>
+#include <vector>
+
+#include "imaging/dicom_image.h"
+
+namespace glisson::imaging {
+
+// A picture of a series: of which file, and which of its pictures.
+struct PictureRef {
+  std::size_t image = 0;
+  std::size_t picture = 0;
+};
+
+// Pictures of one size, orientation and kind, whose positions along the normal leave no wide gap.
+struct Stack {
+  std::vector<PictureRef> pictures;
+  std::string kind;  // what may tell it from the others of the series: "echo 2", "phase"; may be empty
+};
+
+// At least one for a series with pictures; the first is the one with most pictures.
+[[nodiscard]] std::vector<Stack> part_into_stacks(const std::vector<DicomImage>& images);
+
+// The volumes of one stack: pictures at the same positions, told apart by a header field that takes as many values as
+// there are pictures at each position, or else by their order of acquisition.
+struct Volumes {
+  std::vector<double> positions_mm;                // along the normal, ascending
+  std::vector<std::vector<PictureRef>> of_volume;  // [volume][position]
+  std::vector<std::string> labels;                 // one a volume where there are several
+  std::vector<std::string> problems;               // doubled pictures, incomplete volumes
+};
+[[nodiscard]] Volumes part_into_volumes(const std::vector<DicomImage>& images, const Stack& stack);
+
+// Where a picture stands along the normal of its own plane.
+[[nodiscard]] double position_along_normal_mm(const Picture& picture);
+
+[[nodiscard]] inline const Picture& picture_of(const std::vector<DicomImage>& images, const PictureRef& ref) {
+  return images[ref.image].pictures[ref.picture];
+}
+
+// "IM_0004.dcm", or "enhanced.dcm, frame 7".
+[[nodiscard]] std::string name_of(const std::vector<DicomImage>& images, const PictureRef& ref);
+
+}  // namespace glisson::imaging
