@@ -22,6 +22,17 @@ using Action = std::function<Result<Outcome>(const Progress&)>;
 
 // Each command's file defines one of these: it declares the options on `app`, and sets `chosen` when the command line
 // names the command.
-void add_commands(CLI::App& app, Action& chosen);  // all of the below, in the order of --help
+void add_scan(CLI::App& app, Action& chosen);
+void add_import(CLI::App& app, Action& chosen);
+void add_segment(CLI::App& app, Action& chosen);
+void add_mesh(CLI::App& app, Action& chosen);
+void add_stiffness(CLI::App& app, Action& chosen);
+void add_simulate(CLI::App& app, Action& chosen);
+void add_compare(CLI::App& app, Action& chosen);
+void add_render(CLI::App& app, Action& chosen);
+void add_demo(CLI::App& app, Action& chosen);
+
+// All of them, in the order in which --help lists them.
+void add_commands(CLI::App& app, Action& chosen);
 
 }  // namespace glisson::cli

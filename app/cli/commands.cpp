@@ -4,6 +4,6 @@
 
 namespace glisson::cli {
 
-void add_commands([[maybe_unused]] CLI::App& app, [[maybe_unused]] Action& chosen) {}
+void add_commands(CLI::App& app, Action& chosen) { add_scan(app, chosen); }
 
 }  // namespace glisson::cli

@@ -30,9 +30,13 @@ Outcome describe(const imaging::Study& study) {
         series.grid.spacing_mm.y(), series.grid.spacing_mm.z(), series.description, series.uid);
     outcome.text += bullet_list(series.problems);
   }
+  constexpr std::size_t shown = 10;
   for (const imaging::SkippedFile& file : study.skipped) {
     outcome.document["skipped"].push_back({{"file", file.path.string()}, {"reason", file.reason}});
-    outcome.text += fmt::format("skipped         {}: {}\n", file.path.string(), file.reason);
+    if (outcome.document["skipped"].size() <= shown) outcome.text += fmt::format("skipped         {}\n", file.reason);
+  }
+  if (study.skipped.size() > shown) {
+    outcome.text += fmt::format("                and {} more (--json lists all)\n", study.skipped.size() - shown);
   }
   outcome.text += fmt::format("{} series, {} files skipped\n", study.series.size(), study.skipped.size());
   return outcome;
