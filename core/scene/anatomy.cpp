@@ -13,7 +13,7 @@ struct Style {
 // Colours near the tissue's own, veins blue and arteries red as atlases have them, the tumour in a yellow that nothing
 // else in the abdomen has.
 constexpr std::array<Style, 12> styles{{
-    {"liver", {{0.78, 0.42, 0.36}, 0.55, Finish::glass}},
+    {"liver", {{0.90, 0.50, 0.42}, 0.72, Finish::glass}},
     {"tumour", {{0.98, 0.80, 0.22}, 1.0, Finish::solid}},
     {"tumor", {{0.98, 0.80, 0.22}, 1.0, Finish::solid}},
     {"portal-vein", {{0.52, 0.45, 0.86}, 1.0, Finish::solid}},

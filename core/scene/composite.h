@@ -15,14 +15,15 @@ namespace glisson::scene {
 [[nodiscard]] Picture red_blue(const Picture& in_red, const Picture& in_blue);
 
 struct Comparison {
-  Scene in_red;            // the atlas result
-  Scene in_blue;           // the result from MR elastography
-  std::string red_label;   // "Atlas stiffness, 2.1 kPa"
-  std::string blue_label;  // "MRE stiffness"
+  Scene in_red;                 // the atlas result
+  Scene in_blue;                // the result from MR elastography
+  std::string red_label;        // "Red: atlas stiffness, 2.1 kPa"
+  std::string blue_label;       // "Blue: stiffness from MR elastography"
+  std::string agreement_label;  // "Purple: both agree"
 };
 
-// Draws both with the same camera (that of in_blue, or one that shows both), joins them, and writes titles, labels and
-// in_blue's warning over the outcome in white. Landmarks and arrows are drawn in both.
+// Draws both with the same camera (in_blue's, or one that fits it), joins them, and writes in_blue's titles, warning
+// and landmark names over the outcome, with a key of the three colours. Failures: those of draw().
 Result<Picture> draw_red_blue(const Comparison& comparison, int width, int height);
 
 }  // namespace glisson::scene

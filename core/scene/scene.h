@@ -92,7 +92,13 @@ struct CrosshairItem {
   std::array<Colour, 3> axis_colours;  // of the line that stands for the plane across x, y, z
 };
 
-enum class Background { dark, light };
+enum class Background { dark, light, black };
+
+// One line of a picture's key: what a colour stands for.
+struct KeyEntry {
+  Colour colour;
+  std::string text;
+};
 
 // What stands in the picture's corners.
 struct Furniture {
@@ -100,10 +106,11 @@ struct Furniture {
   enum class ScaleBar { hidden, shown };
   Orientation orientation = Orientation::cube;
   ScaleBar scale_bar = ScaleBar::shown;
-  std::string title;      // top left
-  std::string subtitle;   // below it, smaller
-  std::string warning;    // bottom, on a band of its own: "SIMULATED: not a measurement"
-  double text_scale = 1;  // 1 is 15 px for body text
+  std::string title;          // top left
+  std::string subtitle;       // below it, smaller
+  std::string warning;        // bottom, on a band of its own: "SIMULATED: not a measurement"
+  double text_scale = 1;      // 1 is 15 px for body text
+  std::vector<KeyEntry> key;  // below the subtitle
 };
 
 struct Scene {
@@ -119,6 +126,9 @@ struct Scene {
 
 // Everything the scene shows; an empty box at the origin for an empty scene.
 [[nodiscard]] geometry::Box bounds(const Scene& scene);
+
+// The camera that looks from that side and shows everything, as large as the picture allows.
+[[nodiscard]] Camera fit(const Scene& scene, PatientView view, double aspect);
 
 // Refuses what cannot be drawn: a missing surface or volume, an index out of range, a position that is not finite, an
 // unknown field, an empty range ("scene-invalid", saying which item).

@@ -31,13 +31,16 @@ class View {
   // or, the first time, everything is brought into view. Refuses as check_scene does and then changes nothing.
   Result<void> show(const Scene& scene);
 
-  // Moves the points of one surface (by its place in Scene::surfaces), in the order they have there; cut lines of the
-  // same surface in slices follow. 20,000 points take about a millisecond. The count must match, which is asserted.
-  void move_surface(std::size_t surface, const std::vector<Eigen::Vector3d>& points_mm);
-  // New values for the coloured field of one surface, one an item of that field.
-  void recolour_surface(std::size_t surface, const std::vector<double>& values);
-  void set_visibility(std::size_t surface, Visibility visibility);
-  void set_opacity(std::size_t surface, double opacity);
+  // A surface is known by the pointer that the scene was given, wherever it stands there: drawn, cut by slices, or
+  // both.
+  using SurfaceId = std::shared_ptr<const geometry::Surface>;
+
+  // Moves the surface's points, given in the order they have there; what cuts it follows. 20,000 points take a few
+  // milliseconds. The count must match, which is asserted.
+  void move_surface(const SurfaceId& surface, const std::vector<Eigen::Vector3d>& points_mm);
+  // New values for the field that the surface is coloured by, one an item.
+  void recolour_surface(const SurfaceId& surface, const std::vector<double>& values);
+  void set_visibility(const SurfaceId& surface, Visibility visibility);
 
   void set_landmarks(const std::vector<LandmarkItem>& landmarks);
   void set_arrows(const std::vector<ArrowItem>& arrows);
@@ -53,7 +56,7 @@ class View {
   void prepare_frame(int width, int height);
 
   struct Pick {
-    std::size_t surface = 0;  // its place in Scene::surfaces
+    SurfaceId surface;
     Eigen::Vector3d position_mm{0, 0, 0};
     Eigen::Vector3d normal{0, 0, 1};  // unit, outwards
   };

@@ -1,0 +1,69 @@
+#include "scene/composite.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glisson::scene {
+namespace {
+
+std::uint8_t luminance(const std::uint8_t* rgb) {
+  return static_cast<std::uint8_t>(std::lround(0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]));
+}
+
+// A scene to be read by its channel alone: no words, no legend, on plain black, in greys whose lightness tells the
+// structures apart.
+Scene stripped(Scene scene, const Camera& camera) {
+  scene.camera = camera;
+  scene.furniture = {Furniture::Orientation::hidden, Furniture::ScaleBar::hidden, "", "", "", 1, {}};
+  scene.background = Background::black;
+  for (SurfaceItem& item : scene.surfaces) {
+    if (item.colouring) item.colouring->title.clear();
+  }
+  for (SliceItem& item : scene.slices) item.legend_title.clear();
+  for (LandmarkItem& item : scene.landmarks) item.label.clear();
+  for (ArrowItem& item : scene.arrows) item.label.clear();
+  return scene;
+}
+
+// The words of the comparison alone, on black: laid over the joined picture by taking the brighter of the two.
+Scene words_of(const Comparison& comparison, const Camera& camera) {
+  Scene words;
+  words.camera = camera;
+  words.background = Background::black;
+  words.furniture = comparison.in_blue.furniture;
+  words.furniture.key = {{{1.0, 0.25, 0.25}, comparison.red_label},
+                         {{0.35, 0.45, 1.0}, comparison.blue_label},
+                         {{0.80, 0.30, 0.95}, comparison.agreement_label}};
+  words.landmarks = comparison.in_blue.landmarks;
+  for (LandmarkItem& landmark : words.landmarks) landmark.radius_mm = 0.01;
+  return words;
+}
+
+}  // namespace
+
+Picture red_blue(const Picture& in_red, const Picture& in_blue) {
+  GLISSON_ASSERT(in_red.width == in_blue.width && in_red.height == in_blue.height);
+  Picture joined = in_red;
+  for (std::size_t k = 0; k < joined.rgb.size(); k += 3) {
+    joined.rgb[k] = luminance(&in_red.rgb[k]);
+    joined.rgb[k + 1] = 0;
+    joined.rgb[k + 2] = luminance(&in_blue.rgb[k]);
+  }
+  return joined;
+}
+
+Result<Picture> draw_red_blue(const Comparison& comparison, int width, int height) {
+  const Camera camera = comparison.in_blue.camera.value_or(
+      fit(comparison.in_blue, PatientView::surgeon, static_cast<double>(width) / height));
+  const auto red = draw(stripped(comparison.in_red, camera), width, height);
+  if (!red) return red;
+  const auto blue = draw(stripped(comparison.in_blue, camera), width, height);
+  if (!blue) return blue;
+  const auto words = draw(words_of(comparison, camera), width, height);
+  if (!words) return words;
+  Picture joined = red_blue(*red, *blue);
+  for (std::size_t k = 0; k < joined.rgb.size(); ++k) joined.rgb[k] = std::max(joined.rgb[k], words->rgb[k]);
+  return joined;
+}
+
+}  // namespace glisson::scene

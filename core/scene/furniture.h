@@ -1,0 +1,30 @@
+#pragma once
+// Titles, scale bar, legends, orientation letters and labels, laid out on the overlay of one frame. Inside the room.
+
+#include <vector>
+
+#include "scene/frame.h"
+#include "scene/overlay.h"
+#include "scene/scene.h"
+
+namespace glisson::scene {
+
+struct Legend {
+  std::string title;
+  ColourMap map = ColourMap::viridis;
+  std::array<double, 2> range{0, 1};
+};
+
+// Everything flat that a frame shows, in the order in which it is laid out.
+struct FlatContent {
+  const Furniture& furniture;
+  const std::vector<Legend>& legends;
+  const std::vector<LandmarkItem>& landmarks;
+  const std::vector<ArrowItem>& arrows;
+  const std::optional<CrosshairItem>& crosshair;
+  Background background = Background::dark;
+};
+
+void lay_out(Overlay& overlay, const Frame& frame, const FlatContent& content, double pixel_scale);
+
+}  // namespace glisson::scene

@@ -1,0 +1,135 @@
+#include "scene/surface_actor.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkLookupTable.h>
+#include <vtkPointData.h>
+#include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+
+namespace glisson::scene {
+namespace {
+
+// Clear where it faces the viewer, denser towards its rim; a highlight stays as bright as on something solid.
+constexpr const char* glass_shader =
+    "//VTK::Light::Impl\n"
+    "  float facing = clamp(abs(normalVCVSOutput.z), 0.0, 1.0);\n"
+    "  float density = opacity * mix(1.0, 0.38, pow(facing, 1.2));\n"
+    "  gl_FragData[0].a = clamp(density + 0.8 * specular.g, 0.0, 1.0);\n";
+
+vtkNew<vtkLookupTable> lookup_table(const Colouring& colouring) {
+  constexpr int steps = 256;
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(steps);
+  table->SetTableRange(colouring.range[0], colouring.range[1]);
+  for (int k = 0; k < steps; ++k) {
+    const Colour colour = colour_at(colouring.map, k / double(steps - 1));
+    table->SetTableValue(k, colour.red, colour.green, colour.blue, 1);
+  }
+  return table;
+}
+
+}  // namespace
+
+SurfaceActor::SurfaceActor(vtkRenderer& renderer, const SurfaceItem& item)
+    : renderer_(renderer), surface_(*item.surface) {
+  vtkNew<vtkCellArray> triangles;
+  triangles->AllocateExact(static_cast<vtkIdType>(surface_.triangles.size()),
+                           3 * static_cast<vtkIdType>(surface_.triangles.size()));
+  for (const auto& triangle : surface_.triangles) {
+    triangles->InsertNextCell({triangle[0], triangle[1], triangle[2]});
+  }
+  points_->SetDataTypeToFloat();
+  normals_->SetNumberOfComponents(3);
+  mesh_->SetPoints(points_);
+  mesh_->SetPolys(triangles);
+  mesh_->GetPointData()->SetNormals(normals_);
+  move(surface_.points_mm);
+
+  mapper_->SetInputData(mesh_);
+  mapper_->ScalarVisibilityOff();
+  actor_->SetMapper(mapper_);
+  vtkProperty& property = *actor_->GetProperty();
+  property.SetColor(item.colour.red, item.colour.green, item.colour.blue);
+  property.SetOpacity(item.opacity);
+  property.SetAmbient(0.10);
+  property.SetDiffuse(0.85);
+  property.SetSpecular(0.22);
+  property.SetSpecularPower(28);
+  if (item.finish == Finish::glass && item.opacity < 1) shade_as_glass();
+  if (item.colouring) colour_by(*item.colouring);
+  renderer_.AddActor(actor_);
+}
+
+SurfaceActor::~SurfaceActor() { renderer_.RemoveActor(actor_); }
+
+void SurfaceActor::move(const std::vector<Eigen::Vector3d>& points_mm) {
+  GLISSON_ASSERT(points_mm.size() == surface_.points_mm.size());
+  surface_.points_mm = points_mm;
+  const std::vector<Eigen::Vector3d> normals = geometry::point_normals(surface_);
+  const auto count = static_cast<vtkIdType>(points_mm.size());
+  points_->SetNumberOfPoints(count);
+  normals_->SetNumberOfTuples(count);
+  auto* positions = static_cast<vtkFloatArray*>(points_->GetData())->GetPointer(0);
+  auto* directions = normals_->GetPointer(0);
+  for (std::size_t p = 0; p < points_mm.size(); ++p) {
+    for (int c = 0; c < 3; ++c) {
+      *positions++ = static_cast<float>(points_mm[p][c]);
+      *directions++ = static_cast<float>(normals[p][c]);
+    }
+  }
+  points_->Modified();
+  normals_->Modified();
+  mesh_->Modified();
+}
+
+void SurfaceActor::recolour(const std::vector<double>& values) {
+  GLISSON_ASSERT(static_cast<vtkIdType>(values.size()) == values_->GetNumberOfTuples());
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    values_->SetValue(static_cast<vtkIdType>(k), static_cast<float>(values[k]));
+  }
+  values_->Modified();
+  mesh_->Modified();
+}
+
+void SurfaceActor::colour_by(const Colouring& colouring) {
+  const geometry::Field* on_points = geometry::find_field(surface_.point_fields, colouring.field);
+  const geometry::Field* field =
+      on_points != nullptr ? on_points : geometry::find_field(surface_.cell_fields, colouring.field);
+  GLISSON_ASSERT(field != nullptr);
+  const std::vector<double> values = values_to_colour(*field);
+  values_->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  recolour(values);
+  if (on_points != nullptr) {
+    mesh_->GetPointData()->SetScalars(values_);
+    mapper_->SetScalarModeToUsePointData();
+    mapper_->InterpolateScalarsBeforeMappingOn();
+  } else {
+    mesh_->GetCellData()->SetScalars(values_);
+    mapper_->SetScalarModeToUseCellData();
+  }
+  mapper_->SetLookupTable(lookup_table(colouring));
+  mapper_->UseLookupTableScalarRangeOn();
+  mapper_->ScalarVisibilityOn();
+}
+
+void SurfaceActor::shade_as_glass() {
+  vtkProperty& property = *actor_->GetProperty();
+  property.BackfaceCullingOn();
+  property.SetAmbient(0.16);
+  property.SetSpecular(0.34);
+  property.SetSpecularPower(36);
+  actor_->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, glass_shader, false);
+}
+
+std::vector<double> values_to_colour(const geometry::Field& field) {
+  if (field.components == 1) return field.values;
+  const auto components = static_cast<std::size_t>(field.components);
+  std::vector<double> lengths(field.items());
+  for (std::size_t k = 0; k < lengths.size(); ++k) {
+    lengths[k] = Eigen::Map<const Eigen::VectorXd>(&field.values[k * components], field.components).norm();
+  }
+  return lengths;
+}
+
+}  // namespace glisson::scene

@@ -1,0 +1,50 @@
+#pragma once
+// One surface in a renderer, whose points and colours may change from frame to frame. Inside the room.
+
+#include <vtkActor.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderer.h>
+#include <Eigen/Core>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace glisson::scene {
+
+class SurfaceActor {
+ public:
+  SurfaceActor(vtkRenderer& renderer, const SurfaceItem& item);
+  ~SurfaceActor();
+  SurfaceActor(const SurfaceActor&) = delete;
+  SurfaceActor& operator=(const SurfaceActor&) = delete;
+
+  void move(const std::vector<Eigen::Vector3d>& points_mm);
+  void recolour(const std::vector<double>& values);
+  void set_shown(bool shown) { actor_->SetVisibility(shown ? 1 : 0); }
+
+  [[nodiscard]] bool shown() const { return actor_->GetVisibility() != 0; }
+  // As it is now, moved points and all; its fields are those it was made with.
+  [[nodiscard]] const geometry::Surface& surface() const { return surface_; }
+
+ private:
+  void colour_by(const Colouring& colouring);
+  void shade_as_glass();
+
+  vtkRenderer& renderer_;
+  geometry::Surface surface_;
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkFloatArray> normals_;
+  vtkNew<vtkFloatArray> values_;
+  vtkNew<vtkPolyData> mesh_;
+  vtkNew<vtkPolyDataMapper> mapper_;
+  vtkNew<vtkActor> actor_;
+};
+
+// One value an item: the field itself, or the length of each of its vectors.
+[[nodiscard]] std::vector<double> values_to_colour(const geometry::Field& field);
+
+}  // namespace glisson::scene
