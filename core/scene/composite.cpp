@@ -10,19 +10,30 @@ std::uint8_t luminance(const std::uint8_t* rgb) {
   return static_cast<std::uint8_t>(std::lround(0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]));
 }
 
-// A scene to be read by its channel alone: no words, no legend, on plain black, in greys whose lightness tells the
-// structures apart.
+// A scene to be read by its channel alone: no words, no legend, on plain black; white vessels and tumours, which show
+// the smallest shift, in a grey organ.
 Scene stripped(Scene scene, const Camera& camera) {
   scene.camera = camera;
   scene.furniture = {Furniture::Orientation::hidden, Furniture::ScaleBar::hidden, "", "", "", 1, {}};
   scene.background = Background::black;
   for (SurfaceItem& item : scene.surfaces) {
-    if (item.colouring) item.colouring->title.clear();
+    item.colouring.reset();
+    const double grey = item.finish == Finish::glass ? 0.60 : 1.0;
+    item.colour = {grey, grey, grey};
   }
   for (SliceItem& item : scene.slices) item.legend_title.clear();
   for (LandmarkItem& item : scene.landmarks) item.label.clear();
   for (ArrowItem& item : scene.arrows) item.label.clear();
   return scene;
+}
+
+// Red and blue alone look darker than the same grey: the darks are lifted, black stays black and white white.
+Picture lifted(Picture picture) {
+  constexpr double gamma = 0.65;
+  for (std::uint8_t& value : picture.rgb) {
+    value = static_cast<std::uint8_t>(std::lround(255 * std::pow(value / 255.0, gamma)));
+  }
+  return picture;
 }
 
 // The words of the comparison alone, on black: laid over the joined picture by taking the brighter of the two.
@@ -61,7 +72,7 @@ Result<Picture> draw_red_blue(const Comparison& comparison, int width, int heigh
   if (!blue) return blue;
   const auto words = draw(words_of(comparison, camera), width, height);
   if (!words) return words;
-  Picture joined = red_blue(*red, *blue);
+  Picture joined = red_blue(lifted(*red), lifted(*blue));
   for (std::size_t k = 0; k < joined.rgb.size(); ++k) joined.rgb[k] = std::max(joined.rgb[k], words->rgb[k]);
   return joined;
 }

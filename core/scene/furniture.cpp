@@ -218,8 +218,9 @@ void lay_out_legends(Page& page) {
       page.overlay.text(mark_text(mark, step), {left + bar_width + 8 * page.unit, y}, Anchor::left_centre,
                         page.body(13));
     }
-    page.overlay.text(legend.title, {right, low + height + 12 * page.unit}, Anchor::upper_right, page.body(14));
-    right -= column + 12 * page.unit;
+    const Vector2d title_size =
+        page.overlay.text(legend.title, {right, low + height + 14 * page.unit}, Anchor::lower_right, page.body(14));
+    right -= std::max(column, title_size.x()) + 16 * page.unit;
   }
 }
 

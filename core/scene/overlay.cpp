@@ -30,6 +30,7 @@ void justify(vtkTextProperty& property, Anchor anchor) {
       break;
     case Anchor::upper_left: property.SetJustificationToLeft(), property.SetVerticalJustificationToTop(); break;
     case Anchor::upper_right: property.SetJustificationToRight(), property.SetVerticalJustificationToTop(); break;
+    case Anchor::lower_right: property.SetJustificationToRight(), property.SetVerticalJustificationToBottom(); break;
     case Anchor::centre: property.SetJustificationToCentered(), property.SetVerticalJustificationToCentered(); break;
     case Anchor::left_centre: property.SetJustificationToLeft(), property.SetVerticalJustificationToCentered(); break;
     case Anchor::right_centre: property.SetJustificationToRight(), property.SetVerticalJustificationToCentered(); break;

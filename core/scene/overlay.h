@@ -20,7 +20,7 @@
 
 namespace glisson::scene {
 
-enum class Anchor { lower_left, lower_centre, upper_left, upper_right, centre, left_centre, right_centre };
+enum class Anchor { lower_left, lower_centre, upper_left, upper_right, lower_right, centre, left_centre, right_centre };
 
 struct TextStyle {
   Colour colour;

@@ -1,9 +1,7 @@
 #include "scene/slice_actor.h"
 
 #include <vtkCellArray.h>
-#include <vtkContourFilter.h>
 #include <vtkFloatArray.h>
-#include <vtkFlyingEdgesPlaneCutter.h>
 #include <vtkImageData.h>
 #include <vtkLookupTable.h>
 #include <vtkMatrix4x4.h>
@@ -11,7 +9,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkUnsignedCharArray.h>
+#include <cmath>
 #include <Eigen/Geometry>
 
 namespace glisson::scene {
@@ -46,37 +44,73 @@ void set_segments(vtkPolyData& outcome, const std::vector<Eigen::Vector3d>& ends
   outcome.SetLines(lines);
 }
 
-std::vector<Eigen::Vector3d> outline(const imaging::Mask& mask, const Plane& plane) {
-  vtkNew<vtkUnsignedCharArray> values;
-  values->SetArray(const_cast<std::uint8_t*>(mask.values.data()), static_cast<vtkIdType>(mask.values.size()), 1);
-  // The plane in index space: a normal goes through the transposed matrix.
-  const Eigen::Matrix3d to_mm = mask.grid.direction * mask.grid.spacing_mm.asDiagonal();
-  const Eigen::Vector3d origin = mask.grid.index_of(plane.center_mm);
-  const Eigen::Vector3d normal = (to_mm.transpose() * plane.normal).normalized();
-  vtkNew<vtkPlane> cut_plane;
-  cut_plane->SetOrigin(origin.x(), origin.y(), origin.z());
-  cut_plane->SetNormal(normal.x(), normal.y(), normal.z());
-  vtkNew<vtkFlyingEdgesPlaneCutter> cutter;
-  cutter->SetInputData(image_in_index_space(mask.grid, values));
-  cutter->SetPlane(cut_plane);
-  cutter->ComputeNormalsOff();
-  cutter->InterpolateAttributesOn();
-  vtkNew<vtkContourFilter> boundary;
-  boundary->SetInputConnection(cutter->GetOutputPort());
-  boundary->SetValue(0, 0.5);
-  boundary->Update();
-
+// The lines along which values on a triangle mesh change sign: two points each. A value of zero counts as positive, so
+// that a triangle has either no or two crossing edges.
+std::vector<Eigen::Vector3d> sign_changes(const std::vector<Eigen::Vector3d>& points_mm,
+                                          const std::vector<std::array<int, 3>>& triangles,
+                                          const std::vector<double>& values) {
   std::vector<Eigen::Vector3d> ends_mm;
-  vtkPolyData& lines = *boundary->GetOutput();
-  vtkNew<vtkIdList> cell;
-  for (lines.GetLines()->InitTraversal(); lines.GetLines()->GetNextCell(cell) != 0;) {
-    for (vtkIdType k = 0; k + 1 < cell->GetNumberOfIds(); ++k) {
-      for (const vtkIdType end : {cell->GetId(k), cell->GetId(k + 1)}) {
-        ends_mm.push_back(mask.grid.position_mm(Eigen::Vector3d(lines.GetPoint(end))));
-      }
+  for (const auto& triangle : triangles) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const auto a = static_cast<std::size_t>(triangle[corner]);
+      const auto b = static_cast<std::size_t>(triangle[(corner + 1) % 3]);
+      if ((values[a] < 0) == (values[b] < 0)) continue;
+      const double share = values[a] / (values[a] - values[b]);
+      ends_mm.push_back(points_mm[a] + share * (points_mm[b] - points_mm[a]));
     }
   }
   return ends_mm;
+}
+
+// How much of the eight voxels around a position belongs to the mask, weighted by nearness: 0..1.
+double share_at(const imaging::Mask& mask, const Eigen::Vector3d& position_mm) {
+  const Eigen::Vector3d index = mask.grid.index_of(position_mm);
+  const Eigen::Vector3d low = index.array().floor();
+  const Eigen::Vector3d part = index - low;
+  double share = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3i step(corner & 1, (corner >> 1) & 1, corner >> 2);
+    const Eigen::Vector3i voxel = low.cast<int>() + step;
+    if (!mask.grid.contains(voxel.x(), voxel.y(), voxel.z())) continue;
+    if (mask.at(voxel.x(), voxel.y(), voxel.z()) == 0) continue;
+    double weight = 1;
+    for (int axis = 0; axis < 3; ++axis) weight *= step[axis] == 1 ? part[axis] : 1 - part[axis];
+    share += weight;
+  }
+  return share;
+}
+
+// The mask sampled on a lattice in the plane, about a voxel apart, and outlined where half of it is inside.
+std::vector<Eigen::Vector3d> outline(const imaging::Mask& mask, const Plane& plane) {
+  const imaging::Grid& grid = mask.grid;
+  const Eigen::Vector3d middle_mm =
+      grid.position_mm(Eigen::Vector3d(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1) * 0.5);
+  const Eigen::Vector3d center_mm = middle_mm - plane.normal.dot(middle_mm - plane.center_mm) * plane.normal;
+  const Eigen::Vector3d extent_mm =
+      grid.spacing_mm.cwiseProduct(Eigen::Vector3d(grid.size[0], grid.size[1], grid.size[2]));
+  constexpr int most_steps = 512;
+  const double reach_mm = 0.5 * extent_mm.norm();
+  const double step_mm = std::max(grid.spacing_mm.minCoeff(), 2 * reach_mm / most_steps);
+  const int count = static_cast<int>(std::ceil(2 * reach_mm / step_mm)) + 1;
+  const Eigen::Vector3d across = plane.normal.unitOrthogonal();
+  const Eigen::Vector3d along = plane.normal.cross(across);
+
+  std::vector<Eigen::Vector3d> points_mm;
+  std::vector<double> values;
+  std::vector<std::array<int, 3>> triangles;
+  for (int row = 0; row < count; ++row) {
+    for (int column = 0; column < count; ++column) {
+      const Eigen::Vector3d point_mm =
+          center_mm + (column * step_mm - reach_mm) * across + (row * step_mm - reach_mm) * along;
+      const int here = row * count + column;
+      points_mm.push_back(point_mm);
+      values.push_back(share_at(mask, point_mm) - 0.5);
+      if (row + 1 == count || column + 1 == count) continue;
+      triangles.push_back({here, here + 1, here + count});
+      triangles.push_back({here + 1, here + count + 1, here + count});
+    }
+  }
+  return sign_changes(points_mm, triangles, values);
 }
 
 }  // namespace
@@ -86,18 +120,7 @@ std::vector<Eigen::Vector3d> cut(const geometry::Surface& surface, const Plane& 
   for (std::size_t p = 0; p < height_mm.size(); ++p) {
     height_mm[p] = plane.normal.dot(surface.points_mm[p] - plane.center_mm);
   }
-  std::vector<Eigen::Vector3d> ends_mm;
-  for (const auto& triangle : surface.triangles) {
-    for (int corner = 0; corner < 3; ++corner) {
-      const auto a = static_cast<std::size_t>(triangle[static_cast<std::size_t>(corner)]);
-      const auto b = static_cast<std::size_t>(triangle[static_cast<std::size_t>((corner + 1) % 3)]);
-      // A point on the plane counts as above: each triangle then has no or two crossing edges.
-      if ((height_mm[a] < 0) == (height_mm[b] < 0)) continue;
-      const double share = height_mm[a] / (height_mm[a] - height_mm[b]);
-      ends_mm.push_back(surface.points_mm[a] + share * (surface.points_mm[b] - surface.points_mm[a]));
-    }
-  }
-  return ends_mm;
+  return sign_changes(surface.points_mm, surface.triangles, height_mm);
 }
 
 SliceActor::SliceActor(vtkRenderer& renderer, const SliceItem& item)
