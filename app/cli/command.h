@@ -29,6 +29,7 @@ void add_mesh(CLI::App& app, Action& chosen);
 void add_stiffness(CLI::App& app, Action& chosen);
 void add_simulate(CLI::App& app, Action& chosen);
 void add_compare(CLI::App& app, Action& chosen);
+void add_export(CLI::App& app, Action& chosen);
 void add_render(CLI::App& app, Action& chosen);
 void add_demo(CLI::App& app, Action& chosen);
 

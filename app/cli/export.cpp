@@ -1,0 +1,44 @@
+// glisson-cli export CASE --format F --out PATH: a case's contents for other programs.
+
+#include <fmt/format.h>
+
+#include "casefile/export.h"
+#include "command.h"
+
+namespace glisson::cli {
+namespace {
+
+Outcome describe(const std::vector<std::filesystem::path>& files) {
+  Outcome outcome{{{"files", Json::array()}}, {}};
+  for (const auto& file : files) {
+    outcome.document["files"].push_back(file.string());
+    outcome.text += file.string() + "\n";
+  }
+  return outcome;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Action& chosen) {
+  CLI::App* command =
+      app.add_subcommand("export", "Write a case's images, labels, surfaces or mesh for other programs");
+  auto case_folder = std::make_shared<std::string>();
+  auto format = std::make_shared<std::string>();
+  auto out = std::make_shared<std::string>();
+  command->add_option("case", *case_folder, "The case")->required();
+  command->add_option("--format", *format, "nrrd, nifti, stl, obj, vtp (a folder); dicom-seg, vtu (a file)")
+      ->required()
+      ->check([](const std::string& name) {
+        return casefile::export_format(name) ? std::string() : "one of nrrd, nifti, dicom-seg, stl, obj, vtp, vtu";
+      });
+  command->add_option("--out", *out, "File or folder to write")->required();
+  command->callback([&chosen, case_folder, format, out] {
+    chosen = [=](const Progress& progress) -> Result<Outcome> {
+      const auto patient = casefile::Case::open(*case_folder);
+      if (!patient) return failure(patient.error());
+      return casefile::export_case(*patient, *casefile::export_format(*format), *out, progress).map(describe);
+    };
+  });
+}
+
+}  // namespace glisson::cli

@@ -1,0 +1,134 @@
+#include "casefile/export.h"
+
+#include <algorithm>
+#include <array>
+
+#include "casefile/structures.h"
+#include "geometry/mesh_file.h"
+#include "imaging/dicom_seg.h"
+#include "imaging/dicom_uid.h"
+#include "imaging/volume_file.h"
+
+namespace glisson::casefile {
+namespace fs = std::filesystem;
+namespace {
+
+struct NamedFormat {
+  std::string_view name;
+  ExportFormat format;
+  const char* extension;
+};
+constexpr std::array named_formats{
+    NamedFormat{"nrrd", ExportFormat::nrrd, ".nrrd"},
+    NamedFormat{"nifti", ExportFormat::nifti, ".nii.gz"},
+    NamedFormat{"dicom-seg", ExportFormat::dicom_seg, ".dcm"},
+    NamedFormat{"stl", ExportFormat::stl, ".stl"},
+    NamedFormat{"obj", ExportFormat::obj, ".obj"},
+    NamedFormat{"vtp", ExportFormat::vtp, ".vtp"},
+    NamedFormat{"vtu", ExportFormat::vtu, ".vtu"},
+};
+
+const NamedFormat& named(ExportFormat format) {
+  return *std::find_if(named_formats.begin(), named_formats.end(), [&](const auto& n) { return n.format == format; });
+}
+
+Result<void> export_image(const Case& patient, const Entry& entry, const fs::path& target) {
+  // A label map is a volume of whole numbers: 0 outside, 1 inside.
+  return imaging::read_volume_file(patient.folder() / entry.file).and_then([&](const imaging::Volume& volume) {
+    return imaging::write_volume_file(target, volume);
+  });
+}
+
+Result<void> export_label_as_nrrd(const Case& patient, const Entry& entry, const fs::path& target) {
+  return imaging::read_mask_file(patient.folder() / entry.file).and_then([&](const imaging::SegmentedMask& segment) {
+    return imaging::write_mask_file(target, segment.mask, segment.info);
+  });
+}
+
+Result<void> export_surface(const Case& patient, const Entry& entry, const fs::path& target) {
+  return geometry::read_surface(patient.folder() / entry.file).and_then([&](const geometry::Surface& surface) {
+    return geometry::write_surface(target, surface);
+  });
+}
+
+Result<void> export_segmentation(const Case& patient, const fs::path& target) {
+  const auto structures = read_structures(patient);
+  if (!structures) return failure(structures.error());
+  std::vector<imaging::SegmentedMask> segments;
+  for (const auto& structure : *structures) {
+    segments.push_back({{structure.name, static_cast<int>(segments.size()) + 1, structure.color_rgb}, structure.mask});
+  }
+  const Entry* anatomy = patient.find("volumes/anatomy");
+  const std::string identity = anatomy ? anatomy->sha256 : segments.front().info.name;
+  imaging::SegmentationSource source;
+  source.study_uid = imaging::uid_from_name("study " + identity);
+  source.series_uid = imaging::uid_from_name("series " + identity);
+  source.frame_of_reference_uid = imaging::uid_from_name("frame of reference " + identity);
+  return imaging::write_dicom_seg(target, segments, source);
+}
+
+// Which entries go out, by what their names begin with.
+std::vector<const Entry*> entries_for(const Case& patient, ExportFormat format) {
+  const auto wanted = [&](const std::string& id) {
+    switch (format) {
+      case ExportFormat::nrrd:
+      case ExportFormat::nifti: return id.starts_with("volumes/") || id.starts_with("labels/");
+      case ExportFormat::dicom_seg: return id.starts_with("labels/");
+      case ExportFormat::stl:
+      case ExportFormat::obj:
+      case ExportFormat::vtp: return id.starts_with("surfaces/");
+      case ExportFormat::vtu: return id == (patient.find("meshes/model") ? "meshes/model" : "meshes/liver");
+    }
+    return false;
+  };
+  std::vector<const Entry*> entries;
+  for (const Entry& entry : patient.entries()) {
+    if (wanted(entry.id)) entries.push_back(&entry);
+  }
+  return entries;
+}
+
+}  // namespace
+
+std::optional<ExportFormat> export_format(std::string_view name) {
+  for (const NamedFormat& known : named_formats) {
+    if (known.name == name) return known.format;
+  }
+  return std::nullopt;
+}
+
+Result<std::vector<fs::path>> export_case(const Case& patient, ExportFormat format, const fs::path& out,
+                                          const Progress& progress) {
+  const auto entries = entries_for(patient, format);
+  if (entries.empty()) {
+    return failure(Error{"export-nothing",
+                         GLISSON_TEXT("{0} holds nothing that could be written as {1}."),
+                         {patient.folder().string(), std::string(named(format).name)},
+                         GLISSON_TEXT("Run the stage that makes it first."),
+                         patient.folder()});
+  }
+  if (format == ExportFormat::dicom_seg) {
+    return export_segmentation(patient, out).map([&] { return std::vector{out}; });
+  }
+  if (format == ExportFormat::vtu) {
+    return geometry::read_tetrahedra(patient.folder() / entries.front()->file)
+        .and_then([&](const geometry::TetMesh& mesh) { return geometry::write_tetrahedra(out, mesh); })
+        .map([&] { return std::vector{out}; });
+  }
+  std::vector<fs::path> files;
+  for (const Entry* entry : entries) {
+    if (progress.cancelled()) return cancelled();
+    progress.report(static_cast<double>(files.size()) / static_cast<double>(entries.size()), "Writing " + entry->id);
+    const fs::path target = out / (fs::path(entry->id).filename().string() + named(format).extension);
+    const bool label_as_nrrd = format == ExportFormat::nrrd && entry->id.starts_with("labels/");
+    const bool image = format == ExportFormat::nrrd || format == ExportFormat::nifti;
+    auto written = label_as_nrrd ? export_label_as_nrrd(patient, *entry, target)
+                   : image       ? export_image(patient, *entry, target)
+                                 : export_surface(patient, *entry, target);
+    if (!written) return failure(written.error());
+    files.push_back(target);
+  }
+  return files;
+}
+
+}  // namespace glisson::casefile
