@@ -45,4 +45,8 @@ struct ComparedResult {
 };
 Result<Comparison> compare(const ComparedResult& a, const ComparedResult& b);
 
+// The landmarks that are in both lists, by id, in the order of the first.
+[[nodiscard]] std::vector<LandmarkDifference> differences_between(const std::vector<mechanics::DisplacedLandmark>& a,
+                                                                  const std::vector<mechanics::DisplacedLandmark>& b);
+
 }  // namespace glisson::rehearsal

@@ -48,12 +48,14 @@ struct RehearsalFrame {
   std::vector<LandmarkDifference> differences;  // patient against atlas; empty without a twin
   double max_difference_mm = 0;                 // over the surface
   double relative_residual = 0;                 // the larger of the solves it is made from
+  double strain_bound = 0;  // no strain of the patient's body is larger; above about 0.2 small strain is stretched
   double answer_ms = 0;
 };
 
 class PlacedTool {
  public:
-  [[nodiscard]] const mechanics::ToolLoad& unit_load() const;  // where it is; its force is zero
+  [[nodiscard]] const Eigen::Vector3d& center_mm() const;
+  [[nodiscard]] double radius_mm() const;
   [[nodiscard]] std::size_t touched_faces() const;
   [[nodiscard]] double solve_ms() const;  // what placing it cost
 

@@ -1,0 +1,253 @@
+#include "rehearsal/static_rehearsal.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/units.h"
+
+namespace glisson::rehearsal {
+namespace {
+
+using Eigen::Vector3d;
+using mechanics::PointInMesh;
+using mechanics::StaticModel;
+using mechanics::StaticResult;
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// Displacements are linear in the tool's force: u = standing + per_N * force_N, 12 numbers a point.
+struct Response {
+  Vector3d standing_mm;
+  Eigen::Matrix3d per_N_mm;
+
+  [[nodiscard]] Vector3d at(const Vector3d& force_N) const { return standing_mm + per_N_mm * force_N; }
+};
+using Responses = std::vector<Response>;
+
+// The responses of everything that one body shows.
+struct BodyResponse {
+  Responses points;  // every point of the mesh
+  Responses surface;
+  std::vector<Responses> structures;
+  Responses landmarks;
+  double standing_strain = 0;
+  Vector3d strain_per_N{0, 0, 0};
+  double relative_residual = 0;
+};
+
+Responses responses_from(const std::vector<Vector3d>& standing, const std::array<std::vector<Vector3d>, 3>& per_N);
+std::vector<Vector3d> displaced(const std::vector<Vector3d>& rest_mm, const Responses& responses,
+                                const Vector3d& force_N);
+Result<void> usable(const StaticResult& result);
+
+}  // namespace
+
+struct StaticRehearsal::Parts {
+  geometry::Surface surface;
+  std::vector<std::size_t> mesh_point;  // of each point of the surface
+  std::vector<geometry::Surface> structures;
+  std::vector<std::vector<PointInMesh>> structure_places;
+  std::vector<mechanics::Landmark> landmarks;
+  std::vector<PointInMesh> landmark_places;
+
+  struct Body {
+    StaticModel model;
+    StaticResult standing;
+  };
+  std::optional<Body> patient, atlas;
+  double setup_s = 0;
+
+  [[nodiscard]] Result<BodyResponse> response_to_tool(const Body& body, const Vector3d& center_mm,
+                                                      double radius_mm) const;
+  [[nodiscard]] RehearsalBody body_under(const BodyResponse& response, const Vector3d& force_N) const;
+};
+
+struct PlacedTool::Parts {
+  std::shared_ptr<const StaticRehearsal::Parts> rehearsal;
+  Vector3d center_mm;
+  double radius_mm = 0;
+  std::size_t touched_faces = 0;
+  double solve_ms = 0;
+  BodyResponse patient;
+  std::optional<BodyResponse> atlas;
+};
+
+Result<StaticRehearsal> StaticRehearsal::create(RehearsalSetup setup, const Progress& progress) {
+  const auto start = Clock::now();
+  auto parts = std::make_shared<Parts>();
+  const auto body_of = [&](std::vector<double> youngs_kPa, const Progress& part) -> Result<Parts::Body> {
+    auto model = StaticModel::create(setup.mesh, std::move(youngs_kPa), setup.supports, setup.options, part);
+    if (!model) return failure(std::move(model.error()));
+    auto standing = model->solve(setup.standing_loads);
+    if (!standing) return failure(std::move(standing.error()));
+    if (auto checked = usable(*standing); !checked) return failure(std::move(checked.error()));
+    return Parts::Body{std::move(*model), std::move(*standing)};
+  };
+
+  auto patient = body_of(std::move(setup.patient_youngs_kPa), progress.part(0.0, setup.atlas_youngs_kPa ? 0.5 : 0.95));
+  if (!patient) return failure(std::move(patient.error()));
+  parts->patient = std::move(*patient);
+  if (setup.atlas_youngs_kPa) {
+    auto atlas =
+        body_of(std::vector<double>(setup.mesh.cells.size(), *setup.atlas_youngs_kPa), progress.part(0.5, 0.95));
+    if (!atlas) return failure(std::move(atlas.error()));
+    parts->atlas = std::move(*atlas);
+  }
+
+  progress.report(0.95, "Placing landmarks and structures");
+  auto places = mechanics::locate_landmarks(setup.mesh, setup.landmarks, setup.landmark_tolerance_mm);
+  if (!places) return failure(std::move(places.error()));
+  parts->landmark_places = std::move(*places);
+  parts->landmarks = std::move(setup.landmarks);
+  for (geometry::Surface& structure : setup.structures) {
+    if (auto checked = geometry::check_surface(structure); !checked) return failure(std::move(checked.error()));
+    parts->structure_places.push_back(mechanics::locate_points(setup.mesh, structure.points_mm));
+    parts->structures.push_back(std::move(structure));
+  }
+  parts->surface = geometry::boundary_surface(setup.mesh);
+  for (const double p : geometry::find_field(parts->surface.point_fields, "mesh_point")->values) {
+    parts->mesh_point.push_back(static_cast<std::size_t>(p));
+  }
+  parts->setup_s = 1e-3 * milliseconds_since(start);
+  progress.report(1.0, "Ready");
+  return StaticRehearsal(std::move(parts));
+}
+
+Result<PlacedTool> StaticRehearsal::place_tool(const Vector3d& center_mm, double radius_mm) const {
+  const auto start = Clock::now();
+  const auto touched = parts_->patient->model.faces_touched_by(center_mm, radius_mm);
+  if (!touched) return failure(touched.error());
+
+  auto placed = std::make_shared<PlacedTool::Parts>();
+  placed->rehearsal = parts_;
+  placed->center_mm = center_mm;
+  placed->radius_mm = radius_mm;
+  placed->touched_faces = *touched;
+  auto patient = parts_->response_to_tool(*parts_->patient, center_mm, radius_mm);
+  if (!patient) return failure(std::move(patient.error()));
+  placed->patient = std::move(*patient);
+  if (parts_->atlas) {
+    auto atlas = parts_->response_to_tool(*parts_->atlas, center_mm, radius_mm);
+    if (!atlas) return failure(std::move(atlas.error()));
+    placed->atlas = std::move(*atlas);
+  }
+  placed->solve_ms = milliseconds_since(start);
+  return PlacedTool(std::move(placed));
+}
+
+Result<BodyResponse> StaticRehearsal::Parts::response_to_tool(const Body& body, const Vector3d& center_mm,
+                                                              double radius_mm) const {
+  // A force of 1 N along each axis; any other is their sum.
+  std::vector<mechanics::Loads> unit_loads;
+  for (int axis = 0; axis < 3; ++axis) {
+    unit_loads.push_back({mechanics::ToolLoad{center_mm, radius_mm, units::mN_from_N(1.0) * Vector3d::Unit(axis)}});
+  }
+  const auto solved = body.model.solve_each(unit_loads);
+  if (!solved) return failure(solved.error());
+
+  BodyResponse response;
+  response.standing_strain = body.standing.largest_strain;
+  response.relative_residual = body.standing.relative_residual;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (auto checked = usable((*solved)[axis]); !checked) return failure(std::move(checked.error()));
+    response.strain_per_N[axis] = (*solved)[axis].largest_strain;
+    response.relative_residual = std::max(response.relative_residual, (*solved)[axis].relative_residual);
+  }
+  const auto responses_at = [&](const std::vector<PointInMesh>& places) {
+    const auto at = [&](const StaticResult& result) { return body.model.displacement_at(result, places); };
+    return responses_from(at(body.standing), {at((*solved)[0]), at((*solved)[1]), at((*solved)[2])});
+  };
+  response.points =
+      responses_from(body.standing.displacement_mm,
+                     {(*solved)[0].displacement_mm, (*solved)[1].displacement_mm, (*solved)[2].displacement_mm});
+  for (const std::size_t p : mesh_point) response.surface.push_back(response.points[p]);
+  for (const auto& places : structure_places) response.structures.push_back(responses_at(places));
+  response.landmarks = responses_at(landmark_places);
+  return response;
+}
+
+RehearsalBody StaticRehearsal::Parts::body_under(const BodyResponse& response, const Vector3d& force_N) const {
+  RehearsalBody body;
+  body.surface_mm = displaced(surface.points_mm, response.surface, force_N);
+  for (std::size_t p = 0; p < body.surface_mm.size(); ++p) {
+    body.max_displacement_mm =
+        std::max(body.max_displacement_mm, (body.surface_mm[p] - surface.points_mm[p]).squaredNorm());
+  }
+  body.max_displacement_mm = std::sqrt(body.max_displacement_mm);
+  for (std::size_t s = 0; s < structures.size(); ++s) {
+    body.structures_mm.push_back(displaced(structures[s].points_mm, response.structures[s], force_N));
+  }
+  std::vector<Vector3d> displacements;
+  for (const Response& landmark : response.landmarks) displacements.push_back(landmark.at(force_N));
+  body.landmarks = mechanics::displaced_landmarks(landmarks, landmark_places, displacements);
+  return body;
+}
+
+RehearsalFrame PlacedTool::answer(const Vector3d& force_N) const {
+  GLISSON_ASSERT(force_N.allFinite());
+  const auto start = Clock::now();
+  RehearsalFrame frame;
+  frame.force_N = force_N;
+  frame.patient = parts_->rehearsal->body_under(parts_->patient, force_N);
+  frame.relative_residual = parts_->patient.relative_residual;
+  frame.strain_bound = parts_->patient.standing_strain + parts_->patient.strain_per_N.dot(force_N.cwiseAbs());
+  if (parts_->atlas) {
+    frame.atlas = parts_->rehearsal->body_under(*parts_->atlas, force_N);
+    frame.relative_residual = std::max(frame.relative_residual, parts_->atlas->relative_residual);
+    frame.differences = differences_between(frame.patient.landmarks, frame.atlas->landmarks);
+    double squared_mm2 = 0;
+    for (std::size_t p = 0; p < frame.patient.surface_mm.size(); ++p) {
+      squared_mm2 = std::max(squared_mm2, (frame.patient.surface_mm[p] - frame.atlas->surface_mm[p]).squaredNorm());
+    }
+    frame.max_difference_mm = std::sqrt(squared_mm2);
+  }
+  frame.answer_ms = milliseconds_since(start);
+  return frame;
+}
+
+std::vector<Vector3d> PlacedTool::patient_displacement_mm(const Vector3d& force_N) const {
+  GLISSON_ASSERT(force_N.allFinite());
+  std::vector<Vector3d> displacements;
+  displacements.reserve(parts_->patient.points.size());
+  for (const Response& point : parts_->patient.points) displacements.push_back(point.at(force_N));
+  return displacements;
+}
+
+const Vector3d& PlacedTool::center_mm() const { return parts_->center_mm; }
+double PlacedTool::radius_mm() const { return parts_->radius_mm; }
+std::size_t PlacedTool::touched_faces() const { return parts_->touched_faces; }
+double PlacedTool::solve_ms() const { return parts_->solve_ms; }
+
+const geometry::Surface& StaticRehearsal::surface() const { return parts_->surface; }
+const StaticModel& StaticRehearsal::patient() const { return parts_->patient->model; }
+const StaticModel* StaticRehearsal::atlas() const { return parts_->atlas ? &parts_->atlas->model : nullptr; }
+double StaticRehearsal::setup_s() const { return parts_->setup_s; }
+
+namespace {
+
+Responses responses_from(const std::vector<Vector3d>& standing, const std::array<std::vector<Vector3d>, 3>& per_N) {
+  Responses responses(standing.size());
+  for (std::size_t i = 0; i < responses.size(); ++i) {
+    responses[i].standing_mm = standing[i];
+    for (int axis = 0; axis < 3; ++axis) responses[i].per_N_mm.col(axis) = per_N[axis][i];
+  }
+  return responses;
+}
+
+std::vector<Vector3d> displaced(const std::vector<Vector3d>& rest_mm, const Responses& responses,
+                                const Vector3d& force_N) {
+  std::vector<Vector3d> positions(rest_mm.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = rest_mm[i] + responses[i].at(force_N);
+  return positions;
+}
+
+Result<void> usable(const StaticResult& result) {
+  if (result.may_be_used()) return {};
+  return failure("not-converged", GLISSON_TEXT("The equilibrium was not found. {0}"), {result.why_stopped});
+}
+
+}  // namespace
+}  // namespace glisson::rehearsal
