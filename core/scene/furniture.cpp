@@ -43,9 +43,9 @@ void lay_out_cube(Page& page);
 void lay_out(Overlay& overlay, const Frame& frame, const FlatContent& content, double pixel_scale) {
   Page page = page_for(overlay, frame, content, pixel_scale);
   overlay.begin();
+  lay_out_warning(page);
   lay_out_crosshair(page);
   lay_out_labels(page);
-  lay_out_warning(page);
   lay_out_titles(page);
   if (content.furniture.scale_bar == Furniture::ScaleBar::shown) lay_out_scale_bar(page);
   lay_out_legends(page);
@@ -120,7 +120,7 @@ void lay_out_labels(Page& page) {
     const Vector2d size(0.56 * style.size_px * static_cast<double>(label.words.size()), 1.25 * style.size_px);
     Vector2d low = label.anchor + Vector2d(away, 0.4 * away);
     low.x() = std::clamp(low.x(), 0.0, std::max(0.0, page.frame.width - size.x()));
-    low.y() = std::clamp(low.y(), 0.0, std::max(0.0, page.frame.height - size.y()));
+    low.y() = std::clamp(low.y(), page.floor, std::max(page.floor, page.frame.height - size.y()));
     const auto covers = [&](const Eigen::AlignedBox2d& other) {
       return other.intersects(Eigen::AlignedBox2d(low, low + size));
     };
@@ -202,8 +202,11 @@ void lay_out_legends(Page& page) {
   const double column = 92 * page.unit;
   double right = page.frame.width - page.margin();
   for (const Legend& legend : page.content.legends) {
-    const double height = std::min(0.42 * page.frame.height, 300 * page.unit);
-    const double low = 0.5 * (page.frame.height - height);
+    // In the middle of the right edge, above the cube.
+    const double wanted = std::min(0.42 * page.frame.height, 300 * page.unit);
+    const double low = std::max(0.5 * (page.frame.height - wanted), page.floor + 104 * page.unit);
+    const double height = std::min(wanted, page.frame.height - low - 48 * page.unit);
+    if (height < 40 * page.unit) return;  // no room in a picture this small
     const double left = right - column + 30 * page.unit;
     constexpr int steps = 128;
     for (int k = 0; k < steps; ++k) {
