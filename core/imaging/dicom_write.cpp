@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <Eigen/Geometry>
 
 #include "base/files.h"
 #include "imaging/dicom_text.h"
