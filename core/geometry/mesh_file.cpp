@@ -26,11 +26,11 @@
 #include <array>
 #include <cstdint>
 #include <exception>
+#include <numeric>
 #include <optional>
 #include <string>
 
 #include "base/files.h"
-#include "geometry/fields.h"
 #include "geometry/mesh_file_guard.h"
 #include "geometry/obj_file.h"
 #include "geometry/off_file.h"
@@ -350,27 +350,12 @@ Result<TetMesh> tetrahedra_from(vtkUnstructuredGrid* grid, const fs::path& file)
   mesh.point_fields = fields_from(grid->GetPointData(), mesh.points_mm.size());
   mesh.cell_fields = fields_from(grid->GetCellData(), mesh.cells.size());
 
-  std::vector<int> renumbered(mesh.points_mm.size(), -1);
   for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
     if (cell_volume_mm3(mesh, i) < 0) std::swap(mesh.cells[i][2], mesh.cells[i][3]);
-    for (const int corner : mesh.cells[i]) renumbered[static_cast<std::size_t>(corner)] = 0;
   }
-  std::vector<int> used;
-  for (std::size_t point = 0; point < renumbered.size(); ++point) {
-    if (renumbered[point] < 0) continue;
-    renumbered[point] = static_cast<int>(used.size());
-    used.push_back(static_cast<int>(point));
-  }
-  if (used.size() == mesh.points_mm.size()) return mesh;
-
-  std::vector<Eigen::Vector3d> used_points_mm;
-  for (const int point : used) used_points_mm.push_back(mesh.points_mm[static_cast<std::size_t>(point)]);
-  mesh.points_mm = std::move(used_points_mm);
-  mesh.point_fields = select(mesh.point_fields, used);
-  for (auto& cell : mesh.cells) {
-    for (int& corner : cell) corner = renumbered[static_cast<std::size_t>(corner)];
-  }
-  return mesh;
+  std::vector<int> all(mesh.cells.size());
+  std::iota(all.begin(), all.end(), 0);
+  return part_of(mesh, all);
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> grid_from(const TetMesh& mesh) {

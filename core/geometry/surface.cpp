@@ -1,8 +1,10 @@
 #include "geometry/surface.h"
 
 #include <algorithm>
+#include <compare>
 #include <cstdint>
 #include <Eigen/Geometry>
+#include <limits>
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/fields.h"
@@ -92,6 +94,36 @@ bool is_watertight(const Surface& surface) {
   std::sort(reversed.begin(), reversed.end());
   const bool each_once = std::adjacent_find(edges.begin(), edges.end()) == edges.end();
   return !edges.empty() && each_once && edges == reversed;
+}
+
+std::vector<int> pinched_points(const Surface& surface) {
+  // A triangle (p, a, b) leads around p from a to b. One closed fan: every step has one that follows it, and following
+  // the steps from any of them comes back after all of them.
+  struct Step {
+    int point, from, to;
+    auto operator<=>(const Step&) const = default;
+  };
+  std::vector<Step> steps;
+  steps.reserve(3 * surface.triangles.size());
+  for (const auto& [a, b, c] : surface.triangles) steps.insert(steps.end(), {{a, b, c}, {b, c, a}, {c, a, b}});
+  std::sort(steps.begin(), steps.end());
+
+  std::vector<int> pinched;
+  for (std::size_t begin = 0, end = 0; begin < steps.size(); begin = end) {
+    while (end < steps.size() && steps[end].point == steps[begin].point) ++end;
+    const auto first = steps.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last = steps.begin() + static_cast<std::ptrdiff_t>(end);
+    std::size_t walked = 0;
+    int at = first->from;
+    do {
+      const auto step = std::lower_bound(first, last, Step{first->point, at, std::numeric_limits<int>::min()});
+      if (step == last || step->from != at) break;
+      at = step->to;
+      ++walked;
+    } while (at != first->from && walked <= end - begin);
+    if (at != first->from || walked != end - begin) pinched.push_back(first->point);
+  }
+  return pinched;
 }
 
 std::vector<Vector3d> point_normals(const Surface& surface) {

@@ -34,6 +34,10 @@ struct Box {
 // Every edge is shared by exactly two triangles that run along it in opposite directions.
 [[nodiscard]] bool is_watertight(const Surface& surface);
 
+// The points where the surface touches itself or has a border: those around which the triangles are not one closed fan.
+// A watertight surface without such points is a manifold.
+[[nodiscard]] std::vector<int> pinched_points(const Surface& surface);
+
 // Area-weighted unit normals, one a point; outward when the triangles are counter-clockwise from outside.
 [[nodiscard]] std::vector<Eigen::Vector3d> point_normals(const Surface& surface);
 

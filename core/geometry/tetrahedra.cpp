@@ -8,8 +8,11 @@
 #include <Eigen/Geometry>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <tuple>
 
 #include "geometry/disjoint_sets.h"
+#include "geometry/fields.h"
 
 namespace glisson::geometry {
 namespace {
@@ -95,6 +98,50 @@ Surface boundary_surface(const TetMesh& mesh) {
   surface.point_fields.push_back(std::move(mesh_point));
   surface.cell_fields.push_back(std::move(mesh_cell));
   return surface;
+}
+
+std::vector<int> parts_by_faces(const TetMesh& mesh) {
+  const std::vector<Face> faces = faces_side_by_side(mesh);
+  DisjointSets sets(mesh.cells.size());
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    if (faces[i].sorted != faces[i - 1].sorted) continue;
+    sets.join(static_cast<std::size_t>(faces[i].cell), static_cast<std::size_t>(faces[i - 1].cell));
+  }
+  std::vector<std::size_t> cells_at_root(mesh.cells.size(), 0);
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) ++cells_at_root[sets.root(cell)];
+  std::vector<std::size_t> roots(mesh.cells.size());
+  std::iota(roots.begin(), roots.end(), std::size_t{0});
+  std::stable_sort(roots.begin(), roots.end(),
+                   [&](std::size_t a, std::size_t b) { return cells_at_root[a] > cells_at_root[b]; });
+  std::vector<int> rank(mesh.cells.size());
+  for (std::size_t i = 0; i < roots.size(); ++i) rank[roots[i]] = static_cast<int>(i);
+  std::vector<int> part(mesh.cells.size());
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) part[cell] = rank[sets.root(cell)];
+  return part;
+}
+
+TetMesh part_of(const TetMesh& mesh, const std::vector<int>& cells) {
+  std::vector<int> renumbered(mesh.points_mm.size(), -1);
+  for (const int cell : cells) {
+    for (const int corner : mesh.cells[static_cast<std::size_t>(cell)])
+      renumbered[static_cast<std::size_t>(corner)] = 0;
+  }
+  TetMesh part;
+  std::vector<int> points;
+  for (std::size_t point = 0; point < renumbered.size(); ++point) {
+    if (renumbered[point] < 0) continue;
+    renumbered[point] = static_cast<int>(points.size());
+    points.push_back(static_cast<int>(point));
+    part.points_mm.push_back(mesh.points_mm[point]);
+  }
+  for (const int cell : cells) {
+    Cell corners = mesh.cells[static_cast<std::size_t>(cell)];
+    for (int& corner : corners) corner = renumbered[static_cast<std::size_t>(corner)];
+    part.cells.push_back(corners);
+  }
+  part.point_fields = select(mesh.point_fields, points);
+  part.cell_fields = select(mesh.cell_fields, cells);
+  return part;
 }
 
 TetQuality quality(const TetMesh& mesh) {
@@ -212,31 +259,28 @@ Result<void> check_volumes(const TetMesh& mesh) {
 
 Result<void> check_that_it_hangs_together(const TetMesh& mesh) {
   const std::vector<Face> faces = faces_side_by_side(mesh);
-  DisjointSets sets(mesh.cells.size());
   for (std::size_t i = 0; i < faces.size(); i += cells_at_face(faces, i)) {
     const std::size_t cells = cells_at_face(faces, i);
-    if (cells > 2) {
-      return failure(
-          "mesh-face-shared",
-          GLISSON_TEXT("The face of the points {0}, {1} and {2} belongs to {3} tetrahedra; at most two can."),
-          {std::to_string(faces[i].sorted[0]), std::to_string(faces[i].sorted[1]), std::to_string(faces[i].sorted[2]),
-           std::to_string(cells)});
-    }
-    if (cells == 2) sets.join(static_cast<std::size_t>(faces[i].cell), static_cast<std::size_t>(faces[i + 1].cell));
+    if (cells <= 2) continue;
+    return failure("mesh-face-shared",
+                   GLISSON_TEXT("The face of the points {0}, {1} and {2} belongs to {3} tetrahedra; at most two can."),
+                   {std::to_string(faces[i].sorted[0]), std::to_string(faces[i].sorted[1]),
+                    std::to_string(faces[i].sorted[2]), std::to_string(cells)});
   }
 
-  std::vector<std::size_t> cells_at_root(mesh.cells.size(), 0);
-  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) ++cells_at_root[sets.root(cell)];
-  std::sort(cells_at_root.begin(), cells_at_root.end(), std::greater<>());
-  const auto parts = static_cast<std::size_t>(
-      std::count_if(cells_at_root.begin(), cells_at_root.end(), [](std::size_t cells) { return cells > 0; }));
+  std::vector<std::size_t> cells_of_part;
+  for (const int part : parts_by_faces(mesh)) {
+    cells_of_part.resize(std::max(cells_of_part.size(), static_cast<std::size_t>(part) + 1), 0);
+    ++cells_of_part[static_cast<std::size_t>(part)];
+  }
+  const std::size_t parts = cells_of_part.size();
   if (parts == 1) return {};
   constexpr std::size_t most_named = 5;
-  cells_at_root.resize(std::min(parts, most_named));
+  cells_of_part.resize(std::min(parts, most_named));
   return failure(Error{
       "mesh-in-parts",
       GLISSON_TEXT("The mesh falls in {0} parts that share no face, of {1} tetrahedra."),
-      {std::to_string(parts), fmt::format("{}{}", fmt::join(cells_at_root, ", "), parts > most_named ? ", ..." : "")},
+      {std::to_string(parts), fmt::format("{}{}", fmt::join(cells_of_part, ", "), parts > most_named ? ", ..." : "")},
       GLISSON_TEXT("Keep the largest part, or join them before meshing."),
       {}});
 }

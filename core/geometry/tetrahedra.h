@@ -27,6 +27,12 @@ struct TetMesh {
 // triangle.
 [[nodiscard]] Surface boundary_surface(const TetMesh& mesh);
 
+// Which part each cell belongs to, parts being cells that hang together by faces: 0 is the part of the most cells.
+[[nodiscard]] std::vector<int> parts_by_faces(const TetMesh& mesh);
+
+// The cells named, in that order, with the points that they use and all fields.
+[[nodiscard]] TetMesh part_of(const TetMesh& mesh, const std::vector<int>& cells);
+
 struct TetQuality {
   double min_dihedral_deg = 0;
   double max_dihedral_deg = 0;
