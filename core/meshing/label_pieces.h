@@ -38,7 +38,7 @@ struct LabelName {
 };
 
 struct PieceOptions {
-  std::vector<LabelName> names;
+  std::vector<LabelName> names = {};
   // Fewer voxels than this are a speck left by the segmentation, and become part of what they touch most.
   int speck_voxels = 8;
 };

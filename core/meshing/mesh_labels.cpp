@@ -30,7 +30,8 @@ constexpr double radius_share_of_thickness = 0.7;
 constexpr double cells_around_a_piece = 1.0;
 
 constexpr double close_enough_count = 0.07;
-constexpr int most_refinements = 4;
+constexpr double promised_count = 0.15;
+constexpr int most_refinements = 6;
 constexpr double least_kept_volume = 0.5;
 
 Result<void> check_options(const MeshOptions& options);
@@ -85,6 +86,12 @@ Result<LiverMesh> mesh_labels(const imaging::LabelMap& labels, const MeshOptions
 
   liver.regions = region_volumes(map, label_volume_ml, mesh_volume_mm3);
   liver.notes = map.notes;
+  const double cells_of_target = static_cast<double>(local.cells.size()) / options.target_cells;
+  if (std::abs(cells_of_target - 1) > promised_count) {
+    liver.notes.push_back(
+        fmt::format("The mesh has {} cells instead of {}; its shape and inner structures ask for them.",
+                    local.cells.size(), options.target_cells));
+  }
   if (removed > 0) {
     liver.notes.push_back(
         fmt::format("{} cells were taken away where the body touched itself in a point or an edge.", removed));
@@ -180,21 +187,27 @@ Result<DelaunayRefinement> refine_to_target(const LabelField& field, const MeshO
   const double for_liver = std::max(options.target_cells - inner_cells, 0.3 * options.target_cells);
   double radius_mm = std::cbrt(map.pieces.front().volume_mm3 / (cell_volume_share * for_liver));
 
+  // The count follows the radius by a power: -3 where the liver has nearly all cells, less steep where inner pieces
+  // have.
+  double power = -3;
   std::optional<DelaunayRefinement> best;
   double best_miss = std::numeric_limits<double>::infinity();
+  double last_excess = 0;
+  double last_step = 0;
   for (int round = 0; round < most_refinements; ++round) {
     progress.report(static_cast<double>(round) / most_refinements, "Filling the body with tetrahedra");
     auto refined = DelaunayRefinement::refine(field, cell_radii_mm(map, radius_mm), progress);
     if (!refined) return refined;
-    const double ratio = static_cast<double>(refined->cells()) / options.target_cells;
-    const double miss = std::abs(std::log(std::max(ratio, 1e-6)));
-    if (miss < best_miss) {
-      best_miss = miss;
+    const double excess = std::log(std::max(static_cast<double>(refined->cells()), 1.0) / options.target_cells);
+    if (std::abs(excess) < best_miss) {
+      best_miss = std::abs(excess);
       best = std::move(*refined);
     }
-    if (miss < close_enough_count) break;
-    // A step is held within a factor of two: where inner pieces take most of the cells, the count follows slowly.
-    radius_mm *= std::clamp(std::cbrt(ratio), 0.5, 2.0);
+    if (best_miss < close_enough_count) break;
+    if (last_step != 0) power = std::clamp((excess - last_excess) / last_step, -3.5, -1.0);
+    last_excess = excess;
+    last_step = std::clamp(-excess / power, -std::log(2.0), std::log(2.0));
+    radius_mm *= std::exp(last_step);
   }
   return std::move(*best);
 }

@@ -56,7 +56,7 @@ TEST(PatientLiver, ItsRasterisedSurfaceIsFollowedWithinAVoxel) {
   const auto surface =
       geometry::read_surface(test::shared_data() / "liver_patient_models_ucl/voxelisation/liver_downsample.stl");
   ASSERT_TRUE(surface) << surface.error().message();
-  const geometry::Box box = bounding_box(surface->points_mm);
+  const geometry::Box box = geometry::bounding_box(surface->points_mm);
   constexpr double spacing_mm = 2;
   imaging::LabelMap labels;
   labels.grid.spacing_mm = Eigen::Vector3d::Constant(spacing_mm);
