@@ -1,10 +1,13 @@
 // The solvers of the matching field: `trws` against every labelling there is, `trwls` against `trws` and itself.
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.h"
 #include "problems.h"
+#include "registration/trwls.h"
 #include "registration/trws.h"
 
 namespace glisson::registration {
@@ -89,6 +92,123 @@ TEST(Trws, TakesItsSeedIntoAccount) {
   EXPECT_NE(solution.labels[0], truth[0]);
   EXPECT_GT(solution.energy, 0);
 }
+
+TrwlsOptions trwls_options(WordWidth width, Instructions instructions, int passes = 5) {
+  TrwlsOptions options;
+  options.width = width;
+  options.instructions = instructions;
+  options.passes = passes;
+  options.stopping = Stopping::fixed_passes;
+  return options;
+}
+
+void expect_equal(const MatchingSolution& a, const MatchingSolution& b, const std::string& what) {
+  EXPECT_EQ(a.labels, b.labels) << what;
+  ASSERT_EQ(a.passes.size(), b.passes.size()) << what;
+  for (std::size_t pass = 0; pass < a.passes.size(); ++pass) {
+    EXPECT_EQ(a.passes[pass].energy, b.passes[pass].energy) << what << ", pass " << pass;
+    EXPECT_EQ(a.passes[pass].lower_bound, b.passes[pass].lower_bound) << what << ", pass " << pass;
+  }
+}
+
+// In double precision nothing is left between the two solvers but the order of additions. (Equal labellings would be
+// too much to ask: ties are common.)
+TEST(Trwls, IsTrwsInDoublePrecision) {
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    const MatchingProblem problem = shuffled_points(25, 6, seed).problem;
+    const MatchingSolution baseline = trws(store(problem).value(), {.passes = 5, .stopping = Stopping::fixed_passes});
+    const MatchingSolution ours =
+        trwls(problem, trwls_options(WordWidth::double_precision, Instructions::plain)).value();
+    for (std::size_t pass = 0; pass < 5; ++pass) {
+      EXPECT_NEAR(ours.passes[pass].lower_bound, baseline.passes[pass].lower_bound, 1e-9 * baseline.energy);
+    }
+    EXPECT_NEAR(ours.energy, baseline.energy, 1e-9 * baseline.energy);
+  }
+}
+
+// Every instruction set that this machine has, against portable code; with label counts that leave parts of vectors
+// over, and more labels than nodes or fewer.
+TEST(Trwls, AnswersTheSameToTheLastBitWithAnyInstructions) {
+  for (const int count : {2, 3, 31, 33, 64, 97}) {
+    auto [problem, truth] = shuffled_points(count, 6, static_cast<unsigned>(count));
+    if (count == 33) problem.source_mm = shuffled_points(20, 6, 1).problem.source_mm;
+    if (count == 31) problem.source_mm = shuffled_points(50, 6, 1).problem.source_mm;
+    const MatchingSolution plain = trwls(problem, trwls_options(WordWidth::bits_16, Instructions::plain, 2)).value();
+    const std::int64_t supported = hwy::SupportedTargets();
+    for (std::int64_t rest = supported; rest != 0; rest &= rest - 1) {
+      const std::int64_t target = rest & -rest;
+      hwy::SetSupportedTargetsForTest(target);
+      hwy::GetChosenTarget().Update(target);
+      const MatchingSolution vectors =
+          trwls(problem, trwls_options(WordWidth::bits_16, Instructions::widest, 2)).value();
+      expect_equal(vectors, plain, std::to_string(count) + " points, " + hwy::TargetName(target));
+      if ((target & HWY_STATIC_TARGET) != 0) break;  // narrower ones are not compiled
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().DeInit();
+  }
+}
+
+TEST(Trwls, AnswersTheSameToTheLastBitOnAnyNumberOfThreads) {
+  const MatchingProblem problem = shuffled_points(70, 6, 4).problem;
+  set_thread_count(1);
+  const MatchingSolution alone = trwls(problem, trwls_options(WordWidth::bits_16, Instructions::widest, 20)).value();
+  for (const int threads : {2, 3, 7}) {
+    set_thread_count(threads);
+    const MatchingSolution together =
+        trwls(problem, trwls_options(WordWidth::bits_16, Instructions::widest, 20)).value();
+    expect_equal(together, alone, std::to_string(threads) + " threads");
+  }
+  set_thread_count(0);
+}
+
+// Whatever rounding did, the bound is below what any labelling costs; here the least of all is known.
+TEST(Trwls, BracketsTheLeastEnergyAtEveryWidth) {
+  for (const WordWidth width :
+       {WordWidth::bits_8, WordWidth::bits_16, WordWidth::bits_32, WordWidth::double_precision}) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      const MatchingProblem problem = shuffled_points(5, 5, seed).problem;
+      const double least = least_energy(problem);
+      const MatchingSolution solution = trwls(problem, trwls_options(width, Instructions::widest, 50)).value();
+      EXPECT_LE(solution.lower_bound, least + 1e-9);
+      EXPECT_GE(solution.energy, least - 1e-9);
+      EXPECT_EQ(MatchingEnergy(problem)(solution.labels), solution.energy);
+    }
+  }
+}
+
+// Table 3.1 of the dissertation: mean energies within 1.9 % of the baseline's.
+TEST(Trwls, LosesLittleEnergyToSixteenBits) {
+  double ours = 0, baseline = 0;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const MatchingProblem problem = shuffled_points(40, 8, seed).problem;
+    baseline += trws(store(problem).value()).energy;
+    ours += trwls(problem).value().energy;
+  }
+  EXPECT_NEAR(ours / baseline, 1.0, 0.019);
+}
+
+TEST(Trwls, TakesItsSeedIntoAccount) {
+  auto [problem, truth] = shuffled_points(30, 0, 2);
+  EXPECT_EQ(trwls(problem).value().labels, truth);
+  problem.seed = Eigen::MatrixXd::Zero(30, 30);
+  problem.seed(0, truth[0]) = 1e12;  // forbidden, far beyond the range of the words
+  EXPECT_NE(trwls(problem).value().labels[0], truth[0]);
+}
+
+TEST(Trwls, MatchesConstantsOfAnySize) {
+  for (const double scale : {1e-6, 1.0, 1e6}) {
+    auto [problem, truth] = shuffled_points(20, 0, 9);
+    problem.source_mm *= scale;
+    problem.target_mm *= scale;
+    problem.sigma_mm *= scale;
+    problem.tau_mm *= 100 * scale;  // so large that it never cuts: then costs, not distances, fill the words
+    problem.q = 1 / scale;
+    EXPECT_EQ(trwls(problem).value().labels, truth) << scale;
+  }
+}
+
+TEST(Trwls, RefusesABadProblem) { EXPECT_EQ(trwls(MatchingProblem{}).error().code, "matching-too-few-points"); }
 
 }  // namespace
 }  // namespace glisson::registration

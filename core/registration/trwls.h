@@ -1,0 +1,38 @@
+#pragma once
+// TRWL-S: the matching field solved without ever being written out (algorithm 1 of the dissertation). The same passes
+// as `trws`, but a slice of the field (all costs of one pair of nodes) is made from the two matrices of distances at
+// the moment when a message needs it, with the maximum of precomputed exponentials (eq. 3.2), in 16-bit fixed point,
+// with the widest vectors that the machine has, on all threads.
+//
+// What differs from `trws` is rounding alone: costs are quantised to about tau / 10000, or more coarsely where the
+// largest distance exceeds three times tau. Answers do not depend on the number of threads nor on the instructions.
+
+#include "base/progress.h"
+#include "registration/mrf.h"
+
+namespace glisson::registration {
+
+// The numbers that costs and messages are kept in (figure 3.8). All but bits_16 are there to show what a width costs:
+// plain code on the same threads.
+enum class WordWidth { bits_8, bits_16, bits_32, double_precision };
+
+enum class Instructions {
+  widest,  // of those that the machine has: AVX-512, AVX2, SSE4, SSSE3, SSE2; NEON
+  plain    // portable C++, which says what the vectors must answer
+};
+
+struct TrwlsOptions : SolverOptions {
+  WordWidth width = WordWidth::bits_16;
+  Instructions instructions = Instructions::widest;
+};
+
+// Energies are evaluated in double precision by eq. 3.2 for each pass's labelling. The lower bound is the fixed-point
+// one less all that rounding may have added to it, so that it is below the true least energy.
+// Fails as check() does. Cancelling returns the best labelling so far.
+Result<MatchingSolution> trwls(const MatchingProblem& problem, const TrwlsOptions& options = {},
+                               const Progress& progress = {});
+
+// "AVX3" and the like: what Instructions::widest means here.
+[[nodiscard]] const char* widest_instructions();
+
+}  // namespace glisson::registration
