@@ -1,0 +1,134 @@
+#include "base/csv.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <string_view>
+
+#include "base/files.h"
+
+namespace glisson {
+namespace {
+
+constexpr std::size_t most_columns = 256;
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+std::string_view trimmed(std::string_view cell) {
+  while (!cell.empty() && (cell.front() == ' ' || cell.front() == '"')) cell.remove_prefix(1);
+  while (!cell.empty() && (cell.back() == ' ' || cell.back() == '"' || cell.back() == '\r')) cell.remove_suffix(1);
+  return cell;
+}
+
+double number_in(std::string_view cell) {
+  cell = trimmed(cell);
+  if (!cell.empty() && cell.front() == '+') cell.remove_prefix(1);
+  double number = 0;
+  const auto [end, problem] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+  const bool whole = problem == std::errc() && end == cell.data() + cell.size();
+  // "inf" and "nan" are read by from_chars; to us they are no numbers.
+  return whole && number - number == 0 ? number : no_number;
+}
+
+std::vector<std::string_view> cells_of(std::string_view line, char separator) {
+  std::vector<std::string_view> cells;
+  while (cells.size() <= most_columns) {
+    const std::size_t end = line.find(separator);
+    cells.push_back(line.substr(0, end));
+    if (end == std::string_view::npos) break;
+    line.remove_prefix(end + 1);
+  }
+  return cells;
+}
+
+char separator_of(std::string_view line) {
+  const auto count = [line](char c) { return std::count(line.begin(), line.end(), c); };
+  char best = ',';
+  for (const char candidate : {';', '\t'}) {
+    if (count(candidate) > count(best)) best = candidate;
+  }
+  return best;
+}
+
+bool begins_with_a_number(const std::vector<std::string_view>& cells) {
+  const double first = number_in(cells.front());
+  return first == first;
+}
+
+// The first row of numbers begins with one, and at least half of its cells are.
+bool begins_the_table(const std::vector<std::string_view>& cells) {
+  const auto numbers = std::count_if(cells.begin(), cells.end(), [](auto cell) {
+    const double number = number_in(cell);
+    return number == number;
+  });
+  return begins_with_a_number(cells) && 2 * static_cast<std::size_t>(numbers) >= cells.size();
+}
+
+std::vector<std::string> names_from(std::string_view header, char separator, std::size_t count) {
+  std::vector<std::string> names;
+  const auto cells = cells_of(header, separator);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string_view name = cells.size() == count ? trimmed(cells[i]) : std::string_view();
+    names.push_back(name.empty() ? std::to_string(i + 1) : std::string(name));
+  }
+  return names;
+}
+
+Failure refuse(const std::filesystem::path& file, std::string code, std::string text, std::string argument = {}) {
+  return failure(Error{std::move(code), std::move(text), {file.string(), std::move(argument)}, {}, file});
+}
+
+}  // namespace
+
+Result<std::size_t> CsvTable::column(const std::string& name_or_number) const {
+  const auto named = std::find(names.begin(), names.end(), name_or_number);
+  if (named != names.end()) return static_cast<std::size_t>(named - names.begin());
+  std::size_t number = 0;
+  const char* const last = name_or_number.data() + name_or_number.size();
+  const auto [end, problem] = std::from_chars(name_or_number.data(), last, number);
+  if (problem == std::errc() && end == last && number >= 1 && number <= columns.size()) return number - 1;
+  std::string known;
+  for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
+  return failure(Error{"csv-no-such-column",
+                       GLISSON_TEXT("There is no column \"{0}\"."),
+                       {name_or_number, known},
+                       GLISSON_TEXT("The columns are {1}."),
+                       {}});
+}
+
+Result<CsvTable> read_csv(const std::filesystem::path& file, std::uint64_t limit_bytes) {
+  return read_text_file(file, limit_bytes).and_then([&](const std::string& text) { return parse_csv(text, file); });
+}
+
+Result<CsvTable> parse_csv(std::string_view text, const std::filesystem::path& file) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+
+  CsvTable table;
+  std::string_view line_before;
+  char separator = ',';
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (table.columns.empty()) separator = separator_of(line);
+    const auto cells = cells_of(line, separator);
+    if (!(table.columns.empty() ? begins_the_table(cells) : begins_with_a_number(cells))) {
+      if (!trimmed(line).empty()) {
+        ++table.rows_without_numbers;
+        line_before = line;
+      }
+      continue;
+    }
+    if (cells.size() > most_columns) return refuse(file, "csv-too-wide", GLISSON_TEXT("{0} has too many columns."));
+    if (table.columns.empty()) {
+      table.names = names_from(line_before, separator, cells.size());
+      table.columns.resize(cells.size());
+    }
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      table.columns[c].push_back(c < cells.size() ? number_in(cells[c]) : no_number);
+  }
+  if (table.columns.empty()) return refuse(file, "csv-without-numbers", GLISSON_TEXT("{0} holds no rows of numbers."));
+  return table;
+}
+
+}  // namespace glisson

@@ -1,0 +1,59 @@
+// Tables of numbers, as instruments write them.
+
+#include "base/csv.h"
+
+#include <gmock/gmock.h>
+#include <cmath>
+
+namespace glisson {
+namespace {
+
+TEST(Csv, HeaderNamesColumnsAndPreambleIsSkipped) {
+  const auto table = parse_csv("Hantek6074BE\r\nrate,1000\r\n\r\nt (s), CH1\r\n0,1.5\r\n0.001,-2e-3\r\n");
+  ASSERT_TRUE(table);
+  EXPECT_THAT(table->names, testing::ElementsAre("t (s)", "CH1"));
+  EXPECT_THAT(table->columns[1], testing::ElementsAre(1.5, -2e-3));
+  EXPECT_EQ(table->rows_without_numbers, 3u);
+}
+
+TEST(Csv, ByteOrderMarkSemicolonsTabsAndNoHeader) {
+  for (const char* text : {"\xEF\xBB\xBF"
+                           "1,2,3\n4,5,6\n",
+                           "1;2;3\n4;5;6", "1\t2\t3\r\n4\t5\t6\r\n"}) {
+    const auto table = parse_csv(text);
+    ASSERT_TRUE(table) << text;
+    EXPECT_THAT(table->names, testing::ElementsAre("1", "2", "3"));
+    EXPECT_EQ(table->columns[0], (std::vector<double>{1, 4}));
+    EXPECT_EQ(table->columns[2], (std::vector<double>{3, 6}));
+  }
+}
+
+TEST(Csv, CellsWithoutNumbersAreNotNumbers) {
+  const auto table = parse_csv("a,b,c\n1,x,3\n2,,inf\n3,4\n");
+  ASSERT_TRUE(table);
+  ASSERT_EQ(table->rows(), 3u);
+  EXPECT_TRUE(std::isnan(table->columns[1][0]));
+  EXPECT_TRUE(std::isnan(table->columns[2][2]));
+  EXPECT_EQ(table->columns[1][2], 4);
+}
+
+TEST(Csv, ColumnsAreFoundByNameOrNumber) {
+  const auto table = parse_csv("time,power\n1,2\n");
+  EXPECT_EQ(*table->column("power"), 1u);
+  EXPECT_EQ(*table->column("1"), 0u);
+  EXPECT_FALSE(table->column("0"));
+  EXPECT_FALSE(table->column("3"));
+  EXPECT_THAT(table->column("watts").error().advice(), testing::HasSubstr("time, power"));
+}
+
+TEST(Csv, WhatIsNoTableIsRefused) {
+  EXPECT_EQ(parse_csv("").error().code, "csv-without-numbers");
+  EXPECT_EQ(parse_csv("a,b\nc,d\n").error().code, "csv-without-numbers");
+  std::string wide = "1";
+  for (int i = 0; i < 300; ++i) wide += ",1";
+  EXPECT_EQ(parse_csv(wide).error().code, "csv-too-wide");
+  EXPECT_FALSE(read_csv("/nowhere/at/all.csv"));
+}
+
+}  // namespace
+}  // namespace glisson
