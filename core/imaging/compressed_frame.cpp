@@ -11,7 +11,6 @@
 #include <dcmtk/dcmdata/dcpixel.h>
 #include <dcmtk/dcmdata/dcpixseq.h>
 #include <dcmtk/dcmdata/dcpxitem.h>
-#include <dcmtk/dcmdata/dcrledrg.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmjpeg/djdecode.h>
 #include <dcmtk/dcmjpls/djdecode.h>
@@ -19,6 +18,8 @@
 #include <gdcmJPEG2000Codec.h>
 #include <gdcmSequenceOfFragments.h>
 #include <gdcmTrace.h>
+
+#include "imaging/run_length.h"
 
 namespace glisson::imaging {
 namespace {
@@ -57,9 +58,13 @@ Result<std::vector<std::uint8_t>> decode_frame(const TransferSyntax& syntax, con
                          GLISSON_TEXT("Convert it to an uncompressed or JPEG form first."),
                          {}});
   }
-  if (coding != Coding::rle) {
-    if (const Result<void> sizes = compare_sizes(format, stream, name); !sizes) return failure(sizes.error());
+  if (coding == Coding::rle) {
+    const std::size_t pixels = static_cast<std::size_t>(format.columns) * static_cast<std::size_t>(format.rows);
+    auto samples = decode_run_lengths(stream, pixels, static_cast<std::size_t>(format.bits_allocated) / 8);
+    if (!samples) return damaged(name);
+    return std::move(*samples);
   }
+  if (const Result<void> sizes = compare_sizes(format, stream, name); !sizes) return failure(sizes.error());
   try {
     return coding == Coding::jpeg_2000 ? decode_by_gdcm(format, stream, name)
                                        : decode_by_dcmtk(syntax, format, stream, name);
@@ -145,7 +150,6 @@ Result<void> compare_sizes(const PixelFormat& format, const std::string& stream,
 void register_decoders() {
   static std::once_flag once;
   std::call_once(once, [] {
-    DcmRLEDecoderRegistration::registerCodecs();
     DJDecoderRegistration::registerCodecs();
     DJLSDecoderRegistration::registerCodecs();
   });

@@ -20,10 +20,10 @@ struct CodestreamSize {
 };
 [[nodiscard]] std::optional<CodestreamSize> codestream_size(const std::string& stream);
 
-// The samples in the order of rows, each of bits_allocated in the byte order of this machine. RLE, JPEG baseline,
-// extended, lossless and JPEG-LS by DCMTK, JPEG 2000 by GDCM. The size that the stream declares is compared with the
-// header's before a decoder sees it.
-// Fails with "dicom-compression-unknown" or "dicom-pixels-damaged"; `name` is what they call the picture.
+// The samples in the order of rows, each of bits_allocated in the byte order of this machine. JPEG baseline,
+// extended, lossless and JPEG-LS by DCMTK, JPEG 2000 by GDCM, run lengths by ourselves. The size that the stream
+// declares is compared with the header's before a decoder sees it. Fails with "dicom-compression-unknown" or
+// "dicom-pixels-damaged"; `name` is what they call the picture.
 [[nodiscard]] Result<std::vector<std::uint8_t>> decode_frame(const TransferSyntax& syntax, const PixelFormat& format,
                                                              const std::string& stream, const std::string& name);
 

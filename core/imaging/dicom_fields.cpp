@@ -3,10 +3,12 @@
 #include "imaging/dicom_fields.h"
 
 #include <dcmtk/dcmdata/dcistrmb.h>
+#include <dcmtk/oflog/oflog.h>
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <mutex>
 
 namespace glisson::imaging {
 namespace {
@@ -66,6 +68,9 @@ constexpr unsigned long most_values = 64;
 }  // namespace
 
 std::unique_ptr<DcmDataset> parse(const CheckedDicom& file) {
+  // What is wrong with a file is said in its problems; DCMTK's own warnings would only mingle with the log.
+  static std::once_flag quiet;
+  std::call_once(quiet, [] { OFLog::configure(OFLogger::OFF_LOG_LEVEL); });
   const E_TransferSyntax syntax = !file.syntax.explicit_vr    ? EXS_LittleEndianImplicit
                                   : file.syntax.little_endian ? EXS_LittleEndianExplicit
                                                               : EXS_BigEndianExplicit;
