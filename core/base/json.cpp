@@ -65,6 +65,12 @@ Result<Json> parse_json(std::string_view text, const std::filesystem::path& file
                          {file.string(), std::to_string(line_of(text, problem.byte))},
                          GLISSON_TEXT("Look for a missing comma, quote or bracket there."),
                          file});
+  } catch (const Json::out_of_range&) {
+    return failure(Error{"json-invalid",
+                         GLISSON_TEXT("{0} holds a number too large for a computer's arithmetic."),
+                         {file.string()},
+                         {},
+                         file});
   }
 }
 

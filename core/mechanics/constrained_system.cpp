@@ -66,7 +66,7 @@ std::vector<ConstrainedSolution> ConstrainedSystem::solve(const Eigen::MatrixXd&
     u(free_, Eigen::all) += factor_->solve(free_residual);
     residual = f - symmetric * u;
     free_residual = residual(free_, Eigen::all);
-    bool all_converged = true;
+    bool all_reached = true;
     for (Eigen::Index column = 0; column < f.cols(); ++column) {
       ConstrainedSolution& solution = solutions[static_cast<std::size_t>(column)];
       const double now = relative(column);
@@ -79,9 +79,9 @@ std::vector<ConstrainedSolution> ConstrainedSystem::solve(const Eigen::MatrixXd&
         solution.relative_residual = now;
         solution.iterations = pass;
       }
-      all_converged &= solution.relative_residual <= refinement.relative_tolerance;
+      all_reached &= solution.relative_residual <= refinement.target;
     }
-    if (all_converged || !gains) break;
+    if (all_reached || !gains) break;
   }
 
   for (Eigen::Index column = 0; column < f.cols(); ++column) {
@@ -89,7 +89,7 @@ std::vector<ConstrainedSolution> ConstrainedSystem::solve(const Eigen::MatrixXd&
     solution.u = u.col(column);
     solution.reaction = -residual.col(column);
     for (const int i : free_) solution.reaction[i] = 0.0;
-    solution.converged = solution.relative_residual <= refinement.relative_tolerance && solution.u.allFinite();
+    solution.converged = solution.relative_residual <= refinement.tolerance && solution.u.allFinite();
   }
   return solutions;
 }

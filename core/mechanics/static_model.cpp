@@ -128,7 +128,8 @@ Result<StaticResult> StaticModel::solve_nodal(const NodalLoad& load) const {
 std::vector<StaticResult> StaticModel::Parts::solve(const Eigen::MatrixXd& force_mN,
                                                     const Eigen::MatrixXd& held_mm) const {
   const Stopwatch watch;
-  const auto solutions = system->solve(force_mN, held_mm, {options.relative_tolerance, options.max_refinements});
+  const auto solutions = system->solve(
+      force_mN, held_mm, {.tolerance = options.relative_tolerance, .max_refinements = options.max_refinements});
   std::vector<StaticResult> results;
   results.reserve(solutions.size());
   for (std::size_t i = 0; i < solutions.size(); ++i) {

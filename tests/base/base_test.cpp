@@ -52,6 +52,8 @@ TEST(Json, NamesTheLineOfAMistake) {
   EXPECT_THAT(parsed.error().message(), HasSubstr("line 3"));
 }
 
+TEST(Json, RefusesANumberThatOverflows) { EXPECT_EQ(parse_json("{\"a\": 1e999}").error().code, "json-invalid"); }
+
 TEST(Json, SuggestsTheKeyThatWasMeant) {
   const auto checked = refuse_unknown_keys(Json{{"poison_ratio", 0.4}}, {"poisson_ratio", "engine"}, "scenario.json");
   ASSERT_FALSE(checked);

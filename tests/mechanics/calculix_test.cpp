@@ -1,0 +1,117 @@
+// The same mesh, materials and loads in CalculiX, an independent finite element code (ccx, Debian's calculix-ccx).
+
+#include <gtest/gtest.h>
+#include <cstdlib>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+#include "base/files.h"
+#include "mechanics/bodies.h"
+#include "mechanics/static_model.h"
+
+namespace glisson::mechanics {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double poisson_ratio = 0.45;
+const Vector3d gravity_mm_s2(1000, 0, -9810);
+constexpr double pressure_kPa = 0.3;
+
+// CalculiX's input: ten-node tetrahedra (C3D10), a material a cell, our held nodes, gravity and pressure all around.
+// Its units follow ours: mm, kg, s, so mN and kPa. It reads no number longer than 20 characters: 12 digits.
+void write_input(const std::filesystem::path& file, const StaticModel& model) {
+  const NodeLayout& layout = model.nodes();
+  std::ofstream out(file);
+  out << std::setprecision(12) << "*NODE, NSET=NALL\n";
+  for (int n = 0; n < layout.nodes(); ++n) {
+    const Vector3d& p = layout.positions_mm[n];
+    out << n + 1 << ", " << p.x() << ", " << p.y() << ", " << p.z() << "\n";
+  }
+  for (std::size_t c = 0; c < layout.cells.size(); ++c) {
+    out << "*ELEMENT, TYPE=C3D10, ELSET=E" << c + 1 << "\n" << c + 1;
+    for (const int node : layout.cells[c]) out << ", " << node + 1;
+    out << "\n*MATERIAL, NAME=M" << c + 1 << "\n*ELASTIC\n"
+        << model.youngs_kPa()[c] << ", " << poisson_ratio << "\n*DENSITY\n"
+        << model.options().density_kg_mm3 << "\n*SOLID SECTION, ELSET=E" << c + 1 << ", MATERIAL=M" << c + 1 << "\n";
+  }
+  out << "*BOUNDARY\n";
+  for (int n = 0; n < layout.nodes(); ++n) {
+    if (layout.positions_mm[n].x() == 0) out << n + 1 << ", 1, 3\n";
+  }
+  out << "*STEP\n*STATIC\n*DLOAD\n";
+  for (std::size_t c = 0; c < layout.cells.size(); ++c) {
+    out << "E" << c + 1 << ", GRAV, " << gravity_mm_s2.norm();
+    for (const double d : gravity_mm_s2.normalized()) out << ", " << d;
+    out << "\n";
+  }
+  // CalculiX's faces of a tetrahedron: P1 = 1-2-3, P2 = 1-4-2, P3 = 2-4-3, P4 = 3-4-1.
+  constexpr std::array<std::array<int, 3>, 4> faces{{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
+  const geometry::Surface surface = geometry::boundary_surface(model.mesh());
+  const auto& mesh_point = geometry::find_field(surface.point_fields, "mesh_point")->values;
+  const auto& mesh_cell = geometry::find_field(surface.cell_fields, "mesh_cell")->values;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto cell = static_cast<std::size_t>(mesh_cell[t]);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      int shared = 0;
+      for (const int corner : faces[f]) {
+        for (const int p : surface.triangles[t])
+          shared += int(mesh_point[p]) == model.mesh().cells[cell][corner] ? 1 : 0;
+      }
+      if (shared == 3) out << cell + 1 << ", P" << f + 1 << ", " << pressure_kPa << "\n";
+    }
+  }
+  out << "*NODE PRINT, NSET=NALL\nU\n*END STEP\n";
+}
+
+// Node number and three displacements a line, after the table's title.
+std::vector<Vector3d> read_displacements(const std::filesystem::path& file, int nodes) {
+  std::vector<Vector3d> displacements(nodes, Vector3d::Constant(NAN));
+  std::ifstream in(file);
+  std::string line;
+  while (std::getline(in, line)) {
+    std::istringstream columns(line);
+    int node = 0;
+    Vector3d u;
+    if (columns >> node >> u.x() >> u.y() >> u.z() && node >= 1 && node <= nodes) displacements[node - 1] = u;
+  }
+  return displacements;
+}
+
+TEST(AgainstCalculix, TheSameHeterogeneousBodyUnderGravityAndPressureMovesTheSame) {
+  if (std::system("command -v ccx > /dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "CalculiX (ccx) is not installed: apt-get install calculix-ccx";
+  }
+  auto mesh = test::bent_box(6, 3, 3, [](const Vector3d& unit) {
+    return Vector3d(60 * unit.x(), 30 * unit.y() + 6 * unit.x() * unit.x(), 24 * unit.z() * (1 - 0.3 * unit.x()));
+  });
+  test::disturb_inner_points(mesh, 1.5);
+  test::name_points(mesh, "wall", [](const Vector3d& p) { return p.x() == 0; });
+  std::vector<double> youngs_kPa;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) youngs_kPa.push_back(3.0 + 2.5 * (c % 11));
+  StaticOptions options;
+  options.poisson_ratio = poisson_ratio;
+  const auto model = StaticModel::create(mesh, youngs_kPa, {test::held("wall")}, options).value();
+  const auto ours = model.solve({GravityLoad{gravity_mm_s2}, PressureLoad{pressure_kPa}}).value();
+
+  const TemporaryFolder folder;
+  write_input(folder.path() / "body.inp", model);
+  const std::string run = "cd '" + folder.path().string() + "' && OMP_NUM_THREADS=1 ccx body > ccx.log 2>&1";
+  ASSERT_EQ(std::system(run.c_str()), 0) << read_text_file(folder.path() / "ccx.log").value_or("");
+  const auto theirs = read_displacements(folder.path() / "body.dat", model.nodes().nodes());
+
+  double largest_mm = 0;
+  for (int n = 0; n < model.nodes().nodes(); ++n) {
+    const Vector3d& u = n < model.nodes().corner_nodes ? ours.displacement_mm[n]
+                                                       : ours.mid_side_displacement_mm[n - model.nodes().corner_nodes];
+    ASSERT_TRUE(theirs[n].allFinite()) << "node " << n + 1;
+    largest_mm = std::max(largest_mm, (u - theirs[n]).norm());
+  }
+  RecordProperty("largest_difference_mm", std::to_string(largest_mm));
+  // CalculiX prints seven digits: half a unit of the last is 5e-7 of the value.
+  EXPECT_LT(largest_mm, 2e-6 * ours.max_displacement_mm) << "of " << ours.max_displacement_mm << " mm";
+}
+
+}  // namespace
+}  // namespace glisson::mechanics

@@ -1,0 +1,117 @@
+// Scenarios are read as they are meant, or refused with what is wrong and where.
+
+#include "mechanics/scenario_file.h"
+
+#include <gmock/gmock.h>
+
+#include "base/files.h"
+
+namespace glisson::mechanics {
+namespace {
+
+using Eigen::Vector3d;
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr const char* whole_scenario = R"({
+  "engine": "fem", "material": "linear", "poisson_ratio": 0.45, "density_kg_m3": 1060,
+  "youngs_modulus_kPa": "measured_kPa",
+  "supports": [{"point_array": "fixed"},
+               {"sphere": {"center_mm": [1, 2, 3], "radius_mm": 20}, "foundation_kPa_per_mm": 0.5},
+               {"box": {"min_mm": [0, 0, 0], "max_mm": [1, 2, 3]}, "directions": ["x", "z"]}],
+  "loads": [{"tool": {"center_mm": [4, 5, 6], "radius_mm": 10, "force_N": [0, 0, 5]}},
+            {"pressure_kPa": 1.6}, {"gravity_m_s2": [0, 0, -9.81]}],
+  "landmarks": [{"id": "tumour-1", "position_mm": [7, 8, 9]}]})";
+
+TEST(ScenarioFile, ReadsEveryPartAndConvertsItsUnits) {
+  const Scenario scenario = parse_scenario(whole_scenario).value();
+  EXPECT_EQ(scenario.engine, Engine::fem);
+  EXPECT_EQ(scenario.material, MaterialLaw::linear);
+  EXPECT_DOUBLE_EQ(scenario.density_kg_mm3, 1060e-9);
+  EXPECT_EQ(std::get<std::string>(*scenario.youngs_modulus), "measured_kPa");
+  ASSERT_EQ(scenario.supports.size(), 3u);
+  EXPECT_EQ(std::get<NamedPoints>(scenario.supports[0].where).point_array, "fixed");
+  EXPECT_EQ(std::get<Held>(scenario.supports[0].how).directions, (std::array{true, true, true}));
+  EXPECT_EQ(std::get<Ball>(scenario.supports[1].where).center_mm, Vector3d(1, 2, 3));
+  EXPECT_EQ(std::get<Foundation>(scenario.supports[1].how).stiffness_kPa_per_mm, 0.5);
+  EXPECT_EQ(std::get<geometry::Box>(scenario.supports[2].where).max_mm, Vector3d(1, 2, 3));
+  EXPECT_EQ(std::get<Held>(scenario.supports[2].how).directions, (std::array{true, false, true}));
+  ASSERT_EQ(scenario.loads.size(), 3u);
+  EXPECT_EQ(std::get<ToolLoad>(scenario.loads[0]).force_mN, Vector3d(0, 0, 5000));
+  EXPECT_EQ(std::get<PressureLoad>(scenario.loads[1]).pressure_kPa, 1.6);
+  EXPECT_EQ(std::get<GravityLoad>(scenario.loads[2]).acceleration_mm_s2, Vector3d(0, 0, -9810));
+  EXPECT_EQ(scenario.landmarks[0].position_mm, Vector3d(7, 8, 9));
+  EXPECT_FALSE(scenario.motion);
+}
+
+TEST(ScenarioFile, WhatIsWrittenReadsBackTheSame) {
+  const std::string once = scenario_text(parse_scenario(whole_scenario).value());
+  EXPECT_EQ(scenario_text(parse_scenario(once).value()), once);
+}
+
+TEST(ScenarioFile, AnEmptyScenarioHasTheDefaults) {
+  const Scenario scenario = parse_scenario("{}").value();
+  EXPECT_EQ(scenario.poisson_ratio, 0.45);
+  EXPECT_FALSE(scenario.youngs_modulus);  // the mesh's own field
+}
+
+std::string refusal(const std::string& json) {
+  const auto scenario = parse_scenario(json, "s.json");
+  if (scenario) return "accepted";
+  EXPECT_EQ(scenario.error().file, "s.json");
+  return scenario.error().message() + " " + scenario.error().advice();
+}
+
+TEST(ScenarioFile, AMisspeltKeyIsToldWhatWasMeantAtEveryDepth) {
+  EXPECT_THAT(refusal(R"({"poison_ratio": 0.4})"), HasSubstr("Did you mean \"poisson_ratio\"?"));
+  EXPECT_THAT(refusal(R"({"supports": [{"point_aray": "fixed"}]})"),
+              AllOf(HasSubstr("support 1"), HasSubstr("Did you mean \"point_array\"?")));
+  EXPECT_THAT(
+      refusal(
+          R"({"loads": [{"pressure_kPa": 1}, {"tool": {"centre_mm": [0,0,0], "radius_mm": 1, "force_N": [0,0,1]}}]})"),
+      AllOf(HasSubstr("load 2, tool"), HasSubstr("Did you mean \"center_mm\"?")));
+  EXPECT_THAT(refusal(R"({"landmarks": [{"id": "a", "position": [0,0,0]}]})"), HasSubstr("position_mm"));
+}
+
+TEST(ScenarioFile, ValuesThatCannotBeMeantAreRefusedWithTheirPlace) {
+  const std::pair<const char*, const char*> refused[] = {
+      {R"({"engine": "fen"})", "engine must be one of \"fem\", \"meshfree\""},
+      {R"({"material": "ogden"})", "material must be one of"},
+      {R"({"poisson_ratio": 0.5})", "poisson_ratio must lie between -1 and 0.5"},
+      {R"({"poisson_ratio": "0.4"})", "poisson_ratio must be a finite number"},
+      {R"({"density_kg_m3": -1})", "density_kg_m3 must be above zero"},
+      {R"({"youngs_modulus_kPa": 0})", "youngs_modulus_kPa must be above zero"},
+      {R"({"youngs_modulus_kPa": 1e999})", ""},
+      {R"({"supports": {"point_array": "fixed"}})", "supports must be a list"},
+      {R"({"supports": [{}]})", "support 1 needs exactly one of"},
+      {R"({"supports": [{"point_array": "a", "box": {"min_mm": [0,0,0], "max_mm": [1,1,1]}}]})", "exactly one of"},
+      {R"({"supports": [{"sphere": {"center_mm": [0,0], "radius_mm": 2}}]})", "must be three numbers"},
+      {R"({"supports": [{"sphere": {"center_mm": [0,0,0]}}]})", "lacks \"radius_mm\""},
+      {R"({"supports": [{"box": {"min_mm": [0,0,5], "max_mm": [1,1,1]}}]})", "must not exceed"},
+      {R"({"supports": [{"point_array": "a", "foundation_kPa_per_mm": 0}]})", "must be above zero"},
+      {R"({"supports": [{"point_array": "a", "foundation_kPa_per_mm": 1, "directions": ["x"]}]})", "has both"},
+      {R"({"supports": [{"point_array": "a", "directions": ["w"]}]})", "must be one of \"x\", \"y\", \"z\""},
+      {R"({"loads": [{"tool": {"center_mm": [0,0,0], "radius_mm": -1, "force_N": [0,0,1]}}]})",
+       "radius_mm must be above zero"},
+      {R"({"loads": [{"pressure_kPa": 1, "gravity_m_s2": [0,0,1]}]})", "load 1 needs exactly one of"},
+      {R"({"loads": [3]})", "load 1 must be an object"},
+      {R"({"landmarks": [{"id": "a", "position_mm": [0,0,0]}, {"id": "a", "position_mm": [1,0,0]}]})", "the same id"},
+      {R"({"motion": {"step_s": 0.02, "steps": 0}})", "whole number from 1"},
+      {R"([])", "must be an object"},
+      {R"({"engine": )", "not valid JSON"},
+  };
+  for (const auto& [json, expected] : refused) {
+    EXPECT_THAT(refusal(json), HasSubstr(expected)) << json;
+    EXPECT_NE(refusal(json), "accepted") << json;
+  }
+}
+
+TEST(ScenarioFile, AFileThatIsNotThereIsNamed) {
+  const TemporaryFolder folder;
+  const auto scenario = read_scenario(folder.path() / "none.json");
+  ASSERT_FALSE(scenario);
+  EXPECT_THAT(scenario.error().message(), HasSubstr("none.json"));
+}
+
+}  // namespace
+}  // namespace glisson::mechanics

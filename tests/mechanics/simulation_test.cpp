@@ -1,0 +1,102 @@
+// A scenario on a mesh, from question to answer.
+
+#include "mechanics/simulation.h"
+
+#include <gmock/gmock.h>
+#include <limits>
+
+#include "mechanics/bodies.h"
+#include "mechanics/static_model.h"
+
+namespace glisson::mechanics {
+namespace {
+
+using Eigen::Vector3d;
+using testing::HasSubstr;
+
+class Simulating : public testing::Test {
+ protected:
+  Simulating() {
+    test::name_points(mesh, "fixed", [](const Vector3d& p) { return p.z() == 0; });
+    scenario.youngs_modulus = 5.0;
+    scenario.supports = {test::held("fixed")};
+    scenario.loads = {ToolLoad{{15, 15, 30}, 8, {20, 0, 50}}};
+    scenario.landmarks = {{"inside", {15, 15, 20}}, {"just-outside", {15, 15, 32}}};
+  }
+  std::string refusal() {
+    const auto simulation = simulate(mesh, scenario);
+    return simulation ? "accepted" : simulation.error().code + ": " + simulation.error().message();
+  }
+  geometry::TetMesh mesh = test::box(4, 4, 4, {30, 30, 30});
+  Scenario scenario;
+};
+
+TEST_F(Simulating, FollowsItsLandmarksAndNamesTheFields) {
+  const auto simulation = simulate(mesh, scenario).value();
+  ASSERT_TRUE(simulation.result.may_be_used());
+  EXPECT_EQ(simulation.result.notes.size(), 1u);
+  EXPECT_THAT(simulation.result.notes[0], HasSubstr("just-outside lies 2.0 mm outside"));
+  ASSERT_EQ(simulation.landmarks.size(), 2u);
+  const DisplacedLandmark& inside = simulation.landmarks[0];
+  EXPECT_EQ(inside.id, "inside");
+  EXPECT_EQ(inside.outside_by_mm, 0);
+  EXPECT_GT(inside.displacement_mm, 0);
+  EXPECT_NEAR((inside.displaced_mm - inside.rest_mm).norm(), inside.displacement_mm, 1e-12);
+  const geometry::Field* displacement = geometry::find_field(simulation.mesh.point_fields, displacement_field);
+  ASSERT_NE(displacement, nullptr);
+  EXPECT_EQ(displacement->items(), mesh.points_mm.size());
+  EXPECT_EQ(geometry::find_field(simulation.mesh.cell_fields, youngs_modulus_field)->values, test::uniform(mesh, 5.0));
+  EXPECT_NE(geometry::find_field(simulation.mesh.cell_fields, "von_mises_kPa"), nullptr);
+}
+
+TEST_F(Simulating, ALandmarkOnAMeshPointMovesAsThatPoint) {
+  scenario.landmarks = {{"corner", mesh.points_mm.back()}};
+  const auto simulation = simulate(mesh, scenario).value();
+  EXPECT_LT(
+      (simulation.landmarks[0].displaced_mm - mesh.points_mm.back() - simulation.result.displacement_mm.back()).norm(),
+      1e-9);
+}
+
+TEST_F(Simulating, TakesTheModulusFromACellArray) {
+  geometry::Field stiffness{"stiffness", 1, test::uniform(mesh, 5.0)};
+  geometry::set_field(mesh.cell_fields, stiffness);
+  const double uniform = simulate(mesh, scenario)->result.max_displacement_mm;
+  scenario.youngs_modulus = "stiffness";
+  EXPECT_DOUBLE_EQ(simulate(mesh, scenario)->result.max_displacement_mm, uniform);
+  scenario.youngs_modulus.reset();  // the project's own field, which this mesh lacks
+  EXPECT_THAT(refusal(), HasSubstr("modulus-missing: The mesh has no cell array youngs_modulus_kPa"));
+  scenario.youngs_modulus = "stifness";
+  EXPECT_THAT(simulate(mesh, scenario).error().advice(), HasSubstr("stiffness"));
+  mesh.cell_fields[0].values[3] = std::numeric_limits<double>::quiet_NaN();
+  scenario.youngs_modulus = "stiffness";
+  EXPECT_THAT(refusal(), HasSubstr("cell 3"));
+}
+
+TEST_F(Simulating, RefusesWhatItCannotComputeYet) {
+  scenario.engine = Engine::meshfree;
+  EXPECT_THAT(refusal(), HasSubstr("not-available: The meshfree engine is not available yet"));
+  scenario.engine = Engine::fem;
+  scenario.material = MaterialLaw::neo_hookean;
+  EXPECT_THAT(refusal(), HasSubstr("not-available"));
+  scenario.material = MaterialLaw::linear;
+  scenario.motion = Motion{0.02, 50};
+  EXPECT_THAT(refusal(), HasSubstr("Motion is not available yet"));
+}
+
+TEST_F(Simulating, RefusesALandmarkOfAnotherPlace) {
+  scenario.landmarks.push_back({"lost", {300, 0, 0}});
+  EXPECT_THAT(refusal(), HasSubstr("landmark-outside: Landmark lost lies 270.0 mm outside"));
+}
+
+TEST_F(Simulating, ReportsProgressToTheEnd) {
+  double last = 0;
+  const Progress progress([&](double fraction, std::string_view) {
+    EXPECT_GE(fraction, last);
+    last = fraction;
+  });
+  ASSERT_TRUE(simulate(mesh, scenario, {}, progress));
+  EXPECT_EQ(last, 1.0);
+}
+
+}  // namespace
+}  // namespace glisson::mechanics
