@@ -1,9 +1,8 @@
 #pragma once
-// A balanced tree of axis-aligned boxes, to find the few items near a place without looking at all of them.
+// A balanced tree of axis-aligned boxes, to find the few items around a place without looking at all of them.
 
 #include <algorithm>
 #include <Eigen/Geometry>
-#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -16,14 +15,6 @@ class BoxTree {
     std::iota(items_.begin(), items_.end(), 0);
     nodes_.reserve(2 * boxes.size() / leaf_size + 2);
     build(boxes, 0, static_cast<int>(boxes.size()));
-  }
-
-  // Calls visit(item) -> double for the items, nearest boxes first, while their boxes are nearer to the place than
-  // the smallest squared distance (mm2) that visit has given back; a visit that gives back 0 ends the search.
-  template <typename Visit>
-  void visit_nearest(const Eigen::Vector3d& place, Visit visit) const {
-    double nearest = std::numeric_limits<double>::infinity();
-    descend(0, place, nearest, visit);
   }
 
   // Calls visit(item) for every item of the leaves whose boxes hold the place, until one gives back true.
@@ -56,21 +47,6 @@ class BoxTree {
     const int right = build(boxes, middle, end);
     nodes_[self].right = right;
     return self;
-  }
-
-  template <typename Visit>
-  void descend(int index, const Eigen::Vector3d& place, double& nearest, Visit& visit) const {
-    const Node& node = nodes_[index];
-    if (node.box.squaredExteriorDistance(place) >= nearest) return;
-    if (node.right == 0) {
-      for (int i = node.begin; i < node.end && nearest > 0; ++i) nearest = std::min(nearest, double(visit(items_[i])));
-      return;
-    }
-    const int children[2] = {index + 1, node.right};
-    const bool right_first =
-        nodes_[children[1]].box.squaredExteriorDistance(place) < nodes_[children[0]].box.squaredExteriorDistance(place);
-    descend(children[right_first ? 1 : 0], place, nearest, visit);
-    descend(children[right_first ? 0 : 1], place, nearest, visit);
   }
 
   template <typename Visit>

@@ -1,0 +1,96 @@
+// Static elasticity on a body of a liver's size: what setting up costs, what each further load costs, what memory.
+//
+//   build/release/bin/bench_mechanics --benchmark_filter=SetUp
+
+#include <benchmark/benchmark.h>
+
+#include "mechanics/bodies.h"
+#include "mechanics/static_model.h"
+#include "rehearsal/static_rehearsal.h"
+
+namespace glisson {
+namespace {
+
+using Eigen::Vector3d;
+
+// An ellipsoid of 1.5 litres, 6 n^3 cells, held at its upper rear.
+geometry::TetMesh liver_sized(int n) {
+  auto mesh = mechanics::test::bent_box(n, n, n, [](const Vector3d& unit) {
+    const Vector3d p = 2 * unit - Vector3d(1, 1, 1);
+    const double largest = p.cwiseAbs().maxCoeff();
+    const Vector3d on_ball = largest > 0 ? Vector3d(p * largest / p.norm()) : p;
+    return Vector3d(on_ball.cwiseProduct(Vector3d(90, 65, 61)));
+  });
+  mechanics::test::name_points(mesh, "bare_area", [](const Vector3d& p) { return p.y() > 20 && p.z() > 20; });
+  mechanics::test::name_points(mesh, "diaphragm", [](const Vector3d& p) { return p.z() > 30; });
+  return mesh;
+}
+
+const std::vector<mechanics::Support> supports{{mechanics::NamedPoints{"bare_area"}, mechanics::Held{}},
+                                               {mechanics::NamedPoints{"diaphragm"}, mechanics::Foundation{1.1}}};
+const mechanics::Loads hoist{mechanics::ToolLoad{{-60, 20, -40}, 25, {0, -3500, 3500}}};
+
+void show(benchmark::State& state, const mechanics::StaticModel& model) {
+  state.counters["cells"] = double(model.mesh().cells.size());
+  state.counters["nodes"] = model.nodes().nodes();
+  state.counters["matrix_MB"] = double(model.cost().matrix_bytes) / 1e6;
+  state.counters["factor_MB"] = double(model.cost().factor_bytes) / 1e6;
+}
+
+void SetUp(benchmark::State& state) {
+  const auto mesh = liver_sized(int(state.range(0)));
+  for (auto _ : state) {
+    const auto model = mechanics::StaticModel::create(mesh, mechanics::test::uniform(mesh, 6.0), supports).value();
+    show(state, model);
+  }
+}
+
+void OneLoad(benchmark::State& state) {
+  const auto mesh = liver_sized(int(state.range(0)));
+  const auto model = mechanics::StaticModel::create(mesh, mechanics::test::uniform(mesh, 6.0), supports).value();
+  mechanics::StaticResult result;
+  for (auto _ : state) result = model.solve(hoist).value();
+  show(state, model);
+  state.counters["relative_residual"] = result.relative_residual;
+}
+
+void SixteenLoadsTogether(benchmark::State& state) {
+  const auto mesh = liver_sized(int(state.range(0)));
+  const auto model = mechanics::StaticModel::create(mesh, mechanics::test::uniform(mesh, 6.0), supports).value();
+  for (auto _ : state) benchmark::DoNotOptimize(model.solve_each(std::vector<mechanics::Loads>(16, hoist)));
+  show(state, model);
+}
+
+// What the window waits for: a tool put down (both bodies solved), and a force changed.
+void PlacingATool(benchmark::State& state) {
+  const auto mesh = liver_sized(int(state.range(0)));
+  const auto rehearsal =
+      rehearsal::StaticRehearsal::create({mesh, mechanics::test::uniform(mesh, 6.0), 5.0, supports, {}, {}, {}, {}})
+          .value();
+  for (auto _ : state) benchmark::DoNotOptimize(rehearsal.place_tool({-60, 20, -40}, 25).value());
+}
+
+void ChangingTheForce(benchmark::State& state) {
+  const auto mesh = liver_sized(int(state.range(0)));
+  const auto rehearsal =
+      rehearsal::StaticRehearsal::create({mesh, mechanics::test::uniform(mesh, 6.0), 5.0, supports, {}, {}, {}, {}})
+          .value();
+  const auto tool = rehearsal.place_tool({-60, 20, -40}, 25).value();
+  double force_N = 0;
+  for (auto _ : state) {
+    force_N += 0.001;
+    benchmark::DoNotOptimize(tool.answer({0, -force_N, force_N}));
+  }
+}
+
+// 6 n^3: 4,374, 20,250 and 93,750 cells.
+BENCHMARK(SetUp)->Arg(9)->Arg(15)->Arg(25)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(OneLoad)->Arg(9)->Arg(15)->Arg(25)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(SixteenLoadsTogether)->Arg(9)->Arg(15)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(PlacingATool)->Arg(9)->Arg(15)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ChangingTheForce)->Arg(9)->Arg(15)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace glisson
+
+BENCHMARK_MAIN();
