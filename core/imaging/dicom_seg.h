@@ -25,20 +25,29 @@ struct SegmentationSource {
   std::string study_uid;
   std::string series_uid;  // of the images, not of the segmentation
   std::string frame_of_reference_uid;
+  std::string study_date;                 // YYYYMMDD
+  std::string study_time;                 // HHMMSS
   std::vector<SourceInstance> instances;  // one for each slice k of the masks' grid, or none
+  // When the masks were made, YYYYMMDD and HHMMSS; left empty, now.
+  std::string content_date;
+  std::string content_time;
 };
 
-// One mask a segment, all on one grid: the planes of the frames, evenly spaced; a plane that only some segments (or
-// none) have a frame for is empty in the others, since writers leave empty frames out.
-// Fails with dicom-seg-unreadable, -not-a-segmentation, -compressed, -bad-geometry, -truncated.
-Result<std::vector<SegmentedMask>> read_dicom_seg(const std::filesystem::path& file);
+// One mask a segment, all on one grid: the planes of the frames, evenly spaced, the first axis along a row, the third
+// along the normal. A plane that only some segments (or none) have a frame for is empty in the others, since writers
+// leave empty frames out. label_value is the segment's number where that is at most 255.
+// Fails with what check_dicom_file says, and dicom-seg-not-a-segmentation, -compressed (or big endian),
+// -bad-geometry, -truncated, -too-large (more than 4 GiB of masks).
+[[nodiscard]] Result<std::vector<SegmentedMask>> read_dicom_seg(const std::filesystem::path& file);
 
-// All masks on the same grid (dicom-seg-grids-differ). Identifiers follow from the source and the segments' names, so
-// that the same input gives the same bytes. Colours go as CIELab, 16 bits each.
+// All masks on the same grid, with axes at right angles and right-handed (dicom-seg-grids-differ, -bad-geometry).
+// Every plane is written for the first segment, so that the grid comes back whole; of the others those that hold
+// something. Identifiers follow from the source and the masks. Colours go as CIELab.
+// Fails with dicom-seg-empty, dicom-seg-no-uid, dicom-seg-not-written too.
 Result<void> write_dicom_seg(const std::filesystem::path& file, const std::vector<SegmentedMask>& segments,
                              const SegmentationSource& source);
 
-// What `series` of DICOM files (one a slice, in the order of the grid) offers as the source of a segmentation.
-Result<SegmentationSource> segmentation_source(const std::vector<std::filesystem::path>& slice_files);
+// What a series of DICOM files (one a slice, in the order of the grid) offers as the source of a segmentation.
+[[nodiscard]] Result<SegmentationSource> segmentation_source(const std::vector<std::filesystem::path>& slice_files);
 
 }  // namespace glisson::imaging
