@@ -25,7 +25,7 @@ struct DemoStiffness {
                                                  std::uint64_t seed);
 
 struct WaveOptions {
-  double frequency_Hz = 60;  // section 4.2
+  double frequency_Hz = 60;  // what liver MRE is done with clinically (QIBA profile of the RSNA)
   double density_kg_m3 = 1000;
   double damping_ratio = 0.12;  // imaginary over twice the real part of the modulus; soft tissue, in the tenths
   double amplitude_um = 40;     // at the driver

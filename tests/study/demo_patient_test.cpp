@@ -10,6 +10,8 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/parallel.h"
+#include "imaging/read_series.h"
+#include "imaging/stiffness_map.h"
 #include "imaging/volume_file.h"
 #include "segmentation/edit.h"
 #include "segmentation/rasterise.h"
@@ -76,6 +78,62 @@ TEST_F(DemoStudy, ComesBackOnTheGridsItWasMadeOn) {
   // Positions and directions pass through decimal strings of 16 characters: 1e-9 mm would do, 1e-4 is asked.
   EXPECT_TRUE(imaging::same_grid(series(Role::anatomy).grid, demo_anatomy_grid(), 1e-4));
   EXPECT_TRUE(imaging::same_grid(series(Role::mre_stiffness).grid, demo_elastography_grid(), 1e-4));
+}
+
+TEST_F(DemoStudy, HoldsTheTrueStiffnessInsideTheLiverAndFarTooLittleAtItsBorder) {
+  const auto stored = imaging::read_series(series(Role::mre_stiffness));
+  ASSERT_TRUE(stored) << stored.error().message();
+  const auto map = imaging::stiffness_in_kPa(*stored);
+  ASSERT_TRUE(map) << map.error().message();
+  const auto confidence = imaging::read_series(series(Role::mre_confidence));
+  const auto exact = imaging::read_volume_file(patient_->truth_folder / "shear_kPa.nrrd");
+  ASSERT_TRUE(confidence && exact);
+  ASSERT_TRUE(imaging::same_grid(exact->grid, map->shear_kPa.grid));
+
+  const auto anatomy = read_demo_anatomy(anatomy_folder());
+  const Mask liver = liver_mask(*anatomy, exact->grid);
+  const Mask inner = segmentation::with_margin(liver, -6);
+  double inside_error = 0, inside = 0, border_ratio = 0, border = 0;
+  for (std::size_t i = 0; i < liver.values.size(); ++i) {
+    if (liver.values[i] == 0 || confidence->values[i] < 0.5f || exact->values[i] <= 0) continue;
+    const double ratio = map->shear_kPa.values[i] / exact->values[i];
+    if (inner.values[i] != 0) {
+      inside_error += std::abs(ratio - 1);
+      ++inside;
+    }
+  }
+  const Mask core = segmentation::with_margin(liver, -3);
+  for (std::size_t i = 0; i < liver.values.size(); ++i) {
+    if (liver.values[i] == 0 || core.values[i] != 0 || exact->values[i] <= 0) continue;
+    border_ratio += map->shear_kPa.values[i] / exact->values[i];
+    ++border;
+  }
+  ASSERT_GT(inside, 1000);
+  ASSERT_GT(border, 1000);
+  // The map's own noise is 25 % times a field of standard deviation 0.3, and the window blurs the patches' edges.
+  EXPECT_LT(inside_error / inside, 0.12);
+  EXPECT_LT(border_ratio / border, 0.6);
+}
+
+TEST_F(DemoStudy, ShowsTheLiverApartFromItsSurroundings) {
+  const auto image = imaging::read_series(series(Role::anatomy));
+  ASSERT_TRUE(image);
+  const Mask liver = truth("liver"), tumour = truth("tumour-1"), cyst = truth("cyst");
+  const Mask inner = segmentation::with_margin(liver, -5), outer = segmentation::with_margin(liver, 8);
+  std::map<std::string, std::pair<double, double>> sums;
+  for (std::size_t i = 0; i < liver.values.size(); ++i) {
+    const char* where = inner.values[i] && !tumour.values[i] && !cyst.values[i] ? "liver"
+                        : tumour.values[i]                                      ? "tumour"
+                        : cyst.values[i]                                        ? "cyst"
+                        : outer.values[i] && !liver.values[i]                   ? "around"
+                                                                                : "elsewhere";
+    sums[where].first += image->values[i];
+    ++sums[where].second;
+  }
+  const auto mean = [&](const char* where) { return sums[where].first / sums[where].second; };
+  EXPECT_GT(mean("liver"), 1.3 * mean("tumour"));
+  EXPECT_GT(mean("liver"), 1.6 * mean("around"));
+  EXPECT_GT(mean("tumour"), 1.5 * mean("cyst"));
 }
 
 TEST_F(DemoStudy, HasAStiffnessAsDiseasedLiversDo) {
