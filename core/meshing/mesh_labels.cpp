@@ -26,12 +26,17 @@ constexpr double cell_volume_share = 0.28;
 // about 1.4 such radii, so that a long piece is two edges across.
 constexpr double radius_share_of_thickness = 0.7;
 
-// Cells between fine and coarse ones, for each fine one of a piece.
-constexpr double cells_around_a_piece = 1.0;
+// Cells between fine and coarse ones, for each fine one of a piece: its surroundings out to twice its radius have three
+// times (long) or seven times (round) its volume, in cells that grow with the distance.
+constexpr double cells_around_a_piece = 3.0;
+
+// How much coarser than first guessed the liver may become to make up for inner pieces that cost more than guessed.
+// Beyond that the mesh has more cells than asked for, rather than a liver without its shape.
+constexpr double most_coarsening = 1.6;
 
 constexpr double close_enough_count = 0.07;
 constexpr double promised_count = 0.15;
-constexpr int most_refinements = 6;
+constexpr int most_refinements = 5;
 constexpr double least_kept_volume = 0.5;
 
 Result<void> check_options(const MeshOptions& options);
@@ -139,6 +144,8 @@ double inner_cost_cells(const Piece& piece) {
   return (1 + cells_around_a_piece) * cells_for(piece.volume_mm3, cell_radius_of_inner_mm(piece));
 }
 
+double in_hundreds(double cells) { return 100 * std::ceil(cells / 100); }
+
 void dissolve_what_costs_too_much(PieceMap& map, const MeshOptions& options) {
   struct Loss {
     int pieces = 0;
@@ -164,10 +171,10 @@ void dissolve_what_costs_too_much(PieceMap& map, const MeshOptions& options) {
   }
   for (const auto& [label, loss] : losses) {
     map.notes.push_back(fmt::format(
-        "{}: {} piece{} ({:.3g} ml) too thin for {} cells got no cells of {} own; about {:.1g} cells would show {}.",
+        "{}: {} piece{} ({:.3g} ml) too thin for {} cells got no cells of {} own; about {:.0f} cells would show {}.",
         display_name(label, options.names), loss.pieces, loss.pieces == 1 ? "" : "s",
         units::ml_from_mm3(loss.volume_mm3), options.target_cells, loss.pieces == 1 ? "its" : "their",
-        loss.cells / std::max(options.inner_share, 0.05), loss.pieces == 1 ? "it" : "them"));
+        in_hundreds(loss.cells / std::max(options.inner_share, 0.05)), loss.pieces == 1 ? "it" : "them"));
   }
 }
 
@@ -186,6 +193,7 @@ Result<DelaunayRefinement> refine_to_target(const LabelField& field, const MeshO
   for (std::size_t i = 1; i < map.pieces.size(); ++i) inner_cells += inner_cost_cells(map.pieces[i]);
   const double for_liver = std::max(options.target_cells - inner_cells, 0.3 * options.target_cells);
   double radius_mm = std::cbrt(map.pieces.front().volume_mm3 / (cell_volume_share * for_liver));
+  const double largest_radius_mm = most_coarsening * radius_mm;
 
   // The count follows the radius by a power: -3 where the liver has nearly all cells, less steep where inner pieces
   // have.
@@ -204,9 +212,11 @@ Result<DelaunayRefinement> refine_to_target(const LabelField& field, const MeshO
       best = std::move(*refined);
     }
     if (best_miss < close_enough_count) break;
-    if (last_step != 0) power = std::clamp((excess - last_excess) / last_step, -3.5, -1.0);
+    if (last_step != 0) power = std::clamp((excess - last_excess) / last_step, -3.5, -0.3);
     last_excess = excess;
-    last_step = std::clamp(-excess / power, -std::log(2.0), std::log(2.0));
+    last_step =
+        std::min(std::clamp(-excess / power, -std::log(2.0), std::log(2.0)), std::log(largest_radius_mm / radius_mm));
+    if (last_step == 0) break;
     radius_mm *= std::exp(last_step);
   }
   return std::move(*best);

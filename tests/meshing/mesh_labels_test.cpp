@@ -67,9 +67,9 @@ TEST(MeshLabels, TheNumberOfCellsIsWithin15PercentOfTheTarget) {
 }
 
 TEST(MeshLabels, ATargetThatTheShapeDoesNotAllowIsSaidToBeMissed) {
-  const auto mesh = mesh_labels(ball_with_inner_ball(8), {.target_cells = 500});
+  const auto mesh = mesh_labels(ball_with_inner_ball(8), {.target_cells = 800, .inner_share = 0.9});
   ASSERT_TRUE(mesh) << mesh.error().message();
-  EXPECT_THAT(mesh->notes, Contains(HasSubstr("cells instead of 500")));
+  EXPECT_THAT(mesh->notes, Contains(HasSubstr("cells instead of 800")));
 }
 
 TEST(MeshLabels, AnInclusionIsNotLostInACoarseMesh) {
