@@ -6,6 +6,7 @@
 #include <cstring>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcpixel.h>
@@ -24,6 +25,14 @@
 namespace glisson::imaging {
 namespace {
 
+// What a JPEG, JPEG-LS or JPEG 2000 stream says of itself, read from its marker segments alone.
+struct CodestreamSize {
+  std::uint32_t columns = 0;
+  std::uint32_t rows = 0;
+  int components = 0;
+  int bits = 0;
+};
+
 enum class Coding { rle, jpeg, jpeg_ls, jpeg_2000, unknown };
 
 Coding coding_of(const std::string& uid) {
@@ -40,7 +49,8 @@ Failure damaged(const std::string& name) {
   return failure("dicom-pixels-damaged", GLISSON_TEXT("The compressed pixels of {0} are damaged."), {name});
 }
 
-Result<void> compare_sizes(const PixelFormat& format, const std::string& stream, const std::string& name);
+Result<void> compare_sizes(Coding coding, const PixelFormat& format, const std::string& stream,
+                           const std::string& name);
 Result<std::vector<std::uint8_t>> decode_by_dcmtk(const TransferSyntax& syntax, const PixelFormat& format,
                                                   const std::string& stream, const std::string& name);
 Result<std::vector<std::uint8_t>> decode_by_gdcm(const PixelFormat& format, const std::string& stream,
@@ -64,7 +74,7 @@ Result<std::vector<std::uint8_t>> decode_frame(const TransferSyntax& syntax, con
     if (!samples) return damaged(name);
     return std::move(*samples);
   }
-  if (const Result<void> sizes = compare_sizes(format, stream, name); !sizes) return failure(sizes.error());
+  if (const Result<void> sizes = compare_sizes(coding, format, stream, name); !sizes) return failure(sizes.error());
   try {
     return coding == Coding::jpeg_2000 ? decode_by_gdcm(format, stream, name)
                                        : decode_by_dcmtk(syntax, format, stream, name);
@@ -98,22 +108,22 @@ std::optional<CodestreamSize> jpeg_2000_size(const std::string& stream) {
   return size;
 }
 
-// ITU-T T.81 annex B: the frame header is one of SOF0..SOF15 (without DHT, JPG, DAC) or, in JPEG-LS, SOF55.
-std::optional<CodestreamSize> jpeg_size(const std::string& stream) {
+// ITU-T T.81 annex B and T.87: segments up to the frame header, each with its length. Markers that stand alone or are
+// padded have no place there; DCMTK loses its way over them, in one case for ever.
+std::optional<CodestreamSize> jpeg_size(const std::string& stream, bool jpeg_ls) {
+  if (stream.compare(0, 2, "\xFF\xD8") != 0) return std::nullopt;
   std::size_t at = 2;
   while (at + 4 <= stream.size()) {
-    if (static_cast<unsigned char>(stream[at]) != 0xFF) return std::nullopt;
-    const unsigned marker = static_cast<unsigned char>(stream[at + 1]);
-    if (marker == 0xFF) {
-      ++at;
-      continue;
-    }
-    const bool is_frame =
-        (marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC) || marker == 0xF7;
+    const unsigned marker = big_endian(stream, at, 2);
     const std::uint32_t length = big_endian(stream, at + 2, 2);
+    const bool stands_alone = marker == 0xFF01 || (marker >= 0xFFD0 && marker <= 0xFFD9);
+    if (marker < 0xFFC0 || marker == 0xFFFF || stands_alone) return std::nullopt;
     if (length < 2 || length > stream.size() - at - 2) return std::nullopt;
-    if (is_frame) {
-      if (length < 8) return std::nullopt;
+    const bool is_jpeg_frame =
+        marker >= 0xFFC0 && marker <= 0xFFCF && marker != 0xFFC4 && marker != 0xFFC8 && marker != 0xFFCC;
+    const bool is_jpeg_ls_frame = marker == 0xFFF7;
+    if (is_jpeg_frame || is_jpeg_ls_frame) {
+      if (is_jpeg_ls_frame != jpeg_ls || length < 8) return std::nullopt;
       return CodestreamSize{big_endian(stream, at + 7, 2), big_endian(stream, at + 5, 2),
                             static_cast<int>(big_endian(stream, at + 9, 1)),
                             static_cast<int>(big_endian(stream, at + 4, 1))};
@@ -123,17 +133,10 @@ std::optional<CodestreamSize> jpeg_size(const std::string& stream) {
   return std::nullopt;
 }
 
-}  // namespace
-
-std::optional<CodestreamSize> codestream_size(const std::string& stream) {
-  if (stream.compare(0, 2, "\xFF\xD8") == 0) return jpeg_size(stream);
-  return jpeg_2000_size(stream);
-}
-
-namespace {
-
-Result<void> compare_sizes(const PixelFormat& format, const std::string& stream, const std::string& name) {
-  const std::optional<CodestreamSize> size = codestream_size(stream);
+Result<void> compare_sizes(Coding coding, const PixelFormat& format, const std::string& stream,
+                           const std::string& name) {
+  const std::optional<CodestreamSize> size =
+      coding == Coding::jpeg_2000 ? jpeg_2000_size(stream) : jpeg_size(stream, coding == Coding::jpeg_ls);
   if (!size) return damaged(name);
   const bool fits = size->columns == static_cast<std::uint32_t>(format.columns) &&
                     size->rows == static_cast<std::uint32_t>(format.rows) && size->components == format.samples &&
