@@ -13,54 +13,65 @@ namespace glisson::segmentation {
 
 struct GrowOptions {
   // Around each seed the tissue's brightness and its spread are learnt in a ball of this radius. It holds a few
-  // hundred voxels of a clinical image, and fits between the large vessels.
+  // hundred voxels of a clinical image, and vessels fill less than half of it.
   double sample_radius_mm = 9;
 
-  // A voxel belongs when its smoothed brightness lies within this many spreads of the tissue's. Wider takes in
-  // muscle and stomach, narrower loses the noisy edge.
-  double tolerance_sd = 2.5;
+  // The image is judged at about this resolution: noise averages out, and the liver's outline is smooth on this scale.
+  double working_spacing_mm = 2.5;
+  double smoothing_mm = 3;  // standard deviation of the Gaussian in which a voxel's surroundings are judged
 
-  // The brightness that is expected may drift over this length, as the coils of an MR scanner make it do. Organs
-  // whose brightness differs are smaller than this and are not mistaken for a drift. Not used for CT (unit "HU").
-  double bias_length_mm = 60;
+  // The surroundings' mean may be this many spreads (of single voxels) off the tissue's. Deviations are counted up to
+  // twice that, so that the limit is crossed exactly where half of the surroundings is clearly something else.
+  double tolerance_sd = 1.0;
 
-  // A bridge to another organ that is narrower than twice this is cut. The liver itself is thicker but at the tips,
+  // The surroundings' mean absolute deviation, in spreads. Noise alone has 0.8; a mixture of brighter and darker
+  // tissue (muscle between fat) has up to 2 although its mean may be the liver's.
+  double roughness_sd = 1.5;
+
+  // The expected brightness follows the tissue found so far over this length, as coils (MR) and beam hardening (CT)
+  // make it drift. Other organs are smaller than this.
+  double drift_length_mm = 50;
+
+  // A bridge to another organ is cut where no ball of this radius fits. The liver itself is thicker but at its tips,
   // which are given back.
-  double neck_radius_mm = 6;
+  double neck_radius_mm = 7;
 
-  // Holes and clefts up to about this radius are taken as vessels or tumours and belong to the liver.
-  double closing_radius_mm = 4;
+  // Clefts and holes up to this radius count as vessels or tumours and belong to the liver.
+  double closing_radius_mm = 6;
 };
 
 // Why the outcome may not be the liver.
 enum class GrowthDoubt {
-  touches_border,  // reaches the edge of the image: the organ is cut, or the growth ran out through it
+  cut_by_image,    // reaches the first or last slice: the organ is not wholly in the image
+  leaves_image,    // reaches another face of the image: the growth has probably leaked
   too_large,       // more than a liver holds: probably leaked into a neighbour
-  too_small,       // less than a liver holds: probably stopped early
+  too_small,       // less than a liver holds, though the image does not cut it: probably stopped early
   seeds_disagree,  // seeds in tissue of different brightness: one is probably outside the liver
-  separate_pieces  // seeds whose regions do not meet
+  seed_ignored     // a seed with no tissue of its kind around it
 };
 
 struct GrowResult {
   imaging::Mask mask;  // on the grid of the image
   double volume_ml = 0;
-  double tissue_mean = 0;  // brightness at the seeds, after smoothing, in the image's unit
-  double tissue_sd = 0;
+  double tissue_mean = 0;  // brightness of the liver, in the image's unit
+  double tissue_sd = 0;    // spread of single voxels about it, the drift taken off
+  int rounds = 0;          // until the region stayed the same
   struct Doubt {
     GrowthDoubt kind;
-    std::string sentence;  // what was seen and what to do, English
+    std::string sentence;  // what was seen and what to do
   };
   std::vector<Doubt> doubts;
-  [[nodiscard]] bool probably_leaked() const;
+  [[nodiscard]] bool probably_leaked() const;  // leaves_image, too_large or seeds_disagree
 };
 
-// Grows from the seeds (patient LPS, mm) over connected tissue of the seeds' brightness, smoothed while edges are kept
-// and with the slow drift of the scanner's sensitivity followed; cuts narrow bridges to the heart, stomach, kidney and
-// muscle; closes vessels and tumours. Deterministic, whatever the number of threads.
+// Grows from the seeds (patient LPS, mm) over connected tissue of the seeds' brightness. In rounds: a voxel is tissue
+// when its surroundings are bright as expected and even; narrow bridges to heart, stomach, kidney and muscle are cut by
+// an opening; what holds the seeds is kept, and from it the expected brightness and its drift are learnt anew. In the
+// end vessels and tumours are closed and the outline is smoothed. Deterministic, whatever the number of threads.
 //
-// Fails with grow-no-seeds, grow-bad-image (empty or smaller than 3 voxels along an axis), grow-seed-outside (which
-// seed, and how far), grow-seed-on-nothing (no finite value around it), grow-constant-image, grow-bad-options,
-// grow-nothing-found, cancelled.
+// Fails with grow-no-seeds, grow-bad-options, grow-bad-image (an axis shorter than three voxels), grow-seed-outside
+// (which, and how far), grow-seed-on-nothing (no finite value around it), grow-constant-image, grow-nothing-found,
+// cancelled.
 Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vector<Eigen::Vector3d>& seeds_mm,
                                    const GrowOptions& options = {}, const Progress& progress = {});
 

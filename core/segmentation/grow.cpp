@@ -1,0 +1,364 @@
+// Growing in rounds: what looks like the tissue, what of it hangs together, and what the tissue looks like then.
+
+#include "segmentation/grow.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "segmentation/connected.h"
+#include "segmentation/edit.h"
+#include "segmentation/slice_holes.h"
+#include "segmentation/structures.h"
+#include "segmentation/tissue_model.h"
+#include "segmentation/working_grid.h"
+
+namespace glisson::segmentation {
+namespace {
+
+using Eigen::Vector3d;
+using imaging::Grid;
+using imaging::Mask;
+
+using WorkingImage = imaging::Image<float>;  // block means of the image
+
+constexpr int most_rounds = 10;  // the region is usually the same after four to six
+
+// Adults' livers hold about -794 + 1267 BSA ml (Vauthey et al., Liver Transplantation 8:233, 2002): 0.7 l at 1.2 m2 of
+// body surface, 2.5 l at 2.6 m2. Wider on both sides for small remnants and large, fatty livers.
+constexpr double smallest_liver_ml = 500;
+constexpr double largest_liver_ml = 3500;
+
+Result<void> check(const imaging::Volume& image, const std::vector<Vector3d>& seeds_mm, const GrowOptions& options);
+
+// What is known of one seed.
+struct Seed {
+  Vector3d position_mm;
+  std::vector<std::size_t> voxels;  // around it, of its own brightness
+  double brightness;
+  double sd;  // of single voxels
+};
+Result<std::vector<Seed>> look_around_seeds(const WorkingImage& image, const std::vector<Vector3d>& seeds_mm,
+                                            const GrowOptions& options, double smallest_sd);
+Mask mask_of_seeds(const std::vector<Seed>& seeds, const Grid& grid);
+
+// The part of the tissue that hangs together with the seeds and is thicker than a neck, its tips given back.
+struct Region {
+  Mask core;  // centres of balls of the neck's radius that fit
+  Mask whole;
+  std::vector<bool> holds_seed;  // for each seed: whether there was any
+};
+Region region_of(const Mask& tissue, const std::vector<Seed>& seeds, const GrowOptions& options);
+
+Mask finished(const Region& region, const Grid& grid, const std::array<int, 3>& block, const GrowOptions& options);
+std::vector<GrowResult::Doubt> doubts_about(const GrowResult& result, const std::vector<Seed>& seeds,
+                                            const Region& region);
+
+// The finite values but for the lowest and highest fiftieth: metal and noise do not stretch it.
+struct Range {
+  double low = 0, high = 0;
+  enum class Contrast { none, some } contrast = Contrast::none;
+};
+Range range_of(const std::vector<float>& values);
+std::vector<std::size_t> voxels_around(const Vector3d& center_mm, double radius_mm, const Grid& grid);
+
+}  // namespace
+
+bool GrowResult::probably_leaked() const {
+  return std::any_of(doubts.begin(), doubts.end(), [](const Doubt& doubt) {
+    return doubt.kind == GrowthDoubt::leaves_image || doubt.kind == GrowthDoubt::too_large ||
+           doubt.kind == GrowthDoubt::seeds_disagree;
+  });
+}
+
+Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vector<Vector3d>& seeds_mm,
+                                   const GrowOptions& options, const Progress& progress) {
+  if (Result<void> checked = check(image, seeds_mm, options); !checked) return failure(checked.error());
+  const std::array<int, 3> block = blocks_of(image.grid, options.working_spacing_mm);
+  const WorkingImage working = block_means(image.grid, image.values, block);
+  const Range range = range_of(working.values);
+  if (range.contrast == Range::Contrast::none) {
+    return failure("grow-constant-image",
+                   GLISSON_TEXT("Every voxel of the image has the same value: there is nothing to grow in."));
+  }
+  const double smallest_sd =
+      std::max(0.005 * (range.high - range.low), 1e-6);  // an image without noise still has partial volumes
+
+  Result<std::vector<Seed>> seeds = look_around_seeds(working, seeds_mm, options, smallest_sd);
+  if (!seeds) return failure(seeds.error());
+
+  // Values well below zero are Hounsfield units, in which a drift adds; elsewhere it scales.
+  const double darkest_seed = std::min_element(seeds->begin(), seeds->end(), [](const Seed& a, const Seed& b) {
+                                return a.brightness < b.brightness;
+                              })->brightness;
+  const bool scales = image.unit != "HU" && darkest_seed > 0 && range.low > -darkest_seed;
+  const auto drift = scales ? TissueModel::Drift::proportional : TissueModel::Drift::additive;
+
+  GrowResult result;
+  TissueModel tissue =
+      learn_tissue(working, mask_of_seeds(*seeds, working.grid), drift, options.drift_length_mm, smallest_sd);
+  tissue.sd = 0;
+  for (const Seed& seed : *seeds) tissue.sd = std::max(tissue.sd, seed.sd);
+  Region region;
+  std::vector<std::uint8_t> before;
+  for (result.rounds = 1; result.rounds <= most_rounds; ++result.rounds) {
+    if (progress.cancelled()) return cancelled();
+    progress.report(static_cast<double>(result.rounds) / (most_rounds + 2), GLISSON_TEXT("Growing"));
+    Mask looks = looks_like(tissue, working, options);
+    for (const Seed& seed : *seeds) {
+      for (const std::size_t voxel : seed.voxels) looks.values[voxel] = 1;
+    }
+    region = region_of(with_slice_holes_filled(looks, options.closing_radius_mm + 2), *seeds, options);
+    if (voxel_count(region.core) == 0) {
+      return failure(Error{"grow-nothing-found",
+                           GLISSON_TEXT("No tissue thick enough to be an organ hangs together with the seeds."),
+                           {},
+                           GLISSON_TEXT("Move the seed into the middle of the liver, away from vessels and edges."),
+                           {}});
+    }
+    if (region.whole.values == before) break;
+    before = region.whole.values;
+    tissue = learn_tissue(working, region.core, drift, options.drift_length_mm, smallest_sd);
+  }
+
+  if (progress.cancelled()) return cancelled();
+  progress.report(static_cast<double>(most_rounds + 1) / (most_rounds + 2), GLISSON_TEXT("Smoothing the outline"));
+  result.rounds = std::min(result.rounds, most_rounds);
+  result.mask = finished(region, image.grid, block, options);
+  result.volume_ml = volume_ml(result.mask);
+  result.tissue_mean = tissue.mean;
+  result.tissue_sd = tissue.sd;
+  result.doubts = doubts_about(result, *seeds, region);
+  progress.report(1.0, GLISSON_TEXT("Smoothing the outline"));
+  return result;
+}
+
+namespace {
+
+Region region_of(const Mask& tissue, const std::vector<Seed>& seeds, const GrowOptions& options) {
+  Region region;
+  region.core = with_margin(tissue, -options.neck_radius_mm);
+  const ConnectedVoxels connected = connected_voxels(region.core, Neighbours::faces);
+  std::vector<bool> kept(connected.sizes.size(), false);
+  for (const Seed& seed : seeds) {
+    // A seed near the liver's surface lies outside the core: the nearest part of the core around it is meant.
+    double nearest_mm = INFINITY;
+    std::uint32_t piece = 0;
+    for (const std::size_t voxel :
+         voxels_around(seed.position_mm, options.neck_radius_mm + options.sample_radius_mm, tissue.grid)) {
+      if (connected.piece[voxel] == 0) continue;
+      const auto nx = static_cast<std::size_t>(tissue.grid.size[0]), ny = static_cast<std::size_t>(tissue.grid.size[1]);
+      const double distance_mm =
+          (tissue.grid.position_mm(static_cast<int>(voxel % nx), static_cast<int>(voxel / nx % ny),
+                                   static_cast<int>(voxel / (nx * ny))) -
+           seed.position_mm)
+              .norm();
+      if (distance_mm < nearest_mm) {
+        nearest_mm = distance_mm;
+        piece = connected.piece[voxel];
+      }
+    }
+    region.holds_seed.push_back(piece != 0);
+    kept[piece] = piece != 0;
+  }
+  kept[0] = false;
+  for (std::size_t voxel = 0; voxel < region.core.values.size(); ++voxel) {
+    region.core.values[voxel] = kept[connected.piece[voxel]] ? 1 : 0;
+  }
+  // Balls that fit, and half a voxel more for the rim that the grid rounds away.
+  region.whole = with_margin(region.core, options.neck_radius_mm + 0.5 * tissue.grid.spacing_mm.maxCoeff());
+  for (std::size_t voxel = 0; voxel < tissue.values.size(); ++voxel) {
+    if (tissue.values[voxel] == 0) region.whole.values[voxel] = 0;
+  }
+  return region;
+}
+
+// Vessels and tumours closed, the outline smoothed, on the image's own grid.
+Mask finished(const Region& region, const Grid& grid, const std::array<int, 3>& block, const GrowOptions& options) {
+  Mask closed = with_margin(with_margin(region.whole, options.closing_radius_mm), -options.closing_radius_mm);
+  closed = fill_holes(std::move(closed));
+  const Grid& coarse = closed.grid;
+  closed = smooth(std::move(closed), 0.7 * coarse.spacing_mm.maxCoeff());
+
+  const imaging::Image<float> level{coarse, std::vector<float>(closed.values.begin(), closed.values.end())};
+  const std::vector<float> fine = interpolated(level, grid, block);
+  Mask mask{grid, std::vector<std::uint8_t>(grid.voxels())};
+  for (std::size_t voxel = 0; voxel < fine.size(); ++voxel) mask.values[voxel] = fine[voxel] >= 0.5F ? 1 : 0;
+
+  // Crumbs that smoothing broke off go; pieces that hold seeds of their own stay.
+  const ConnectedVoxels connected = connected_voxels(mask, Neighbours::faces);
+  const std::size_t crumb = connected.sizes[connected.largest()] / 100;
+  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+    if (connected.sizes[connected.piece[voxel]] <= crumb) mask.values[voxel] = 0;
+  }
+  return mask;
+}
+
+Result<std::vector<Seed>> look_around_seeds(const WorkingImage& image, const std::vector<Vector3d>& seeds_mm,
+                                            const GrowOptions& options, double smallest_sd) {
+  const std::vector<float> smooth_image = smoothed(image, options.smoothing_mm);
+  std::vector<Seed> seeds;
+  for (std::size_t n = 0; n < seeds_mm.size(); ++n) {
+    Seed seed{seeds_mm[n], {}, 0, 0};
+    std::vector<float> brightness, single;
+    std::vector<std::size_t> around;
+    for (const std::size_t voxel : voxels_around(seed.position_mm, options.sample_radius_mm, image.grid)) {
+      if (!std::isfinite(image.values[voxel])) continue;
+      around.push_back(voxel);
+      brightness.push_back(smooth_image[voxel]);
+      single.push_back(image.values[voxel]);
+    }
+    if (around.empty()) {
+      return failure("grow-seed-on-nothing", GLISSON_TEXT("There is no image value around seed {0}."),
+                     {std::to_string(n + 1)});
+    }
+    seed.brightness = mode_of(brightness);
+    for (float& value : single) value = std::abs(value - static_cast<float>(seed.brightness));
+    seed.sd = std::max(1.4826 * median_of(std::move(single)), smallest_sd);
+    for (const std::size_t voxel : around) {
+      const double off = std::abs(static_cast<double>(smooth_image[voxel]) - seed.brightness);
+      if (off < options.tolerance_sd * seed.sd) seed.voxels.push_back(voxel);
+    }
+    seeds.push_back(std::move(seed));
+  }
+  return seeds;
+}
+
+std::vector<GrowResult::Doubt> doubts_about(const GrowResult& result, const std::vector<Seed>& seeds,
+                                            const Region& region) {
+  std::vector<GrowResult::Doubt> doubts;
+  const auto [darkest, brightest] = std::minmax_element(
+      seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) { return a.brightness < b.brightness; });
+  if (brightest->brightness - darkest->brightness > 3 * result.tissue_sd) {
+    doubts.push_back(
+        {GrowthDoubt::seeds_disagree,
+         fmt::format("Seed {} is much brighter ({:.0f}) than seed {} ({:.0f}): one of them is probably not "
+                     "in the liver. Take it away.",
+                     brightest - seeds.begin() + 1, brightest->brightness, darkest - seeds.begin() + 1,
+                     darkest->brightness)});
+  }
+  for (std::size_t n = 0; n < seeds.size(); ++n) {
+    if (region.holds_seed[n]) continue;
+    doubts.push_back({GrowthDoubt::seed_ignored,
+                      fmt::format("Nothing grew from seed {}: the tissue around it is too thin or uneven. Move it to "
+                                  "the middle of the liver.",
+                                  n + 1)});
+  }
+
+  bool first_or_last_slice = false, other_face = false;
+  const Grid& grid = result.mask.grid;
+  for (int k = 0; k < grid.size[2]; ++k) {
+    for (int j = 0; j < grid.size[1]; ++j) {
+      for (int i = 0; i < grid.size[0]; ++i) {
+        if (result.mask.at(i, j, k) == 0) continue;
+        if (k == 0 || k + 1 == grid.size[2]) first_or_last_slice = true;
+        if (i == 0 || j == 0 || i + 1 == grid.size[0] || j + 1 == grid.size[1]) other_face = true;
+      }
+    }
+  }
+  if (other_face) {
+    doubts.push_back({GrowthDoubt::leaves_image,
+                      "The region reaches the side of the image: it has probably leaked into the body wall. Cut it "
+                      "there, or raise neck_radius_mm."});
+  }
+  if (first_or_last_slice) {
+    doubts.push_back({GrowthDoubt::cut_by_image,
+                      "The region reaches the first or last slice: the liver is not wholly in the image, and its "
+                      "volume is that of the part seen."});
+  }
+  if (result.volume_ml > largest_liver_ml) {
+    doubts.push_back({GrowthDoubt::too_large,
+                      fmt::format("{:.0f} ml is more than a liver holds: the region has probably leaked into a "
+                                  "neighbour. Raise neck_radius_mm, or cut it by hand.",
+                                  result.volume_ml)});
+  }
+  if (result.volume_ml < smallest_liver_ml && !first_or_last_slice) {
+    doubts.push_back({GrowthDoubt::too_small,
+                      fmt::format("{:.0f} ml is less than an adult's liver holds: the growth has probably stopped "
+                                  "early. Add a seed in the part that is missing, or raise tolerance_sd.",
+                                  result.volume_ml)});
+  }
+  return doubts;
+}
+
+Result<void> check(const imaging::Volume& image, const std::vector<Vector3d>& seeds_mm, const GrowOptions& options) {
+  if (*std::min_element(image.grid.size.begin(), image.grid.size.end()) < 3 ||
+      image.values.size() != image.grid.voxels()) {
+    return failure(
+        "grow-bad-image", GLISSON_TEXT("An image of {0} x {1} x {2} voxels is too thin to grow in."),
+        {std::to_string(image.grid.size[0]), std::to_string(image.grid.size[1]), std::to_string(image.grid.size[2])});
+  }
+  for (const double value :
+       {options.sample_radius_mm, options.working_spacing_mm, options.smoothing_mm, options.tolerance_sd,
+        options.roughness_sd, options.drift_length_mm, options.neck_radius_mm, options.closing_radius_mm}) {
+    if (std::isfinite(value) && value > 0) continue;
+    return failure("grow-bad-options", GLISSON_TEXT("The options of growing must be positive, and one is {0}."),
+                   {fmt::format("{}", value)});
+  }
+  if (seeds_mm.empty()) {
+    return failure(Error{"grow-no-seeds",
+                         GLISSON_TEXT("There is no seed to grow from."),
+                         {},
+                         GLISSON_TEXT("Give at least one point in the middle of the liver."),
+                         {}});
+  }
+  const Vector3d last(image.grid.size[0] - 1, image.grid.size[1] - 1, image.grid.size[2] - 1);
+  for (std::size_t n = 0; n < seeds_mm.size(); ++n) {
+    const Vector3d index = image.grid.index_of(seeds_mm[n]);
+    const Vector3d inside = index.cwiseMax(Vector3d::Constant(-0.5)).cwiseMin(last + Vector3d::Constant(0.5));
+    const double outside_mm = (index - inside).cwiseProduct(image.grid.spacing_mm).norm();
+    if (outside_mm <= 1e-6) continue;  // false for NaN
+    return failure(Error{"grow-seed-outside",
+                         GLISSON_TEXT("Seed {0} at ({1}) mm lies {2} mm outside the image."),
+                         {std::to_string(n + 1),
+                          fmt::format("{:.1f}, {:.1f}, {:.1f}", seeds_mm[n].x(), seeds_mm[n].y(), seeds_mm[n].z()),
+                          fmt::format("{:.1f}", outside_mm)},
+                         GLISSON_TEXT("Seeds are DICOM patient coordinates (LPS) in mm, not voxel indices."),
+                         {}});
+  }
+  return {};
+}
+
+Mask mask_of_seeds(const std::vector<Seed>& seeds, const Grid& grid) {
+  Mask mask{grid, std::vector<std::uint8_t>(grid.voxels())};
+  for (const Seed& seed : seeds) {
+    for (const std::size_t voxel : seed.voxels) mask.values[voxel] = 1;
+  }
+  return mask;
+}
+
+Range range_of(const std::vector<float>& values) {
+  std::vector<float> sorted;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(sorted),
+               [](float value) { return std::isfinite(value); });
+  if (sorted.empty()) return {};
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t tail = sorted.size() / 50;
+  return {static_cast<double>(sorted[tail]), static_cast<double>(sorted[sorted.size() - 1 - tail]),
+          sorted.front() < sorted.back() ? Range::Contrast::some : Range::Contrast::none};
+}
+
+std::vector<std::size_t> voxels_around(const Vector3d& center_mm, double radius_mm, const Grid& grid) {
+  std::vector<std::size_t> voxels;
+  const Vector3d center = grid.index_of(center_mm);
+  std::array<int, 3> first{}, last{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    const double reach = radius_mm / grid.spacing_mm[a];
+    first[axis] = static_cast<int>(std::clamp(std::ceil(center[a] - reach), 0.0, grid.size[axis] - 1.0));
+    last[axis] = static_cast<int>(std::clamp(std::floor(center[a] + reach), 0.0, grid.size[axis] - 1.0));
+  }
+  for (int k = first[2]; k <= last[2]; ++k) {
+    for (int j = first[1]; j <= last[1]; ++j) {
+      for (int i = first[0]; i <= last[0]; ++i) {
+        if ((grid.position_mm(i, j, k) - center_mm).norm() <= radius_mm) voxels.push_back(grid.offset(i, j, k));
+      }
+    }
+  }
+  return voxels;
+}
+
+}  // namespace
+}  // namespace glisson::segmentation
