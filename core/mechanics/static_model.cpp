@@ -189,6 +189,10 @@ StaticResult StaticModel::Parts::result_of(const ConstrainedSolution& solution, 
                     "extrapolation there.",
                     100.0 * strains.largest_strain));
   }
+  // 1e-16 of rounding over a condition beyond 1e14 leaves no correct digit, however small the residual.
+  if (system->factor() && system->factor()->reciprocal_condition() < 1e-14) {
+    result.notes.emplace_back("The body is barely held: small errors of its data change the displacements a lot.");
+  }
   if (result.max_displacement_mm == 0 && force_mN.norm() > 0) {
     result.notes.emplace_back("Every load acts on what is held: nothing moves.");
   }
