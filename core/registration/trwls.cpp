@@ -95,18 +95,22 @@ class Trwls {
   }
   // The message from node s to node t. All messages to one node lie one after the other. Between nodes lies a little
   // more, lest the messages from one node fall into the same few places of the cache.
-  [[nodiscard]] Word* message(int s, int t) {
-    return messages_.data() + static_cast<std::size_t>(t) * messages_to_one_node() +
-           static_cast<std::size_t>(s) * stride_;
+  [[nodiscard]] std::size_t message_index(int s, int t) const {
+    return static_cast<std::size_t>(t) * messages_to_one_node() + static_cast<std::size_t>(s) * stride_;
   }
+  [[nodiscard]] Word* message(int s, int t) { return messages_.data() + message_index(s, t); }
+  [[nodiscard]] const Word* message(int s, int t) const { return messages_.data() + message_index(s, t); }
   [[nodiscard]] std::size_t messages_to_one_node() const { return count() * stride_ + words_in_widest_vector; }
 
   void help();
+  void add_cost_of_neighbour(int s, int t, int label_of_t, Total* costs) const;
   bool send(const Schedule::Claim& claim, AlignedVector<Word>& scratch);
   void gather(int sweep, int position);
   void scale_belief(const Total* belief, Total least, int node, Word* scaled) const;
   [[nodiscard]] double lower_bound(int sweep) const;
-  [[nodiscard]] Labelling labelling();
+  [[nodiscard]] Labelling labelling() const;
+  void polish(Labelling& labels) const;
+  [[nodiscard]] int cheapest(const AlignedVector<Total>& costs) const;
 
   const TrwlsOptions& options_;
   SliceKernels<Word> kernels_;
@@ -149,6 +153,7 @@ MatchingSolution Trwls<Word>::run(const Progress& progress) {
     schedule_.wait_for_belief(last_sweep, nodes_ - 1, [this](int s, int p) { gather(s, p); });
 
     Labelling labels = labelling();
+    if (options_.polish == Polish::single_nodes) polish(labels);
     const SolverPass outcome{energy_(labels), lower_bound(last_sweep)};
     schedule_.labelling_was_read(pass + 1);
     solution.passes.push_back(outcome);
@@ -240,23 +245,48 @@ double Trwls<Word>::lower_bound(int sweep) const {
 
 // As in `trws`: node by node, given the labels fixed before it and the messages from the nodes after it.
 template <typename Word>
-Labelling Trwls<Word>::labelling() {
-  const Slices<Word>& slices = field_.slices;
+Labelling Trwls<Word>::labelling() const {
   Labelling labels(count());
   AlignedVector<Total> costs(stride_);
   for (int s = 0; s < nodes_; ++s) {
     const Total* seed = field_.seed.data() + static_cast<std::size_t>(s) * stride_;
     std::copy(seed, seed + stride_, costs.begin());
-    for (int t = 0; t < s; ++t) {
-      const std::size_t pair = slices.pair_of_nodes(t, s);
-      kernels_.add_costs(slices, slices.x[pair], slices.x_weight[pair], labels[static_cast<std::size_t>(t)],
-                         costs.data());
-    }
-    if (s + 1 < nodes_) kernels_.add_messages(slices, message(s + 1, s), nodes_ - 1 - s, costs.data());
-    labels[static_cast<std::size_t>(s)] =
-        static_cast<int>(std::min_element(costs.begin(), costs.begin() + slices.labels) - costs.begin());
+    for (int t = 0; t < s; ++t) add_cost_of_neighbour(s, t, labels[static_cast<std::size_t>(t)], costs.data());
+    if (s + 1 < nodes_) kernels_.add_messages(field_.slices, message(s + 1, s), nodes_ - 1 - s, costs.data());
+    labels[static_cast<std::size_t>(s)] = cheapest(costs);
   }
   return labels;
+}
+
+template <typename Word>
+void Trwls<Word>::polish(Labelling& labels) const {
+  constexpr int most_rounds = 20;
+  AlignedVector<Total> costs(stride_);
+  int settled = 0;  // nodes in a row that kept their labels
+  for (int visit = 0; visit < most_rounds * nodes_ && settled < nodes_; ++visit) {
+    const int s = visit % nodes_;
+    int& label = labels[static_cast<std::size_t>(s)];
+    const Total* seed = field_.seed.data() + static_cast<std::size_t>(s) * stride_;
+    std::copy(seed, seed + stride_, costs.begin());
+    for (int t = 0; t < nodes_; ++t) {
+      if (t != s) add_cost_of_neighbour(s, t, labels[static_cast<std::size_t>(t)], costs.data());
+    }
+    const int best = cheapest(costs);
+    const bool better = costs[static_cast<std::size_t>(best)] < costs[static_cast<std::size_t>(label)];
+    settled = better ? 0 : settled + 1;
+    if (better) label = best;
+  }
+}
+
+template <typename Word>
+void Trwls<Word>::add_cost_of_neighbour(int s, int t, int label_of_t, Total* costs) const {
+  const std::size_t pair = field_.slices.pair_of_nodes(t, s);
+  kernels_.add_costs(field_.slices, field_.slices.x[pair], field_.slices.x_weight[pair], label_of_t, costs);
+}
+
+template <typename Word>
+int Trwls<Word>::cheapest(const AlignedVector<Total>& costs) const {
+  return static_cast<int>(std::min_element(costs.begin(), costs.begin() + field_.slices.labels) - costs.begin());
 }
 
 template <typename Word>

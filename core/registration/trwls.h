@@ -21,7 +21,14 @@ enum class Instructions {
   plain    // portable C++, which says what the vectors must answer
 };
 
+// What becomes of the labelling that is read from the messages after each pass.
+enum class Polish {
+  none,         // it is taken as it is, as in `trws`
+  single_nodes  // then one node at a time takes the label that is cheapest given all others, until none changes
+};
+
 struct TrwlsOptions : SolverOptions {
+  Polish polish = Polish::single_nodes;  // a tenth of a pass, and fewer passes are needed
   WordWidth width = WordWidth::bits_16;
   Instructions instructions = Instructions::widest;
 };

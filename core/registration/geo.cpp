@@ -1,0 +1,275 @@
+#include "registration/geo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <numeric>
+#include <random>
+
+#include "base/parallel.h"
+#include "registration/trwls.h"
+#include "registration/trws.h"
+
+namespace glisson::registration {
+namespace {
+
+using geometry::Surface;
+
+// One side of the matching: the surface and its samples.
+struct Side {
+  const Surface& surface;
+  const GeodesicSamples& samples;
+
+  [[nodiscard]] const Eigen::Vector3d& position_mm(int sample) const {
+    return surface.points_mm[static_cast<std::size_t>(samples.points[static_cast<std::size_t>(sample)])];
+  }
+};
+
+Eigen::MatrixXd position_seed(const Side& nodes, const Side& labels, double tau_mm, double weight);
+Result<MatchingSolution> solve(const MatchingProblem& problem, const GeoOptions& options);
+std::vector<Labelling> rough_matchings(const MatchingProblem& problem);
+Result<MatchingSolution> solve_from(MatchingProblem problem, const Labelling& start, const GeoOptions& options);
+double orientation_kept(const Side& nodes, const Side& labels, const Labelling& labelling);
+
+}  // namespace
+
+Result<SurfaceMatch> match_surfaces(const Surface& source, const Surface& target, const GeoOptions& options,
+                                    const Progress& progress) {
+  SurfaceMatch match;
+  auto source_samples = sample_surface(source, options.points, 0, progress.part(0, 0.45));
+  if (!source_samples) return failure(source_samples.error());
+  auto target_samples = sample_surface(target, options.points, 0, progress.part(0.45, 0.9));
+  if (!target_samples) return failure(target_samples.error());
+  match.source_samples = std::move(*source_samples);
+  match.target_samples = std::move(*target_samples);
+
+  const double source_area_mm2 = geometry::area_mm2(source);
+  const double target_area_mm2 = geometry::area_mm2(target);
+  match.swapped = target_area_mm2 < source_area_mm2;
+  const Side source_side{source, match.source_samples};
+  const Side target_side{target, match.target_samples};
+  const Side& nodes = match.swapped ? target_side : source_side;
+  const Side& labels = match.swapped ? source_side : target_side;
+
+  MatchingProblem problem;
+  problem.source_mm = nodes.samples.between_mm;
+  problem.target_mm = labels.samples.between_mm;
+  const double size_mm = std::sqrt(std::max(source_area_mm2, target_area_mm2));
+  problem.sigma_mm = options.relative_sigma * size_mm;
+  problem.tau_mm = options.relative_tau * size_mm;
+  if (options.prior == Prior::positions) {
+    problem.seed = position_seed(nodes, labels, problem.tau_mm, options.prior_weight);
+  }
+  progress.report(0.9, "matching");
+  auto solution = solve(problem, options);
+  if (!solution) return failure(solution.error());
+  match.orientation_kept = orientation_kept(nodes, labels, solution->labels);
+  double solve_ms = solution->solve_ms;
+  for (const Labelling& start : rough_matchings(problem)) {
+    if (progress.cancelled()) return cancelled();
+    auto other = solve_from(problem, start, options);
+    if (!other) return failure(other.error());
+    const double kept = orientation_kept(nodes, labels, other->labels);
+    solve_ms += other->solve_ms;
+    const bool turned_right = kept >= 0.5;
+    const bool was_turned_right = match.orientation_kept >= 0.5;
+    if (turned_right != was_turned_right ? turned_right : other->energy < solution->energy) {
+      match.orientation_kept = kept;
+      solution = std::move(other);
+    }
+  }
+  solution->solve_ms = solve_ms;
+  if (progress.cancelled()) return cancelled();
+
+  match.solution = std::move(*solution);
+  for (std::size_t node = 0; node < nodes.samples.points.size(); ++node) {
+    const int node_point = nodes.samples.points[node];
+    const int label_point = labels.samples.points[static_cast<std::size_t>(match.solution.labels[node])];
+    match.source_points.push_back(match.swapped ? label_point : node_point);
+    match.target_points.push_back(match.swapped ? node_point : label_point);
+  }
+  return match;
+}
+
+std::vector<int> densify(const SurfaceMatch& match) {
+  constexpr int neighbours = 12;  // matches that a point's place is told from: enough that one bad one is outvoted
+  const auto matches = static_cast<int>(match.source_points.size());
+  const auto row_of = [](const GeodesicSamples& samples, int point) {
+    return std::find(samples.points.begin(), samples.points.end(), point) - samples.points.begin();
+  };
+  std::vector<Eigen::Index> source_row, target_row;
+  for (int i = 0; i < matches; ++i) {
+    source_row.push_back(row_of(match.source_samples, match.source_points[static_cast<std::size_t>(i)]));
+    target_row.push_back(row_of(match.target_samples, match.target_points[static_cast<std::size_t>(i)]));
+  }
+  const Eigen::MatrixXd& source_mm = match.source_samples.to_surface_mm;
+  const Eigen::MatrixXd& target_mm = match.target_samples.to_surface_mm;
+
+  // The points of the target around where each match leads.
+  const double radius_mm = 2.5 * match.target_samples.covering_radius_mm;
+  std::vector<std::vector<int>> around(static_cast<std::size_t>(matches));
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    for (Eigen::Index point = 0; point < target_mm.cols(); ++point) {
+      if (target_mm(target_row[i], point) <= radius_mm) around[i].push_back(static_cast<int>(point));
+    }
+  }
+
+  std::vector<int> target_of(static_cast<std::size_t>(source_mm.cols()));
+  parallel_for(target_of.size(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::size_t> nearest(static_cast<std::size_t>(matches));
+    for (std::size_t point = begin; point < end; ++point) {
+      const auto column = static_cast<Eigen::Index>(point);
+      std::iota(nearest.begin(), nearest.end(), std::size_t{0});
+      const auto count = static_cast<std::ptrdiff_t>(std::min(neighbours, matches));
+      std::partial_sort(nearest.begin(), nearest.begin() + count, nearest.end(), [&](std::size_t a, std::size_t b) {
+        return source_mm(source_row[a], column) < source_mm(source_row[b], column);
+      });
+      double least = std::numeric_limits<double>::infinity();
+      for (const int candidate : around[nearest.front()]) {
+        double misfit_mm = 0;
+        for (auto i = nearest.begin(); i != nearest.begin() + count && misfit_mm < least; ++i) {
+          misfit_mm += std::abs(source_mm(source_row[*i], column) - target_mm(target_row[*i], candidate));
+        }
+        if (misfit_mm < least) {
+          least = misfit_mm;
+          target_of[point] = candidate;
+        }
+      }
+    }
+  });
+  return target_of;
+}
+
+namespace {
+
+Eigen::MatrixXd position_seed(const Side& nodes, const Side& labels, double tau_mm, double weight) {
+  const auto node_count = static_cast<Eigen::Index>(nodes.samples.points.size());
+  const auto label_count = static_cast<Eigen::Index>(labels.samples.points.size());
+  Eigen::MatrixXd seed(node_count, label_count);
+  for (Eigen::Index i = 0; i < node_count; ++i) {
+    for (Eigen::Index l = 0; l < label_count; ++l) {
+      const double distance_mm =
+          (nodes.position_mm(static_cast<int>(i)) - labels.position_mm(static_cast<int>(l))).norm();
+      seed(i, l) = weight * static_cast<double>(node_count - 1) * std::min(distance_mm, tau_mm);
+    }
+  }
+  return seed;
+}
+
+Result<MatchingSolution> solve(const MatchingProblem& problem, const GeoOptions& options) {
+  if (options.solver == Solver::trws) {
+    const auto mrf = store(problem);
+    if (!mrf) return failure(mrf.error());
+    return trws(*mrf, options.solving);
+  }
+  TrwlsOptions solving;
+  static_cast<SolverOptions&>(solving) = options.solving;
+  return trwls(problem, solving);
+}
+
+Eigen::MatrixXd seed_of(const MatchingProblem& problem) {
+  if (problem.seed.size() > 0) return problem.seed;
+  return Eigen::MatrixXd::Zero(problem.nodes(), problem.labels());
+}
+
+// Matchings of the first few nodes, the extremities, that are good in different ways: the solver is started from
+// noise, again and again. Mirrored ones and those with head and tail swapped are among them, and the right one.
+std::vector<Labelling> rough_matchings(const MatchingProblem& problem) {
+  constexpr int rough_nodes = 24, starts = 40, most = 8;
+  constexpr double worst = 1.5;  // of the best energy
+  const int nodes = std::min(rough_nodes, problem.nodes());
+  MatchingProblem rough = problem;
+  rough.source_mm = problem.source_mm.topLeftCorner(nodes, nodes);
+  rough.seed = seed_of(problem).topRows(nodes) * (static_cast<double>(nodes) / problem.nodes());
+  const MatchingEnergy energy(rough);
+  const double most_noise = 0.3 * problem.q * problem.tau_mm * (nodes - 1);
+
+  struct Found {
+    double energy;
+    Labelling labels;
+  };
+  std::vector<Found> found;
+  std::mt19937 random(20151207);  // any number; the same each time, so that the same surfaces match the same way
+  std::uniform_real_distribution<double> noise(0, most_noise);
+  TrwlsOptions solving;
+  solving.passes = 3;
+  for (int start = 0; start < starts; ++start) {
+    MatchingProblem noisy = rough;
+    noisy.seed += Eigen::MatrixXd::NullaryExpr(nodes, problem.labels(), [&] { return noise(random); });
+    const auto solution = trwls(noisy, solving);
+    if (!solution) continue;
+    auto settled = solve_from(rough, solution->labels, GeoOptions{.solving = solving});
+    if (!settled) continue;
+    found.push_back({energy(settled->labels), std::move(settled->labels)});
+  }
+  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.energy < b.energy; });
+
+  const auto is_like = [&](const Labelling& a, const Labelling& b) {
+    double apart_mm = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) apart_mm += std::min(problem.target_mm(a[i], b[i]), problem.tau_mm);
+    return apart_mm < 0.2 * problem.tau_mm * static_cast<double>(a.size());
+  };
+  std::vector<Labelling> different;
+  for (const Found& candidate : found) {
+    if (candidate.energy > worst * found.front().energy || static_cast<int>(different.size()) == most) break;
+    const bool is_new = std::none_of(different.begin(), different.end(),
+                                     [&](const Labelling& known) { return is_like(candidate.labels, known); });
+    if (is_new) different.push_back(candidate.labels);
+  }
+  return different;
+}
+
+// Leaving the start, which may be of the first nodes only, costs; so the solver begins there. Where it ends is polished
+// and judged by the field itself.
+Result<MatchingSolution> solve_from(MatchingProblem problem, const Labelling& start, const GeoOptions& options) {
+  const Eigen::MatrixXd own_seed = seed_of(problem);
+  const double cost_of_leaving = 0.1 * problem.q * problem.tau_mm * (problem.nodes() - 1);
+  problem.seed = own_seed;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    problem.seed.row(static_cast<Eigen::Index>(i)) +=
+        cost_of_leaving * (problem.target_mm.row(start[i]) / problem.tau_mm).cwiseMin(1.0);
+  }
+  auto solution = solve(problem, options);
+  if (!solution) return solution;
+  problem.seed = own_seed;
+  solution->energy = MatchingEnergy(problem)(solution->labels);
+  return solution;
+}
+
+double orientation_kept(const Side& nodes, const Side& labels, const Labelling& labelling) {
+  constexpr int neighbours = 8;
+  const auto node_normals = geometry::point_normals(nodes.surface);
+  const auto label_normals = geometry::point_normals(labels.surface);
+  // How far a -> b -> c turns to the left about the outward normal at a, from -1 to 1; 0 for points in a line.
+  const auto turn = [](const Side& side, const std::vector<Eigen::Vector3d>& normals, int a, int b, int c) {
+    const Eigen::Vector3d& normal = normals[static_cast<std::size_t>(side.samples.points[static_cast<std::size_t>(a)])];
+    const Eigen::Vector3d to_b = side.position_mm(b) - side.position_mm(a);
+    const Eigen::Vector3d to_c = side.position_mm(c) - side.position_mm(a);
+    const double lengths = to_b.norm() * to_c.norm();
+    return lengths > 0 ? normal.dot(to_b.cross(to_c)) / lengths : 0.0;
+  };
+  const int count = static_cast<int>(labelling.size());
+  std::vector<int> nearest(labelling.size());
+  double kept = 0, total = 0;
+  for (int a = 0; a < count; ++a) {
+    std::iota(nearest.begin(), nearest.end(), 0);
+    const int around = std::min(neighbours + 1, count);
+    const auto distances_mm = nodes.samples.between_mm.row(a);
+    std::partial_sort(nearest.begin(), nearest.begin() + around, nearest.end(),
+                      [&](int x, int y) { return distances_mm(x) < distances_mm(y); });
+    for (int i = 1; i < around; ++i) {
+      for (int j = i + 1; j < around; ++j) {
+        const int b = nearest[static_cast<std::size_t>(i)], c = nearest[static_cast<std::size_t>(j)];
+        const auto label = [&](int node) { return labelling[static_cast<std::size_t>(node)]; };
+        const double product =
+            turn(nodes, node_normals, a, b, c) * turn(labels, label_normals, label(a), label(b), label(c));
+        total += std::abs(product);
+        if (product > 0) kept += product;
+      }
+    }
+  }
+  return total > 0 ? kept / total : 0.5;
+}
+
+}  // namespace
+}  // namespace glisson::registration
