@@ -1,18 +1,14 @@
-// A stack's grid in the patient, what is wrong with it, and where its voxels lie.
+// Stacks, their volumes, places and roles, put together; and where the voxels lie in the files.
 
 #include "imaging/assemble_series.h"
 
 #include <algorithm>
-#include <cmath>
-#include <Eigen/Geometry>
 #include <map>
-#include <numbers>
-#include <set>
 
 #include <fmt/format.h>
 
+#include "imaging/place_slices.h"
 #include "imaging/roles.h"
-#include "imaging/slice_spacing.h"
 #include "imaging/stacks.h"
 #include "imaging/voxel_layout.h"
 
@@ -21,16 +17,12 @@ namespace {
 
 using Images = std::vector<DicomImage>;
 
-// Under gantry tilt slices slide sideways by tan(tilt) of the way up; below 0.005 (0.3 degrees) it is rounding.
-constexpr double least_slide = 0.005;
-constexpr double least_tilt_deg = 0.1;
 constexpr std::size_t most_problems_of_a_kind = 5;
 
 std::vector<std::string> leave_out_copies(Images& images);
 Series assemble_stack(const Images& images, const Stack& stack);
 void describe_parts(const std::vector<Stack>& stacks, std::vector<Series>& parts);
-EvenSlices place_slices(const Images& images, const Volumes& volumes, Series& series);
-void lay_out(const Images& images, const Volumes& volumes, const EvenSlices& even, Series& series);
+void lay_out(const Images& images, const Volumes& volumes, const std::vector<SliceBlend>& blends, Series& series);
 void find_role_and_unit(const Images& images, const Stack& stack, Series& series);
 void append(std::vector<std::string>& problems, std::vector<std::string> more);
 
@@ -81,9 +73,14 @@ Series assemble_stack(const Images& images, const Stack& stack) {
   const Volumes volumes = part_into_volumes(images, stack);
   series.volumes = static_cast<int>(volumes.of_volume.size());
   series.volume_labels = volumes.labels;
-  const EvenSlices even = place_slices(images, volumes, series);
-  if (image.modality != "SEG") append(series.problems, volumes.problems);
-  lay_out(images, volumes, even, series);
+  const PlacedSlices placed = place_slices(images, volumes);
+  series.grid = placed.grid;
+  // A segmentation leaves empty frames out, so that gaps in it mean nothing.
+  if (image.modality != "SEG") {
+    append(series.problems, placed.problems);
+    append(series.problems, volumes.problems);
+  }
+  lay_out(images, volumes, placed.slices, series);
   find_role_and_unit(images, stack, series);
   append(series.problems, image.problems);
   return series;
@@ -103,96 +100,7 @@ void describe_parts(const std::vector<Stack>& stacks, std::vector<Series>& parts
   }
 }
 
-std::string gap_sentence(const Images& images, const std::vector<PictureRef>& slices, const SliceGap& gap,
-                         double spacing_mm) {
-  const std::string before = name_of(images, slices[gap.before]);
-  const std::string after = name_of(images, slices[gap.before + 1]);
-  if (gap.missing > 0) {
-    return fmt::format(
-        "{} missing between {} and {}, which are {:.4g} mm apart where the others are {:.4g} mm: the gap "
-        "is filled by interpolation.",
-        gap.missing == 1 ? "One slice is" : fmt::format("{} slices are", gap.missing), before, after, gap.width_mm,
-        spacing_mm);
-  }
-  return fmt::format(
-      "The spacing is uneven: {} and {} are {:.4g} mm apart where the usual is {:.4g} mm; slices between "
-      "are interpolated.",
-      before, after, gap.width_mm, spacing_mm);
-}
-
-// How far the slices slide sideways for each mm along the normal.
-Eigen::Vector3d slide_of(const Images& images, const std::vector<PictureRef>& slices, double length_mm,
-                         const Eigen::Vector3d& normal) {
-  const Eigen::Vector3d way =
-      picture_of(images, slices.back()).position_mm - picture_of(images, slices.front()).position_mm;
-  const Eigen::Vector3d slide = (way - way.dot(normal) * normal) / length_mm;
-  return slide.norm() < least_slide ? Eigen::Vector3d::Zero() : slide;
-}
-
-EvenSlices place_slices(const Images& images, const Volumes& volumes, Series& series) {
-  const std::vector<PictureRef>& slices = volumes.of_volume.front();
-  const Picture& first = picture_of(images, slices.front());
-  const Eigen::Vector3d normal = first.along_row.cross(first.along_column);
-  Grid& grid = series.grid;
-  grid.spacing_mm = {first.column_spacing_mm, first.row_spacing_mm, 1};
-  grid.direction.col(0) = first.along_row;
-  grid.direction.col(1) = first.along_column;
-  grid.direction.col(2) = normal;
-  grid.origin_mm = first.position_mm;
-
-  EvenSlices even;
-  even.slices = {{0, 0, 0}};
-  if (slices.size() >= 2) {
-    even = even_slices(volumes.positions_mm);
-    grid.spacing_mm[2] = even.spacing_mm;
-  } else if (first.slice_thickness_mm > 0) {
-    grid.spacing_mm[2] = first.slice_thickness_mm;
-  }
-  grid.size = {first.columns, first.rows, static_cast<int>(even.slices.size())};
-  if (!first.placed) {
-    series.problems.push_back(
-        "No place in the patient is given: the pictures are in the order of their numbers, one "
-        "mm apart.");
-    return even;
-  }
-  if (slices.size() < 2) {
-    series.problems.push_back("It is a single slice; its thickness is taken for the third dimension.");
-    return even;
-  }
-  std::vector<std::string> gaps;
-  for (const SliceGap& gap : even.gaps) gaps.push_back(gap_sentence(images, slices, gap, even.spacing_mm));
-  if (series.modality != "SEG") append(series.problems, std::move(gaps));
-
-  const double length_mm = volumes.positions_mm.back() - volumes.positions_mm.front();
-  const Eigen::Vector3d slide = slide_of(images, slices, length_mm, normal);
-  const Eigen::Vector3d upwards = normal + slide;
-  grid.direction.col(2) = upwards.normalized();
-  grid.spacing_mm[2] *= upwards.norm();
-  if (!slide.isZero()) {
-    series.problems.push_back(
-        fmt::format("The slices are sheared by {:.1f} degrees, as under gantry tilt{}: the third axis of the volume is "
-                    "not perpendicular to the slices.",
-                    std::atan(slide.norm()) * 180 / std::numbers::pi,
-                    std::abs(images[slices.front().image].gantry_tilt_deg) > least_tilt_deg
-                        ? fmt::format(" (the header gives {:.1f})", images[slices.front().image].gantry_tilt_deg)
-                        : ""));
-  }
-  double worst_mm = 0;
-  for (std::size_t k = 0; k < slices.size(); ++k) {
-    const double up_mm = volumes.positions_mm[k] - volumes.positions_mm.front();
-    const Eigen::Vector3d expected = first.position_mm + upwards * up_mm;
-    worst_mm = std::max(worst_mm, (picture_of(images, slices[k]).position_mm - expected).norm());
-  }
-  if (worst_mm > 0.5 * std::max(first.column_spacing_mm, first.row_spacing_mm)) {
-    series.problems.push_back(
-        fmt::format("Slices are shifted sideways against each other by up to {:.2f} mm, which is "
-                    "not corrected.",
-                    worst_mm));
-  }
-  return even;
-}
-
-void lay_out(const Images& images, const Volumes& volumes, const EvenSlices& even, Series& series) {
+void lay_out(const Images& images, const Volumes& volumes, const std::vector<SliceBlend>& blends, Series& series) {
   auto layout = std::make_shared<VoxelLayout>();
   std::map<std::size_t, int> file_of_image;
   for (const std::vector<PictureRef>& slices : volumes.of_volume) {
@@ -208,7 +116,7 @@ void lay_out(const Images& images, const Volumes& volumes, const EvenSlices& eve
       layout->sources.push_back(
           {entry->second, picture.frame, picture.left, picture.top, picture.mapping.slope, picture.mapping.intercept});
     }
-    for (const SliceBlend& blend : even.slices) {
+    for (const SliceBlend& blend : blends) {
       const bool alone = blend.first == blend.second;
       layout->slices.push_back({first_source + static_cast<int>(blend.first),
                                 alone ? -1 : first_source + static_cast<int>(blend.second),

@@ -36,6 +36,7 @@ EvenSlices even_slices(const std::vector<double>& positions_mm) {
   GLISSON_ASSERT(positions_mm.size() >= 2);
   EvenSlices even;
   const double usual_mm = usual_gap_mm(positions_mm);
+  even.usual_gap_mm = usual_mm;
   const double length_mm = positions_mm.back() - positions_mm.front();
   const auto steps = static_cast<std::size_t>(std::max(1.0, std::round(length_mm / usual_mm)));
   even.spacing_mm = length_mm / static_cast<double>(steps);

@@ -22,8 +22,9 @@ struct SliceGap {
 
 struct EvenSlices {
   double spacing_mm = 1;
+  double usual_gap_mm = 1;  // before it was made to fit first and last
   std::vector<SliceBlend> slices;
-  std::vector<SliceGap> gaps;  // those that are not as wide as the spacing
+  std::vector<SliceGap> gaps;  // those that are not as wide as the usual one
 };
 
 // Gaps wider than this many spacings part a stack in two rather than being filled.

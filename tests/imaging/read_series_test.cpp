@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 #include <numbers>
 
 #include "base/files.h"
@@ -220,6 +221,27 @@ TEST_F(ReadSeries, ScalesSiemensPhaseToRadians) {
   EXPECT_NEAR(volume.at(0, 0, 0), -std::numbers::pi, 1e-6);
   EXPECT_NEAR(volume.at(1, 0, 0), std::numbers::pi / 2, 1e-6);
 }
+
+#if !defined(__SANITIZE_ADDRESS__)
+// A program of its own under CTest, so that its largest extent in memory is that of this test.
+TEST_F(ReadSeries, HoldsNoSecondCopyOfTheVolume) {
+  SliceSpec spec;
+  spec.columns = spec.rows = 512;
+  test::save_stack(folder_.path(), 64, spec);
+  const Series series = only_series();
+  const auto largest_extent_bytes = [] {
+    ::rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) * 1024;
+  };
+  const double before = largest_extent_bytes();
+  const Result<Volume> volume = read_series(series);
+  ASSERT_TRUE(volume.has_value());
+  const double volume_bytes = 4.0 * 512 * 512 * 64;
+  // Beside the volume's 64 MiB: two threads with a slice of half a MiB each, and their stacks.
+  EXPECT_LT(largest_extent_bytes() - before, 1.15 * volume_bytes);
+}
+#endif
 
 TEST_F(ReadSeries, NamesTheFileThatHasGoneOrChanged) {
   test::save_stack(folder_.path(), 6);
