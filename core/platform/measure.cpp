@@ -1,0 +1,204 @@
+#include "platform/measure.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+#include <thread>
+
+namespace glisson::platform {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int batches_per_point = 5;
+
+struct Timing {
+  double seconds = 0;  // one product
+  std::optional<double> joules;
+};
+
+std::vector<std::size_t> sizes_of(const ProblemGrid& grid);
+Result<std::size_t> prepare_largest(ProductKernel& kernel, std::vector<std::size_t>& sizes,
+                                    std::vector<std::string>& remarks);
+Result<double> idle_power_W(const EnergyMeter& meter, double listening_s);
+Result<Timing> time_product(ProductKernel& kernel, std::size_t nodes, const EnergyMeter* meter, double idle_W,
+                            double at_least_s);
+Device described(const DeviceDescription& description);
+void set_kernel(const Measurement& measurement, int nodes_in_domain, Device& device);
+
+}  // namespace
+
+Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, const std::vector<std::string>& missing,
+                            const MeasureOptions& options, const Progress& progress) {
+  Measurement measurement;
+  measurement.kernel = kernel.name();
+  measurement.device = described(options.device);
+  measurement.remarks = missing;
+  if (meter != nullptr) {
+    measurement.meter = meter->name;
+    progress.report(0, "Idle power");
+    const auto idle_W = idle_power_W(*meter, std::max(options.idle_s, meter->shortest_useful_s()));
+    if (!idle_W) return failure(idle_W.error());
+    measurement.device.idle_W = {*idle_W, Source::measured, meter->name + ", with nothing running"};
+  } else {
+    measurement.remarks.emplace_back(
+        "Nothing on this machine tells its energy: idle and active power are assumed. Measure them with a current "
+        "clamp (--trace) or a power meter, and give them with --idle-W and --active-W.");
+  }
+
+  std::vector<std::size_t> sizes = sizes_of(options.grid);
+  progress.report(0.05, "Memory bandwidth");
+  measurement.bandwidth_GB_s = memory_bandwidth_GB_s();
+  const auto prepared = prepare_largest(kernel, sizes, measurement.remarks);
+  if (!prepared) return failure(prepared.error());
+
+  const double at_least_s = std::max(options.seconds_per_point, meter != nullptr ? meter->shortest_useful_s() : 0);
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (progress.cancelled()) return cancelled();
+    progress.report(0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(sizes.size()), "Block products");
+    const auto timing = time_product(kernel, sizes[i], meter, measurement.device.idle_W.value, at_least_s);
+    if (!timing) return failure(timing.error());
+    WorkloadOptions one_product{options.nodes_in_domain, 1, 4};
+    // 1000 cm3 is any liver: only the number of nodes matters here.
+    const auto work = workload_at_resolution(1000, 1e6 / static_cast<double>(sizes[i]), one_product);
+    if (!work) return failure(work.error());
+    const double GB_per_s = work->product_bytes / timing->seconds * 1e-9;
+    measurement.points.push_back({static_cast<double>(sizes[i]), timing->seconds, GB_per_s,
+                                  work->product_flops / timing->seconds * 1e-9, GB_per_s / measurement.bandwidth_GB_s,
+                                  timing->joules});
+  }
+  set_kernel(measurement, options.nodes_in_domain, measurement.device);
+  return measurement;
+}
+
+namespace {
+
+std::vector<std::size_t> sizes_of(const ProblemGrid& grid) {
+  std::set<std::size_t> sizes;
+  for (const double volume_cm3 : grid.volumes_cm3) {
+    for (const double resolution_mm3 : grid.resolutions_mm3)
+      sizes.insert(static_cast<std::size_t>(std::ceil(volume_cm3 * 1e3 / resolution_mm3)));
+  }
+  return {sizes.begin(), sizes.end()};
+}
+
+// The batch for the largest size that fits serves all smaller ones.
+Result<std::size_t> prepare_largest(ProductKernel& kernel, std::vector<std::size_t>& sizes,
+                                    std::vector<std::string>& remarks) {
+  const std::size_t wanted = sizes.size();
+  Result<void> prepared = failure("nothing-measured", GLISSON_TEXT("The grid holds no problem."));
+  while (!sizes.empty()) {
+    prepared = kernel.prepare(sizes.back());
+    if (prepared) break;
+    sizes.pop_back();
+  }
+  if (!prepared) return failure(prepared.error());
+  if (sizes.size() < wanted) {
+    remarks.push_back(
+        fmt::format("{} of {} problems are larger than the memory allowed and were left out; beyond {} "
+                    "nodes the plan goes on in proportion.",
+                    wanted - sizes.size(), wanted, sizes.back()));
+  }
+  return sizes.back();
+}
+
+Result<double> idle_power_W(const EnergyMeter& meter, double listening_s) {
+  return energy_during(meter,
+                       [listening_s]() -> Result<void> {
+                         std::this_thread::sleep_for(std::chrono::duration<double>(listening_s));
+                         return {};
+                       })
+      .map([](const EnergyUse& use) { return use.mean_W(); });
+}
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+Result<Timing> time_product(ProductKernel& kernel, std::size_t nodes, const EnergyMeter* meter, double idle_W,
+                            double at_least_s) {
+  // Twice as many until a batch takes a fifth of the time wanted: warms caches and clocks as well.
+  int times = 1;
+  for (;; times *= 2) {
+    const auto start = Clock::now();
+    if (const auto run = kernel.run(nodes, times); !run) return failure(run.error());
+    if (seconds_since(start) >= at_least_s / batches_per_point || times >= 1 << 24) break;
+  }
+  std::vector<double> seconds;
+  const auto all_batches = [&]() -> Result<void> {
+    for (int batch = 0; batch < batches_per_point; ++batch) {
+      const auto start = Clock::now();
+      if (const auto run = kernel.run(nodes, times); !run) return failure(run.error());
+      seconds.push_back(seconds_since(start) / times);
+    }
+    return {};
+  };
+  Timing timing;
+  if (meter != nullptr) {
+    const auto use = energy_during(*meter, all_batches);
+    if (!use) return failure(use.error());
+    const double above_idle_J = use->joules - idle_W * use->seconds;
+    // Noise may hide a small problem's share; such a point is left without energy.
+    if (above_idle_J > 0) timing.joules = above_idle_J / (static_cast<double>(times) * batches_per_point);
+  } else if (const auto run = all_batches(); !run) {
+    return failure(run.error());
+  }
+  std::nth_element(seconds.begin(), seconds.begin() + batches_per_point / 2, seconds.end());
+  timing.seconds = seconds[batches_per_point / 2];
+  return timing;
+}
+
+Device described(const DeviceDescription& description) {
+  const auto given_or = [](const std::optional<double>& given, double otherwise, const char* usual) {
+    return given ? Figure{*given, Source::assumed, "as given by the person who measured"}
+                 : Figure{otherwise, Source::assumed, usual};
+  };
+  const auto ideal = [](double value) { return Figure{value, Source::assumed, "taken as ideal"}; };
+  Device device;
+  device.id = description.id;
+  device.name = description.name;
+  device.worn = description.worn;
+  device.worn_how = description.worn_how;
+  device.idle_W = given_or(description.idle_W, 10, "usual of a laptop; this machine tells nobody");
+  device.supply_efficiency = ideal(1);
+  device.battery.capacity_mAh = given_or(description.capacity_mAh, 4900, "usual of a laptop, 57 Wh");
+  device.battery.voltage_V = given_or(description.voltage_V, 11.6, "three lithium cells in series");
+  device.battery.internal_resistance_ohm = ideal(0);
+  device.battery.rate_exponent = ideal(1);
+  device.battery.capacity_per_C = ideal(0);
+  device.thermal_resistance_C_per_W =
+      given_or(description.thermal_resistance_C_per_W, 0.8, "usual of a fan-cooled laptop");
+  device.thermal_time_constant_s = given_or(description.thermal_time_constant_s, 900, "about 1.4 kg");
+  device.kernel.active_W = given_or(description.active_W, 20, "usual of a laptop; this machine tells nobody");
+  return device;
+}
+
+void set_kernel(const Measurement& measurement, int nodes_in_domain, Device& device) {
+  KernelModel& kernel = device.kernel;
+  const MeasuredPoint& largest = measurement.points.back();
+  const std::string by = "block product, " + measurement.kernel;
+  double peak = 0;
+  std::vector<double> active_W;
+  for (const MeasuredPoint& point : measurement.points) {
+    peak = std::max(peak, point.GFLOP_per_s);
+    if (point.joules) active_W.push_back(*point.joules / point.seconds);
+    kernel.measured.push_back({point.nodes, point.seconds, point.joules});
+  }
+  kernel.measured_nodes_in_domain = nodes_in_domain;
+  // For blocks of another size: the bandwidth of the largest problem, and never more operations than were seen.
+  kernel.bandwidth_GB_s = {largest.GB_per_s, Source::measured, by + ", largest problem"};
+  kernel.peak_GFLOPS = {peak, Source::measured, by + ", fastest problem: a lower bound"};
+  kernel.fast_memory_MB = {0, Source::assumed, "not told apart: the measured points contain it"};
+  kernel.fast_bandwidth_GB_s = {largest.GB_per_s, Source::measured, by + ", largest problem"};
+  kernel.launch_us = {0, Source::assumed, "contained in the measured points"};
+  kernel.tile_nodes = {1, Source::assumed, "contained in the measured points"};
+  kernel.energy_nJ_per_byte = {0, Source::assumed, "contained in the active power"};
+  if (!active_W.empty()) {
+    std::nth_element(active_W.begin(), active_W.begin() + static_cast<std::ptrdiff_t>(active_W.size() / 2),
+                     active_W.end());
+    kernel.active_W = {active_W[active_W.size() / 2], Source::measured, measurement.meter + ", above idle, median"};
+  }
+}
+
+}  // namespace
+}  // namespace glisson::platform

@@ -1,0 +1,66 @@
+#pragma once
+// This machine as a device to plan with: the block product timed over the grid of problems, its energy where a meter
+// tells, and what nobody can measure from inside marked as assumed.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "platform/block_product.h"
+#include "platform/device.h"
+#include "platform/energy_meter.h"
+#include "platform/grid.h"
+
+namespace glisson::platform {
+
+// What a program cannot see of the machine it runs on. Defaults are a laptop's, and show as assumed.
+struct DeviceDescription {
+  std::string id = "this-machine";
+  std::string name = "This machine";
+  Worn worn = Worn::back;
+  std::string worn_how = "as the person who measured it says";
+  std::optional<double> idle_W;                      // where no meter tells; assumed 10
+  std::optional<double> active_W;                    // above idle, where no meter tells; assumed 20
+  std::optional<double> capacity_mAh;                // assumed 4900
+  std::optional<double> voltage_V;                   // assumed 11.6
+  std::optional<double> thermal_resistance_C_per_W;  // assumed 0.8
+  std::optional<double> thermal_time_constant_s;     // assumed 900
+};
+
+struct MeasureOptions {
+  DeviceDescription device;
+  ProblemGrid grid = dissertation_grid();
+  int nodes_in_domain = 1;
+  double idle_s = 3;                // listening before anything runs
+  double seconds_per_point = 0.03;  // without a meter: long against the clock's grain; with one, at least as long as
+                                    // the meter needs
+  std::size_t largest_bytes = std::size_t{1} << 30;  // larger problems are left out, and said
+};
+
+struct MeasuredPoint {
+  double nodes = 0;
+  double seconds = 0;  // one product; the median of five batches
+  double GB_per_s = 0;
+  double GFLOP_per_s = 0;
+  double share_of_bandwidth = 0;  // above 1 where the problem stays in a cache
+  std::optional<double> joules;   // above idle
+};
+
+struct Measurement {
+  Device device;
+  std::string kernel;  // what ran: "2 threads, AVX3"
+  std::string meter;   // empty where there was none
+  double bandwidth_GB_s = 0;
+  std::vector<MeasuredPoint> points;  // by increasing nodes
+  std::vector<std::string> remarks;   // what could not be measured, and why
+};
+
+// Takes about a quarter of a minute without a meter. `meter` may be null; `missing` are the survey's sentences, which
+// become remarks then.
+// Refused: what the kernel refuses for the smallest problem; a lost meter; no work left ("nothing-measured").
+Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, const std::vector<std::string>& missing,
+                            const MeasureOptions& options = {}, const Progress& progress = {});
+
+}  // namespace glisson::platform
