@@ -4,6 +4,9 @@
 
 namespace glisson::cli {
 
-void add_commands(CLI::App& app, Action& chosen) { add_scan(app, chosen); }
+void add_commands(CLI::App& app, Action& chosen) {
+  add_scan(app, chosen);
+  add_platform(app, chosen);
+}
 
 }  // namespace glisson::cli

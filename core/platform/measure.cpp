@@ -13,9 +13,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int batches_per_point = 5;
+constexpr double quiet_spread = 1.25;  // the median of the batches over the fastest; a quiet machine stays below
 
 struct Timing {
   double seconds = 0;  // one product
+  double spread = 1;   // median of the batches over the fastest
   std::optional<double> joules;
 };
 
@@ -25,7 +27,9 @@ Result<std::size_t> prepare_largest(ProductKernel& kernel, std::vector<std::size
 Result<double> idle_power_W(const EnergyMeter& meter, double listening_s);
 Result<Timing> time_product(ProductKernel& kernel, std::size_t nodes, const EnergyMeter* meter, double idle_W,
                             double at_least_s);
+Result<MeasuredPoint> point_for(const MeasuredProduct& product, int nodes_in_domain, double bandwidth_GB_s);
 Device described(const DeviceDescription& description);
+double median(std::vector<double> values);
 void set_kernel(const Measurement& measurement, int nodes_in_domain, Device& device);
 
 }  // namespace
@@ -55,21 +59,53 @@ Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, con
   if (!prepared) return failure(prepared.error());
 
   const double at_least_s = std::max(options.seconds_per_point, meter != nullptr ? meter->shortest_useful_s() : 0);
+  std::vector<double> spreads;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     if (progress.cancelled()) return cancelled();
     progress.report(0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(sizes.size()), "Block products");
     const auto timing = time_product(kernel, sizes[i], meter, measurement.device.idle_W.value, at_least_s);
     if (!timing) return failure(timing.error());
-    WorkloadOptions one_product{options.nodes_in_domain, 1, 4};
-    // 1000 cm3 is any liver: only the number of nodes matters here.
-    const auto work = workload_at_resolution(1000, 1e6 / static_cast<double>(sizes[i]), one_product);
-    if (!work) return failure(work.error());
-    const double GB_per_s = work->product_bytes / timing->seconds * 1e-9;
-    measurement.points.push_back({static_cast<double>(sizes[i]), timing->seconds, GB_per_s,
-                                  work->product_flops / timing->seconds * 1e-9, GB_per_s / measurement.bandwidth_GB_s,
-                                  timing->joules});
+    const auto point = point_for({static_cast<double>(sizes[i]), timing->seconds, timing->joules},
+                                 options.nodes_in_domain, measurement.bandwidth_GB_s);
+    if (!point) return failure(point.error());
+    measurement.points.push_back(*point);
+    spreads.push_back(timing->spread);
+  }
+  if (const double spread = median(std::move(spreads)); spread > quiet_spread) {
+    measurement.remarks.push_back(fmt::format(
+        "Other work disturbed the timing: batches usually took {:.1f} times as long as the fastest one. Measure again "
+        "on a quiet machine.",
+        spread));
   }
   set_kernel(measurement, options.nodes_in_domain, measurement.device);
+  return measurement;
+}
+
+void take_power_from(const TraceRuns& runs, Measurement& measurement) {
+  std::vector<double> above_idle_W;
+  for (const TraceRun& run : runs.runs) above_idle_W.push_back(run.mean_W - run.idle_W);
+  measurement.device.idle_W = {runs.idle_W, Source::measured, "recording, median of the pauses"};
+  if (!above_idle_W.empty())
+    measurement.device.kernel.active_W = {median(above_idle_W), Source::measured,
+                                          "recording, median of the runs above idle"};
+  measurement.remarks.insert(measurement.remarks.end(), runs.warnings.begin(), runs.warnings.end());
+}
+
+Result<Measurement> measurement_from(const TraceRuns& runs, const std::vector<RunLog>& log,
+                                     const MeasureOptions& options) {
+  const auto products = products_from_runs(runs, log);
+  if (!products) return failure(products.error());
+  Measurement measurement;
+  measurement.kernel = "as logged beside the recording";
+  measurement.meter = "recording";
+  measurement.device = described(options.device);
+  for (const MeasuredProduct& product : *products) {
+    const auto point = point_for(product, options.nodes_in_domain, 0);
+    if (!point) return failure(point.error());
+    measurement.points.push_back(*point);
+  }
+  set_kernel(measurement, options.nodes_in_domain, measurement.device);
+  take_power_from(runs, measurement);
   return measurement;
 }
 
@@ -143,9 +179,29 @@ Result<Timing> time_product(ProductKernel& kernel, std::size_t nodes, const Ener
   } else if (const auto run = all_batches(); !run) {
     return failure(run.error());
   }
-  std::nth_element(seconds.begin(), seconds.begin() + batches_per_point / 2, seconds.end());
-  timing.seconds = seconds[batches_per_point / 2];
+  timing.seconds = *std::min_element(seconds.begin(), seconds.end());
+  timing.spread = median(std::move(seconds)) / timing.seconds;
   return timing;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Result<MeasuredPoint> point_for(const MeasuredProduct& product, int nodes_in_domain, double bandwidth_GB_s) {
+  // 1000 cm3 is any liver: only the number of nodes matters here.
+  const auto work = workload_at_resolution(1000, 1e6 / product.nodes, {nodes_in_domain, 1, 4});
+  if (!work) return failure(work.error());
+  MeasuredPoint point;
+  point.nodes = product.nodes;
+  point.seconds = product.seconds;
+  point.joules = product.joules;
+  point.GB_per_s = work->product_bytes / product.seconds * 1e-9;
+  point.GFLOP_per_s = work->product_flops / product.seconds * 1e-9;
+  if (bandwidth_GB_s > 0) point.share_of_bandwidth = point.GB_per_s / bandwidth_GB_s;
+  return point;
 }
 
 Device described(const DeviceDescription& description) {

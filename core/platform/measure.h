@@ -12,6 +12,7 @@
 #include "platform/device.h"
 #include "platform/energy_meter.h"
 #include "platform/grid.h"
+#include "platform/power_trace.h"
 
 namespace glisson::platform {
 
@@ -41,10 +42,10 @@ struct MeasureOptions {
 
 struct MeasuredPoint {
   double nodes = 0;
-  double seconds = 0;  // one product; the median of five batches
+  double seconds = 0;  // one product; in the fastest of five batches, as STREAM counts
   double GB_per_s = 0;
   double GFLOP_per_s = 0;
-  double share_of_bandwidth = 0;  // above 1 where the problem stays in a cache
+  double share_of_bandwidth = 0;  // above 1 where the problem stays in a cache; 0 where no bandwidth was measured
   std::optional<double> joules;   // above idle
 };
 
@@ -62,5 +63,13 @@ struct Measurement {
 // Refused: what the kernel refuses for the smallest problem; a lost meter; no work left ("nothing-measured").
 Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, const std::vector<std::string>& missing,
                             const MeasureOptions& options = {}, const Progress& progress = {});
+
+// The power that a recording from outside shows, in place of what was assumed or metered: idle from its pauses, active
+// from the median of its runs above idle. For a kernel that was timed on the recorded machine.
+void take_power_from(const TraceRuns& runs, Measurement& measurement);
+
+// A device from a recording and the log of what was run, with nothing run here. Refused as products_from_runs does.
+Result<Measurement> measurement_from(const TraceRuns& runs, const std::vector<RunLog>& log,
+                                     const MeasureOptions& options);
 
 }  // namespace glisson::platform

@@ -1,0 +1,35 @@
+#pragma once
+// The parts of glisson-cli platform, and what they share.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "platform/convergence_curve.h"
+#include "platform/device_file.h"
+#include "platform/plan.h"
+
+namespace glisson::cli {
+
+void add_platform_list(CLI::App& platform, Action& chosen);
+void add_platform_plan(CLI::App& platform, Action& chosen);
+void add_platform_grid(CLI::App& platform, Action& chosen);
+void add_platform_measure(CLI::App& platform, Action& chosen);
+
+// The shipped table and those of the user's files; a device of theirs takes the place of a shipped one with its id.
+struct DeviceTables {
+  std::vector<std::string> files;
+  std::string convergence_file;  // empty: the shipped curve
+
+  void add_options(CLI::App& command);
+  [[nodiscard]] Result<std::vector<platform::Device>> devices() const;
+  [[nodiscard]] Result<platform::ConvergenceCurve> curve() const;
+};
+
+// Duration, frame rate, temperatures and the domain of influence.
+void add_request_options(CLI::App& command, platform::PlanRequest& request);
+
+Json as_json(const platform::Figure& figure);
+
+}  // namespace glisson::cli

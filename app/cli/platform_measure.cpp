@@ -1,0 +1,248 @@
+// glisson-cli platform measure: this machine, or a recording of another, as a device to plan with and to share.
+
+#include <fmt/format.h>
+#include <charconv>
+#include <cmath>
+
+#include "base/csv.h"
+#include "platform/measure.h"
+#include "platform/opencl_product.h"
+#include "platform_commands.h"
+
+namespace glisson::cli {
+
+using namespace platform;
+
+namespace {
+
+struct Options {
+  MeasureOptions measure;
+  std::string out;
+  std::string worn = "back";
+  std::string opencl_device;
+  bool opencl = false;
+  double largest_MB = 1024;
+  std::string trace;
+  std::string run_log;
+  std::vector<std::string> channels;
+  TraceFormat format;
+  RunOptions runs;
+};
+
+constexpr std::size_t megabyte = std::size_t{1} << 20;
+
+// "CH1:10:12:0.4": column, amperes a volt, supply voltage and, where known, the end of the channel's range.
+Result<ClampChannel> parse_channel(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == ':') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  std::vector<double> numbers;
+  bool sound = parts.size() <= 4 && !parts.front().empty();
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    double number = 0;
+    const char* const last = parts[i].data() + parts[i].size();
+    const auto [end, problem] = std::from_chars(parts[i].data(), last, number);
+    sound = sound && problem == std::errc() && end == last && std::isfinite(number);
+    numbers.push_back(number);
+  }
+  if (!sound) {
+    return failure(
+        Error{"channel-invalid",
+              GLISSON_TEXT("--channel wants COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], not \"{0}\"."),
+              {text},
+              GLISSON_TEXT("A column that holds watts is just COLUMN."),
+              {}});
+  }
+  ClampChannel channel{parts.front(), 1, 1, {}};
+  if (!numbers.empty()) channel.amperes_per_volt = numbers[0];
+  if (numbers.size() > 1) channel.supply_voltage_V = numbers[1];
+  if (numbers.size() > 2) channel.clips_at = numbers[2];
+  return channel;
+}
+
+Result<std::vector<RunLog>> read_run_log(const std::string& file) {
+  const auto table = read_csv(file);
+  if (!table) return failure(table.error());
+  const auto nodes = table->column("nodes");
+  if (!nodes) return failure(Error(nodes.error()).in_file(file));
+  const auto products = table->column("products");
+  if (!products) return failure(Error(products.error()).in_file(file));
+  std::vector<RunLog> log;
+  for (std::size_t row = 0; row < table->rows(); ++row)
+    log.push_back({table->columns[*nodes][row], table->columns[*products][row]});
+  return log;
+}
+
+Result<TraceRuns> runs_in_trace(const Options& options) {
+  TraceFormat format = options.format;
+  for (const std::string& text : options.channels) {
+    auto channel = parse_channel(text);
+    if (!channel) return failure(channel.error());
+    format.channels.push_back(std::move(*channel));
+  }
+  const auto trace = read_power_trace(options.trace, format);
+  if (!trace) return failure(trace.error());
+  return find_runs(*trace, options.runs);
+}
+
+Result<Measurement> measure_here(const Options& options, const Progress& progress) {
+  const MeasureOptions& measuring = options.measure;
+  std::unique_ptr<ProductKernel> kernel = processor_product(measuring.nodes_in_domain, measuring.largest_bytes);
+  if (options.opencl) {
+    auto elsewhere = opencl_product(measuring.nodes_in_domain, measuring.largest_bytes, options.opencl_device);
+    if (!elsewhere) return failure(elsewhere.error());
+    kernel = std::move(*elsewhere);
+  }
+  const MeterSurvey survey = survey_meters();
+  const EnergyMeter* meter = survey.meters.empty() ? nullptr : &survey.meters.front();
+  return measure(*kernel, meter, survey.missing, measuring, progress);
+}
+
+Json as_json(const MeasuredPoint& point) {
+  Json json{{"nodes", point.nodes},
+            {"seconds", point.seconds},
+            {"GB_per_s", point.GB_per_s},
+            {"GFLOP_per_s", point.GFLOP_per_s}};
+  if (point.share_of_bandwidth > 0) json["share_of_bandwidth"] = point.share_of_bandwidth;
+  if (point.joules) json["joules"] = *point.joules;
+  return json;
+}
+
+Json as_json(const TraceRuns& runs) {
+  Json list = Json::array();
+  for (const TraceRun& run : runs.runs) {
+    list.push_back({{"begin_s", run.begin_s},
+                    {"end_s", run.end_s},
+                    {"mean_W", run.mean_W},
+                    {"idle_W", run.idle_W},
+                    {"joules_above_idle", run.joules_above_idle},
+                    {"clipped_fraction", run.clipped_fraction},
+                    {"cut_by_gap", run.cut_by_gap}});
+  }
+  return {{"idle_W", runs.idle_W}, {"runs", list}, {"warnings", runs.warnings}};
+}
+
+Outcome describe(const Measurement& measured, const std::optional<TraceRuns>& runs, const std::string& out) {
+  Outcome outcome{{{"device", measured.device.id},
+                   {"kernel", measured.kernel},
+                   {"meter", measured.meter.empty() ? Json(nullptr) : Json(measured.meter)},
+                   {"points", Json::array()},
+                   {"remarks", measured.remarks},
+                   {"assumed", assumed_figures(measured.device)},
+                   {"out", out}},
+                  {}};
+  outcome.text =
+      fmt::format("{}{}\n", measured.kernel, measured.meter.empty() ? std::string() : ", energy by " + measured.meter);
+  if (measured.bandwidth_GB_s > 0) {
+    outcome.document["memory_bandwidth_GB_s"] = measured.bandwidth_GB_s;
+    outcome.text += fmt::format("The memory gives {:.3g} GB/s (triad).\n", measured.bandwidth_GB_s);
+  }
+  if (runs) {
+    outcome.document["trace"] = as_json(*runs);
+    outcome.text += fmt::format("{} runs in the recording, idle {:.3g} W\n", runs->runs.size(), runs->idle_W);
+  }
+  outcome.text += fmt::format("{:>9} {:>11} {:>8} {:>8} {:>7} {:>10}\n", "nodes", "product us", "GB/s", "GFLOP/s",
+                              "share", "energy mJ");
+  for (std::size_t i = 0; i < measured.points.size(); ++i) {
+    const MeasuredPoint& point = measured.points[i];
+    outcome.document["points"].push_back(as_json(point));
+    // Every tenth point for the eye; all of them are in the file.
+    if (measured.points.size() > 20 && i % 10 != 0 && i + 1 != measured.points.size()) continue;
+    outcome.text += fmt::format("{:9.0f} {:11.2f} {:8.2f} {:8.2f} {:>7} {:>10}\n", point.nodes, point.seconds * 1e6,
+                                point.GB_per_s, point.GFLOP_per_s,
+                                point.share_of_bandwidth > 0 ? fmt::format("{:.2f}", point.share_of_bandwidth) : "-",
+                                point.joules ? fmt::format("{:.3g}", *point.joules * 1e3) : "-");
+  }
+  for (const std::string& remark : measured.remarks) outcome.text += "Note: " + remark + "\n";
+  outcome.text += fmt::format("Written to {}; plan with it: glisson-cli platform plan --devices {} ...\n", out, out);
+  return outcome;
+}
+
+Result<Outcome> run(Options options, const Progress& progress) {
+  options.measure.largest_bytes = static_cast<std::size_t>(options.largest_MB) * megabyte;
+  for (const Worn worn : {Worn::head, Worn::belt, Worn::back}) {
+    if (options.worn == to_string(worn)) options.measure.device.worn = worn;
+  }
+  std::optional<TraceRuns> runs;
+  if (!options.trace.empty()) {
+    auto found = runs_in_trace(options);
+    if (!found) return failure(found.error());
+    runs = std::move(*found);
+  }
+  Result<Measurement> measured = failure("nothing-measured", GLISSON_TEXT("Nothing was measured."));
+  if (runs && !options.run_log.empty()) {
+    const auto log = read_run_log(options.run_log);
+    if (!log) return failure(log.error());
+    measured = measurement_from(*runs, *log, options.measure);
+  } else {
+    measured = measure_here(options, progress);
+    if (measured && runs) take_power_from(*runs, *measured);
+  }
+  if (!measured) return failure(measured.error());
+  if (const auto checked = check(measured->device); !checked) return failure(checked.error());
+  if (const auto written = write_devices(options.out, {measured->device}); !written) return failure(written.error());
+  return describe(*measured, runs, options.out);
+}
+
+}  // namespace
+
+void add_platform_measure(CLI::App& platform, Action& chosen) {
+  CLI::App* command = platform.add_subcommand(
+      "measure", "Measure this machine, or read a recording of another, as a device to plan with");
+  auto options = std::make_shared<Options>();
+  DeviceDescription& device = options->measure.device;
+  command->add_option("--out", options->out, "Where the device is written (JSON)")->required();
+  command->add_option("--id", device.id, "Its id in plans")->capture_default_str();
+  command->add_option("--name", device.name, "Its name")->capture_default_str();
+  command->add_option("--worn", options->worn, "How it is worn")
+      ->check(CLI::IsMember({"head", "belt", "back"}))
+      ->capture_default_str();
+  const auto number = [command](const char* name, std::optional<double>& value, const char* help) {
+    command->add_option(name, value, help)->check(CLI::PositiveNumber);
+  };
+  number("--idle-W", device.idle_W, "Idle power, where no meter tells");
+  number("--active-W", device.active_W, "Power above idle while it computes, where no meter tells");
+  number("--battery-mAh", device.capacity_mAh, "Capacity of its battery");
+  number("--battery-V", device.voltage_V, "Nominal voltage of its battery");
+  number("--thermal-resistance", device.thermal_resistance_C_per_W, "Surface to air, C/W");
+  number("--time-constant-s", device.thermal_time_constant_s, "Of its warming");
+  command->add_option("--domain-nodes", options->measure.nodes_in_domain, "Nodes that a block couples")
+      ->check(CLI::IsMember({1, 27, 125}))
+      ->capture_default_str();
+  command->add_option("--largest-MB", options->largest_MB, "Largest batch")
+      ->check(CLI::Range(1, 1 << 20))
+      ->capture_default_str();
+  command->add_option("--seconds-per-point", options->measure.seconds_per_point, "How long each problem runs")
+      ->check(CLI::Range(0.001, 600.0))
+      ->capture_default_str();
+  command->add_flag("--opencl", options->opencl, "On an OpenCL device in place of the processors");
+  command->add_option("--opencl-device", options->opencl_device, "Part of its name")->needs("--opencl");
+  CLI::Option* trace = command->add_option("--trace", options->trace, "Recording of its power (CSV)");
+  command->add_option("--channel", options->channels, "COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], once a clamp")
+      ->needs(trace);
+  command->add_option("--time-column", options->format.time_column, "Name or number")
+      ->needs(trace)
+      ->capture_default_str();
+  command->add_option("--time-unit-s", options->format.seconds_per_unit, "0.001 where the recording counts ms")
+      ->needs(trace)
+      ->capture_default_str();
+  command->add_option("--missing", options->format.missing_marker, "A value that means no reading")->needs(trace);
+  command
+      ->add_option("--run-log", options->run_log, "What was run, in order (CSV: nodes,products); nothing is run here")
+      ->needs(trace);
+  command->add_option("--shortest-run-s", options->runs.shortest_run_s, "Shorter is a disturbance")
+      ->needs(trace)
+      ->capture_default_str();
+  command->add_option("--shortest-pause-s", options->runs.shortest_pause_s, "Shorter belongs to the run")
+      ->needs(trace)
+      ->capture_default_str();
+  command->callback(
+      [&chosen, options] { chosen = [options](const Progress& progress) { return run(*options, progress); }; });
+}
+
+}  // namespace glisson::cli

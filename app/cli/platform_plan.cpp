@@ -1,0 +1,242 @@
+// glisson-cli platform list: the devices, with where each figure comes from.
+// glisson-cli platform plan: which of them holds for a case, why the others fail, what would have to give.
+
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "base/files.h"
+#include "platform_commands.h"
+
+namespace glisson::cli {
+
+using namespace platform;
+
+void DeviceTables::add_options(CLI::App& command) {
+  command.add_option("--devices", files, "Further device tables (JSON); theirs take the place of shipped ones");
+  command.add_option("--convergence", convergence_file, "Convergence curve (JSON) in place of the shipped one");
+}
+
+Result<std::vector<Device>> DeviceTables::devices() const {
+  const auto resources = resource_folder();
+  if (!resources) return failure(resources.error());
+  auto devices = read_devices(*resources / "devices" / "devices.json");
+  for (const std::string& file : files) {
+    if (!devices) break;
+    auto more = read_devices(file);
+    if (!more) return failure(more.error());
+    for (Device& device : *more) {
+      const auto same =
+          std::find_if(devices->begin(), devices->end(), [&](const Device& known) { return known.id == device.id; });
+      if (same == devices->end()) {
+        devices->push_back(std::move(device));
+      } else {
+        *same = std::move(device);
+      }
+    }
+  }
+  return devices;
+}
+
+Result<ConvergenceCurve> DeviceTables::curve() const {
+  if (!convergence_file.empty()) return read_convergence_curve(convergence_file);
+  return resource_folder().and_then(
+      [](const auto& resources) { return read_convergence_curve(resources / "devices" / "convergence.json"); });
+}
+
+void add_request_options(CLI::App& command, PlanRequest& request) {
+  command.add_option("--hours", request.duration_h, "How long the operation takes")->capture_default_str();
+  command.add_option("--ambient-C", request.ambient_C, "Temperature of the room")->capture_default_str();
+  command.add_option("--limit-C", request.limit_C, "Hottest surface a person should wear")->capture_default_str();
+  command
+      .add_option("--domain-nodes", request.workload.nodes_in_domain,
+                  "Nodes that a block couples: 1 as the dissertation's blocks, 27 for all neighbours")
+      ->capture_default_str();
+  command.add_option("--iterations", request.workload.products_per_frame, "Block products a frame")
+      ->capture_default_str();
+}
+
+Json as_json(const Figure& figure) {
+  return {{"value", figure.value}, {"source", to_string(figure.source)}, {"note", figure.note}};
+}
+
+namespace {
+
+Outcome describe(const std::vector<Device>& devices) {
+  Outcome outcome{{{"platforms", Json::array()}}, {}};
+  outcome.text =
+      fmt::format("{:20} {:5} {:>7} {:>9} {:>8}  {}\n", "id", "worn", "idle W", "battery", "at idle", "name");
+  for (const Device& device : devices) {
+    const Battery battery = battery_of(device);
+    const double idle_h = battery.energy_Wh() * device.supply_efficiency.value / device.idle_W.value;
+    outcome.document["platforms"].push_back({{"id", device.id},
+                                             {"name", device.name},
+                                             {"worn", to_string(device.worn)},
+                                             {"worn_how", device.worn_how},
+                                             {"idle_W", as_json(device.idle_W)},
+                                             {"battery_capacity_mAh", as_json(device.battery.capacity_mAh)},
+                                             {"battery_voltage_V", as_json(device.battery.voltage_V)},
+                                             {"battery_Wh", battery.energy_Wh()},
+                                             {"idle_h", idle_h},
+                                             {"thermal_resistance_C_per_W", as_json(device.thermal_resistance_C_per_W)},
+                                             {"assumed", assumed_figures(device)}});
+    outcome.text += fmt::format("{:20} {:5} {:7.3g} {:6.3g} Wh {:6.2g} h  {} ({} of its figures are assumed)\n",
+                                device.id, to_string(device.worn), device.idle_W.value, battery.energy_Wh(), idle_h,
+                                device.name, assumed_figures(device).size());
+  }
+  return outcome;
+}
+
+const char* name_of(Constraint constraint) {
+  switch (constraint) {
+    case Constraint::idle_energy: return "idle-energy";
+    case Constraint::idle_temperature: return "idle-temperature";
+    case Constraint::computing: return "computing";
+    case Constraint::energy: return "energy";
+    case Constraint::temperature: return "temperature";
+  }
+  return "computing";
+}
+
+struct Remedy {
+  const char* key;
+  std::optional<double> value;
+  const char* sentence;
+};
+
+std::vector<Remedy> listed(const Remedies& remedies) {
+  return {{"duration_h", remedies.duration_h, "an operation of at most {:.3g} h"},
+          {"fps", remedies.frames_per_s, "at most {:.3g} frames a second"},
+          {"accuracy_mm", remedies.accuracy_mm, "an accuracy of {:.3g} mm"},
+          {"battery_Wh", remedies.battery_Wh, "a battery of {:.3g} Wh"},
+          {"thermal_resistance_C_per_W", remedies.thermal_resistance_C_per_W, "a heat sink of {:.3g} C/W"}};
+}
+
+Json as_json(const PlatformAnswer& answer) {
+  Json reasons = Json::array();
+  Json limits = Json::array();
+  for (const Reason& reason : answer.reasons) {
+    reasons.push_back(reason.message());
+    limits.push_back(name_of(reason.constraint));
+  }
+  Json remedies = Json::object();
+  for (const Remedy& remedy : listed(answer.remedies)) {
+    if (remedy.value) remedies[remedy.key] = *remedy.value;
+  }
+  return {{"id", answer.id},
+          {"name", answer.name},
+          {"worn", to_string(answer.worn)},
+          {"idle",
+           {{"power_W", answer.idle.idle_W},
+            {"allowed_W", answer.idle.allowed_W},
+            {"headroom_W", answer.idle.headroom_W},
+            {"battery_h", answer.idle.idle_h},
+            {"temperature_C", answer.idle.idle_C}}},
+          {"feasible", answer.feasible},
+          {"fps", answer.fps},
+          {"fps_by_computing", answer.fps_by_computing},
+          {"fps_by_energy", answer.fps_by_energy},
+          {"fps_by_temperature", answer.fps_by_temperature},
+          {"power_W", answer.power_W},
+          {"frame_J", answer.frame_joules},
+          {"battery_h", answer.battery_h},
+          {"temperature_C", answer.temperature_C},
+          {"reasons", reasons},
+          {"limits", limits},
+          {"would_hold_with", remedies},
+          {"assumed", answer.assumed}};
+}
+
+std::string sentences_on(const PlatformAnswer& answer) {
+  std::string text;
+  for (const Reason& reason : answer.reasons) text += "    " + reason.message() + "\n";
+  std::string alternatives;
+  for (const Remedy& remedy : listed(answer.remedies)) {
+    if (remedy.value)
+      alternatives += (alternatives.empty() ? "" : ", or ") + fmt::format(fmt::runtime(remedy.sentence), *remedy.value);
+  }
+  if (answer.feasible) return text;
+  return text + "    It would hold with " + (alternatives.empty() ? "nothing that is one figure alone" : alternatives) +
+         ".\n";
+}
+
+Outcome describe(const Plan& planned) {
+  const Workload& work = planned.workload;
+  Outcome outcome;
+  outcome.document["workload"] = {{"resolution_mm3", work.resolution_mm3},
+                                  {"nodes", work.nodes},
+                                  {"block", {work.block_rows, work.block_columns}},
+                                  {"products_per_frame", work.products_per_frame},
+                                  {"product_bytes", work.product_bytes},
+                                  {"product_flops", work.product_flops},
+                                  {"frame_bytes", work.frame_bytes},
+                                  {"frame_flops", work.frame_flops}};
+  outcome.text = fmt::format(
+      "{:.0f} nodes of {:.3g} mm3; a frame moves {:.3g} MB and takes {:.3g} million operations.\n\n"
+      "Idle first: what the battery allows over {:g} h, and what the device draws when it does nothing.\n",
+      work.nodes, work.resolution_mm3, work.frame_bytes * 1e-6, work.frame_flops * 1e-6, planned.request.duration_h);
+  for (const PlatformAnswer& answer : planned.platforms) {
+    outcome.text +=
+        fmt::format("  {:20} {:5} {:7.3g} W allowed, {:5.3g} W idle: {:+.2g} W\n", answer.id, to_string(answer.worn),
+                    answer.idle.allowed_W, answer.idle.idle_W, answer.idle.headroom_W);
+  }
+  outcome.text +=
+      fmt::format("\nAt {:g} frames a second (or the fastest it computes):\n", planned.request.frames_per_s);
+  outcome.document["platforms"] = Json::array();
+  for (const PlatformAnswer& answer : planned.platforms) {
+    outcome.document["platforms"].push_back(as_json(answer));
+    outcome.text += fmt::format("  {:20} {:6} {:6.3g} W  {:6.3g} h  {:5.3g} C  up to {:.3g} frames/s\n", answer.id,
+                                answer.feasible ? "holds" : "fails", answer.power_W, answer.battery_h,
+                                answer.temperature_C, answer.fps);
+    outcome.text += sentences_on(answer);
+  }
+  outcome.document["recommended"] = planned.recommended ? Json(*planned.recommended) : Json(nullptr);
+  outcome.text += planned.recommended ? fmt::format("\nThe least obtrusive that holds: {}\n", *planned.recommended)
+                                      : "\nNone of them holds.\n";
+  outcome.document["notes"] = Json::array();
+  for (const Reason& note : planned.notes) {
+    outcome.document["notes"].push_back(note.message());
+    outcome.text += "Note: " + note.message() + "\n";
+  }
+  outcome.text +=
+      "Every figure's source: glisson-cli platform list --json. A plan is no better than what is assumed in it.\n";
+  return outcome;
+}
+
+}  // namespace
+
+void add_platform_list(CLI::App& platform, Action& chosen) {
+  CLI::App* command = platform.add_subcommand("list", "The devices, with where each figure comes from");
+  auto tables = std::make_shared<DeviceTables>();
+  command->add_option("--devices", tables->files, "Further device tables (JSON)");
+  command->callback([&chosen, tables] {
+    chosen = [tables](const Progress&) {
+      return tables->devices().map([](const std::vector<Device>& devices) { return describe(devices); });
+    };
+  });
+}
+
+void add_platform_plan(CLI::App& platform, Action& chosen) {
+  struct Options {
+    DeviceTables tables;
+    PlanRequest request;
+  };
+  CLI::App* command =
+      platform.add_subcommand("plan", "The least obtrusive platform that holds for a case, and why others fail");
+  auto options = std::make_shared<Options>();
+  command->add_option("--volume-cm3", options->request.liver_volume_cm3, "Volume of the liver")->required();
+  command->add_option("--accuracy-mm", options->request.accuracy_mm, "Wanted accuracy")->required();
+  command->add_option("--fps", options->request.frames_per_s, "Wanted frames a second")->capture_default_str();
+  add_request_options(*command, options->request);
+  options->tables.add_options(*command);
+  command->callback([&chosen, options] {
+    chosen = [options](const Progress&) -> Result<Outcome> {
+      const auto devices = options->tables.devices();
+      if (!devices) return failure(devices.error());
+      const auto curve = options->tables.curve();
+      if (!curve) return failure(curve.error());
+      return plan(options->request, *devices, *curve).map([](const Plan& planned) { return describe(planned); });
+    };
+  });
+}
+
+}  // namespace glisson::cli

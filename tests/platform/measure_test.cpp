@@ -1,0 +1,146 @@
+// A machine measured and planned with; the machine is a made-up one whose time is known.
+
+#include "platform/measure.h"
+
+#include <gmock/gmock.h>
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "base/files.h"
+#include "platform_fixtures.h"
+
+namespace glisson::platform {
+namespace {
+
+// Takes 200 us for every 1000 nodes of a product, by the clock.
+class ClockworkKernel : public ProductKernel {
+ public:
+  explicit ClockworkKernel(std::size_t most_nodes) : most_nodes_(most_nodes) {}
+  [[nodiscard]] std::string name() const override { return "clockwork"; }
+  Result<void> prepare(std::size_t nodes) override {
+    if (nodes > most_nodes_) return failure("batch-too-large", "Too large.");
+    return {};
+  }
+  Result<void> run(std::size_t nodes, int times) override {
+    const auto end =
+        std::chrono::steady_clock::now() + std::chrono::duration<double>(2e-7 * static_cast<double>(nodes) * times);
+    std::this_thread::sleep_until(std::chrono::time_point_cast<std::chrono::nanoseconds>(end));
+    return {};
+  }
+
+ private:
+  std::size_t most_nodes_;
+};
+
+MeasureOptions small_grid() {
+  MeasureOptions options;
+  options.grid = {{1000, 2000}, {40, 100}};  // 10,000 to 50,000 nodes
+  options.idle_s = 0.05;
+  options.seconds_per_point = 0.05;
+  return options;
+}
+
+TEST(Measure, TimesTheKernelOverTheGrid) {
+  ClockworkKernel kernel(1000000);
+  const auto measured = measure(kernel, nullptr, {"No meter."}, small_grid());
+  ASSERT_TRUE(measured) << measured.error().message();
+  ASSERT_EQ(measured->points.size(), 4u);
+  for (const MeasuredPoint& point : measured->points) {
+    // Never faster than it runs; a busy machine may wake the sleeper late by some milliseconds in each of ten.
+    EXPECT_GE(point.seconds, 0.999 * 2e-7 * point.nodes);
+    EXPECT_LE(point.seconds, 4 * 2e-7 * point.nodes);
+    EXPECT_FALSE(point.joules);
+  }
+  EXPECT_GT(measured->bandwidth_GB_s, 0);
+  EXPECT_THAT(measured->remarks, testing::Contains("No meter."));
+  EXPECT_THAT(measured->remarks, testing::Contains(testing::HasSubstr("are assumed")));
+}
+
+TEST(Measure, DeviceCanBePlannedWithAndShared) {
+  const TemporaryFolder folder;
+  ClockworkKernel kernel(1000000);
+  MeasureOptions options = small_grid();
+  options.device.idle_W = 5;
+  options.device.active_W = 4;
+  const auto measured = measure(kernel, nullptr, {}, options);
+  ASSERT_TRUE(measured);
+  ASSERT_TRUE(check(measured->device));
+  ASSERT_TRUE(write_devices(folder.path() / "mine.json", {measured->device}));
+  const auto devices = read_devices(folder.path() / "mine.json");
+  ASSERT_TRUE(devices) << devices.error().message();
+  PlanRequest request;
+  request.liver_volume_cm3 = 1000;
+  request.accuracy_mm = 8;
+  const auto planned = plan(request, *devices, test::shipped_curve());
+  ASSERT_TRUE(planned);
+  // 6061 nodes: below the measured 10,000, whose time then counts: 2 ms at least, 200 products a frame.
+  EXPECT_LE(planned->platforms[0].fps_by_computing, 2.5);
+  EXPECT_THAT(planned->platforms[0].assumed, testing::Contains("idle_W"));
+  EXPECT_THAT(planned->platforms[0].assumed, testing::Not(testing::Contains("kernel.bandwidth_GB_s")));
+}
+
+TEST(Measure, ProblemsBeyondTheMemoryAreLeftOutAndSaid) {
+  ClockworkKernel kernel(30000);
+  const auto measured = measure(kernel, nullptr, {}, small_grid());
+  ASSERT_TRUE(measured);
+  EXPECT_EQ(measured->points.size(), 3u);
+  EXPECT_THAT(measured->remarks, testing::Contains(testing::HasSubstr("1 of 4 problems")));
+  ClockworkKernel none(10);
+  EXPECT_EQ(measure(none, nullptr, {}, small_grid()).error().code, "batch-too-large");
+}
+
+TEST(Measure, MeterGivesIdlePowerAndEnergyAboveIt) {
+  const TemporaryFolder system;
+  const auto sensor = system.path() / "class" / "hwmon" / "hwmon0";
+  std::filesystem::create_directories(sensor);
+  const auto show_W = [&](double power_W) {
+    ASSERT_TRUE(write_text_file(sensor / "power1_input", std::to_string(static_cast<long>(power_W * 1e6))));
+  };
+  std::ofstream(sensor / "name") << "ina226\n";
+  show_W(5);
+
+  // The sensor shows 5 W until the kernel runs, then 9.
+  class Working : public ClockworkKernel {
+   public:
+    Working(std::function<void()> begin) : ClockworkKernel(1000000), begin_(std::move(begin)) {}
+    Result<void> run(std::size_t nodes, int times) override {
+      begin_();
+      return ClockworkKernel::run(nodes, times);
+    }
+
+   private:
+    std::function<void()> begin_;
+  };
+  Working kernel([&] { show_W(9); });
+  MeasureOptions options = small_grid();
+  options.grid = {{1000, 1000.1}, {50, 100}};
+  const MeterSurvey survey = survey_meters(system.path());
+  ASSERT_EQ(survey.meters.size(), 1u);
+  const auto measured = measure(kernel, &survey.meters[0], {}, options);
+  ASSERT_TRUE(measured) << measured.error().message();
+  EXPECT_NEAR(measured->device.idle_W.value, 5, 1e-6);
+  EXPECT_EQ(measured->device.idle_W.source, Source::measured);
+  EXPECT_EQ(measured->device.kernel.active_W.source, Source::measured);
+  for (const MeasuredPoint& point : measured->points) {
+    ASSERT_TRUE(point.joules);
+    EXPECT_GE(*point.joules / point.seconds, 3.99);  // 4 W; more where the fastest batch was faster than the mean
+  }
+}
+
+TEST(Measure, RecordingAndItsLogMakeADeviceWithoutRunningAnything) {
+  TraceRuns runs;
+  runs.idle_W = 3;
+  runs.runs = {{0, 2, 8, 3, 10, 0, false}, {3, 5, 10, 3, 14, 0, false}};
+  const auto measured = measurement_from(runs, {{10000, 1000}, {40000, 500}}, small_grid());
+  ASSERT_TRUE(measured);
+  EXPECT_EQ(measured->device.idle_W.value, 3);
+  EXPECT_EQ(measured->device.idle_W.source, Source::measured);
+  ASSERT_EQ(measured->device.kernel.measured.size(), 2u);
+  EXPECT_NEAR(measured->device.kernel.measured[0].seconds, 2e-3, 1e-12);
+  EXPECT_NEAR(*measured->device.kernel.measured[1].joules, 14.0 / 500, 1e-12);
+  EXPECT_TRUE(check(measured->device));
+}
+
+}  // namespace
+}  // namespace glisson::platform
