@@ -9,15 +9,14 @@
 #include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <sstream>
 
 #include "base/files.h"
+#include "imaging/voxel_payload.h"
 
 namespace glisson::imaging {
 namespace fs = std::filesystem;
@@ -139,12 +138,6 @@ Result<SegmentedMask> read_mask_file(const fs::path& file) {
 
 namespace {
 
-std::string lower_case_name(const fs::path& file) {
-  std::string name = file.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  return name;
-}
-
 itk::ImageIOBase::Pointer io_for(const fs::path& file) {
   const std::string name = lower_case_name(file);
   if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return itk::NiftiImageIO::New().GetPointer();
@@ -175,60 +168,6 @@ std::string reason_of(const itk::ExceptionObject& exception) {
   if (const auto colon = reason.find("): "); colon != std::string::npos) reason.erase(0, colon + 3);
   reason.erase(std::remove(reason.begin(), reason.end(), '\n'), reason.end());
   return reason.substr(0, 200);
-}
-
-// Where the numbers are and how many bytes of them one byte of the file can stand for at most.
-struct Payload {
-  fs::path file;
-  double most_bytes_per_byte = 1;
-};
-
-// The value of "key: value" or "key = value" in a text header, in lower case, empty if it is not there.
-std::string header_value(const std::string& header, const std::string& key) {
-  std::istringstream lines(header);
-  for (std::string line; std::getline(lines, line);) {
-    const auto separator = line.find_first_of(":=");
-    if (separator == std::string::npos) continue;
-    std::string name = line.substr(0, separator);
-    name.erase(name.find_last_not_of(" \t") + 1);
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (name != key) continue;
-    const auto begin = line.find_first_not_of(" \t", separator + 1);
-    if (begin == std::string::npos) return "";
-    return line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
-  }
-  return "";
-}
-
-Payload payload_of(const fs::path& file) {
-  constexpr double deflate_limit = 1032;  // the format's own bound: 258 bytes by two bits
-  const std::string name = lower_case_name(file);
-  if (name.ends_with(".nii")) return {file, 1};
-  if (name.ends_with(".nii.gz")) return {file, deflate_limit};
-
-  constexpr std::size_t header_limit = 1 << 16;
-  std::string header(header_limit, '\0');
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(header.data(), static_cast<std::streamsize>(header.size()));
-  header.resize(static_cast<std::size_t>(stream.gcount()));
-
-  Payload payload{file, 1};
-  std::string beside;
-  if (name.ends_with(".nrrd") || name.ends_with(".nhdr")) {
-    const std::string encoding = header_value(header, "encoding");
-    if (encoding == "gzip" || encoding == "gz") payload.most_bytes_per_byte = deflate_limit;
-    if (encoding == "bzip2" || encoding == "bz2") payload.most_bytes_per_byte = 1 << 16;
-    if (encoding == "ascii" || encoding == "text" || encoding == "txt") payload.most_bytes_per_byte = 4;
-    beside = header_value(header, "data file");
-    if (beside.empty()) beside = header_value(header, "datafile");
-  } else {
-    if (header_value(header, "compresseddata") == "True") payload.most_bytes_per_byte = deflate_limit;
-    if (header_value(header, "binarydata") == "False") payload.most_bytes_per_byte = 4;
-    beside = header_value(header, "elementdatafile");
-    if (beside == "LOCAL" || beside == "Local" || beside == "local") beside.clear();
-  }
-  if (!beside.empty()) payload.file = file.parent_path() / beside;
-  return payload;
 }
 
 Result<Grid> grid_of(itk::ImageIOBase& io, const fs::path& file);
@@ -304,7 +243,7 @@ Result<Grid> grid_of(itk::ImageIOBase& io, const fs::path& file) {
 
 // Whether the file can hold what its header declares. Products are kept below 2^63 by dividing first.
 Result<void> check_size(itk::ImageIOBase& io, const fs::path& file) {
-  const Payload payload = payload_of(file);
+  const VoxelPayload payload = voxel_payload(file);
   std::error_code problem;
   const auto bytes = fs::file_size(payload.file, problem);
   if (problem) return unreadable(file, "its data file " + payload.file.string() + " cannot be opened");

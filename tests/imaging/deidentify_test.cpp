@@ -1,0 +1,143 @@
+// De-identified files say nothing of the patient, and are still the same study.
+
+#include "imaging/deidentify.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/files.h"
+#include "imaging/dicom_uid.h"
+#include "imaging/dicom_write.h"
+#include "imaging/read_series.h"
+#include "support/data.h"
+
+namespace glisson::imaging {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Two series of one study, full of identity, also in a nested sequence and in private elements.
+void write_identified_study(const fs::path& folder) {
+  Volume volume;
+  volume.grid.size = {6, 5, 4};
+  volume.values.resize(volume.grid.voxels());
+  for (std::size_t i = 0; i < volume.values.size(); ++i) volume.values[i] = static_cast<float>(i) * 40;
+  SeriesDescription series;
+  series.patient_name = "SECRETNAME^JANE";
+  series.patient_id = "SECRETID";
+  series.patient_comments = "SECRETCOMMENT";
+  series.study_description = "SECRETSTUDY";
+  series.study_date = "20201231";
+  series.study_uid = "1.2.3.444";
+  series.frame_of_reference_uid = "1.2.3.555";
+  series.rescale_slope = 1;
+  for (const char* kind : {"T1 SECRETTEXT", "MRE stiffness SECRETTEXT"}) {
+    series.series_description = kind;
+    series.series_uid = uid_from_name(kind);
+    const auto files = write_dicom_series(folder / kind, volume, series);
+    ASSERT_TRUE(files);
+    for (const fs::path& file : *files) {
+      DcmFileFormat format;
+      ASSERT_TRUE(format.loadFile(file.c_str()).good());
+      DcmDataset& data = *format.getDataset();
+      data.putAndInsertString(DCM_InstitutionName, "SECRETHOSPITAL");
+      data.putAndInsertString(DCM_PatientBirthDate, "19501122");
+      data.putAndInsertString(DCM_OperatorsName, "SECRETOPERATOR");
+      DcmItem* item = nullptr;
+      data.findOrCreateSequenceItem(DCM_ReferencedImageSequence, item, 0);
+      item->putAndInsertString(DCM_ReferencedSOPInstanceUID, "1.2.3.444.999");
+      item->putAndInsertString(DCM_PersonName, "SECRETNESTED");
+      data.putAndInsertString(DcmTag(0x0043, 0x0010, EVR_LO), "GEMS_PARM_01");
+      data.putAndInsertString(DcmTag(0x0043, 0x1001, EVR_LO), "SECRETPRIVATE");
+      ASSERT_TRUE(format.saveFile(file.c_str(), EXS_LittleEndianExplicit).good());
+    }
+  }
+}
+
+class Deidentified : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_identified_study(source_.path());
+    auto done = deidentify(source_.path(), out_.path(), {"a key"});
+    ASSERT_TRUE(done) << done.error().message();
+    result_ = std::move(*done);
+  }
+  TemporaryFolder source_, out_;
+  DeidentifyResult result_;
+};
+
+TEST_F(Deidentified, SaysNothingOfThePatientAnywhere) {
+  ASSERT_EQ(result_.files.size(), 8U);
+  for (const fs::path& file : result_.files) {
+    const std::string bytes = *read_text_file(file);
+    for (const char* text : {"SECRET", "JANE", "1950", "20201231", "1.2.3.444", "1.2.3.555"}) {
+      EXPECT_EQ(bytes.find(text), std::string::npos) << text << " in " << file;
+      EXPECT_EQ(file.string().find(text), std::string::npos);
+    }
+  }
+  EXPECT_EQ(result_.removed.at("PatientName"), 8);
+  EXPECT_EQ(result_.removed.at("InstitutionName"), 8);
+  EXPECT_GT(result_.removed.at("private elements"), 0);
+}
+
+TEST_F(Deidentified, IsStillTheSameStudy) {
+  const auto before = scan(source_.path()), after = scan(out_.path());
+  ASSERT_TRUE(before && after);
+  ASSERT_EQ(after->series.size(), before->series.size());
+  for (const Series& was : before->series) {
+    const auto is = std::find_if(after->series.begin(), after->series.end(),
+                                 [&](const Series& series) { return series.role == was.role; });
+    ASSERT_NE(is, after->series.end()) << role_name(was.role) << " is lost";
+    EXPECT_NE(is->uid, was.uid);
+    EXPECT_EQ(is->study_uid, after->series.front().study_uid);
+    EXPECT_EQ(is->frame_of_reference_uid, after->series.front().frame_of_reference_uid);
+    EXPECT_TRUE(same_grid(is->grid, was.grid));
+    EXPECT_EQ(read_series(*is)->values, read_series(was)->values);
+    EXPECT_THAT(is->problems, testing::ContainerEq(was.problems));
+  }
+}
+
+TEST_F(Deidentified, GetsTheSameIdentifiersFromTheSameKeyOnly) {
+  const TemporaryFolder same, other;
+  const auto again = deidentify(source_.path(), same.path(), {"a key"});
+  const auto differently = deidentify(source_.path(), other.path(), {"another"});
+  ASSERT_TRUE(again && differently);
+  const auto name = [](const DeidentifyResult& result) { return result.files.front().filename(); };
+  EXPECT_EQ(name(*again), name(result_));
+  EXPECT_NE(name(*differently), name(result_));
+}
+
+TEST_F(Deidentified, NeverWritesIntoTheSource) {
+  EXPECT_EQ(deidentify(source_.path(), source_.path() / "out").error().code, "deidentify-inside-source");
+  EXPECT_EQ(deidentify(source_.path(), source_.path()).error().code, "deidentify-inside-source");
+}
+
+TEST_F(Deidentified, SkipsWhatIsNoImageAndSaysSo) {
+  const TemporaryFolder mixed, out;
+  ASSERT_TRUE(write_text_file(mixed.path() / "letter.txt", "Dear Jane"));
+  EXPECT_EQ(deidentify(mixed.path(), out.path()).error().code, "deidentify-nothing");
+  fs::copy(source_.path(), mixed.path(), fs::copy_options::recursive);
+  const auto done = deidentify(mixed.path(), out.path());
+  ASSERT_TRUE(done);
+  ASSERT_EQ(done->skipped.size(), 1U);
+  EXPECT_EQ(done->skipped.front().path.filename(), "letter.txt");
+}
+
+TEST(Deidentify, KeepsARealSegmentationReadable) {
+  GLISSON_NEEDS_DATA("dcmqi_liver_seg_ct3");
+  const TemporaryFolder out;
+  const auto done = deidentify(test::shared_data() / "dcmqi_liver_seg_ct3" / "liver.dcm", out.path());
+  ASSERT_TRUE(done) << done.error().message();
+  const std::string bytes = *read_text_file(done->files.front());
+  for (const char* text : {"JANCT000", "99000", "UIowa", "1.2.392.200103"}) {
+    EXPECT_EQ(bytes.find(text), std::string::npos) << text;
+  }
+  const auto study = scan(out.path());
+  ASSERT_EQ(study->series.size(), 1U);
+  EXPECT_EQ(study->series.front().role, Role::segmentation);
+}
+
+}  // namespace
+}  // namespace glisson::imaging
