@@ -24,7 +24,9 @@ using imaging::Mask;
 
 using WorkingImage = imaging::Image<float>;  // block means of the image
 
-constexpr int most_rounds = 10;  // the region is usually the same after four to six
+constexpr int most_rounds = 30;  // the region is usually the same after six to nine; a strong drift takes longer
+
+constexpr double settled_fraction = 1e-3;  // rounds that turn fewer of the region's voxels may go on in a circle
 
 // Adults' livers hold about -794 + 1267 BSA ml (Vauthey et al., Liver Transplantation 8:233, 2002): 0.7 l at 1.2 m2 of
 // body surface, 2.5 l at 2.6 m2. Wider on both sides for small remnants and large, fatty livers.
@@ -41,7 +43,7 @@ struct Seed {
   double sd;  // of single voxels
 };
 Result<std::vector<Seed>> look_around_seeds(const WorkingImage& image, const std::vector<Vector3d>& seeds_mm,
-                                            const GrowOptions& options, double smallest_sd);
+                                            const GrowOptions& options);
 Mask mask_of_seeds(const std::vector<Seed>& seeds, const Grid& grid);
 
 // The part of the tissue that hangs together with the seeds and is thicker than a neck, its tips given back.
@@ -62,6 +64,7 @@ struct Range {
   enum class Contrast { none, some } contrast = Contrast::none;
 };
 Range range_of(const std::vector<float>& values);
+double changed_fraction(const std::vector<std::uint8_t>& before, const std::vector<std::uint8_t>& after);
 std::vector<std::size_t> voxels_around(const Vector3d& center_mm, double radius_mm, const Grid& grid);
 
 }  // namespace
@@ -83,23 +86,23 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
     return failure("grow-constant-image",
                    GLISSON_TEXT("Every voxel of the image has the same value: there is nothing to grow in."));
   }
-  const double smallest_sd =
-      std::max(0.005 * (range.high - range.low), 1e-6);  // an image without noise still has partial volumes
 
-  Result<std::vector<Seed>> seeds = look_around_seeds(working, seeds_mm, options, smallest_sd);
+  Result<std::vector<Seed>> seeds = look_around_seeds(working, seeds_mm, options);
   if (!seeds) return failure(seeds.error());
-
+  const double darkest = std::min_element(seeds->begin(), seeds->end(), [](const Seed& a, const Seed& b) {
+                           return a.brightness < b.brightness;
+                         })->brightness;
   // Values well below zero are Hounsfield units, in which a drift adds; elsewhere it scales.
-  const double darkest_seed = std::min_element(seeds->begin(), seeds->end(), [](const Seed& a, const Seed& b) {
-                                return a.brightness < b.brightness;
-                              })->brightness;
-  const bool scales = image.unit != "HU" && darkest_seed > 0 && range.low > -darkest_seed;
+  const bool scales = image.unit != "HU" && darkest > 0 && range.low > -darkest;
   const auto drift = scales ? TissueModel::Drift::proportional : TissueModel::Drift::additive;
+  // However little noise is left, liver itself varies by fat and perfusion: a spread below 8 % of the brightness, or
+  // 10 HU (a contrast range of 1,250 HU), is not believed.
+  const double smallest_sd = std::max(scales ? 0.08 * darkest : 0.008 * (range.high - range.low), 1e-6);
 
   GrowResult result;
   TissueModel tissue =
       learn_tissue(working, mask_of_seeds(*seeds, working.grid), drift, options.drift_length_mm, smallest_sd);
-  tissue.sd = 0;
+  tissue.sd = smallest_sd;
   for (const Seed& seed : *seeds) tissue.sd = std::max(tissue.sd, seed.sd);
   Region region;
   std::vector<std::uint8_t> before;
@@ -118,7 +121,7 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
                            GLISSON_TEXT("Move the seed into the middle of the liver, away from vessels and edges."),
                            {}});
     }
-    if (region.whole.values == before) break;
+    if (!before.empty() && changed_fraction(before, region.whole.values) < settled_fraction) break;
     before = region.whole.values;
     tissue = learn_tissue(working, region.core, drift, options.drift_length_mm, smallest_sd);
   }
@@ -197,7 +200,7 @@ Mask finished(const Region& region, const Grid& grid, const std::array<int, 3>& 
 }
 
 Result<std::vector<Seed>> look_around_seeds(const WorkingImage& image, const std::vector<Vector3d>& seeds_mm,
-                                            const GrowOptions& options, double smallest_sd) {
+                                            const GrowOptions& options) {
   const std::vector<float> smooth_image = smoothed(image, options.smoothing_mm);
   std::vector<Seed> seeds;
   for (std::size_t n = 0; n < seeds_mm.size(); ++n) {
@@ -216,10 +219,10 @@ Result<std::vector<Seed>> look_around_seeds(const WorkingImage& image, const std
     }
     seed.brightness = mode_of(brightness);
     for (float& value : single) value = std::abs(value - static_cast<float>(seed.brightness));
-    seed.sd = std::max(1.4826 * median_of(std::move(single)), smallest_sd);
+    seed.sd = 1.4826 * median_of(std::move(single));
     for (const std::size_t voxel : around) {
       const double off = std::abs(static_cast<double>(smooth_image[voxel]) - seed.brightness);
-      if (off < options.tolerance_sd * seed.sd) seed.voxels.push_back(voxel);
+      if (off <= options.tolerance_sd * seed.sd) seed.voxels.push_back(voxel);
     }
     seeds.push_back(std::move(seed));
   }
@@ -338,6 +341,16 @@ Range range_of(const std::vector<float>& values) {
   const std::size_t tail = sorted.size() / 50;
   return {static_cast<double>(sorted[tail]), static_cast<double>(sorted[sorted.size() - 1 - tail]),
           sorted.front() < sorted.back() ? Range::Contrast::some : Range::Contrast::none};
+}
+
+// The voxels that differ, as a part of those after.
+double changed_fraction(const std::vector<std::uint8_t>& before, const std::vector<std::uint8_t>& after) {
+  std::size_t changed = 0, inside = 0;
+  for (std::size_t voxel = 0; voxel < after.size(); ++voxel) {
+    changed += before[voxel] != after[voxel] ? 1U : 0U;
+    inside += after[voxel];
+  }
+  return static_cast<double>(changed) / static_cast<double>(std::max<std::size_t>(inside, 1));
 }
 
 std::vector<std::size_t> voxels_around(const Vector3d& center_mm, double radius_mm, const Grid& grid) {

@@ -30,7 +30,7 @@ struct GrowOptions {
 
   // The expected brightness follows the tissue found so far over this length, as coils (MR) and beam hardening (CT)
   // make it drift. Other organs are smaller than this.
-  double drift_length_mm = 50;
+  double drift_length_mm = 30;
 
   // A bridge to another organ is cut where no ball of this radius fits. The liver itself is thicker but at its tips,
   // which are given back.
