@@ -72,6 +72,7 @@ NearestPoint::Found NearestPoint::nearest(const Vector3d& position_mm) const {
 
 std::vector<NearestPoint::Found> NearestPoint::nearest(const Vector3d& position_mm, int count) const {
   const std::size_t wanted = std::min(static_cast<std::size_t>(std::max(count, 0)), tree_->set.points_mm.size());
+  if (wanted == 0) return {};
   std::vector<std::uint32_t> points(wanted);
   std::vector<double> squared_distances_mm2(wanted);
   tree_->tree.knnSearch(position_mm.data(), wanted, points.data(), squared_distances_mm2.data());

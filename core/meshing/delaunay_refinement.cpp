@@ -28,9 +28,10 @@ using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 using SizeField = CGAL::Mesh_constant_domain_field_3<Kernel, Domain::Index>;
 using PatchSizes = std::map<std::pair<int, int>, double>;
 
-// Of the cell radius: how far a facet may lie from the boundary. An eighth keeps a round surface round to about a
-// tenth of the edge length and costs a quarter more cells than a half would.
+// Of the cell radius: how far a facet may lie from the boundary. Inside, where the radius of a ball is about two cell
+// radii, chords cost three times their depth of the volume.
 constexpr double facet_distance_share = 0.125;
+constexpr double inner_facet_distance_share = 0.08;
 constexpr double least_facet_angle_deg = 25;
 constexpr double most_radius_edge_ratio = 2.5;
 constexpr double sliver_bound_deg = 10;
@@ -44,7 +45,8 @@ struct Cancelled {};
 PatchSizes sizes_at_boundaries(const PieceMap& map, const std::vector<double>& cell_radius_mm);
 Criteria criteria_for(const Domain& domain, const PatchSizes& patches, const std::vector<double>& cell_radius_mm);
 
-// Points on every boundary of every piece to begin with, about a cell apart. Refinement finds by itself only what the
+// Points on every boundary of every piece to begin with, not nearer to each other than a cell's edge is long: points
+// are never taken away again, and two close together would draw a nest of small cells. Refinement alone only what the
 // edges between its first cells happen to cross, and loses the pieces between them.
 void insert_first_points(Complex& complex, const Domain& domain, const PieceMap& map, const PatchSizes& patches);
 
@@ -167,7 +169,8 @@ Criteria criteria_for(const Domain& domain, const PatchSizes& patches, const std
   for (const auto& [patch, radius] : patches) {
     const Domain::Index index = domain.index_from_surface_patch_index(patch);
     facet_radius.set_size(radius, 2, index);
-    facet_distance.set_size(facet_distance_share * radius, 2, index);
+    const bool inner = patch.first != 0;
+    facet_distance.set_size((inner ? inner_facet_distance_share : facet_distance_share) * radius, 2, index);
   }
   namespace parameters = CGAL::parameters;
   return Criteria(parameters::facet_angle = least_facet_angle_deg, parameters::facet_size = facet_radius,
@@ -175,9 +178,33 @@ Criteria criteria_for(const Domain& domain, const PatchSizes& patches, const std
                   parameters::cell_radius_edge_ratio = most_radius_edge_ratio, parameters::cell_size = cell_radius);
 }
 
+// Points that keep a distance from each other, found by the brick of space that they lie in. Bricks are as long as the
+// distance, so that each holds few points and only the neighbours need to be asked.
+class SparsePoints {
+ public:
+  explicit SparsePoints(double apart_mm) : apart_mm_(apart_mm) {}
+
+  bool add(const Eigen::Vector3d& point) {
+    const Eigen::Vector3i brick = (point / apart_mm_).array().floor().cast<int>();
+    for (int n = 0; n < 27; ++n) {
+      const auto near = points_.equal_range({brick.x() + n % 3 - 1, brick.y() + n / 3 % 3 - 1, brick.z() + n / 9 - 1});
+      for (auto other = near.first; other != near.second; ++other) {
+        if ((other->second - point).norm() < apart_mm_) return false;
+      }
+    }
+    points_.insert({{brick.x(), brick.y(), brick.z()}, point});
+    return true;
+  }
+
+ private:
+  double apart_mm_;
+  std::multimap<std::array<int, 3>, Eigen::Vector3d> points_;
+};
+
 void insert_first_points(Complex& complex, const Domain& domain, const PieceMap& map, const PatchSizes& patches) {
-  using Bucket = std::array<int, 5>;  // of one patch: two pieces, and the brick of space
-  std::set<Bucket> taken;
+  constexpr double edge_of_radius = 1.5;
+  std::map<std::pair<int, int>, SparsePoints> taken;
+  for (const auto& [patch, radius_mm] : patches) taken.emplace(patch, SparsePoints(edge_of_radius * radius_mm));
   const imaging::Grid& grid = map.grid;
   const auto intersection = domain.construct_intersection_object();
   const auto point_of = [&](const Eigen::Vector3d& local) { return Kernel::Point_3(local.x(), local.y(), local.z()); };
@@ -189,17 +216,9 @@ void insert_first_points(Complex& complex, const Domain& domain, const PieceMap&
           const Eigen::Vector3i step = Eigen::Vector3i::Unit(axis);
           const int there = map.piece[grid.offset(i + step.x(), j + step.y(), k + step.z())];
           if (here == there) continue;
-          const auto patch = std::minmax(here, there);
-          const double apart_mm = 1.5 * patches.at(patch);
           const Eigen::Vector3d from = grid.spacing_mm.cwiseProduct(Eigen::Vector3d(i, j, k));
           const Eigen::Vector3d to = from + grid.spacing_mm.cwiseProduct(step.cast<double>());
-          const Eigen::Vector3d brick = ((from + to) / (2 * apart_mm)).array().floor();
-          if (!taken
-                   .insert({patch.first, patch.second, static_cast<int>(brick.x()), static_cast<int>(brick.y()),
-                            static_cast<int>(brick.z())})
-                   .second) {
-            continue;
-          }
+          if (!taken.at(std::minmax(here, there)).add(0.5 * (from + to))) continue;
           const auto [point, index, dimension] = intersection(Kernel::Segment_3(point_of(from), point_of(to)));
           if (dimension == 0) continue;
           const auto vertex = complex.triangulation().insert(Triangulation::Weighted_point(point));

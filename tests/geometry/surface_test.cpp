@@ -1,6 +1,7 @@
 // Surfaces against closed forms: spheres, and real organs.
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -55,6 +56,33 @@ TEST(Surface, IsWatertightUntilATriangleIsLostTurnedOrDoubled) {
   with_doubled_triangle.triangles.push_back(sphere.triangles[7]);
   EXPECT_FALSE(is_watertight(with_doubled_triangle));
   EXPECT_FALSE(is_watertight({}));
+}
+
+TEST(Surface, PointsWhereItTouchesItselfOrEndsAreFound) {
+  Surface sphere = sphere_surface(10, 2);
+  EXPECT_TRUE(pinched_points(sphere).empty());
+
+  // A second sphere that hangs on the first by one point: watertight still, and no manifold.
+  const Surface other = sphere_surface(10, 2, 2 * sphere.points_mm[0]);
+  Surface pair = sphere;
+  const int shift = static_cast<int>(pair.points_mm.size());
+  int touching = 0;
+  for (std::size_t i = 0; i < other.points_mm.size(); ++i) {
+    if ((other.points_mm[i] - sphere.points_mm[0]).norm() < 1e-9) touching = static_cast<int>(i);
+    pair.points_mm.push_back(other.points_mm[i]);
+  }
+  for (auto triangle : other.triangles) {
+    for (int& corner : triangle) corner = corner == touching ? 0 : corner + shift;
+    pair.triangles.push_back(triangle);
+  }
+  EXPECT_TRUE(is_watertight(pair));
+  EXPECT_EQ(pinched_points(pair), std::vector<int>{0});
+
+  const auto [a, b, c] = sphere.triangles.back();
+  sphere.triangles.pop_back();
+  std::vector<int> at_hole{a, b, c};
+  std::sort(at_hole.begin(), at_hole.end());
+  EXPECT_EQ(pinched_points(sphere), at_hole);
 }
 
 TEST(Surface, NormalsOfASpherePointOutwardAlongItsRadii) {
