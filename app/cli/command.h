@@ -32,6 +32,7 @@ void add_compare(CLI::App& app, Action& chosen);
 void add_export(CLI::App& app, Action& chosen);
 void add_render(CLI::App& app, Action& chosen);
 void add_platform(CLI::App& app, Action& chosen);
+void add_deidentify(CLI::App& app, Action& chosen);
 void add_demo(CLI::App& app, Action& chosen);
 
 // All of them, in the order in which --help lists them.

@@ -7,6 +7,7 @@ namespace glisson::cli {
 void add_commands(CLI::App& app, Action& chosen) {
   add_scan(app, chosen);
   add_platform(app, chosen);
+  add_deidentify(app, chosen);
 }
 
 }  // namespace glisson::cli
