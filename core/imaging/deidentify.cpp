@@ -329,9 +329,16 @@ Result<void> clean_file(const fs::path& file, const fs::path& out, const std::st
   DcmFileFormat format;
   const OFCondition loaded = format.loadFile(file.c_str());
   DcmDataset* data_set = format.getDataset();
-  if (loaded.bad() || data_set->card() == 0 || text_of(*data_set, DCM_SOPInstanceUID).empty()) {
-    return failure("dicom-damaged", GLISSON_TEXT("{0} is no DICOM image, or is damaged."), {file.string()});
+  if (loaded.bad() || !data_set->tagExists(DCM_PixelData)) {
+    return failure("dicom-damaged", GLISSON_TEXT("{0} holds no image, or is damaged."), {file.string()});
   }
+  // Files that were stripped before may lack identifiers; a folder then stands for a series, as scanning takes it.
+  const auto ensure = [&](const DcmTagKey& tag, const std::string& value) {
+    if (text_of(*data_set, tag).empty()) data_set->putAndInsertString(tag, value.c_str());
+  };
+  ensure(DCM_SOPInstanceUID, uid_from_name(file.string()));
+  ensure(DCM_SeriesInstanceUID, uid_from_name(file.parent_path().string()));
+  ensure(DCM_SOPClassUID, text_of(*data_set, DCM_Modality) == "CT" ? UID_CTImageStorage : UID_MRImageStorage);
   warn_of_burned_in_text(*data_set, file, result.warnings);
   const E_TransferSyntax syntax = data_set->getOriginalXfer();
   Cleaner(key, result.removed).clean(*data_set, series_description);

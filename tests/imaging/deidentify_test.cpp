@@ -125,6 +125,18 @@ TEST_F(Deidentified, SkipsWhatIsNoImageAndSaysSo) {
   EXPECT_EQ(done->skipped.front().path.filename(), "letter.txt");
 }
 
+// These were stripped before, of their identifiers too, and are JPEG 2000, which is passed on as it is.
+TEST(Deidentify, TakesFilesThatLackIdentifiers) {
+  GLISSON_NEEDS_DATA("totalseg_abdomen_mr_ct");
+  const TemporaryFolder out;
+  const auto done = deidentify(test::shared_data() / "totalseg_abdomen_mr_ct" / "example_ct_dicom", out.path());
+  ASSERT_TRUE(done) << done.error().message();
+  const auto study = scan(out.path());
+  ASSERT_EQ(study->series.size(), 1U);
+  EXPECT_EQ(study->series.front().grid.size, (std::array<int, 3>{512, 512, 20}));
+  EXPECT_TRUE(read_series(study->series.front()));
+}
+
 TEST(Deidentify, KeepsARealSegmentationReadable) {
   GLISSON_NEEDS_DATA("dcmqi_liver_seg_ct3");
   const TemporaryFolder out;
