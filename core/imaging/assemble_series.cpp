@@ -30,10 +30,14 @@ void append(std::vector<std::string>& problems, std::vector<std::string> more);
 
 std::vector<Series> assemble_series(std::vector<DicomImage> images) {
   std::vector<std::string> copies = leave_out_copies(images);
-  const std::vector<Stack> stacks = part_into_stacks(images);
+  const Stacks parted = part_into_stacks(images);
   std::vector<Series> parts;
-  for (const Stack& stack : stacks) parts.push_back(assemble_stack(images, stack));
-  describe_parts(stacks, parts);
+  for (const Stack& stack : parted.stacks) parts.push_back(assemble_stack(images, stack));
+  describe_parts(parted.stacks, parts);
+  if (parted.pictures_left_out > 0) {
+    parts.front().problems.push_back(fmt::format(
+        "The series mixes more kinds of picture than can be sorted: {} are left out.", parted.pictures_left_out));
+  }
   append(parts.front().problems, std::move(copies));
   return parts;
 }

@@ -16,6 +16,10 @@ namespace {
 constexpr double direction_tolerance = 1e-3;
 constexpr double spacing_tolerance = 1e-3;
 
+// Radial and rotating acquisitions have some 200 orientations. Every picture is compared with every kind, so that more
+// would let one file keep the scan busy for hours.
+constexpr std::size_t most_kinds = 512;
+
 bool same_kind(const std::vector<DicomImage>& images, const PictureRef& a, const PictureRef& b);
 std::string kind_of(const Picture& picture);
 std::vector<Stack> cut_at_wide_gaps(const std::vector<DicomImage>& images, Stack stack);
@@ -23,7 +27,8 @@ void tell_ge_phase_from_magnitude(const std::vector<DicomImage>& images, std::ve
 
 }  // namespace
 
-std::vector<Stack> part_into_stacks(const std::vector<DicomImage>& images) {
+Stacks part_into_stacks(const std::vector<DicomImage>& images) {
+  Stacks parted;
   std::vector<Stack> alike;
   for (std::size_t i = 0; i < images.size(); ++i) {
     for (std::size_t p = 0; p < images[i].pictures.size(); ++p) {
@@ -33,19 +38,20 @@ std::vector<Stack> part_into_stacks(const std::vector<DicomImage>& images) {
       });
       if (found != alike.end()) {
         found->pictures.push_back(ref);
-      } else {
+      } else if (alike.size() < most_kinds) {
         alike.push_back({{ref}, kind_of(images[i].pictures[p])});
+      } else {
+        ++parted.pictures_left_out;
       }
     }
   }
   tell_ge_phase_from_magnitude(images, alike);
-  std::vector<Stack> stacks;
   for (Stack& stack : alike) {
-    for (Stack& part : cut_at_wide_gaps(images, std::move(stack))) stacks.push_back(std::move(part));
+    for (Stack& part : cut_at_wide_gaps(images, std::move(stack))) parted.stacks.push_back(std::move(part));
   }
-  std::stable_sort(stacks.begin(), stacks.end(),
+  std::stable_sort(parted.stacks.begin(), parted.stacks.end(),
                    [](const Stack& a, const Stack& b) { return a.pictures.size() > b.pictures.size(); });
-  return stacks;
+  return parted;
 }
 
 double position_along_normal_mm(const Picture& picture) {

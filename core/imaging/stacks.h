@@ -21,8 +21,13 @@ struct Stack {
   std::string kind;  // what may tell it from the others of the series: "echo 2", "phase"; may be empty
 };
 
-// At least one for a series with pictures; the first is the one with most pictures.
-[[nodiscard]] std::vector<Stack> part_into_stacks(const std::vector<DicomImage>& images);
+// The first stack is the one with most pictures. A series with more kinds of picture than any real one is no series of
+// slices: what goes beyond 512 kinds is left out.
+struct Stacks {
+  std::vector<Stack> stacks;  // at least one for a series with pictures
+  std::size_t pictures_left_out = 0;
+};
+[[nodiscard]] Stacks part_into_stacks(const std::vector<DicomImage>& images);
 
 // The volumes of one stack: pictures at the same positions, told apart by a header field that takes as many values as
 // there are pictures at each position, or else by their order of acquisition.

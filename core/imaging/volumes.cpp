@@ -27,9 +27,9 @@ const std::vector<CountingField>& counting_fields();
 std::vector<Pictures> gather_by_position(const Images& images, const Stack& stack, std::vector<double>& positions_mm);
 std::size_t usual_count(const std::vector<Pictures>& at_position);
 const CountingField* field_that_counts(const Images& images, const std::vector<Pictures>& at_position,
-                                       std::size_t count, std::vector<double>& values);
+                                       std::size_t count);
 void keep_complete_volumes(const Images& images, const std::vector<Pictures>& at_position, const CountingField& field,
-                           const std::vector<double>& values, Volumes& volumes);
+                           Volumes& volumes);
 void name_doubled_slices(const Images& images, const std::vector<Pictures>& at_position, std::size_t count,
                          Volumes& volumes);
 
@@ -40,10 +40,9 @@ Volumes part_into_volumes(const Images& images, const Stack& stack) {
   const std::vector<Pictures> at_position = gather_by_position(images, stack, volumes.positions_mm);
   const std::size_t count = usual_count(at_position);
 
-  std::vector<double> values;
-  const CountingField* field = count > 1 ? field_that_counts(images, at_position, count, values) : nullptr;
+  const CountingField* field = count > 1 ? field_that_counts(images, at_position, count) : nullptr;
   if (field != nullptr) {
-    keep_complete_volumes(images, at_position, *field, values, volumes);
+    keep_complete_volumes(images, at_position, *field, volumes);
     if (!volumes.of_volume.empty()) return volumes;
   }
   // Taken in their order of acquisition, as many as there are everywhere.
@@ -128,7 +127,7 @@ std::size_t usual_count(const std::vector<Pictures>& at_position) {
 }
 
 const CountingField* field_that_counts(const Images& images, const std::vector<Pictures>& at_position,
-                                       std::size_t count, std::vector<double>& values) {
+                                       std::size_t count) {
   for (const CountingField& field : counting_fields()) {
     std::set<double> seen;
     bool once_everywhere = true;
@@ -140,22 +139,20 @@ const CountingField* field_that_counts(const Images& images, const std::vector<P
         seen.insert(value);
       }
     }
-    if (!once_everywhere || seen.size() != count) continue;
-    values.assign(seen.begin(), seen.end());
-    return &field;
+    if (once_everywhere && seen.size() == count) return &field;
   }
   return nullptr;
 }
 
 void keep_complete_volumes(const Images& images, const std::vector<Pictures>& at_position, const CountingField& field,
-                           const std::vector<double>& values, Volumes& volumes) {
-  for (const double value : values) {
-    Pictures slices;
-    for (const Pictures& here : at_position) {
-      for (const PictureRef& ref : here) {
-        if (field.value(images[ref.image], picture_of(images, ref)) == value) slices.push_back(ref);
-      }
+                           Volumes& volumes) {
+  std::map<double, Pictures> slices_with;
+  for (const Pictures& here : at_position) {
+    for (const PictureRef& ref : here) {
+      slices_with[field.value(images[ref.image], picture_of(images, ref))].push_back(ref);
     }
+  }
+  for (auto& [value, slices] : slices_with) {
     if (slices.size() == at_position.size()) {
       volumes.of_volume.push_back(std::move(slices));
       volumes.labels.push_back(fmt::format("{} {}", field.name, value));

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <cmath>
 
 #include "base/files.h"
 #include "imaging/checked_dicom.h"
@@ -197,6 +198,29 @@ TEST_F(HostileFile, WhoseStreamHasAnotherSizeThanItsHeader) {
   ASSERT_FALSE(volume.has_value());
   EXPECT_EQ(volume.error().code, "dicom-pixels-damaged");
   EXPECT_THAT(volume.error().message(), HasSubstr("8 x 32518"));
+}
+
+// Each picture is compared with each kind: a hundred thousand kinds in one file would keep the scan busy for hours.
+TEST_F(HostileFile, WithThousandsOfOrientations) {
+  SliceSpec spec;
+  spec.series_uid = "1.2.3.8";
+  spec.columns = spec.rows = 1;
+  const std::vector<Eigen::Vector3d> places(3000, Eigen::Vector3d(0, 0, 0));
+  const auto file = test::enhanced_image(spec, places, [](int, int, int) { return 0; });
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    DcmItem* frame = nullptr;
+    DcmItem* macro = nullptr;
+    file->getDataset()->findOrCreateSequenceItem(DCM_PerFrameFunctionalGroupsSequence, frame, static_cast<long>(n));
+    frame->findOrCreateSequenceItem(DCM_PlaneOrientationSequence, macro, 0);
+    const double angle = 0.002 * static_cast<double>(n);
+    macro->putAndInsertString(DCM_ImageOrientationPatient,
+                              fmt::format("{:.7f}\\{:.7f}\\0\\0\\0\\1", std::cos(angle), std::sin(angle)).c_str());
+  }
+  test::save(*file, bad());
+  const Result<Study> study = scan(bad());
+  ASSERT_TRUE(study.has_value());
+  EXPECT_EQ(study->series.size(), 512U);
+  EXPECT_THAT(study->series.front().problems, testing::Contains(HasSubstr("are left out")));
 }
 
 TEST_F(HostileFile, WithAnUnknownCompression) {
