@@ -37,13 +37,17 @@ Result<meshing::LiverMesh> mesh_liver(Case& patient, const meshing::MeshOptions&
 
   const auto composed = segmentation::compose_labels(*structures, segmentation::Extent::liver);
   if (!composed) return failure(composed.error());
-  auto meshed = meshing::mesh_labels(composed->labels, options, progress.part(0.05, 0.85));
+  meshing::MeshOptions named = options;
+  for (std::size_t i = 0; i < composed->names.size(); ++i) {
+    named.names.push_back({static_cast<std::uint16_t>(i + 1), composed->names[i]});
+  }
+  auto meshed = meshing::mesh_labels(composed->labels, named, progress.part(0.05, 0.85));
   if (!meshed) return failure(meshed.error());
 
   Made made{"mesh", {{"target-cells", std::to_string(options.target_cells)}}, {}, {}, meshed->notes};
   for (const Structure& structure : *structures) made.from.push_back("labels/" + structure.name);
-  for (std::size_t i = 0; i < composed->names.size(); ++i) {
-    made.options[fmt::format("region-{}", i + 1)] = composed->names[i];
+  for (const meshing::LabelName& region : named.names) {
+    made.options[fmt::format("region-{}", region.label)] = region.name;
   }
   // A liver that is cut by the image may lack its upper rear; then the scenario must say what holds it.
   if (auto marked = rehearsal::mark_attachments(meshed->body); !marked) made.notes.push_back(marked.error().message());

@@ -79,7 +79,9 @@ Result<Scene> result_scene(const fs::path& result_folder) {
 
 Result<Comparison> comparison_scene(const fs::path& in_red, const std::string& red_label, const fs::path& in_blue,
                                     const std::string& blue_label) {
-  Comparison comparison{{}, {}, red_label, blue_label};
+  Comparison comparison;
+  comparison.red_label = red_label;
+  comparison.blue_label = blue_label;
   for (auto& [folder, scene] : {std::pair<const fs::path&, Scene&>{in_red, comparison.in_red},
                                 std::pair<const fs::path&, Scene&>{in_blue, comparison.in_blue}}) {
     const auto shown = read_shown_result(folder);
