@@ -66,6 +66,11 @@ Result<std::vector<fs::path>> write_dicom_series(const fs::path& folder, const V
     return failure("dicom-write-empty", GLISSON_TEXT("The volume holds no voxels, so no series can be written to {0}."),
                    {folder.string()});
   }
+  if (grid.size[0] > 65535 || grid.size[1] > 65535) {
+    return failure("dicom-write-too-large",
+                   GLISSON_TEXT("The slices have {0} x {1} voxels; DICOM counts rows and columns up to 65535."),
+                   {std::to_string(grid.size[0]), std::to_string(grid.size[1])});
+  }
   if (series.study_uid.empty() || series.series_uid.empty() || series.frame_of_reference_uid.empty()) {
     return failure("dicom-write-no-uid",
                    GLISSON_TEXT("The series {0} needs the identifiers of its study, of itself and of its frame of "

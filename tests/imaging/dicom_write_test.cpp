@@ -103,6 +103,10 @@ TEST(DicomWrite, RefusesWhatSixteenBitsCannotHold) {
   series.rescale_slope = 1;
   EXPECT_EQ(write_dicom_series(folder.path(), volume, series).error().code, "dicom-write-range");
   EXPECT_EQ(write_dicom_series(folder.path(), Volume{}, series).error().code, "dicom-write-empty");
+  Volume wide;
+  wide.grid.size = {70000, 1, 1};
+  wide.values.resize(70000);
+  EXPECT_EQ(write_dicom_series(folder.path(), wide, series).error().code, "dicom-write-too-large");
   series.series_uid.clear();
   EXPECT_EQ(write_dicom_series(folder.path(), oblique_volume(), series).error().code, "dicom-write-no-uid");
 }
