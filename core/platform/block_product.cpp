@@ -131,8 +131,8 @@ void multiply_blocks(const TiledBatch& blocks, const TiledBatch& x, std::size_t 
 
 std::string vector_instructions() { return HWY_DYNAMIC_DISPATCH(target_name)(); }
 
-double memory_bandwidth_GB_s() {
-  constexpr std::size_t count = 24 << 20;  // 96 MB an array
+double memory_bandwidth_GB_s(std::size_t bytes_per_array) {
+  const std::size_t count = bytes_per_array / sizeof(float);
   constexpr int rounds = 5;
   const TiledBatch x(count, 1);
   const TiledBatch z(count, 1);
@@ -148,7 +148,7 @@ double memory_bandwidth_GB_s() {
     });
     best_s = std::min(best_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
-  return 3.0 * sizeof(float) * count / best_s * 1e-9;
+  return 3.0 * static_cast<double>(count * sizeof(float)) / best_s * 1e-9;
 }
 
 std::unique_ptr<ProductKernel> processor_product(int nodes_in_domain, std::size_t largest_bytes) {

@@ -55,9 +55,9 @@ void multiply_blocks(const TiledBatch& blocks, const TiledBatch& x, std::size_t 
 [[nodiscard]] std::string vector_instructions();
 
 // Bytes a second that this machine's memory gives to y = x + s z over arrays far larger than its caches, both
-// reads and the write counted once (as STREAM's triad counts), on base's threads; the best of a few rounds. About a
-// fifth of a second.
-[[nodiscard]] double memory_bandwidth_GB_s();
+// reads and the write counted once (as STREAM's triad counts), on base's threads; the best of a few rounds. Three
+// arrays are used; the default is several times the caches of anything worn, and takes about a fifth of a second.
+[[nodiscard]] double memory_bandwidth_GB_s(std::size_t bytes_per_array = std::size_t{96} << 20);
 
 // Something that multiplies batches and can be timed: the machine's processors here, an OpenCL device elsewhere.
 class ProductKernel {

@@ -54,7 +54,7 @@ Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, con
 
   std::vector<std::size_t> sizes = sizes_of(options.grid);
   progress.report(0.05, "Memory bandwidth");
-  measurement.bandwidth_GB_s = memory_bandwidth_GB_s();
+  measurement.bandwidth_GB_s = memory_bandwidth_GB_s(options.bandwidth_array_bytes);
   const auto prepared = prepare_largest(kernel, sizes, measurement.remarks);
   if (!prepared) return failure(prepared.error());
 

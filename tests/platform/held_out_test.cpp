@@ -73,9 +73,11 @@ TEST_F(HeldOutBattery, FasterDischargesThanAnyItWasSetUpFrom) {
       const auto i = std::min(static_cast<std::size_t>(time_s), predicted.time_s.size() - 1);
       return std::pair(predicted.voltage_V[i], predicted.temperature_C[i]);
     });
-    std::cout << fmt::format("held out: {} voltage rms {:.3f} -> {:.3f} V, temperature rms {:.1f} -> {:.1f} C, hottest {:.1f} C: {:.1f} -> {:.1f} C\n", rate,
-                             before.voltage_V, after.voltage_V, before.temperature_C, after.temperature_C, measured.temperature_C.back(),
-                             measured.ambient_C, predicted.temperature_C.back());
+    std::cout << fmt::format(
+        "held out: {} voltage rms {:.3f} -> {:.3f} V, temperature rms {:.1f} -> {:.1f} C, hottest {:.1f} C: {:.1f} -> "
+        "{:.1f} C\n",
+        rate, before.voltage_V, after.voltage_V, before.temperature_C, after.temperature_C,
+        measured.temperature_C.back(), measured.ambient_C, predicted.temperature_C.back());
     report(std::string(rate) + " time to empty", measured.seconds(), label_Ah / current_A * 3600, predicted.seconds(),
            "s");
     report(std::string(rate) + " energy", measured.energy_Wh(), label_Ah * label_V, run.delivered_Wh, "Wh");

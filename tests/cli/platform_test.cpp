@@ -1,0 +1,134 @@
+// glisson-cli platform: the surgeon's question answered, a recording made into a device, and that device planned with.
+
+#include <gmock/gmock.h>
+#include <cmath>
+#include <fstream>
+
+#include "base/files.h"
+#include "support/process.h"
+
+namespace glisson::test {
+namespace {
+
+using testing::HasSubstr;
+
+Json answer(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "platform");
+  arguments.insert(arguments.end(), {"--json", "--quiet"});
+  const Finished finished = glisson_cli(arguments);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  return finished.json();
+}
+
+const Json& platform_named(const Json& document, const std::string& id) {
+  for (const Json& platform : document.at("platforms")) {
+    if (platform.at("id") == id) return platform;
+  }
+  throw std::runtime_error("no platform " + id);
+}
+
+TEST(PlatformPlan, AnswersInTheContractsWords) {
+  const Json plan = answer({"plan", "--volume-cm3", "1000", "--accuracy-mm", "5", "--hours", "3", "--fps", "10"});
+  ASSERT_GE(plan.at("platforms").size(), 4u);
+  for (const Json& platform : plan.at("platforms")) {
+    for (const char* key : {"id", "worn", "feasible", "fps", "battery_h", "temperature_C", "reasons", "idle"})
+      EXPECT_TRUE(platform.contains(key)) << key;
+    EXPECT_EQ(platform.at("feasible").get<bool>(), platform.at("reasons").empty());
+  }
+  const Json& fpga = platform_named(plan, "de10-fpga");
+  EXPECT_FALSE(fpga.at("feasible").get<bool>());
+  EXPECT_THAT(fpga.at("reasons")[0].get<std::string>(), HasSubstr("draws 5.5 W when idle"));
+  ASSERT_TRUE(plan.at("recommended").is_string());
+  EXPECT_TRUE(platform_named(plan, plan.at("recommended")).at("feasible").get<bool>());
+}
+
+TEST(PlatformPlan, NothingThatHoldsIsNullAndNoError) {
+  const Json plan = answer({"plan", "--volume-cm3", "2700", "--accuracy-mm", "1", "--hours", "24", "--fps", "60"});
+  EXPECT_TRUE(plan.at("recommended").is_null());
+}
+
+TEST(PlatformPlan, IdleComesFirstForPeopleToo) {
+  const Finished plan = glisson_cli({"platform", "plan", "--volume-cm3", "1500", "--accuracy-mm", "8"});
+  EXPECT_LT(plan.out.find("Idle first"), plan.out.find("frames a second (or"));
+}
+
+TEST(PlatformPlan, BadQuestionsAndTablesAreRefused) {
+  const auto refused = [](std::vector<std::string> changed) {
+    std::vector<std::string> arguments{"platform", "plan", "--volume-cm3", "1000", "--accuracy-mm", "5", "--json"};
+    arguments.insert(arguments.end(), changed.begin(), changed.end());
+    const Finished finished = glisson_cli(arguments);
+    EXPECT_EQ(finished.exit_code, 1);
+    return finished.json().at("error").at("code").get<std::string>();
+  };
+  EXPECT_EQ(refused({"--fps", "0"}), "request-invalid");
+  EXPECT_EQ(refused({"--hours", "-1"}), "request-invalid");
+  EXPECT_EQ(refused({"--domain-nodes", "5"}), "domain-invalid");
+  EXPECT_EQ(refused({"--devices", "/no/such.json"}), "file-not-readable");
+  EXPECT_EQ(glisson_cli({"platform", "plan", "--volume-cm3", "10000", "--accuracy-mm", "5"}).exit_code, 1);
+  EXPECT_EQ(glisson_cli({"platform", "plan", "--volume-cm3", "1000"}).exit_code, 2);
+  EXPECT_EQ(glisson_cli({"platform"}).exit_code, 2);
+}
+
+TEST(PlatformList, ShowsWhereFiguresComeFrom) {
+  const Json list = answer({"list"});
+  const Json& tx2 = platform_named(list, "tx2-gpu");
+  EXPECT_EQ(tx2.at("idle_W").at("source"), "dissertation");
+  EXPECT_EQ(tx2.at("thermal_resistance_C_per_W").at("source"), "assumed");
+  EXPECT_THAT(tx2.at("assumed"), testing::Contains("kernel.active_W"));
+}
+
+TEST(PlatformGrid, HasTenByTenProblemsAndContours) {
+  const Json grid = answer({"grid", "--device", "tx2-gpu", "--hours", "3", "--fps", "10,25"});
+  ASSERT_EQ(grid.at("at").size(), 2u);
+  const Json& at_10 = grid.at("at")[0];
+  EXPECT_EQ(at_10.at("temperature_C").size(), 10u);
+  EXPECT_EQ(at_10.at("temperature_C")[0].size(), 10u);
+  EXPECT_FALSE(at_10.at("contour_energy").empty());
+  EXPECT_EQ(glisson_cli({"platform", "grid", "--device", "abacus"}).exit_code, 1);
+}
+
+// Two runs of a made-up device, at 8 and 10 W over idling at 3 W, as a clamp of 10 A/V on 5 V would show them.
+void write_recording(const std::filesystem::path& folder) {
+  std::ofstream trace(folder / "scope.csv");
+  trace << "t,clamp\n";
+  for (int i = 0; i < 1200; ++i) {
+    const double t = i * 0.01;
+    const double power_W = t >= 2 && t < 5 ? 8 : t >= 7 && t < 10 ? 10 : 3;
+    trace << t << ',' << power_W / 50 << '\n';
+  }
+  std::ofstream(folder / "log.csv") << "nodes,products\n6000,3000\n60000,300\n";
+}
+
+TEST(PlatformMeasure, RecordingBecomesADeviceThatCanBePlannedWith) {
+  const TemporaryFolder folder;
+  write_recording(folder.path());
+  const std::string out = (folder.path() / "mine.json").string();
+  const Json measured =
+      answer({"measure", "--out", out, "--id", "my-headset", "--worn", "head", "--trace",
+              (folder.path() / "scope.csv").string(), "--channel", "clamp:10:5", "--time-column", "t", "--run-log",
+              (folder.path() / "log.csv").string(), "--battery-mAh", "9000", "--battery-V", "7.2"});
+  EXPECT_NEAR(measured.at("trace").at("idle_W").get<double>(), 3, 1e-6);
+  ASSERT_EQ(measured.at("trace").at("runs").size(), 2u);
+  // An edge may be off by half the smoothing window, 0.06 s of 3 s.
+  EXPECT_NEAR(measured.at("points")[0].at("joules").get<double>(), 5 * 3 / 3000.0, 2e-4);
+  const Json plan = answer({"plan", "--volume-cm3", "1000", "--accuracy-mm", "8", "--fps", "1", "--devices", out});
+  const Json& mine = platform_named(plan, "my-headset");
+  EXPECT_EQ(mine.at("worn"), "head");
+  EXPECT_NEAR(mine.at("fps_by_computing").get<double>(), 5, 0.2);  // 1 ms a product at 6061 nodes
+}
+
+TEST(PlatformMeasure, BadRecordingsLeaveNothingBehind) {
+  const TemporaryFolder folder;
+  write_recording(folder.path());
+  const std::string out = (folder.path() / "mine.json").string();
+  const std::string trace = (folder.path() / "scope.csv").string();
+  for (const char* channel : {"clamp:x:5", "volts:10:5", "clamp:-1:5", ":::"}) {
+    const Finished finished =
+        glisson_cli({"platform", "measure", "--out", out, "--trace", trace, "--channel", channel});
+    EXPECT_EQ(finished.exit_code, 1) << channel;
+    EXPECT_FALSE(std::filesystem::exists(out));
+  }
+}
+
+}  // namespace
+}  // namespace glisson::test
