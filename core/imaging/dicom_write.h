@@ -52,8 +52,8 @@ struct SeriesDescription {
 
 // Files IM_0001.dcm, ... in the order of the slices, one for each k of the grid; temporal positions after the first
 // count on. `folder` is made where absent; a file that is there already is replaced. The same input gives the same
-// bytes. Fails with dicom-write-empty, dicom-write-too-large, dicom-write-no-uid, dicom-write-range (a value that is not
-// finite, or that the given rescale cannot hold in 16 bits), dicom-write-failed.
+// bytes. Fails with dicom-write-empty, dicom-write-too-large, dicom-write-no-uid, dicom-write-range (a value that is
+// not finite, or that the given rescale cannot hold in 16 bits), dicom-write-failed.
 Result<std::vector<std::filesystem::path>> write_dicom_series(const std::filesystem::path& folder, const Volume& volume,
                                                               const SeriesDescription& description);
 
