@@ -8,7 +8,6 @@
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkNew.h>
-#include <vtkPLYReader.h>
 #include <vtkPLYWriter.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -34,6 +33,7 @@
 #include "geometry/mesh_file_guard.h"
 #include "geometry/obj_file.h"
 #include "geometry/off_file.h"
+#include "geometry/ply_file.h"
 
 namespace glisson::geometry {
 namespace {
@@ -60,8 +60,8 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_from(const TetMesh& mesh);
 
 Result<Surface> read_surface(const fs::path& file) {
   const std::string extension = file.extension().string();
-  if (extension == ".obj" || extension == ".off") {
-    auto surface = extension == ".obj" ? read_obj(file) : read_off(file);
+  if (extension == ".obj" || extension == ".off" || extension == ".ply") {
+    auto surface = extension == ".obj" ? read_obj(file) : extension == ".off" ? read_off(file) : read_ply(file);
     if (!surface) return surface;
     if (auto checked = check_surface(*surface); !checked) return failure(std::move(checked.error()).in_file(file));
     return surface;
@@ -73,8 +73,6 @@ Result<Surface> read_surface(const fs::path& file) {
     polygons = read_with<vtkPolyDataReader, vtkPolyData>(file);
   } else if (extension == ".stl") {
     polygons = read_with<vtkSTLReader, vtkPolyData>(file);
-  } else if (extension == ".ply") {
-    polygons = read_with<vtkPLYReader, vtkPolyData>(file);
   } else {
     return format_unknown(file, ".vtp, .vtk, .stl, .obj, .off, .ply");
   }

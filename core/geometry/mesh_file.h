@@ -15,9 +15,9 @@
 
 namespace glisson::geometry {
 
-// Reads .vtp, .vtk (polygons), .stl, .obj, .off or .ply. Points keep their order, except that the points which STL repeats
-// for every triangle are merged; polygons are cut into triangles; lines and loose vertices are left out. All numeric
-// point and cell arrays of the VTK formats become fields.
+// Reads .vtp, .vtk (polygons), .stl, .obj, .off or .ply. Points keep their order, except that the points which STL
+// repeats for every triangle are merged; polygons are cut into triangles; lines and loose vertices are left out. All
+// numeric point and cell arrays of the VTK formats become fields.
 Result<Surface> read_surface(const std::filesystem::path& file);
 
 // Writes .vtp (with all fields, in double precision), or .stl, .obj or .ply (shape alone; STL and PLY in single

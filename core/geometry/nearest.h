@@ -67,8 +67,8 @@ struct SurfaceGap {
   double mean_mm = 0;       // over the area of both
 };
 
-// Each triangle is cut in equal parts no longer than spacing_mm, whose middles are the samples, together with all points
-// of the surface. The true Hausdorff distance is larger by at most spacing_mm. Both surfaces as SurfaceDistance
+// Each triangle is cut in equal parts no longer than spacing_mm, whose middles are the samples, together with all
+// points of the surface. The true Hausdorff distance is larger by at most spacing_mm. Both surfaces as SurfaceDistance
 // wants them.
 [[nodiscard]] SurfaceGap gap_between(const Surface& a, const Surface& b, double spacing_mm);
 

@@ -1,6 +1,7 @@
 // Mesh files: what is written comes back; what is damaged or hostile is refused in one sentence; real organs are read.
 
 #include <gmock/gmock.h>
+#include <cstring>
 #include <fstream>
 
 #include "base/files.h"
@@ -151,6 +152,42 @@ TEST(MeshFile, AFileCutShortIsRefusedInOneSentence) {
       EXPECT_TRUE(refused) << extension << " cut at " << share;
     }
   }
+}
+
+TEST(MeshFile, PlyIsReadInTextAndInEitherByteOrder) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.ply";
+  const std::string properties =
+      "element vertex 4\nproperty double x\nproperty double y\nproperty double z\nproperty uchar red\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  std::ofstream(file) << "ply\nformat ascii 1.0\ncomment a square\n"
+                      << properties << "0 0 0 9\n1 0 0 9\n1 1 0 9\n0 1 0.5 9\n4 0 1 2 3\n";
+  const auto text = read_surface(file);
+  ASSERT_TRUE(text) << text.error().message();
+  EXPECT_EQ(text->points_mm[3], Vector3d(0, 1, 0.5));
+  const std::vector<std::array<int, 3>> halves{{0, 1, 2}, {0, 2, 3}};
+  EXPECT_EQ(text->triangles, halves);
+
+  const auto big_endian = [](auto value) {
+    std::string bytes(sizeof(value), 0);
+    std::memcpy(bytes.data(), &value, sizeof(value));
+    return std::string(bytes.rbegin(), bytes.rend());
+  };
+  std::string body;
+  for (const Vector3d& point : text->points_mm) {
+    for (const double coordinate : point) body += big_endian(coordinate);
+    body += '\x09';
+  }
+  body += '\x04';
+  for (const int corner : {0, 1, 2, 3}) body += big_endian(corner);
+  std::ofstream(file, std::ios::binary) << "ply\nformat binary_big_endian 1.0\n" << properties << body;
+  const auto binary = read_surface(file);
+  ASSERT_TRUE(binary) << binary.error().message();
+  EXPECT_EQ(binary->points_mm, text->points_mm);
+  EXPECT_EQ(binary->triangles, halves);
+
+  std::ofstream(file, std::ios::binary) << "ply\nformat binary_big_endian 1.0\n" << properties << body.substr(0, 90);
+  EXPECT_EQ(read_surface(file).error().code, "mesh-file-invalid");
 }
 
 TEST(MeshFile, MissingFilesAndUnknownFormatsAreSaid) {
