@@ -5,7 +5,16 @@
 namespace glisson::cli {
 
 void add_commands(CLI::App& app, Action& chosen) {
+  add_demo(app, chosen);
   add_scan(app, chosen);
+  add_import(app, chosen);
+  add_segment(app, chosen);
+  add_mesh(app, chosen);
+  add_stiffness(app, chosen);
+  add_simulate(app, chosen);
+  add_compare(app, chosen);
+  add_render(app, chosen);
+  add_export(app, chosen);
   add_platform(app, chosen);
   add_deidentify(app, chosen);
 }
