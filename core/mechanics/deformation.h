@@ -1,0 +1,34 @@
+#pragma once
+// The calculus of the deformation gradient F that the materials share. 3x3 matrices are seen as vectors of nine, column
+// after column, so that the derivative of one matrix by another is 9x9.
+
+#include <Eigen/Core>
+
+namespace glisson::mechanics {
+
+using Vector9d = Eigen::Matrix<double, 9, 1>;
+using Matrix9d = Eigen::Matrix<double, 9, 9>;
+
+inline Vector9d as_vector(const Eigen::Matrix3d& m) { return Eigen::Map<const Vector9d>(m.data()); }
+inline Eigen::Matrix3d as_matrix(const Vector9d& v) { return Eigen::Map<const Eigen::Matrix3d>(v.data()); }
+
+// F = R S with R a rotation (never a reflection) and S symmetric. Where F inverts, the smallest eigenvalue of S is
+// negative (Irving, Teran, Fedkiw 2004, Invertible Finite Elements). The slow, sure way: by singular values.
+struct Polar {
+  Eigen::Matrix3d rotation;
+  Eigen::Matrix3d stretch;
+};
+[[nodiscard]] Polar polar_decomposition(const Eigen::Matrix3d& f);
+
+// dR/dF: how the rotation turns as F changes. Where two stretches sum to almost nothing (deep in inversion) R is not
+// differentiable, and the derivative is bounded instead.
+[[nodiscard]] Matrix9d rotation_derivative(const Polar& polar);
+
+// det F by F (the cofactor matrix), and its second derivative.
+[[nodiscard]] Eigen::Matrix3d determinant_gradient(const Eigen::Matrix3d& f);
+[[nodiscard]] Matrix9d determinant_hessian(const Eigen::Matrix3d& f);
+
+// The nearest positive semi-definite matrix to a symmetric one: negative eigenvalues become zero.
+[[nodiscard]] Matrix9d positive_part(const Matrix9d& symmetric);
+
+}  // namespace glisson::mechanics
