@@ -163,8 +163,10 @@ void SliceActor::recut(const geometry::Surface* original, const geometry::Surfac
 }
 
 void SliceActor::lift_lines(const Eigen::Vector3d& towards_viewer_mm) {
-  for (const auto& line : lines_) {
-    line->actor->SetPosition(towards_viewer_mm.x(), towards_viewer_mm.y(), towards_viewer_mm.z());
+  for (std::size_t k = 0; k < lines_.size(); ++k) {
+    // Each line above the one before.
+    const Eigen::Vector3d lift_mm = (1 + 0.1 * static_cast<double>(k)) * towards_viewer_mm;
+    lines_[k]->actor->SetPosition(lift_mm.x(), lift_mm.y(), lift_mm.z());
   }
 }
 

@@ -1,8 +1,15 @@
 #include "scene/surface_actor.h"
 
+// glew must come before any other OpenGL header.
+#include <GL/glew.h>
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkLookupTable.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLActor.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
@@ -16,6 +23,32 @@ constexpr const char* glass_shader =
     "  float facing = clamp(abs(normalVCVSOutput.z), 0.0, 1.0);\n"
     "  float density = opacity * mix(1.0, 0.38, pow(facing, 1.2));\n"
     "  gl_FragData[0].a = clamp(density + 0.8 * specular.g, 0.0, 1.0);\n";
+
+// The more, the more the surface is seen from the side: an x-ray's look.
+constexpr const char* light_shader =
+    "//VTK::Light::Impl\n"
+    "  float facing = clamp(abs(normalVCVSOutput.z), 0.0, 1.0);\n"
+    "  gl_FragData[0].a = opacity * mix(1.0, 0.45, facing);\n";
+
+// Adds to what is there instead of covering it.
+class AddingActor : public vtkOpenGLActor {
+ public:
+  static AddingActor* New();
+  vtkTypeMacro(AddingActor, vtkOpenGLActor)
+
+      void Render(vtkRenderer* renderer, vtkMapper* mapper) override {
+    vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+    const vtkOpenGLState::ScopedglBlendFuncSeparate blending_as_before(state);
+    state->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE, GL_ONE, GL_ONE);
+    vtkOpenGLActor::Render(renderer, mapper);
+  }
+};
+vtkStandardNewMacro(AddingActor)
+
+    vtkSmartPointer<vtkActor> actor_for(Finish finish) {
+  if (finish == Finish::light) return vtkSmartPointer<AddingActor>::New();
+  return vtkSmartPointer<vtkActor>::New();
+}
 
 vtkNew<vtkLookupTable> lookup_table(const Colouring& colouring) {
   constexpr int steps = 256;
@@ -32,7 +65,7 @@ vtkNew<vtkLookupTable> lookup_table(const Colouring& colouring) {
 }  // namespace
 
 SurfaceActor::SurfaceActor(vtkRenderer& renderer, const SurfaceItem& item)
-    : renderer_(renderer), surface_(*item.surface) {
+    : renderer_(renderer), surface_(*item.surface), actor_(actor_for(item.finish)) {
   vtkNew<vtkCellArray> triangles;
   triangles->AllocateExact(static_cast<vtkIdType>(surface_.triangles.size()),
                            3 * static_cast<vtkIdType>(surface_.triangles.size()));
@@ -57,6 +90,7 @@ SurfaceActor::SurfaceActor(vtkRenderer& renderer, const SurfaceItem& item)
   property.SetSpecular(0.22);
   property.SetSpecularPower(28);
   if (item.finish == Finish::glass && item.opacity < 1) shade_as_glass();
+  if (item.finish == Finish::light) shade_as_light();
   if (item.colouring) colour_by(*item.colouring);
   renderer_.AddActor(actor_);
 }
@@ -120,6 +154,11 @@ void SurfaceActor::shade_as_glass() {
   property.SetSpecular(0.34);
   property.SetSpecularPower(36);
   actor_->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, glass_shader, false);
+}
+
+void SurfaceActor::shade_as_light() {
+  actor_->ForceTranslucentOn();
+  actor_->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, light_shader, false);
 }
 
 std::vector<double> values_to_colour(const geometry::Field& field) {

@@ -8,6 +8,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 #include <Eigen/Core>
 #include <vector>
 
@@ -33,6 +34,7 @@ class SurfaceActor {
  private:
   void colour_by(const Colouring& colouring);
   void shade_as_glass();
+  void shade_as_light();
 
   vtkRenderer& renderer_;
   geometry::Surface surface_;
@@ -41,7 +43,7 @@ class SurfaceActor {
   vtkNew<vtkFloatArray> values_;
   vtkNew<vtkPolyData> mesh_;
   vtkNew<vtkPolyDataMapper> mapper_;
-  vtkNew<vtkActor> actor_;
+  vtkSmartPointer<vtkActor> actor_;
 };
 
 // One value an item: the field itself, or the length of each of its vectors.

@@ -21,6 +21,7 @@ namespace {
 void light(vtkRenderer& renderer);
 void paint_background(vtkRenderer& renderer, const Scene& scene);
 std::vector<Legend> legends_of(const Scene& scene);
+bool has_light(const Scene& scene);
 void place(vtkCamera& camera, const Frame& frame);
 
 struct Hit {
@@ -50,12 +51,12 @@ struct View::Parts {
   Markers markers;
   Frame frame;
   bool framed = false;  // whether a camera was ever chosen
+  Transparency transparency = Transparency::exact;
 };
 
 View::View(vtkRenderer& renderer, double pixel_scale) : parts_(std::make_unique<Parts>(renderer, pixel_scale)) {
   light(renderer);
   // A few layers are enough for a clear liver with clear things in it.
-  renderer.SetUseDepthPeeling(1);
   renderer.SetMaximumNumberOfPeels(4);
   renderer.SetOcclusionRatio(0);
 }
@@ -133,6 +134,8 @@ void View::set_window(std::size_t slice, double center, double width) {
 
 void View::set_furniture(const Furniture& furniture) { parts_->scene.furniture = furniture; }
 
+void View::set_transparency(Transparency transparency) { parts_->transparency = transparency; }
+
 void View::set_camera(const Camera& camera) {
   parts_->frame.camera = camera;
   parts_->framed = true;
@@ -145,6 +148,7 @@ void View::prepare_frame(int width, int height) {
   parts.frame.width = std::max(width, 1);
   parts.frame.height = std::max(height, 1);
   place(*parts.renderer.GetActiveCamera(), parts.frame);
+  parts.renderer.SetUseDepthPeeling(parts.transparency == Transparency::exact && !has_light(parts.scene) ? 1 : 0);
   parts.renderer.ResetCameraClippingRange();
   for (const auto& slice : parts.slices) {
     slice->lift_lines(-parts.frame.camera.sight * 0.002 * parts.frame.camera.visible_height_mm);
@@ -230,6 +234,11 @@ std::vector<Legend> legends_of(const Scene& scene) {
          {item.window_center - 0.5 * item.window_width, item.window_center + 0.5 * item.window_width}});
   }
   return legends;
+}
+
+bool has_light(const Scene& scene) {
+  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                     [](const SurfaceItem& item) { return item.finish == Finish::light; });
 }
 
 void place(vtkCamera& camera, const Frame& frame) {

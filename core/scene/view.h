@@ -18,6 +18,10 @@ namespace glisson::scene {
 
 enum class Visibility { shown, hidden };
 
+// How clear surfaces that overlap are put together: `exact` sorts every pixel; `quick` draws them as they come, several
+// times faster, and is hard to tell from it where they have one colour.
+enum class Transparency { exact, quick };
+
 class View {
  public:
   // The renderer must outlive the view and belong to a render window before the first frame. `pixel_scale` is how
@@ -49,6 +53,7 @@ class View {
   void set_window(std::size_t slice, double center, double width);
   void set_furniture(const Furniture& furniture);
 
+  void set_transparency(Transparency transparency);
   void set_camera(const Camera& camera);
   [[nodiscard]] const Camera& camera() const;
 
