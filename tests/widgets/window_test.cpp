@@ -1,0 +1,224 @@
+// The window, driven as a person drives it: a tool is placed by a click, pulled by slider and keys; the table flags.
+//
+// The body is a block of 120 x 80 x 80 mm that is held at its left end, with a "tumour" in its free end; its patient
+// twin is softer than its atlas twin, so that the two part.
+
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSurfaceFormat>
+#include <QtTest>
+
+#include "main_window.h"
+#include "support/shapes.h"
+#include "theme.h"
+
+namespace glisson::widgets {
+namespace {
+
+constexpr int patience_ms = 20000;  // for one solve on a machine that does other work too
+
+imaging::Volume slope() {
+  imaging::Volume volume;
+  volume.grid.size = {40, 32, 32};
+  volume.grid.spacing_mm = {4, 4, 4};
+  volume.grid.origin_mm = {-20, -24, -24};
+  volume.values.resize(volume.grid.voxels());
+  for (std::size_t k = 0; k < volume.values.size(); ++k) volume.values[k] = static_cast<float>(k % 40);
+  return volume;
+}
+
+Patient block_patient() {
+  rehearsal::RehearsalSetup setup;
+  setup.mesh = test::box_of_tetrahedra({6, 4, 4}, {120, 80, 80});
+  setup.patient_youngs_kPa.assign(setup.mesh.cells.size(), 4.0);
+  setup.atlas_youngs_kPa = 8.0;
+  setup.supports = {{geometry::Box{{-1, -1, -1}, {1, 81, 81}}, mechanics::Held{}}};
+  setup.landmarks = {{"tumour-1", {100, 40, 40}}, {"hilum", {8, 40, 40}}};
+  Patient patient;
+  patient.name = "Block";
+  patient.origin = "SIMULATED: a block";
+  patient.anatomy = std::make_shared<imaging::Volume>(slope());
+  patient.structures = {
+      {"liver", std::make_shared<geometry::Surface>(boundary_surface(setup.mesh)), 768},
+      {"tumour-1", std::make_shared<geometry::Surface>(test::sphere_surface(10, 2, {100, 40, 40})), 4.2}};
+  for (const PatientStructure& structure : patient.structures) setup.structures.push_back(*structure.surface);
+  auto body = rehearsal::StaticRehearsal::create(std::move(setup));
+  if (!body) qFatal("%s", body.error().message().c_str());
+  patient.rehearsal = std::make_shared<rehearsal::StaticRehearsal>(*std::move(body));
+  return patient;
+}
+
+class WindowTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1400, 900);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_->show_patient(block_patient());
+    QTest::qWait(300);
+  }
+
+  void shows_the_origin_of_a_patient_that_is_not_real() {
+    const auto* origin = window_->findChild<QLabel*>("origin");
+    QVERIFY(origin->isVisible());
+    QVERIFY(origin->text().contains("SIMULATED"));
+  }
+
+  void places_a_tool_where_the_person_clicks() {
+    QTest::mouseClick(child<QPushButton>("place"), Qt::LeftButton);
+    QSignalSpy placed(&window_->rehearsal(), &LiveRehearsal::placed);
+    SpaceView& space = window_->views().space();
+    space.look_from(scene::PatientView::left);  // at the free end
+    QTest::mouseClick(&space, Qt::LeftButton, Qt::NoModifier, space.rect().center());
+    QVERIFY(placed.wait(patience_ms));
+    QVERIFY(window_->rehearsal().has_tool());
+    // The free end is the plane x = 120, and the picture's middle looks at its middle.
+    const Eigen::Vector3d at_mm = window_->rehearsal().tool_center_mm();
+    QVERIFY(std::abs(at_mm.x() - 120) < 0.5);
+    QVERIFY((at_mm.tail<2>() - Eigen::Vector2d(40, 40)).norm() < 5);
+    QVERIFY(!child<QPushButton>("place")->isChecked());
+  }
+
+  void moves_twice_as_far_under_twice_the_force() {
+    // Linear elasticity: displacement is proportional to force.
+    auto* force = child<QDoubleSpinBox>("force");
+    type_force("1.5");
+    const double once_mm = window_->rehearsal().frame()->patient.max_displacement_mm;
+    type_force("3.0");
+    const double twice_mm = window_->rehearsal().frame()->patient.max_displacement_mm;
+    QCOMPARE(force->value(), 3.0);
+    QVERIFY(once_mm > 0);
+    QVERIFY(std::abs(twice_mm - 2 * once_mm) < 1e-6 * twice_mm);
+  }
+
+  void keeps_slider_and_number_together() {
+    auto* slider = child<QSlider>("force_slider");
+    auto* force = child<QDoubleSpinBox>("force");
+    slider->setFocus();
+    const int before = slider->value();
+    QTest::keyClick(slider, Qt::Key_Right);
+    QCOMPARE(slider->value(), before + 1);
+    QVERIFY(std::abs(force->value() - 0.1 * slider->value()) < 1e-9);
+    QVERIFY(std::abs(window_->rehearsal().force_N() - force->value()) < 1e-9);
+  }
+
+  void flags_in_words_from_5_mm_on() {
+    auto* table = window_->findChild<LandmarkTable*>();
+    QCOMPARE(table->rowCount(), 2);
+    type_force("0");
+    QCOMPARE(table->item(0, LandmarkTable::flag_column)->text(), QString());
+    // Enough that the tumour, in the free end, passes 5 mm; the hilum, 8 mm from the held end, stays.
+    const double force_N = force_for_displacement_mm(8);
+    type_force(QString::number(force_N, 'f', 1));
+    QVERIFY(!table->item(0, LandmarkTable::flag_column)->text().isEmpty());
+    QCOMPARE(table->item(1, LandmarkTable::flag_column)->text(), QString());
+  }
+
+  void drags_turn_the_patient_and_do_not_place_anything() {
+    SpaceView& space = window_->views().space();
+    const Eigen::Vector3d before = space.view().camera().sight;
+    const QPoint middle = space.rect().center();
+    QTest::mousePress(&space, Qt::LeftButton, Qt::NoModifier, middle);
+    QTest::mouseMove(&space, middle + QPoint(30, 5));
+    QTest::mouseMove(&space, middle + QPoint(60, 10));
+    QTest::mouseRelease(&space, Qt::LeftButton, Qt::NoModifier, middle + QPoint(60, 10));
+    QVERIFY((space.view().camera().sight - before).norm() > 0.05);
+  }
+
+  void links_the_slices_by_their_crosshair() {
+    SliceView& transverse = window_->views().slice(SliceDirection::transverse);
+    SliceView& coronal = window_->views().slice(SliceDirection::coronal);
+    SliceView& sagittal = window_->views().slice(SliceDirection::sagittal);
+    QTest::mouseClick(&transverse, Qt::LeftButton, Qt::NoModifier, transverse.rect().center() + QPoint(40, 25));
+    const Eigen::Vector3d at_mm = transverse.crosshair_mm();
+    QVERIFY((coronal.crosshair_mm() - at_mm).norm() < 1e-9);
+    QVERIFY((sagittal.crosshair_mm() - at_mm).norm() < 1e-9);
+    // The wheel steps by one slice of the volume, 4 mm along the body.
+    QWheelEvent up(QPointF(50, 50), transverse.mapToGlobal(QPointF(50, 50)), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                   Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&transverse, &up);
+    QVERIFY(std::abs(transverse.crosshair_mm().z() - at_mm.z() - 4) < 1e-9);
+    QVERIFY((sagittal.crosshair_mm() - transverse.crosshair_mm()).norm() < 1e-9);
+  }
+
+  void draws_something_in_every_view() {
+    QTest::qWait(200);
+    for (SliceView* slice : window_->views().slices()) QVERIFY(distinct_colours(*slice) > 20);
+    QVERIFY(distinct_colours(window_->views().space()) > 50);
+  }
+
+  void takes_the_tool_away() {
+    QTest::mouseClick(child<QPushButton>("release"), Qt::LeftButton);
+    QVERIFY(!window_->rehearsal().has_tool());
+    QCOMPARE(window_->findChild<LandmarkTable*>()->rowCount(), 0);
+  }
+
+  void cancels_long_work_and_says_so() {
+    QSignalSpy finished(&window_->work(), &BackgroundWork::finished);
+    QVERIFY(window_->work().start("Waiting", [](const Progress& progress) -> BackgroundWork::Then {
+      while (!progress.cancelled()) QThread::msleep(5);
+      return [] {};
+    }));
+    auto* cancel = child<QPushButton>("cancel");
+    QVERIFY(cancel->isVisible());
+    QTest::mouseClick(cancel, Qt::LeftButton);
+    QVERIFY(finished.wait(patience_ms));
+    QVERIFY(!cancel->isVisible());
+  }
+
+  void shuts_down_cleanly() { window_.reset(); }
+
+ private:
+  template <typename Widget>
+  Widget* child(const char* name) {
+    auto* found = window_->findChild<Widget*>(name);
+    if (found == nullptr) qFatal("the window has no %s", name);
+    return found;
+  }
+
+  void type_force(const QString& newtons) {
+    auto* force = child<QDoubleSpinBox>("force");
+    force->setFocus();
+    force->selectAll();
+    QTest::keyClicks(force, force->locale().toString(newtons.toDouble(), 'f', 1));
+    QTest::keyClick(force, Qt::Key_Return);
+  }
+
+  // The tumour's displacement is proportional to the force.
+  double force_for_displacement_mm(double wanted_mm) {
+    type_force("1.0");
+    return wanted_mm / window_->rehearsal().frame()->patient.landmarks[0].displacement_mm;
+  }
+
+  static qsizetype distinct_colours(QOpenGLWidget& view) {
+    const QImage picture = view.grabFramebuffer();
+    QSet<QRgb> colours;
+    for (int y = 0; y < picture.height(); y += 2) {
+      for (int x = 0; x < picture.width(); x += 2) colours.insert(picture.pixel(x, y));
+    }
+    return colours.size();
+  }
+
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace
+}  // namespace glisson::widgets
+
+int main(int argc, char** argv) {
+  QSurfaceFormat format;
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  QSurfaceFormat::setDefaultFormat(format);
+  QApplication application(argc, argv);
+  glisson::widgets::apply_dark_theme(application);
+  glisson::widgets::WindowTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_test.moc"

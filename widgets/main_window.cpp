@@ -1,0 +1,412 @@
+#include "main_window.h"
+
+#include <QCloseEvent>
+#include <QCoreApplication>
+#include <QDir>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSplitter>
+#include <QStackedLayout>
+#include <QStandardPaths>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+#include "base/files.h"
+#include "session/load_patient.h"
+
+namespace glisson::widgets {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path path_of(const QString& text) { return fs::path(text.toStdU16String()); }
+QString text_of(const fs::path& path) { return QString::fromStdU16String(path.u16string()); }
+
+}  // namespace
+
+QString told(const Error& error) {
+  // The sentences stand in the core, marked GLISSON_TEXT; the translations know them under this context.
+  const auto translated = [&](const std::string& sentence) {
+    return QString::fromStdString(
+        fill_in(QCoreApplication::translate("errors", sentence.c_str()).toStdString(), error.arguments));
+  };
+  QString text = translated(error.text);
+  if (!error.file.empty()) text += " (" + text_of(error.file) + ")";
+  if (!error.hint.empty()) text += " " + translated(error.hint);
+  return text;
+}
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+  setWindowTitle(tr("Glisson"));
+  setAcceptDrops(true);
+  resize(1600, 1000);
+  study_panel_ = new StudyPanel;
+  rehearse_panel_ = new RehearsePanel(rehearsal_);
+  auto* left = new QWidget;
+  auto* left_column = new QVBoxLayout(left);
+  left_column->setContentsMargins(0, 0, 0, 0);
+  left_column->setSpacing(0);
+  left_column->addWidget(study_panel_, 1);
+  left_column->addWidget(make_next_step());
+  auto* across = new QSplitter(Qt::Horizontal);
+  across->addWidget(left);
+  across->addWidget(make_centre());
+  across->addWidget(rehearse_panel_);
+  across->setStretchFactor(1, 1);
+  across->setSizes({250, 960, 390});
+  across->setChildrenCollapsible(false);
+  setCentralWidget(across);
+  patient_views_ = new PatientViews(*views_, this);
+  make_menus();
+  make_status_bar();
+  connect_parts();
+}
+
+void MainWindow::open_path(const fs::path& path) {
+  if (kind_of(path) == OpenedThing::case_folder) {
+    load(tr("Opening %1").arg(text_of(path.filename())),
+         [path](const Progress& progress) { return load_patient(path, progress); });
+    return;
+  }
+  work_.start(tr("Looking for images"), [this, path](const Progress& progress) -> BackgroundWork::Then {
+    auto study = std::make_shared<Result<imaging::Study>>(imaging::scan(path, progress));
+    return [this, path, study] {
+      if (!*study) {
+        show_error(study->error());
+      } else {
+        offer_import(**study, path);
+      }
+    };
+  });
+}
+
+void MainWindow::open_demo() {
+  const fs::path folder = path_of(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)) / "demo";
+  load(tr("Opening the demo patient"), [folder](const Progress& progress) -> Result<Patient> {
+    std::error_code problem;
+    fs::create_directories(folder, problem);
+    return load_demo(folder, progress);
+  });
+}
+
+void MainWindow::show_patient(const Patient& patient) {
+  patient_ = patient;
+  welcome_->hide();
+  views_->show();
+  notice_->hide();
+  origin_->setText(QString::fromStdString(patient.origin));
+  origin_->setVisible(!patient.origin.empty());
+  setWindowTitle(tr("%1 - Glisson").arg(QString::fromStdString(patient.name)));
+  study_panel_->show_patient(patient);
+  patient_views_->show_patient(patient);
+  rehearsal_.set_body(patient.rehearsal);
+  rehearse_panel_->set_ready(patient.rehearsal != nullptr);
+  save_picture_->setEnabled(true);
+  const NextStep next = patient.folder.empty() ? NextStep::none : next_step(patient.folder);
+  next_step_->setVisible(next != NextStep::none);
+  next_step_text_->setText(next == NextStep::outline_liver
+                               ? tr("Next: put the crosshair inside the liver, away from large vessels.")
+                               : tr("Next: build the model of the liver from its outline and stiffness."));
+  next_step_button_->setText(next == NextStep::outline_liver ? tr("Outline the liver from here")
+                                                             : tr("Build the model"));
+}
+
+void MainWindow::make_menus() {
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  file->addAction(QIcon(":/icons/open.svg"), tr("&Open a case..."), QKeySequence::Open, this, &MainWindow::choose_case);
+  file->addAction(tr("Open &images (DICOM folder)..."), QKeySequence(tr("Ctrl+Shift+O")), this,
+                  &MainWindow::choose_study);
+  file->addAction(tr("Open the &demo patient"), QKeySequence(tr("Ctrl+D")), this, &MainWindow::open_demo);
+  file->addSeparator();
+  save_picture_ = file->addAction(tr("&Save the picture..."), QKeySequence::Save, this, &MainWindow::save_picture);
+  save_picture_->setEnabled(false);
+  file->addSeparator();
+  file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  help->addAction(tr("&About Glisson"), this, &MainWindow::about);
+}
+
+QWidget* MainWindow::make_centre() {
+  auto* centre = new QWidget;
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+
+  notice_ = new QWidget;
+  notice_->setObjectName("notice");
+  auto* row = new QHBoxLayout(notice_);
+  row->setContentsMargins(12, 8, 8, 8);
+  notice_text_ = new QLabel;
+  notice_text_->setObjectName("notice_text");
+  notice_text_->setWordWrap(true);
+  notice_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  row->addWidget(notice_text_, 1);
+  auto* dismiss = new QPushButton(tr("Close"));
+  row->addWidget(dismiss);
+  connect(dismiss, &QPushButton::clicked, notice_, &QWidget::hide);
+  notice_->hide();
+  column->addWidget(notice_);
+
+  origin_ = new QLabel;
+  origin_->setObjectName("origin");
+  origin_->setWordWrap(true);
+  origin_->hide();
+  column->addWidget(origin_);
+
+  views_ = new LinkedViews;
+  views_->hide();
+  column->addWidget(views_, 1);
+
+  welcome_ = new QWidget;
+  auto* page = new QVBoxLayout(welcome_);
+  page->addStretch(2);
+  auto* mark = new QLabel;
+  mark->setPixmap(QIcon(":/icons/glisson.svg").pixmap(112, 112));
+  mark->setAlignment(Qt::AlignCenter);
+  page->addWidget(mark);
+  auto* title = new QLabel(tr("Plan a liver operation"));
+  title->setObjectName("welcome_title");
+  title->setAlignment(Qt::AlignCenter);
+  page->addWidget(title);
+  auto* words = new QLabel(tr("Drop a case or a folder of DICOM images here, or begin with the demo patient."));
+  words->setObjectName("faint");
+  words->setAlignment(Qt::AlignCenter);
+  page->addWidget(words);
+  page->addSpacing(12);
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch();
+  auto* demo = new QPushButton(tr("Open the demo patient"));
+  demo->setObjectName("primary");
+  auto* open_case = new QPushButton(tr("Open a case..."));
+  auto* open_images = new QPushButton(tr("Open images..."));
+  for (QPushButton* button : {demo, open_case, open_images}) buttons->addWidget(button);
+  buttons->addStretch();
+  page->addLayout(buttons);
+  page->addStretch(3);
+  connect(demo, &QPushButton::clicked, this, &MainWindow::open_demo);
+  connect(open_case, &QPushButton::clicked, this, &MainWindow::choose_case);
+  connect(open_images, &QPushButton::clicked, this, &MainWindow::choose_study);
+  column->addWidget(welcome_, 1);
+  return centre;
+}
+
+QWidget* MainWindow::make_next_step() {
+  next_step_ = new QWidget;
+  next_step_->setObjectName("next_step");
+  auto* column = new QVBoxLayout(next_step_);
+  column->setContentsMargins(14, 10, 14, 14);
+  next_step_text_ = new QLabel;
+  next_step_text_->setWordWrap(true);
+  column->addWidget(next_step_text_);
+  next_step_button_ = new QPushButton;
+  next_step_button_->setObjectName("primary");
+  column->addWidget(next_step_button_);
+  connect(next_step_button_, &QPushButton::clicked, this, &MainWindow::take_next_step);
+  next_step_->hide();
+  return next_step_;
+}
+
+void MainWindow::make_status_bar() {
+  status_ = new QLabel;
+  figures_ = new QLabel;
+  figures_->setObjectName("figures");
+  progress_ = new QProgressBar;
+  progress_->setRange(0, 1000);
+  progress_->setTextVisible(false);
+  progress_->setFixedWidth(220);
+  progress_->hide();
+  cancel_ = new QPushButton(tr("Cancel"));
+  cancel_->setObjectName("cancel");
+  cancel_->hide();
+  auto* standing = new QLabel(tr("Not a medical device"));
+  standing->setObjectName("faint");
+  statusBar()->addWidget(status_, 1);
+  statusBar()->addPermanentWidget(progress_);
+  statusBar()->addPermanentWidget(cancel_);
+  statusBar()->addPermanentWidget(figures_);
+  statusBar()->addPermanentWidget(standing);
+  statusBar()->setSizeGripEnabled(false);
+}
+
+void MainWindow::connect_parts() {
+  connect(&work_, &BackgroundWork::started, this, [this](const QString& title) {
+    status_->setText(title);
+    progress_->setValue(0);
+    progress_->show();
+    cancel_->setEnabled(true);
+    cancel_->show();
+  });
+  connect(&work_, &BackgroundWork::progressed, this, [this](double fraction, const QString& stage) {
+    progress_->setValue(static_cast<int>(1000 * fraction));
+    if (!stage.isEmpty()) status_->setText(stage);
+  });
+  connect(&work_, &BackgroundWork::finished, this, [this] {
+    status_->clear();
+    progress_->hide();
+    cancel_->hide();
+  });
+  connect(&work_, &BackgroundWork::broke, this,
+          [this](const QString& what) { show_notice(tr("A defect in Glisson stopped this: %1").arg(what)); });
+  connect(cancel_, &QPushButton::clicked, this, [this] {
+    cancel_->setEnabled(false);
+    work_.cancel();
+  });
+
+  connect(study_panel_, &StudyPanel::slice_image_chosen, patient_views_, &PatientViews::set_slice_image);
+  connect(study_panel_, &StudyPanel::structure_shown, patient_views_, &PatientViews::set_structure_shown);
+  connect(rehearse_panel_, &RehearsePanel::bodies_chosen, patient_views_, &PatientViews::set_bodies);
+  connect(rehearse_panel_, &RehearsePanel::liver_colour_chosen, patient_views_, &PatientViews::set_liver_colour);
+  connect(rehearse_panel_, &RehearsePanel::landmark_chosen, patient_views_, &PatientViews::set_marked_landmark);
+  connect(rehearse_panel_, &RehearsePanel::placing_changed, this, [this](bool placing) {
+    views_->space().setCursor(placing ? Qt::CrossCursor : Qt::ArrowCursor);
+    status_->setText(placing ? tr("Click on the liver where the tool is to touch it.") : QString());
+  });
+  connect(&views_->space(), &SpaceView::clicked, this, [this](const scene::View::Pick& pick) {
+    if (rehearse_panel_->placing()) {
+      rehearse_panel_->place_at(pick.position_mm, pick.normal);
+    } else {
+      views_->set_crosshair(pick.position_mm);
+    }
+  });
+  connect(&rehearsal_, &LiveRehearsal::frame_changed, this, &MainWindow::show_frame);
+  connect(&rehearsal_, &LiveRehearsal::placing, this, [this] { status_->setText(tr("Solving...")); });
+  connect(&rehearsal_, &LiveRehearsal::placed, this,
+          [this](double solve_ms) { status_->setText(tr("Tool placed in %1 ms.").arg(solve_ms, 0, 'f', 0)); });
+  connect(&rehearsal_, &LiveRehearsal::failed, this, &MainWindow::show_error);
+}
+
+void MainWindow::choose_case() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a case (a folder NAME.glisson)"));
+  if (!folder.isEmpty()) open_path(path_of(folder));
+}
+
+void MainWindow::choose_study() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a folder of images"));
+  if (!folder.isEmpty()) open_path(path_of(folder));
+}
+
+void MainWindow::save_picture() {
+  const QString file =
+      QFileDialog::getSaveFileName(this, tr("Save the picture"), "glisson.png", tr("Pictures (*.png)"));
+  if (file.isEmpty()) return;
+  if (!views_->space().grabFramebuffer().save(file))
+    show_notice(tr("The picture could not be written to %1.").arg(file));
+}
+
+void MainWindow::about() {
+  QMessageBox::about(this, tr("About Glisson"),
+                     tr("<h3>Glisson %1</h3><p>Planning and reviewing liver surgery.</p>"
+                        "<p><b>Not a medical device.</b> Not for diagnosis or treatment.</p>"
+                        "<p>Free software under the GNU General Public License, version 3 or later.</p>")
+                         .arg(QString::fromStdString(version())));
+}
+
+void MainWindow::load(const QString& title, std::function<Result<Patient>(const Progress&)> loader) {
+  const bool begun = work_.start(title, [this, loader = std::move(loader)](const Progress& progress) {
+    auto patient = std::make_shared<Result<Patient>>(loader(progress));
+    return BackgroundWork::Then([this, patient] {
+      if (*patient) {
+        show_patient(**patient);
+      } else {
+        show_error(patient->error());
+      }
+    });
+  });
+  if (!begun) show_notice(tr("Something else is still under way. Wait for it, or cancel it first."));
+}
+
+void MainWindow::offer_import(const imaging::Study& study, const fs::path& path) {
+  QStringList names;
+  std::vector<std::string> uids;
+  for (const imaging::Series& series : study.series) {
+    if (series.role != imaging::Role::anatomy && series.role != imaging::Role::other) continue;
+    const auto& size = series.grid.size;
+    names << tr("%1 %2 (%3 × %4 × %5)")
+                 .arg(QString::fromStdString(series.modality), QString::fromStdString(series.description))
+                 .arg(size[0])
+                 .arg(size[1])
+                 .arg(size[2]);
+    uids.push_back(series.uid);
+  }
+  if (names.isEmpty()) {
+    show_notice(tr("No anatomical images were found in %1.").arg(text_of(path)));
+    return;
+  }
+  std::string chosen = uids.front();
+  if (names.size() > 1) {
+    bool agreed = false;
+    const QString name = QInputDialog::getItem(this, tr("Which images show the anatomy?"),
+                                               tr("The study holds several series:"), names, 0, false, &agreed);
+    if (!agreed) return;
+    chosen = uids[static_cast<std::size_t>(names.indexOf(name))];
+  }
+  const QString proposal = QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+                               .filePath(text_of(path.stem()) + ".glisson");
+  const QString folder = QFileDialog::getSaveFileName(this, tr("Keep the case as"), proposal, tr("Cases (*.glisson)"));
+  if (folder.isEmpty()) return;
+  load(tr("Importing"), [study, chosen, to = path_of(folder)](const Progress& progress) {
+    return import_patient(study, chosen, to, progress);
+  });
+}
+
+void MainWindow::take_next_step() {
+  const fs::path folder = patient_.folder;
+  if (next_step(folder) == NextStep::outline_liver) {
+    load(tr("Outlining the liver"), [folder, inside_mm = views_->crosshair_mm()](const Progress& progress) {
+      return outline_liver(folder, inside_mm, progress);
+    });
+  } else {
+    load(tr("Building the model"), [folder](const Progress& progress) { return build_model(folder, progress); });
+  }
+}
+
+void MainWindow::show_error(const Error& error) {
+  if (error.code == "cancelled") {
+    status_->setText(tr("Cancelled."));
+    return;
+  }
+  show_notice(told(error));
+}
+
+void MainWindow::show_notice(const QString& text) {
+  notice_text_->setText(text);
+  notice_->show();
+}
+
+void MainWindow::show_frame() {
+  const auto& frame = rehearsal_.frame();
+  const std::optional<ToolInView> tool = tool_in_view();
+  patient_views_->show_frame(frame ? &*frame : nullptr, tool ? &*tool : nullptr);
+  figures_->setText(frame ? tr("Relative residual %1, answered in %2 ms")
+                                .arg(frame->relative_residual, 0, 'e', 0)
+                                .arg(frame->answer_ms, 0, 'f', 1)
+                          : QString());
+}
+
+std::optional<ToolInView> MainWindow::tool_in_view() const {
+  if (!rehearsal_.has_tool()) return std::nullopt;
+  return ToolInView{rehearsal_.tool_center_mm(), rehearsal_.direction(), rehearsal_.force_N()};
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls() && event->mimeData()->urls().size() == 1 &&
+      event->mimeData()->urls().front().isLocalFile()) {
+    event->acceptProposedAction();
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  open_path(path_of(event->mimeData()->urls().front().toLocalFile()));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  work_.cancel();
+  QMainWindow::closeEvent(event);
+}
+
+}  // namespace glisson::widgets

@@ -1,0 +1,86 @@
+#pragma once
+// The window: patient on the left, four views in the middle, the rehearsal on the right.
+
+#include <filesystem>
+#include <QLabel>
+#include <QMainWindow>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include "imaging/study.h"
+#include "panels/rehearse_panel.h"
+#include "panels/study_panel.h"
+#include "session/live_rehearsal.h"
+#include "session/patient.h"
+#include "views/linked_views.h"
+#include "views/patient_views.h"
+#include "work/background_work.h"
+
+namespace glisson::widgets {
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+
+  // A case folder, or anything that holds images; what it is decides what happens.
+  void open_path(const std::filesystem::path& path);
+  void open_demo();
+  void show_patient(const Patient& patient);
+
+  [[nodiscard]] LinkedViews& views() { return *views_; }
+  [[nodiscard]] LiveRehearsal& rehearsal() { return rehearsal_; }
+  [[nodiscard]] BackgroundWork& work() { return work_; }
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void make_menus();
+  QWidget* make_centre();
+  QWidget* make_next_step();
+  void make_status_bar();
+  void connect_parts();
+
+  void choose_case();
+  void choose_study();
+  void save_picture();
+  void about();
+
+  // Loads a patient on a worker thread, then shows it or says what went wrong.
+  void load(const QString& title, std::function<Result<Patient>(const Progress&)> loader);
+  void offer_import(const imaging::Study& study, const std::filesystem::path& path);
+  void take_next_step();
+  void show_error(const Error& error);
+  void show_notice(const QString& text);
+  void show_frame();
+  [[nodiscard]] std::optional<ToolInView> tool_in_view() const;
+
+  Patient patient_;
+  LiveRehearsal rehearsal_;
+  BackgroundWork work_;
+  LinkedViews* views_ = nullptr;
+  PatientViews* patient_views_ = nullptr;
+  StudyPanel* study_panel_ = nullptr;
+  RehearsePanel* rehearse_panel_ = nullptr;
+  QLabel* origin_ = nullptr;
+  QWidget* notice_ = nullptr;
+  QLabel* notice_text_ = nullptr;
+  QWidget* welcome_ = nullptr;
+  QWidget* next_step_ = nullptr;
+  QLabel* next_step_text_ = nullptr;
+  QPushButton* next_step_button_ = nullptr;
+  QLabel* status_ = nullptr;
+  QLabel* figures_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QPushButton* cancel_ = nullptr;
+  QAction* save_picture_ = nullptr;
+};
+
+// An error as a person reads it: the sentence, then what to do, translated.
+[[nodiscard]] QString told(const Error& error);
+
+}  // namespace glisson::widgets

@@ -1,0 +1,27 @@
+#pragma once
+// Which of the two bodies is looked at: the patient's own stiffness, the atlas, or both in red and blue.
+
+#include <QButtonGroup>
+#include <QWidget>
+
+#include "views/patient_views.h"
+
+namespace glisson::widgets {
+
+class ComparisonChoice : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ComparisonChoice(QWidget* parent = nullptr);
+
+  void choose(Bodies bodies);
+  [[nodiscard]] Bodies chosen() const { return static_cast<Bodies>(group_->checkedId()); }
+
+ Q_SIGNALS:
+  void changed(glisson::widgets::Bodies bodies);
+
+ private:
+  QButtonGroup* group_;
+};
+
+}  // namespace glisson::widgets

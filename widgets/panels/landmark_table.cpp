@@ -1,0 +1,78 @@
+#include "panels/landmark_table.h"
+
+#include <QHeaderView>
+
+#include "panels/study_panel.h"
+
+namespace glisson::widgets {
+namespace {
+
+const QColor amber(255, 190, 80);
+
+QTableWidgetItem* ensured(QTableWidget& table, int row, int column) {
+  if (table.item(row, column) == nullptr) table.setItem(row, column, new QTableWidgetItem);
+  return table.item(row, column);
+}
+
+}  // namespace
+
+LandmarkTable::LandmarkTable(QWidget* parent) : QTableWidget(0, 4, parent) {
+  setObjectName("landmarks");
+  setHorizontalHeaderLabels({tr("Landmark"), tr("Moves\nmm"), tr("Atlas off\nmm"), tr("From 5 mm")});
+  horizontalHeaderItem(moves_column)->setToolTip(tr("How far the landmark moves with the patient's own stiffness"));
+  horizontalHeaderItem(apart_column)->setToolTip(tr("How far from there the atlas's stiffness puts it"));
+  horizontalHeaderItem(flag_column)->setToolTip(tr("5 mm and more matters to a surgeon"));
+  horizontalHeader()->setSectionResizeMode(name_column, QHeaderView::Stretch);
+  for (const int column : {moves_column, apart_column, flag_column}) {
+    horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+  }
+  verticalHeader()->hide();
+  verticalHeader()->setDefaultSectionSize(24);
+  setEditTriggers(NoEditTriggers);
+  setSelectionBehavior(SelectRows);
+  setSelectionMode(SingleSelection);
+  setShowGrid(false);
+  setAlternatingRowColors(true);
+  connect(this, &QTableWidget::itemSelectionChanged, this, [this] {
+    const QTableWidgetItem* chosen = currentRow() >= 0 ? item(currentRow(), name_column) : nullptr;
+    Q_EMIT landmark_chosen(chosen != nullptr ? chosen->data(Qt::UserRole).toString().toStdString() : std::string());
+  });
+}
+
+void LandmarkTable::show_frame(const rehearsal::RehearsalFrame* frame) {
+  if (frame == nullptr) {
+    setRowCount(0);
+    return;
+  }
+  setRowCount(static_cast<int>(frame->patient.landmarks.size()));
+  for (std::size_t k = 0; k < frame->patient.landmarks.size(); ++k) {
+    fill_row(static_cast<int>(k), frame->patient.landmarks[k],
+             k < frame->differences.size() ? &frame->differences[k] : nullptr);
+  }
+}
+
+void LandmarkTable::fill_row(int row, const mechanics::DisplacedLandmark& landmark,
+                             const rehearsal::LandmarkDifference* difference) {
+  const bool moves_far = landmark.displacement_mm >= rehearsal::significant_mm;
+  const bool atlas_far = difference != nullptr && difference->significant();
+  QTableWidgetItem* name = ensured(*this, row, name_column);
+  name->setText(structure_label(landmark.id));
+  name->setData(Qt::UserRole, QString::fromStdString(landmark.id));
+  QTableWidgetItem* moves = ensured(*this, row, moves_column);
+  moves->setText(QLocale().toString(landmark.displacement_mm, 'f', 1));
+  QTableWidgetItem* apart = ensured(*this, row, apart_column);
+  apart->setText(difference != nullptr ? QLocale().toString(difference->difference_mm, 'f', 1) : QString("–"));
+  for (QTableWidgetItem* number : {moves, apart}) number->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  QTableWidgetItem* flag = ensured(*this, row, flag_column);
+  flag->setText(atlas_far ? tr("▲ Atlas off") : moves_far ? tr("● Moves") : QString());
+  // Colour repeats what the words say.
+  const QBrush plain;
+  moves->setForeground(moves_far ? QBrush(amber) : plain);
+  apart->setForeground(atlas_far ? QBrush(amber) : plain);
+  flag->setForeground(moves_far || atlas_far ? QBrush(amber) : plain);
+  QFont font = flag->font();
+  font.setBold(atlas_far);
+  flag->setFont(font);
+}
+
+}  // namespace glisson::widgets

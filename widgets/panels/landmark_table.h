@@ -1,0 +1,28 @@
+#pragma once
+// Each landmark: how far it moves, how far from there the atlas puts it, and a flag in words from 5 mm on.
+
+#include <QTableWidget>
+
+#include "rehearsal/static_rehearsal.h"
+
+namespace glisson::widgets {
+
+class LandmarkTable : public QTableWidget {
+  Q_OBJECT
+
+ public:
+  enum Column { name_column, moves_column, apart_column, flag_column };
+
+  explicit LandmarkTable(QWidget* parent = nullptr);
+
+  // Empty without a frame. Rows keep their order while the same landmarks come.
+  void show_frame(const rehearsal::RehearsalFrame* frame);
+
+ Q_SIGNALS:
+  void landmark_chosen(const std::string& id);
+
+ private:
+  void fill_row(int row, const mechanics::DisplacedLandmark& landmark, const rehearsal::LandmarkDifference* difference);
+};
+
+}  // namespace glisson::widgets

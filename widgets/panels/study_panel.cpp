@@ -1,0 +1,119 @@
+#include "panels/study_panel.h"
+
+#include <QHeaderView>
+#include <QPainter>
+#include <QVBoxLayout>
+
+#include "scene/anatomy.h"
+
+namespace glisson::widgets {
+namespace {
+
+QIcon swatch(const scene::Colour& colour) {
+  QPixmap pixmap(28, 28);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(QColor::fromRgbF(float(colour.red), float(colour.green), float(colour.blue)));
+  painter.setPen(Qt::NoPen);
+  painter.drawRoundedRect(4, 4, 20, 20, 5, 5);
+  return QIcon(pixmap);
+}
+
+QLabel* heading(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setObjectName("heading");
+  return label;
+}
+
+}  // namespace
+
+StudyPanel::StudyPanel(QWidget* parent) : QWidget(parent) {
+  setObjectName("panel");
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(14, 14, 14, 14);
+  column->setSpacing(8);
+
+  name_ = new QLabel(tr("No patient open"), this);
+  name_->setObjectName("patient_name");
+  name_->setWordWrap(true);
+  column->addWidget(name_);
+  facts_ = new QLabel(this);
+  facts_->setObjectName("faint");
+  facts_->setWordWrap(true);
+  column->addWidget(facts_);
+
+  column->addSpacing(8);
+  column->addWidget(heading(tr("Slices show"), this));
+  slice_image_ = new QComboBox(this);
+  slice_image_->setObjectName("slice_image");
+  slice_image_->addItem(tr("Anatomy"), static_cast<int>(SliceImage::anatomy));
+  slice_image_->addItem(tr("Stiffness (MR elastography)"), static_cast<int>(SliceImage::stiffness));
+  slice_image_->setEnabled(false);
+  column->addWidget(slice_image_);
+  connect(slice_image_, &QComboBox::activated, this,
+          [this] { Q_EMIT slice_image_chosen(static_cast<SliceImage>(slice_image_->currentData().toInt())); });
+
+  column->addSpacing(8);
+  column->addWidget(heading(tr("Structures"), this));
+  structures_ = new QTreeWidget(this);
+  structures_->setObjectName("structures");
+  structures_->setColumnCount(2);
+  structures_->setHeaderLabels({tr("Structure"), tr("ml")});
+  structures_->header()->setStretchLastSection(false);
+  structures_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  structures_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  structures_->setRootIsDecorated(false);
+  structures_->setUniformRowHeights(true);
+  structures_->setSelectionMode(QAbstractItemView::NoSelection);
+  structures_->setFocusPolicy(Qt::TabFocus);
+  column->addWidget(structures_, 1);
+  connect(structures_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int col) {
+    if (col != 0) return;
+    Q_EMIT structure_shown(item->data(0, Qt::UserRole).toString().toStdString(), item->checkState(0) == Qt::Checked);
+  });
+}
+
+void StudyPanel::show_patient(const Patient& patient) {
+  name_->setText(QString::fromStdString(patient.name));
+  QStringList facts;
+  if (patient.anatomy) {
+    const imaging::Grid& grid = patient.anatomy->grid;
+    facts << tr("%1 × %2 × %3 voxels,\n%4 × %5 × %6 mm each")
+                 .arg(grid.size[0])
+                 .arg(grid.size[1])
+                 .arg(grid.size[2])
+                 .arg(grid.spacing_mm.x(), 0, 'g', 3)
+                 .arg(grid.spacing_mm.y(), 0, 'g', 3)
+                 .arg(grid.spacing_mm.z(), 0, 'g', 3);
+  }
+  if (patient.rehearsal) {
+    facts << tr("%L1 cells, Young's modulus %2 kPa\non average")
+                 .arg(patient.rehearsal->patient().mesh().cells.size())
+                 .arg(patient.mean_youngs_kPa, 0, 'f', 1);
+  }
+  facts_->setText(facts.join("\n"));
+  slice_image_->setCurrentIndex(0);
+  slice_image_->setEnabled(patient.stiffness != nullptr);
+
+  const QSignalBlocker quiet(structures_);
+  structures_->clear();
+  for (const PatientStructure& structure : patient.structures) {
+    auto* row = new QTreeWidgetItem(structures_);
+    row->setText(0, structure_label(structure.name));
+    row->setIcon(0, swatch(scene::appearance_of(structure.name).colour));
+    row->setData(0, Qt::UserRole, QString::fromStdString(structure.name));
+    row->setCheckState(0, Qt::Checked);
+    row->setText(1, QLocale().toString(structure.volume_ml, 'f', structure.volume_ml < 100 ? 1 : 0));
+    row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+  }
+}
+
+QString structure_label(const std::string& name) {
+  QString label = QString::fromStdString(name);
+  label.replace('-', ' ');
+  if (!label.isEmpty()) label[0] = label[0].toUpper();
+  return label;
+}
+
+}  // namespace glisson::widgets

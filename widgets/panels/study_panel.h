@@ -1,0 +1,36 @@
+#pragma once
+// The left panel: who this is, what the slices show, and the structures with their colours and volumes.
+
+#include <QComboBox>
+#include <QLabel>
+#include <QTreeWidget>
+#include <QWidget>
+
+#include "session/patient.h"
+#include "views/patient_views.h"
+
+namespace glisson::widgets {
+
+class StudyPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StudyPanel(QWidget* parent = nullptr);
+
+  void show_patient(const Patient& patient);
+
+ Q_SIGNALS:
+  void slice_image_chosen(glisson::widgets::SliceImage image);
+  void structure_shown(const std::string& name, bool shown);
+
+ private:
+  QLabel* name_;
+  QLabel* facts_;
+  QComboBox* slice_image_;
+  QTreeWidget* structures_;
+};
+
+// "portal-vein" -> "Portal vein", translated where the language is known to have a word for it.
+[[nodiscard]] QString structure_label(const std::string& name);
+
+}  // namespace glisson::widgets

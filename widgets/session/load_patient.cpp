@@ -1,0 +1,145 @@
+#include "session/load_patient.h"
+
+#include <numeric>
+
+#include "casefile/case.h"
+#include "casefile/import.h"
+#include "casefile/model.h"
+#include "casefile/structures.h"
+#include "geometry/mesh_file.h"
+#include "imaging/volume_file.h"
+#include "study/demo.h"
+
+namespace glisson::widgets {
+namespace fs = std::filesystem;
+namespace {
+
+Result<std::shared_ptr<const imaging::Volume>> read_volume(const casefile::Case& patient, const std::string& id) {
+  if (patient.find(id) == nullptr) return std::shared_ptr<const imaging::Volume>();
+  return patient.file_of(id).and_then(imaging::read_volume_file).map([](imaging::Volume volume) {
+    return std::shared_ptr<const imaging::Volume>(std::make_shared<imaging::Volume>(std::move(volume)));
+  });
+}
+
+PatientStructure structure_of(const casefile::StructureSurface& read) {
+  const double volume_mm3 = geometry::volume_mm3(read.surface);
+  return {read.name, std::make_shared<geometry::Surface>(read.surface), units::ml_from_mm3(std::abs(volume_mm3))};
+}
+
+// The smooth surfaces, the liver's among them, ride in the model.
+Result<void> prepare_rehearsal(const casefile::Case& from, Patient& patient, const Progress& progress) {
+  auto model = casefile::read_model(from);
+  if (!model) return failure(model.error());
+  patient.structures.push_back(structure_of(model->liver));
+  for (const auto& structure : model->structures) patient.structures.push_back(structure_of(structure));
+  rehearsal::RehearsalSetup setup;
+  for (const PatientStructure& structure : patient.structures) setup.structures.push_back(*structure.surface);
+  patient.mean_youngs_kPa = std::accumulate(model->youngs_kPa.begin(), model->youngs_kPa.end(), 0.0) /
+                            static_cast<double>(std::max<std::size_t>(1, model->youngs_kPa.size()));
+  patient.atlas_youngs_kPa = model->atlas_youngs_kPa;
+  setup.mesh = std::move(model->mesh);
+  setup.patient_youngs_kPa = std::move(model->youngs_kPa);
+  setup.atlas_youngs_kPa = model->atlas_youngs_kPa;
+  setup.supports = std::move(model->supports);
+  setup.landmarks = std::move(model->landmarks);
+  auto rehearsal = rehearsal::StaticRehearsal::create(std::move(setup), progress);
+  if (!rehearsal) return failure(rehearsal.error());
+  patient.rehearsal = std::make_shared<rehearsal::StaticRehearsal>(*std::move(rehearsal));
+  return {};
+}
+
+// Before there is a model: what has a surface, or none.
+Result<void> read_surfaces(const casefile::Case& from, Patient& patient) {
+  for (const casefile::Entry& entry : from.entries()) {
+    if (!entry.id.starts_with("surfaces/")) continue;
+    auto surface = from.file_of(entry.id).and_then(geometry::read_surface);
+    if (!surface) return failure(surface.error());
+    const double volume_mm3 = geometry::volume_mm3(*surface);
+    PatientStructure structure{entry.id.substr(std::string("surfaces/").size()),
+                               std::make_shared<geometry::Surface>(*std::move(surface)),
+                               units::ml_from_mm3(std::abs(volume_mm3))};
+    const bool first = structure.name == "liver";
+    patient.structures.insert(first ? patient.structures.begin() : patient.structures.end(), std::move(structure));
+  }
+  return {};
+}
+
+}  // namespace
+
+OpenedThing kind_of(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path / "case.json", ignored) ? OpenedThing::case_folder : OpenedThing::study;
+}
+
+Result<Patient> load_patient(const fs::path& case_folder, const Progress& progress) {
+  progress.report(0, "Reading the case");
+  const auto opened = casefile::Case::open(case_folder);
+  if (!opened) return failure(opened.error());
+  Patient patient;
+  patient.name = opened->folder().stem().string();
+  patient.origin = opened->origin();
+  patient.folder = opened->folder();
+  auto anatomy = read_volume(*opened, "volumes/anatomy");
+  if (!anatomy) return failure(anatomy.error());
+  patient.anatomy = *anatomy;
+  auto stiffness = read_volume(*opened, "volumes/stiffness");
+  if (!stiffness) return failure(stiffness.error());
+  patient.stiffness = *stiffness;
+  if (progress.cancelled()) return cancelled();
+  progress.report(0.2, "Preparing the model");
+  const auto prepared = opened->find("meshes/model") != nullptr
+                            ? prepare_rehearsal(*opened, patient, progress.part(0.2, 1))
+                            : read_surfaces(*opened, patient);
+  if (!prepared) return failure(prepared.error());
+  return patient;
+}
+
+Result<Patient> import_patient(const imaging::Study& study, const std::string& anatomy_uid, const fs::path& case_folder,
+                               const Progress& progress) {
+  auto made = casefile::Case::create(case_folder);
+  if (!made) return failure(made.error());
+  casefile::ImportChoice choice;
+  if (!anatomy_uid.empty()) choice.anatomy_uid = anatomy_uid;
+  auto imported = casefile::import_study(*made, study, choice, progress.part(0, 0.8));
+  if (!imported) return failure(imported.error());
+  return load_patient(case_folder, progress.part(0.8, 1));
+}
+
+NextStep next_step(const fs::path& case_folder) {
+  const auto opened = casefile::Case::open(case_folder);
+  if (!opened || opened->find("meshes/model") != nullptr) return NextStep::none;
+  return opened->find("labels/liver") != nullptr ? NextStep::build_model : NextStep::outline_liver;
+}
+
+Result<Patient> outline_liver(const fs::path& case_folder, const Eigen::Vector3d& inside_mm, const Progress& progress) {
+  auto opened = casefile::Case::open(case_folder);
+  if (!opened) return failure(opened.error());
+  if (auto grown = casefile::grow_structure(*opened, "liver", {inside_mm}, progress.part(0, 0.9)); !grown) {
+    return failure(grown.error());
+  }
+  return load_patient(case_folder, progress.part(0.9, 1));
+}
+
+Result<Patient> build_model(const fs::path& case_folder, const Progress& progress) {
+  auto opened = casefile::Case::open(case_folder);
+  if (!opened) return failure(opened.error());
+  if (auto meshed = casefile::mesh_liver(*opened, {}, progress.part(0, 0.5)); !meshed) return failure(meshed.error());
+  const bool measured = opened->find("volumes/stiffness") != nullptr;
+  const casefile::StiffnessChoice choice =
+      measured ? casefile::StiffnessChoice(casefile::FromMre{}) : casefile::StiffnessChoice(casefile::FromAtlas{});
+  if (auto given = casefile::assign_stiffness(*opened, choice, {}, progress.part(0.5, 0.6)); !given) {
+    return failure(given.error());
+  }
+  return load_patient(case_folder, progress.part(0.6, 1));
+}
+
+Result<Patient> load_demo(const fs::path& folder, const Progress& progress) {
+  const fs::path made_before = folder / "demo.glisson";
+  std::error_code ignored;
+  if (fs::exists(made_before / "case.json", ignored)) return load_patient(made_before, progress);
+  const auto summary = study::run_demo(folder, {}, progress.part(0, 0.9));
+  if (!summary) return failure(summary.error());
+  return load_patient(summary->case_folder, progress.part(0.9, 1));
+}
+
+}  // namespace glisson::widgets

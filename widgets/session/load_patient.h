@@ -1,0 +1,35 @@
+#pragma once
+// From a case folder, a study or the demo to a Patient: long work, called on a worker thread.
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "imaging/study.h"
+#include "session/patient.h"
+
+namespace glisson::widgets {
+
+// What a path that a person opened or dropped is.
+enum class OpenedThing { case_folder, study };
+[[nodiscard]] OpenedThing kind_of(const std::filesystem::path& path);
+
+// Reads the case and, where it has a model, prepares the rehearsal (factorises, with the atlas twin).
+Result<Patient> load_patient(const std::filesystem::path& case_folder, const Progress& progress);
+
+// Makes a new case from the chosen series of a study (empty: the only anatomy there is) and loads it.
+Result<Patient> import_patient(const imaging::Study& study, const std::string& anatomy_uid,
+                               const std::filesystem::path& case_folder, const Progress& progress);
+
+// What a case still lacks before a retraction can be rehearsed.
+enum class NextStep { outline_liver, build_model, none };
+[[nodiscard]] NextStep next_step(const std::filesystem::path& case_folder);
+
+// Grows the liver from a point inside it; then the model: tetrahedra, and stiffness from MR elastography or, without
+// it, from the atlas. Both load the case anew.
+Result<Patient> outline_liver(const std::filesystem::path& case_folder, const Eigen::Vector3d& inside_mm,
+                              const Progress& progress);
+Result<Patient> build_model(const std::filesystem::path& case_folder, const Progress& progress);
+
+// The demo patient in `folder`, made there the first time (minutes), opened from there later.
+Result<Patient> load_demo(const std::filesystem::path& folder, const Progress& progress);
+
+}  // namespace glisson::widgets

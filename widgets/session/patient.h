@@ -1,0 +1,41 @@
+#pragma once
+// What the window shows of one patient: values, loaded elsewhere, never changed.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/surface.h"
+#include "imaging/image.h"
+#include "rehearsal/static_rehearsal.h"
+
+namespace glisson::widgets {
+
+struct PatientStructure {
+  std::string name;  // as in the case: "tumour-1"
+  std::shared_ptr<const geometry::Surface> surface;
+  double volume_ml = 0;
+};
+
+struct Patient {
+  std::string name;
+  std::string origin;            // "SIMULATED ...", or empty for a real patient
+  std::filesystem::path folder;  // of the case; empty for none
+  std::shared_ptr<const imaging::Volume> anatomy;
+  std::shared_ptr<const imaging::Volume> stiffness;  // absent where there was no elastography
+  std::vector<PatientStructure> structures;          // the liver first
+  // Absent until the model was built. Its structures are those above, in their order.
+  std::shared_ptr<const rehearsal::StaticRehearsal> rehearsal;
+  double mean_youngs_kPa = 0;   // of the model's cells
+  double atlas_youngs_kPa = 0;  // of its atlas twin
+};
+
+// A window of grey values that suits most of a volume: from its 1st to its 99th hundredth.
+struct GreyWindow {
+  double center = 0;
+  double width = 1;
+};
+[[nodiscard]] GreyWindow usual_window(const imaging::Volume& volume);
+
+}  // namespace glisson::widgets

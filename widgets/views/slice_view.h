@@ -1,0 +1,69 @@
+#pragma once
+// One slice through a volume, as radiologists see it. Click or drag with the left button: the crosshair goes there.
+// Right button: brightness (up and down) and contrast (across). Wheel: next slice. Ctrl and wheel: zoom. Middle button
+// or Shift and left: shift. Several of them are linked by LinkedViews.
+
+#include <Eigen/Core>
+#include <memory>
+#include <QPointF>
+#include <vector>
+
+#include "imaging/image.h"
+#include "vtk/render_widget.h"
+
+namespace glisson::widgets {
+
+enum class SliceDirection { transverse, coronal, sagittal };
+
+// What all slice views show.
+struct SliceContent {
+  std::shared_ptr<const imaging::Volume> volume;
+  scene::ColourMap map = scene::ColourMap::grey;
+  std::string legend_title;
+  double window_center = 0;
+  double window_width = 1;
+  std::vector<scene::CutLine> cuts;
+};
+
+class SliceView : public RenderWidget {
+  Q_OBJECT
+
+ public:
+  explicit SliceView(SliceDirection direction, QWidget* parent = nullptr);
+
+  [[nodiscard]] SliceDirection direction() const { return direction_; }
+  [[nodiscard]] const Eigen::Vector3d& crosshair_mm() const { return crosshair_mm_; }
+
+  void show_content(const SliceContent& content);
+  // Moves the slice and its crosshair to that point.
+  void set_crosshair(const Eigen::Vector3d& position_mm);
+  void set_window(double center, double width);
+  // The whole slice in view.
+  void fit();
+
+ Q_SIGNALS:
+  void crosshair_moved(const Eigen::Vector3d& position_mm);
+  void window_changed(double center, double width);
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  [[nodiscard]] Eigen::Vector3d normal() const;
+  void point_at(const QPointF& position);
+  void step(int slices);
+  void tell_position();
+
+  SliceDirection direction_;
+  SliceContent content_;
+  geometry::Box box_;
+  Eigen::Vector3d crosshair_mm_{0, 0, 0};
+  scene::Furniture furniture_;
+  QPointF last_;
+  bool fitted_ = false;
+};
+
+}  // namespace glisson::widgets

@@ -1,0 +1,59 @@
+#include "views/view_frame.h"
+
+#include <QMouseEvent>
+#include <QVBoxLayout>
+
+namespace glisson::widgets {
+
+ViewFrame::ViewFrame(const QString& name, const QColor& accent, QWidget* view, QWidget* parent) : QFrame(parent) {
+  setObjectName("view_frame");
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(1, 1, 1, 1);
+  column->setSpacing(0);
+  auto* bar = new QWidget(this);
+  bar->setObjectName("view_header");
+  bar->setFixedHeight(28);
+  header_ = new QHBoxLayout(bar);
+  header_->setContentsMargins(10, 0, 4, 0);
+  header_->setSpacing(2);
+  if (accent.isValid()) {
+    auto* mark = new QLabel(bar);
+    mark->setFixedSize(10, 10);
+    mark->setStyleSheet(QString("background: %1; border-radius: 2px;").arg(accent.name()));
+    header_->addWidget(mark);
+    header_->addSpacing(6);
+  }
+  auto* label = new QLabel(name, bar);
+  label->setObjectName("view_name");
+  header_->addWidget(label);
+  header_->addStretch();
+  maximise_ = new QToolButton(bar);
+  maximise_->setObjectName("maximise");
+  maximise_->setAutoRaise(true);
+  header_->addWidget(maximise_);
+  connect(maximise_, &QToolButton::clicked, this, &ViewFrame::maximise_requested);
+  column->addWidget(bar);
+  column->addWidget(view, 1);
+  show_maximised(false);
+}
+
+QToolButton* ViewFrame::add_button(const QString& text, const QString& tip) {
+  auto* button = new QToolButton(this);
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setAutoRaise(true);
+  header_->insertWidget(header_->count() - 1, button);
+  return button;
+}
+
+void ViewFrame::show_maximised(bool maximised) {
+  maximise_->setIcon(QIcon(maximised ? ":/icons/restore.svg" : ":/icons/maximise.svg"));
+  maximise_->setToolTip(maximised ? tr("Show all four views") : tr("Fill the window with this view"));
+}
+
+void ViewFrame::mouseDoubleClickEvent(QMouseEvent* event) {
+  // In the header only: the views keep double clicks to themselves.
+  if (event->position().y() <= 28) Q_EMIT maximise_requested();
+}
+
+}  // namespace glisson::widgets

@@ -1,0 +1,33 @@
+#pragma once
+// A view with its name, its few buttons, and a button that makes it fill the window and back.
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace glisson::widgets {
+
+class ViewFrame : public QFrame {
+  Q_OBJECT
+
+ public:
+  // `accent` marks the view in the crosshairs of the others; an invalid colour for none.
+  ViewFrame(const QString& name, const QColor& accent, QWidget* view, QWidget* parent = nullptr);
+
+  // A small text button in the header.
+  QToolButton* add_button(const QString& text, const QString& tip);
+  void show_maximised(bool maximised);
+
+ Q_SIGNALS:
+  void maximise_requested();
+
+ protected:
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+
+ private:
+  QHBoxLayout* header_;
+  QToolButton* maximise_;
+};
+
+}  // namespace glisson::widgets

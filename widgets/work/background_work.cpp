@@ -1,0 +1,54 @@
+#include "work/background_work.h"
+
+#include <QFutureWatcher>
+#include <QtConcurrentRun>
+#include <QThread>
+#include <QThreadPool>
+
+namespace glisson::widgets {
+namespace {
+
+constexpr int shortest_between_reports_ms = 40;
+
+}  // namespace
+
+BackgroundWork::~BackgroundWork() {
+  stop_.request_stop();
+  QThreadPool::globalInstance()->waitForDone();
+}
+
+bool BackgroundWork::start(const QString& title, Work work) {
+  if (busy_) return false;
+  busy_ = true;
+  stop_ = {};
+  auto clock = std::make_shared<QElapsedTimer>();
+  clock->start();
+  // Called on the worker's thread; the signal is delivered on ours.
+  const Progress progress(
+      [this, clock](double fraction, std::string_view stage) {
+        if (clock->elapsed() < shortest_between_reports_ms && fraction < 1) return;
+        clock->restart();
+        Q_EMIT progressed(fraction, QString::fromUtf8(stage.data(), static_cast<qsizetype>(stage.size())));
+      },
+      stop_.get_token());
+  auto* watcher = new QFutureWatcher<Then>(this);
+  connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher] {
+    watcher->deleteLater();
+    busy_ = false;
+    Q_EMIT finished();
+    watcher->result()();
+  });
+  Q_EMIT started(title);
+  watcher->setFuture(QtConcurrent::run([this, work = std::move(work), progress]() -> Then {
+    try {
+      return work(progress);
+    } catch (const std::exception& problem) {
+      return [this, what = QString::fromUtf8(problem.what())] { Q_EMIT broke(what); };
+    }
+  }));
+  return true;
+}
+
+void BackgroundWork::cancel() { stop_.request_stop(); }
+
+}  // namespace glisson::widgets

@@ -1,0 +1,47 @@
+#pragma once
+// Long work off the UI thread, one piece at a time, with progress and Cancel.
+//
+//   work->start(tr("Opening"), [folder](const Progress& progress) -> BackgroundWork::Then {
+//     auto patient = load_patient(folder, progress);                       // on a worker thread
+//     return [this, patient = std::move(patient)] { show(patient); };      // on the UI thread
+//   });
+
+#include <functional>
+#include <memory>
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <stop_token>
+
+#include "base/progress.h"
+
+namespace glisson::widgets {
+
+class BackgroundWork : public QObject {
+  Q_OBJECT
+
+ public:
+  // What to do on the UI thread once the work is done.
+  using Then = std::function<void()>;
+  using Work = std::function<Then(const Progress&)>;
+
+  explicit BackgroundWork(QObject* parent = nullptr) : QObject(parent) {}
+  ~BackgroundWork() override;
+
+  // False, and nothing happens, while another piece is under way.
+  bool start(const QString& title, Work work);
+  void cancel();
+  [[nodiscard]] bool busy() const { return busy_; }
+
+ Q_SIGNALS:
+  void started(const QString& title);
+  void progressed(double fraction, const QString& stage);
+  void finished();
+  void broke(const QString& what);  // a defect of ours: an exception came out of the work
+
+ private:
+  std::stop_source stop_;
+  bool busy_ = false;
+};
+
+}  // namespace glisson::widgets
