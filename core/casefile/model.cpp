@@ -8,6 +8,7 @@
 #include "imaging/volume_file.h"
 #include "meshing/mask_surface.h"
 #include "rehearsal/liver_supports.h"
+#include "segmentation/lesions.h"
 
 namespace glisson::casefile {
 namespace fs = std::filesystem;
@@ -35,6 +36,9 @@ Result<meshing::LiverMesh> mesh_liver(Case& patient, const meshing::MeshOptions&
   if (structures->empty() || structures->front().name != "liver")
     return failure(patient.file_of("labels/liver").error());
 
+  auto whole = segmentation::with_lesions(std::move(structures->front().mask), *structures);
+  structures->front().mask = std::move(whole.liver);
+
   const auto composed = segmentation::compose_labels(*structures, segmentation::Extent::liver);
   if (!composed) return failure(composed.error());
   meshing::MeshOptions named = options;
@@ -46,6 +50,9 @@ Result<meshing::LiverMesh> mesh_liver(Case& patient, const meshing::MeshOptions&
 
   Made made{"mesh", {{"target-cells", std::to_string(options.target_cells)}}, {}, {}, meshed->notes};
   for (const Structure& structure : *structures) made.from.push_back("labels/" + structure.name);
+  for (const std::string& lesion : whole.added) {
+    made.notes.push_back(fmt::format("{} was not wholly inside the liver; it was meshed as part of it.", lesion));
+  }
   for (const meshing::LabelName& region : named.names) {
     made.options[fmt::format("region-{}", region.label)] = region.name;
   }

@@ -10,6 +10,7 @@
 #include "imaging/dicom_seg.h"
 #include "imaging/volume_file.h"
 #include "segmentation/grow.h"
+#include "segmentation/lesions.h"
 #include "segmentation/resample.h"
 
 namespace glisson::casefile {
@@ -47,6 +48,16 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
     made.options[fmt::format("seed-{}_mm", i + 1)] = fmt::format("{:.2f},{:.2f},{:.2f}", seed.x(), seed.y(), seed.z());
   }
   for (const auto& doubt : grown->doubts) made.notes.push_back(doubt.sentence);
+  if (name == "liver") {
+    const auto known = read_structures(patient);
+    if (!known) return failure(known.error());
+    auto whole = segmentation::with_lesions(std::move(grown->mask), *known);
+    grown->mask = std::move(whole.liver);
+    for (const std::string& lesion : whole.added) {
+      made.from.push_back("labels/" + lesion);
+      made.notes.push_back(fmt::format("The growing left {} out; it was added to the liver.", lesion));
+    }
+  }
   return save_structure(patient, segmentation::make_structure(name, std::move(grown->mask)), std::move(made));
 }
 

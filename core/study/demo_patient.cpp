@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "imaging/dicom_seg.h"
 #include "imaging/dicom_uid.h"
 #include "imaging/dicom_write.h"
 #include "imaging/distance_map.h"
@@ -42,6 +43,8 @@ Result<std::vector<DemoSeries>> write_elastography(const fs::path& dicom, const 
 
 std::vector<SegmentedMask> true_structures(const DemoAnatomy& anatomy, const Grid& grid);
 std::vector<DemoSeeds> seeds_for(const DemoAnatomy& anatomy, const std::vector<SegmentedMask>& structures);
+Result<DemoSeries> write_drawn_structures(const fs::path& dicom, const std::vector<SegmentedMask>& structures,
+                                          const DemoSeries& anatomy);
 Result<void> write_truth(const fs::path& folder, const DemoPatient& patient,
                          const std::vector<SegmentedMask>& structures, const Volume& true_shear_kPa,
                          const DemoOptions& options);
@@ -91,8 +94,12 @@ Result<DemoPatient> write_demo_study(const fs::path& anatomy_folder, const fs::p
   patient.series.insert(patient.series.end(), elastography_series->begin(), elastography_series->end());
   if (progress.cancelled()) return cancelled();
 
-  progress.report(0.9, GLISSON_TEXT("writing the truth"));
   const std::vector<SegmentedMask> structures = true_structures(*anatomy, image.grid);
+  auto drawn = write_drawn_structures(staging.path("dicom"), structures, patient.series.front());
+  if (!drawn) return failure(std::move(drawn.error()));
+  patient.series.push_back(std::move(*drawn));
+
+  progress.report(0.9, GLISSON_TEXT("writing the truth"));
   patient.landmarks = anatomy->landmarks;
   patient.seeds = seeds_for(*anatomy, structures);
   auto truth = write_truth(staging.path("truth"), patient, structures, elastography.true_shear_kPa, options);
@@ -236,6 +243,26 @@ Result<std::vector<DemoSeries>> write_elastography(const fs::path& dicom, const 
     all.push_back(std::move(*written));
   }
   return all;
+}
+
+// What a radiologist marks and sends along as DICOM SEG: the tumour, the cysts and the vessels. The liver itself is
+// left to be segmented.
+Result<DemoSeries> write_drawn_structures(const fs::path& dicom, const std::vector<SegmentedMask>& structures,
+                                          const DemoSeries& anatomy) {
+  std::vector<SegmentedMask> drawn;
+  for (const SegmentedMask& structure : structures) {
+    if (structure.info.name == "liver") continue;
+    drawn.push_back(structure);
+    drawn.back().info.label_value = static_cast<int>(drawn.size());
+  }
+  const auto source = imaging::segmentation_source(anatomy.files);
+  if (!source) return failure(source.error());
+  const fs::path folder = dicom / "6_structures";
+  std::error_code problem;
+  fs::create_directories(folder, problem);  // a failure shows in the writing
+  const fs::path file = folder / "structures.dcm";
+  if (auto written = imaging::write_dicom_seg(file, drawn, *source); !written) return failure(written.error());
+  return DemoSeries{Role::segmentation, {}, folder, {file}};
 }
 
 std::vector<SegmentedMask> true_structures(const DemoAnatomy& anatomy, const Grid& grid) {

@@ -43,7 +43,7 @@ struct DemoSeeds {
 
 struct DemoPatient {
   std::filesystem::path dicom_folder;  // one folder a series
-  std::vector<DemoSeries> series;      // anatomy, magnitude, wave, stiffness, confidence
+  std::vector<DemoSeries> series;      // anatomy, magnitude, wave, stiffness, confidence, drawn structures (DICOM SEG)
   std::vector<DemoLandmark> landmarks;
   std::vector<DemoSeeds> seeds;
 
