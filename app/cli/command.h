@@ -31,6 +31,8 @@ void add_simulate(CLI::App& app, Action& chosen);
 void add_compare(CLI::App& app, Action& chosen);
 void add_export(CLI::App& app, Action& chosen);
 void add_render(CLI::App& app, Action& chosen);
+void add_match(CLI::App& app, Action& chosen);
+void add_register(CLI::App& app, Action& chosen);
 void add_platform(CLI::App& app, Action& chosen);
 void add_deidentify(CLI::App& app, Action& chosen);
 void add_demo(CLI::App& app, Action& chosen);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "base/parallel.h"
+#include "registration/rigid.h"
 #include "registration/trwls.h"
 #include "registration/trws.h"
 
@@ -57,7 +58,8 @@ Result<SurfaceMatch> match_surfaces(const Surface& source, const Surface& target
   const double size_mm = std::sqrt(std::max(source_area_mm2, target_area_mm2));
   problem.sigma_mm = options.relative_sigma * size_mm;
   problem.tau_mm = options.relative_tau * size_mm;
-  if (options.prior == Prior::positions) {
+  const bool partial = resolved(Overlap::by_area, source, target) != Overlap::neither;
+  if (options.prior == Prior::positions || (options.prior == Prior::automatic && partial)) {
     problem.seed = position_seed(nodes, labels, problem.tau_mm, options.prior_weight);
   }
   progress.report(0.9, "matching");
@@ -65,6 +67,7 @@ Result<SurfaceMatch> match_surfaces(const Surface& source, const Surface& target
   if (!solution) return failure(solution.error());
   match.orientation_kept = orientation_kept(nodes, labels, solution->labels);
   double solve_ms = solution->solve_ms;
+  const double lower_bound = solution->lower_bound;  // of the field as it is, without any start
   for (const Labelling& start : rough_matchings(problem)) {
     if (progress.cancelled()) return cancelled();
     auto other = solve_from(problem, start, options);
@@ -79,6 +82,7 @@ Result<SurfaceMatch> match_surfaces(const Surface& source, const Surface& target
     }
   }
   solution->solve_ms = solve_ms;
+  solution->lower_bound = lower_bound;
   if (progress.cancelled()) return cancelled();
 
   match.solution = std::move(*solution);

@@ -17,8 +17,10 @@ enum class Solver { trwls, trws };
 
 // What is known of where things are, before matching.
 enum class Prior {
-  none,      // nothing: any pose, any frame
-  positions  // both surfaces lie in one frame, roughly aligned: a match that leads far away costs
+  automatic,  // positions where one surface is only a part of the other, which distances along it do not place; else
+              // none
+  none,       // nothing: any pose, any frame
+  positions   // both surfaces lie in one frame, roughly aligned: a match that leads far away costs
 };
 
 struct GeoOptions {
@@ -29,7 +31,7 @@ struct GeoOptions {
   double relative_tau = 0.3;
   Solver solver = Solver::trwls;
   SolverOptions solving;
-  Prior prior = Prior::none;
+  Prior prior = Prior::automatic;
   double prior_weight = 0.5;  // a match as far off as tau costs this much of what all its pairs can cost
 };
 

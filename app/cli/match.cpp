@@ -1,0 +1,100 @@
+// glisson-cli match SOURCE TARGET: non-rigid correspondence by geodesic distances.
+
+#include <fmt/format.h>
+
+#include "base/files.h"
+#include "command.h"
+#include "geometry/mesh_file.h"
+#include "registration/geo.h"
+
+namespace glisson::cli {
+namespace {
+
+struct MatchCommand {
+  std::string source, target, out;
+  bool dense = false;
+  registration::GeoOptions options;
+};
+
+const char* words(registration::StopReason reason) {
+  switch (reason) {
+    case registration::StopReason::bound_met: return "the lower bound is met";
+    case registration::StopReason::energy_stopped_falling: return "the energy has stopped falling";
+    case registration::StopReason::all_passes_done: return "all passes are done";
+    case registration::StopReason::cancelled: return "cancelled";
+    case registration::StopReason::not_run: break;
+  }
+  return "not run";
+}
+
+Result<Outcome> run(const MatchCommand& command, const Progress& progress) {
+  const auto source = geometry::read_surface(command.source);
+  if (!source) return failure(source.error());
+  const auto target = geometry::read_surface(command.target);
+  if (!target) return failure(target.error());
+  const auto match = registration::match_surfaces(*source, *target, command.options, progress);
+  if (!match) return failure(match.error());
+
+  std::string csv = "source_vertex,target_vertex\n";
+  if (command.dense) {
+    const std::vector<int> target_of = registration::densify(*match);
+    for (std::size_t point = 0; point < target_of.size(); ++point)
+      csv += fmt::format("{},{}\n", point, target_of[point]);
+  } else {
+    for (std::size_t i = 0; i < match->source_points.size(); ++i) {
+      csv += fmt::format("{},{}\n", match->source_points[i], match->target_points[i]);
+    }
+  }
+  if (auto written = write_text_file(command.out, csv); !written) return failure(written.error());
+
+  const auto& solution = match->solution;
+  Outcome outcome{{{"points", match->source_points.size()},
+                   {"energy", solution.energy},
+                   {"lower_bound", solution.lower_bound},
+                   {"iterations", solution.passes.size()},
+                   {"stopped", words(solution.stopped)},
+                   {"solve_ms", solution.solve_ms},
+                   {"orientation_kept", match->orientation_kept},
+                   {"notes", Json::array()},
+                   {"file", command.out}},
+                  fmt::format("{} points matched in {} passes ({}), {:.1f} ms; energy {:.1f}, lower bound {:.1f}\n",
+                              match->source_points.size(), solution.passes.size(), words(solution.stopped),
+                              solution.solve_ms, solution.energy, solution.lower_bound)};
+  constexpr double doubtful = 0.6;
+  if (match->orientation_kept < doubtful) {
+    const std::string note = fmt::format(
+        "Only {:.0f} % of neighbours keep their orientation: the match may be mirrored. Try more points, or align the "
+        "surfaces and use --prior positions.",
+        100 * match->orientation_kept);
+    outcome.document["notes"].push_back(note);
+    outcome.text += note + "\n";
+  }
+  return outcome;
+}
+
+}  // namespace
+
+void add_match(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand("match", "Match two surfaces by distances along them, however they bend");
+  auto match = std::make_shared<MatchCommand>();
+  command->add_option("source", match->source, "Surface (.ply, .obj, .off, .stl, .vtp, .vtk)")->required();
+  command->add_option("target", match->target, "Surface")->required();
+  command->add_option("--points", match->options.points, "Points to match")
+      ->check(CLI::Range(8, 1024))
+      ->capture_default_str();
+  command->add_option("--solver", match->options.solver, "trwls, or trws: the slow one in double precision")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, registration::Solver>{
+          {"trwls", registration::Solver::trwls}, {"trws", registration::Solver::trws}}));
+  command
+      ->add_option("--prior", match->options.prior,
+                   "none: any pose; positions: the surfaces are roughly aligned; auto: positions for a part of a whole")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, registration::Prior>{{"auto", registration::Prior::automatic},
+                                                     {"none", registration::Prior::none},
+                                                     {"positions", registration::Prior::positions}}));
+  command->add_flag("--dense", match->dense, "Lead every point of the source to the target");
+  command->add_option("--out", match->out, "CSV file: source_vertex,target_vertex")->required();
+  command->callback([&chosen, match] { chosen = [match](const Progress& progress) { return run(*match, progress); }; });
+}
+
+}  // namespace glisson::cli
