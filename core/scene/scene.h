@@ -22,8 +22,8 @@ namespace glisson::scene {
 
 // How a surface takes the light. `solid` is opaque tissue with a soft sheen. `glass` is clear where it faces the
 // viewer and denser towards its rim, so that what lies inside stays readable; `opacity` scales it. `light` adds its
-// colour to what lies behind, whatever the order: a red and a blue body are purple where they coincide (on a dark
-// background only; a scene with it is drawn without exact sorting of what is clear).
+// colour to what lies behind, whatever the order, as in an x-ray: a red and a blue body are purple where they coincide
+// (on a dark background only).
 enum class Finish { solid, glass, light };
 
 // A quantity shown by colour, with its legend.

@@ -30,7 +30,8 @@ constexpr const char* light_shader =
     "  float facing = clamp(abs(normalVCVSOutput.z), 0.0, 1.0);\n"
     "  gl_FragData[0].a = opacity * mix(1.0, 0.45, facing);\n";
 
-// Adds to what is there instead of covering it.
+// Adds to what is there instead of covering it. In VTK's opaque pass, because the passes for what is translucent bring
+// their own blending; and without the test of depth, as light has it.
 class AddingActor : public vtkOpenGLActor {
  public:
   static AddingActor* New();
@@ -38,7 +39,11 @@ class AddingActor : public vtkOpenGLActor {
 
       void Render(vtkRenderer* renderer, vtkMapper* mapper) override {
     vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+    const vtkOpenGLState::ScopedglEnableDisable depth_as_before(state, GL_DEPTH_TEST);
+    const vtkOpenGLState::ScopedglEnableDisable blend_as_before(state, GL_BLEND);
     const vtkOpenGLState::ScopedglBlendFuncSeparate blending_as_before(state);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE, GL_ONE, GL_ONE);
     vtkOpenGLActor::Render(renderer, mapper);
   }
@@ -157,7 +162,8 @@ void SurfaceActor::shade_as_glass() {
 }
 
 void SurfaceActor::shade_as_light() {
-  actor_->ForceTranslucentOn();
+  actor_->GetProperty()->BackfaceCullingOn();
+  actor_->ForceOpaqueOn();
   actor_->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, light_shader, false);
 }
 

@@ -21,7 +21,6 @@ namespace {
 void light(vtkRenderer& renderer);
 void paint_background(vtkRenderer& renderer, const Scene& scene);
 std::vector<Legend> legends_of(const Scene& scene);
-bool has_light(const Scene& scene);
 void place(vtkCamera& camera, const Frame& frame);
 
 struct Hit {
@@ -148,7 +147,7 @@ void View::prepare_frame(int width, int height) {
   parts.frame.width = std::max(width, 1);
   parts.frame.height = std::max(height, 1);
   place(*parts.renderer.GetActiveCamera(), parts.frame);
-  parts.renderer.SetUseDepthPeeling(parts.transparency == Transparency::exact && !has_light(parts.scene) ? 1 : 0);
+  parts.renderer.SetUseDepthPeeling(parts.transparency == Transparency::exact ? 1 : 0);
   parts.renderer.ResetCameraClippingRange();
   for (const auto& slice : parts.slices) {
     slice->lift_lines(-parts.frame.camera.sight * 0.002 * parts.frame.camera.visible_height_mm);
@@ -234,11 +233,6 @@ std::vector<Legend> legends_of(const Scene& scene) {
          {item.window_center - 0.5 * item.window_width, item.window_center + 0.5 * item.window_width}});
   }
   return legends;
-}
-
-bool has_light(const Scene& scene) {
-  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
-                     [](const SurfaceItem& item) { return item.finish == Finish::light; });
 }
 
 void place(vtkCamera& camera, const Frame& frame) {

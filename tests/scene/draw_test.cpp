@@ -109,6 +109,31 @@ TEST(Draw, PutsThePatientsRightOnThePicturesLeft) {
   EXPECT_EQ(right, 0);
 }
 
+TEST(Draw, AddsLightWhateverTheOrderSoThatRedAndBlueMakePurple) {
+  // Two balls side by side that overlap in the middle, seen from the front.
+  const auto ball = [](double x_mm, const Colour& colour) {
+    return SurfaceItem{"ball",        std::make_shared<geometry::Surface>(ellipsoid({x_mm, 0, 0}, {40, 40, 40})),
+                       colour,        0.6,
+                       Finish::light, {}};
+  };
+  Scene scene;
+  scene.background = Background::black;
+  scene.furniture.orientation = Furniture::Orientation::hidden;
+  scene.furniture.scale_bar = Furniture::ScaleBar::hidden;
+  scene.camera = look_from(PatientView::anterior, {{-80, -50, -50}, {80, 50, 50}}, 1);
+  scene.camera->projection = Projection::parallel;
+  scene.surfaces = {ball(-25, {1, 0, 0}), ball(25, {0, 0, 1})};
+  const Picture one = drawn(scene, 200, 200);
+  std::swap(scene.surfaces[0], scene.surfaces[1]);
+  EXPECT_EQ(one.rgb, drawn(scene, 200, 200).rgb);
+  const auto* middle = one.at(100, 100);
+  EXPECT_GT(middle[0], 60);
+  EXPECT_GT(middle[2], 60);
+  EXPECT_LT(middle[1], 10);
+  EXPECT_LT(one.at(60, 100)[2], 10);   // red alone
+  EXPECT_LT(one.at(140, 100)[0], 10);  // blue alone
+}
+
 TEST(Draw, GivesTheSameBitsEveryTime) { EXPECT_EQ(drawn(organ(), 240, 160).rgb, drawn(organ(), 240, 160).rgb); }
 
 TEST(Draw, NeedsNoDisplay) {
