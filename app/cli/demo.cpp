@@ -20,7 +20,8 @@ Outcome describe(const study::DemoSummary& summary) {
   text += fmt::format("  {:24} {:>8} {:>8} {:>8}\n", "landmark (mm)", "MRE", "atlas", "apart");
   for (const auto& landmark : comparison.landmarks) {
     text += fmt::format("  {:24} {:8.1f} {:8.1f} {:8.1f}{}\n", landmark.id, landmark.displacement_a_mm,
-                        landmark.displacement_b_mm, landmark.difference_mm, landmark.significant() ? "  >= 5 mm" : "");
+                        landmark.displacement_b_mm, landmark.difference_mm,
+                        landmark.displacement_a_mm >= rehearsal::significant_mm ? "  moves by 5 mm or more" : "");
   }
   return {parse_json(study::summary_text(summary)).value(),
           text + fmt::format("{:.0f} s; report: {}\n", summary.seconds, summary.report.string())};

@@ -82,6 +82,7 @@ Result<Comparison> comparison_scene(const fs::path& in_red, const std::string& r
   Comparison comparison;
   comparison.red_label = red_label;
   comparison.blue_label = blue_label;
+  comparison.agreement_label = "Both agree";
   for (auto& [folder, scene] : {std::pair<const fs::path&, Scene&>{in_red, comparison.in_red},
                                 std::pair<const fs::path&, Scene&>{in_blue, comparison.in_blue}}) {
     const auto shown = read_shown_result(folder);
@@ -92,6 +93,7 @@ Result<Comparison> comparison_scene(const fs::path& in_red, const std::string& r
     // Only brightness counts in the composite: bright vessels stand out of a dim organ.
     for (SurfaceItem& item : scene.surfaces) item.colour = Colour{1, 1, 1};
     scene.surfaces.front().opacity = 0.6;
+    scene.furniture.title = red_label + " against " + blue_label;
   }
   return comparison;
 }
@@ -228,7 +230,7 @@ Result<Scene> model_scene(const casefile::Case& patient) {
   GLISSON_ASSERT(youngs && behind);
   geometry::Field colour{mechanics::youngs_modulus_field, 1, {}};
   for (const double cell : behind->values) colour.values.push_back(youngs->values[static_cast<std::size_t>(cell)]);
-  std::vector<double> sorted = youngs->values;
+  std::vector<double> sorted = colour.values;
   std::sort(sorted.begin(), sorted.end());
   const double high = round_up(sorted[sorted.size() * 98 / 100]);
   geometry::set_field(boundary.cell_fields, std::move(colour));

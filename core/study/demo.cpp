@@ -182,6 +182,7 @@ Result<void> rehearse(Run& run, Case& patient, const Progress& progress) {
 
   run.summary.relative_residual = std::max(mre->result.relative_residual, atlas->result.relative_residual);
   run.summary.max_displacement_mm = mre->result.max_displacement_mm;
+  run.summary.notes = mre->result.notes;
   run.summary.atlas_against_mre = std::move(*comparison);
   return casefile::write_result(patient.folder() / "results" / "mre", *mre).and_then([&] {
     return casefile::write_result(patient.folder() / "results" / "atlas", *atlas);
