@@ -3,42 +3,55 @@
 #include <fmt/format.h>
 #include <cmath>
 
+#include "mechanics/body.h"
+#include "mechanics/equilibrium.h"
+#include "mechanics/large_deformation.h"
 #include "mechanics/static_model.h"
+#include "mechanics/stopwatch.h"
 
 namespace glisson::mechanics {
 namespace {
 
+// What an engine answers, whichever it was.
+struct Answer {
+  StaticResult result;
+  std::vector<Eigen::Vector3d> landmark_displacements_mm;
+  std::vector<double> von_mises_kPa;  // one a cell
+};
+using Places = std::vector<PointInMesh>;
+
 Result<void> refuse_what_is_not_available(const Scenario& scenario);
+Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                 const Scenario& scenario, const Places& places, const Progress& progress);
+Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                 const Scenario& scenario, const Places& places, const Progress& progress);
 std::string names_of(const geometry::Fields& fields);
-geometry::TetMesh mesh_with_result(const StaticModel& model, const StaticResult& result);
+void set_result_fields(const StaticResult& result, std::vector<double> youngs_kPa, std::vector<double> von_mises_kPa,
+                       geometry::TetMesh& mesh);
 
 }  // namespace
 
 Result<Simulation> simulate(const geometry::TetMesh& mesh, const Scenario& scenario, const SimulationOptions& options,
                             const Progress& progress) {
   if (auto available = refuse_what_is_not_available(scenario); !available) return failure(std::move(available.error()));
+  if (auto checked = geometry::check_tetrahedra(mesh); !checked) return failure(std::move(checked.error()));
   auto youngs_kPa = youngs_modulus_of_cells(mesh, scenario);
   if (!youngs_kPa) return failure(std::move(youngs_kPa.error()));
-
-  StaticOptions static_options;
-  static_options.poisson_ratio = scenario.poisson_ratio;
-  static_options.density_kg_mm3 = scenario.density_kg_mm3;
-  auto model =
-      StaticModel::create(mesh, std::move(*youngs_kPa), scenario.supports, static_options, progress.part(0.0, 0.9));
-  if (!model) return failure(std::move(model.error()));
   auto places = locate_landmarks(mesh, scenario.landmarks, options.landmark_tolerance_mm);
   if (!places) return failure(std::move(places.error()));
 
-  progress.report(0.9, "Solving");
-  auto result = model->solve(scenario.loads);
-  if (!result) return failure(std::move(result.error()));
+  auto answer = scenario.material == MaterialLaw::linear
+                    ? small_equilibrium(mesh, *youngs_kPa, scenario, *places, progress)
+                    : large_equilibrium(mesh, *youngs_kPa, scenario, *places, progress);
+  if (!answer) return failure(std::move(answer.error()));
   progress.report(1.0, "Solved");
 
   Simulation simulation;
   simulation.scenario = scenario;
-  simulation.landmarks = displaced_landmarks(scenario.landmarks, *places, model->displacement_at(*result, *places));
-  simulation.mesh = mesh_with_result(*model, *result);
-  simulation.result = std::move(*result);
+  simulation.landmarks = displaced_landmarks(scenario.landmarks, *places, answer->landmark_displacements_mm);
+  simulation.mesh = mesh;
+  set_result_fields(answer->result, std::move(*youngs_kPa), std::move(answer->von_mises_kPa), simulation.mesh);
+  simulation.result = std::move(answer->result);
   for (const DisplacedLandmark& landmark : simulation.landmarks) {
     if (landmark.outside_by_mm > 0.5) {
       simulation.result.notes.push_back(
@@ -107,9 +120,6 @@ Result<void> refuse_what_is_not_available(const Scenario& scenario) {
   if (scenario.engine != Engine::fem) {
     return failure("not-available", GLISSON_TEXT("The meshfree engine is not available yet: take engine \"fem\"."));
   }
-  if (scenario.material != MaterialLaw::linear) {
-    return failure("not-available", GLISSON_TEXT("Only the material \"linear\" is available yet, at small strain."));
-  }
   if (scenario.motion) {
     return failure("not-available", GLISSON_TEXT("Motion is not available yet: leave it out to get equilibrium."));
   }
@@ -122,17 +132,52 @@ std::string names_of(const geometry::Fields& fields) {
   return names.empty() ? "none" : names;
 }
 
-geometry::TetMesh mesh_with_result(const StaticModel& model, const StaticResult& result) {
-  geometry::TetMesh mesh = model.mesh();
+StaticOptions options_of(const Scenario& scenario) {
+  StaticOptions options;
+  options.poisson_ratio = scenario.poisson_ratio;
+  options.density_kg_mm3 = scenario.density_kg_mm3;
+  return options;
+}
+
+Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                 const Scenario& scenario, const Places& places, const Progress& progress) {
+  const auto model = StaticModel::create(mesh, std::move(youngs_kPa), scenario.supports, options_of(scenario),
+                                         progress.part(0.0, 0.9));
+  if (!model) return failure(model.error());
+  progress.report(0.9, "Solving");
+  auto result = model->solve(scenario.loads);
+  if (!result) return failure(std::move(result.error()));
+  auto landmarks_mm = model->displacement_at(*result, places);
+  auto von_mises_kPa = model->von_mises_kPa(*result);
+  return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa)};
+}
+
+Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                 const Scenario& scenario, const Places& places, const Progress& progress) {
+  const Stopwatch watch;
+  const auto body =
+      prepare_body(mesh, std::move(youngs_kPa), scenario.supports, options_of(scenario), Holding::required);
+  if (!body) return failure(body.error());
+  const std::vector<Material> materials = materials_of(*body, scenario.material);
+  const double setup_s = watch.seconds();
+  auto result = find_equilibrium(*body, materials, scenario.loads, {}, progress);
+  if (!result) return failure(std::move(result.error()));
+  result->setup_s = setup_s;
+  auto landmarks_mm = displacement_at(*body, *result, places);
+  auto von_mises_kPa = von_mises_of_cells(*body, materials, nodal_displacements(*body, *result));
+  return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa)};
+}
+
+void set_result_fields(const StaticResult& result, std::vector<double> youngs_kPa, std::vector<double> von_mises_kPa,
+                       geometry::TetMesh& mesh) {
   geometry::Field displacement{displacement_field, 3, {}};
   displacement.values.reserve(3 * result.displacement_mm.size());
   for (const Eigen::Vector3d& u : result.displacement_mm) {
     displacement.values.insert(displacement.values.end(), u.data(), u.data() + 3);
   }
   geometry::set_field(mesh.point_fields, std::move(displacement));
-  geometry::set_field(mesh.cell_fields, {youngs_modulus_field, 1, model.youngs_kPa()});
-  geometry::set_field(mesh.cell_fields, {"von_mises_kPa", 1, model.von_mises_kPa(result)});
-  return mesh;
+  geometry::set_field(mesh.cell_fields, {youngs_modulus_field, 1, std::move(youngs_kPa)});
+  geometry::set_field(mesh.cell_fields, {"von_mises_kPa", 1, std::move(von_mises_kPa)});
 }
 
 }  // namespace

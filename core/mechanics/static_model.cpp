@@ -1,55 +1,23 @@
 #include "mechanics/static_model.h"
 
 #include <fmt/format.h>
-#include <chrono>
-#include <cmath>
-#include <limits>
 
-#include "mechanics/boundary.h"
+#include "mechanics/body.h"
 #include "mechanics/constrained_system.h"
-#include "mechanics/linear_elasticity.h"
 #include "mechanics/load_vector.h"
-#include "mechanics/shape_functions.h"
 #include "mechanics/stiffness_matrix.h"
+#include "mechanics/stopwatch.h"
 #include "mechanics/strain.h"
-#include "mechanics/supports.h"
 
 namespace glisson::mechanics {
-namespace {
-
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-Result<void> check_size(const geometry::TetMesh& mesh);
-Result<void> check_material(const std::vector<double>& youngs_kPa, std::size_t cells, const StaticOptions& options);
-std::vector<Eigen::Vector3d> vectors_of(const Eigen::VectorXd& values, int first_node, int nodes);
-Eigen::Vector3d sum_of(const Eigen::VectorXd& values);
-
-}  // namespace
 
 // Everything that only the loads do not change.
-struct StaticModel::Parts {
-  geometry::TetMesh mesh;
-  std::vector<double> youngs_kPa;
-  std::vector<Support> supports;
-  StaticOptions options;
-  NodeLayout layout;
-  std::vector<BoundaryFace> boundary;
-  ResolvedSupports resolved;
-  std::vector<Lame> materials;  // one a cell
+struct StaticModel::Parts : Body {
   std::optional<ConstrainedSystem> system;
   Cost cost;
 
   [[nodiscard]] std::vector<StaticResult> solve(const Eigen::MatrixXd& force_mN, const Eigen::MatrixXd& held_mm) const;
   [[nodiscard]] StaticResult result_of(const ConstrainedSolution& solution, const Eigen::VectorXd& force_mN) const;
-  [[nodiscard]] Eigen::VectorXd foundation_force_mN(const Eigen::VectorXd& u_mm) const;
 };
 
 Result<StaticModel> StaticModel::create(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
@@ -57,33 +25,10 @@ Result<StaticModel> StaticModel::create(geometry::TetMesh mesh, std::vector<doub
                                         const Progress& progress) {
   const Stopwatch watch;
   progress.report(0.0, "Checking the model");
-  if (auto checked = geometry::check_tetrahedra(mesh); !checked) return failure(std::move(checked.error()));
-  if (auto checked = check_size(mesh); !checked) return failure(std::move(checked.error()));
-  if (auto checked = check_material(youngs_kPa, mesh.cells.size(), options); !checked) {
-    return failure(std::move(checked.error()));
-  }
-
+  auto body = prepare_body(std::move(mesh), std::move(youngs_kPa), std::move(supports), options, Holding::required);
+  if (!body) return failure(std::move(body.error()));
   auto parts = std::make_shared<Parts>();
-  parts->mesh = std::move(mesh);
-  parts->youngs_kPa = std::move(youngs_kPa);
-  parts->supports = std::move(supports);
-  parts->options = options;
-  parts->layout = lay_out_nodes(parts->mesh, options.order);
-  parts->boundary = boundary_faces(parts->mesh, parts->layout);
-  auto resolved = resolve_supports(parts->mesh, parts->layout, parts->boundary, parts->supports);
-  if (!resolved) return failure(std::move(resolved.error()));
-  parts->resolved = std::move(*resolved);
-  if (const std::string free = free_motion(parts->layout, parts->boundary, parts->resolved); !free.empty()) {
-    return failure(Error{"body-free",
-                         GLISSON_TEXT("The supports do not hold the body: it {0}, so no equilibrium exists."),
-                         {free},
-                         GLISSON_TEXT("Hold more of it, or put a foundation under part of its surface."),
-                         {}});
-  }
-  parts->materials.reserve(parts->youngs_kPa.size());
-  for (const double youngs : parts->youngs_kPa) {
-    parts->materials.push_back(lame_from_youngs(youngs, options.poisson_ratio));
-  }
+  static_cast<Body&>(*parts) = std::move(*body);
 
   progress.report(0.05, "Assembling the stiffness");
   if (progress.cancelled()) return cancelled();
@@ -157,16 +102,9 @@ StaticResult StaticModel::Parts::result_of(const ConstrainedSolution& solution, 
   result.setup_s = cost.setup_s;
 
   const Eigen::VectorXd& u = solution.u;
-  result.displacement_mm.assign(mesh.points_mm.size(), Eigen::Vector3d::Zero());
-  for (std::size_t p = 0; p < mesh.points_mm.size(); ++p) {
-    if (layout.node_of_point[p] >= 0) result.displacement_mm[p] = u.segment<3>(3 * layout.node_of_point[p]);
-  }
-  result.mid_side_displacement_mm = vectors_of(u, layout.corner_nodes, layout.nodes() - layout.corner_nodes);
-  for (int node = 0; node < layout.nodes(); ++node) {
-    result.max_displacement_mm = std::max(result.max_displacement_mm, u.segment<3>(3 * node).norm());
-  }
+  set_displacements(*this, u, result);
 
-  const Eigen::VectorXd spring_force_mN = foundation_force_mN(u);
+  const Eigen::VectorXd spring_force_mN = foundation_force_mN(*this, u);
   result.applied_force_mN = sum_of(force_mN);
   result.held_reaction_mN = sum_of(solution.reaction);
   result.foundation_reaction_mN = sum_of(spring_force_mN);
@@ -199,21 +137,6 @@ StaticResult StaticModel::Parts::result_of(const ConstrainedSolution& solution, 
   return result;
 }
 
-Eigen::VectorXd StaticModel::Parts::foundation_force_mN(const Eigen::VectorXd& u_mm) const {
-  Eigen::VectorXd force_mN = Eigen::VectorXd::Zero(u_mm.size());
-  for (const FoundationFace& spring : resolved.foundations) {
-    const BoundaryFace& face = boundary[spring.face];
-    const FaceMass mass = face_mass_mm2(face, options.order);
-    for (int a = 0; a < mass.rows(); ++a) {
-      for (int b = 0; b < mass.cols(); ++b) {
-        force_mN.segment<3>(3 * face.nodes[a]) -=
-            spring.stiffness_kPa_per_mm * mass(a, b) * u_mm.segment<3>(3 * face.nodes[b]);
-      }
-    }
-  }
-  return force_mN;
-}
-
 const geometry::TetMesh& StaticModel::mesh() const { return parts_->mesh; }
 const std::vector<double>& StaticModel::youngs_kPa() const { return parts_->youngs_kPa; }
 const NodeLayout& StaticModel::nodes() const { return parts_->layout; }
@@ -227,31 +150,11 @@ Result<std::size_t> StaticModel::faces_touched_by(const Eigen::Vector3d& center_
 
 std::vector<Eigen::Vector3d> StaticModel::displacement_at(const StaticResult& result,
                                                           const std::vector<PointInMesh>& places) const {
-  GLISSON_ASSERT(result.displacement_mm.size() == parts_->mesh.points_mm.size());
-  const NodeLayout& layout = parts_->layout;
-  std::vector<Eigen::Vector3d> displacements(places.size(), Eigen::Vector3d::Zero());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto cell = static_cast<std::size_t>(places[i].cell);
-    const TetValues values = tet_values(layout.order, places[i].barycentric);
-    for (int k = 0; k < layout.nodes_per_cell(); ++k) {
-      displacements[i] +=
-          values[k] * (k < 4 ? result.displacement_mm[parts_->mesh.cells[cell][k]]
-                             : result.mid_side_displacement_mm[layout.cells[cell][k] - layout.corner_nodes]);
-    }
-  }
-  return displacements;
+  return mechanics::displacement_at(*parts_, result, places);
 }
 
 std::vector<double> StaticModel::von_mises_kPa(const StaticResult& result) const {
-  const NodeLayout& layout = parts_->layout;
-  Eigen::VectorXd u_mm(3 * static_cast<Eigen::Index>(layout.nodes()));
-  for (std::size_t p = 0; p < result.displacement_mm.size(); ++p) {
-    if (layout.node_of_point[p] >= 0) u_mm.segment<3>(3 * layout.node_of_point[p]) = result.displacement_mm[p];
-  }
-  for (std::size_t e = 0; e < result.mid_side_displacement_mm.size(); ++e) {
-    u_mm.segment<3>(3 * (layout.corner_nodes + static_cast<Eigen::Index>(e))) = result.mid_side_displacement_mm[e];
-  }
-  return von_mises_of_cells(parts_->mesh, layout, parts_->materials, u_mm);
+  return von_mises_of_cells(parts_->mesh, parts_->layout, parts_->materials, nodal_displacements(*parts_, result));
 }
 
 Result<StaticResult> solve_static(geometry::TetMesh mesh, std::vector<double> youngs_kPa, std::vector<Support> supports,
@@ -260,54 +163,4 @@ Result<StaticResult> solve_static(geometry::TetMesh mesh, std::vector<double> yo
       .and_then([&](const StaticModel& model) { return model.solve(loads); });
 }
 
-namespace {
-
-// The matrix's entries are counted in 32 bits, as CHOLMOD's are: each cell adds at most 55 blocks of 9.
-Result<void> check_size(const geometry::TetMesh& mesh) {
-  constexpr std::size_t most_cells = std::numeric_limits<int>::max() / (55 * 9);
-  if (mesh.cells.size() <= most_cells) return {};
-  return failure(Error{"too-large",
-                       GLISSON_TEXT("The mesh has {0} cells; at most {1} can be solved."),
-                       {std::to_string(mesh.cells.size()), std::to_string(most_cells)},
-                       GLISSON_TEXT("Mesh with fewer cells."),
-                       {}});
-}
-
-Result<void> check_material(const std::vector<double>& youngs_kPa, std::size_t cells, const StaticOptions& options) {
-  if (!(options.poisson_ratio > -1.0 && options.poisson_ratio < 0.5)) {
-    return failure(Error{"poisson-invalid",
-                         GLISSON_TEXT("Poisson's ratio must lie between -1 and 0.5, both excluded; it is {0}."),
-                         {fmt::format("{}", options.poisson_ratio)},
-                         GLISSON_TEXT("For tissue that is nearly incompressible take 0.45 to 0.499."),
-                         {}});
-  }
-  if (!std::isfinite(options.density_kg_mm3) || options.density_kg_mm3 < 0) {
-    return failure("density-invalid", GLISSON_TEXT("The density must be a finite number, zero or above."));
-  }
-  if (youngs_kPa.size() != cells) {
-    return failure("modulus-invalid", GLISSON_TEXT("There are {0} values of Young's modulus for {1} cells."),
-                   {std::to_string(youngs_kPa.size()), std::to_string(cells)});
-  }
-  for (std::size_t c = 0; c < cells; ++c) {
-    if (std::isfinite(youngs_kPa[c]) && youngs_kPa[c] > 0) continue;
-    return failure(Error{"modulus-invalid",
-                         GLISSON_TEXT("Young's modulus of cell {0} is {1} kPa; it must be a number above zero."),
-                         {std::to_string(c), fmt::format("{}", youngs_kPa[c])},
-                         GLISSON_TEXT("Fill the cells without data before simulating."),
-                         {}});
-  }
-  return {};
-}
-
-std::vector<Eigen::Vector3d> vectors_of(const Eigen::VectorXd& values, int first_node, int nodes) {
-  std::vector<Eigen::Vector3d> vectors(static_cast<std::size_t>(nodes));
-  for (int i = 0; i < nodes; ++i) vectors[i] = values.segment<3>(3 * (first_node + i));
-  return vectors;
-}
-
-Eigen::Vector3d sum_of(const Eigen::VectorXd& values) {
-  return Eigen::Map<const Eigen::Matrix3Xd>(values.data(), 3, values.size() / 3).rowwise().sum();
-}
-
-}  // namespace
 }  // namespace glisson::mechanics

@@ -1,5 +1,5 @@
 #pragma once
-// What a static solve found, why it stopped, and whether it may be used.
+// What looking for an equilibrium found, why it stopped, and whether it may be used.
 
 #include <Eigen/Core>
 #include <string>
@@ -10,7 +10,7 @@ namespace glisson::mechanics {
 enum class SolveStatus {
   not_run,
   converged,      // the relative residual reached the tolerance
-  not_converged,  // refinement stalled above the tolerance: the displacements are not an equilibrium
+  not_converged,  // stalled above the tolerance: the displacements are not the equilibrium asked for
 };
 
 struct StaticResult {
@@ -24,10 +24,10 @@ struct StaticResult {
   Eigen::Vector3d held_reaction_mN{0, 0, 0};        // what the held points push back with, summed
   Eigen::Vector3d foundation_reaction_mN{0, 0, 0};  // what the foundations push back with, summed
   double relative_residual = 0;                     // |K u - f| / |f| over what is free to move (Euclidean)
-  int iterations = 0;                               // of iterative refinement; 0: the direct solve sufficed
+  int iterations = 0;                               // refinements of a direct solve (0: it sufficed), or Newton steps
   double strain_energy_uJ = 0;                      // in the body, without the foundations
   double foundation_energy_uJ = 0;
-  double external_work_uJ = 0;  // f.u / 2; equals the energies where nothing held is moved
+  double external_work_uJ = 0;  // f.u / 2 in linear elasticity: equals the energies where nothing held is moved
   double max_displacement_mm = 0;
   double largest_strain = 0;       // largest principal strain in magnitude, over the corners of all cells
   int inverted_cells = 0;          // cells that the displacement turns inside out: beyond linear elasticity

@@ -18,6 +18,16 @@ CellDisplacement displacement_of_cell(const NodeLayout& layout, std::size_t cell
   return displacement;
 }
 
+Eigen::Vector3d principal_strains(const Eigen::Matrix3d& f, StrainMeasure measure) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal;
+  if (measure == StrainMeasure::small) {
+    principal.computeDirect(small_strain(f - Eigen::Matrix3d::Identity()), Eigen::EigenvaluesOnly);
+    return principal.eigenvalues();
+  }
+  principal.computeDirect(f.transpose() * f, Eigen::EigenvaluesOnly);
+  return principal.eigenvalues().cwiseMax(0.0).cwiseSqrt().array() - 1.0;
+}
+
 }  // namespace
 
 Eigen::Matrix3d displacement_gradient(const geometry::TetMesh& mesh, const NodeLayout& layout, std::size_t cell,
@@ -26,7 +36,8 @@ Eigen::Matrix3d displacement_gradient(const geometry::TetMesh& mesh, const NodeL
          tet_gradients(tet_derivatives(layout.order, barycentric), cell_geometry(mesh, cell));
 }
 
-StrainRange strain_range(const geometry::TetMesh& mesh, const NodeLayout& layout, const Eigen::VectorXd& u_mm) {
+StrainRange strain_range(const geometry::TetMesh& mesh, const NodeLayout& layout, const Eigen::VectorXd& u_mm,
+                         StrainMeasure measure) {
   std::array<TetDerivatives, 4> derivatives;
   for (int i = 0; i < 4; ++i) derivatives[i] = tet_derivatives(layout.order, Eigen::Vector4d::Unit(i));
   StrainRange range;
@@ -39,10 +50,9 @@ StrainRange strain_range(const geometry::TetMesh& mesh, const NodeLayout& layout
       bool inverted = false;
       for (const TetDerivatives& at_corner : derivatives) {
         const Eigen::Matrix3d gradient = displacement * tet_gradients(at_corner, shape);
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal;
-        principal.computeDirect(small_strain(gradient), Eigen::EigenvaluesOnly);
-        part.largest_strain = std::max(part.largest_strain, principal.eigenvalues().cwiseAbs().maxCoeff());
-        inverted |= (Eigen::Matrix3d::Identity() + gradient).determinant() <= 0;
+        const Eigen::Matrix3d f = Eigen::Matrix3d::Identity() + gradient;
+        part.largest_strain = std::max(part.largest_strain, principal_strains(f, measure).cwiseAbs().maxCoeff());
+        inverted |= f.determinant() <= 0;
       }
       part.inverted_cells += inverted ? 1 : 0;
     }

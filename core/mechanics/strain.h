@@ -15,12 +15,15 @@ namespace glisson::mechanics {
                                                     std::size_t cell, const Eigen::Vector4d& barycentric,
                                                     const Eigen::VectorXd& u_mm);
 
+// Small strain, or how much the principal stretches differ from 1, which a turned body does not count as strain.
+enum class StrainMeasure { small, stretch };
+
 struct StrainRange {
-  double largest_strain = 0;  // largest principal small strain in magnitude, over the corners of all cells
+  double largest_strain = 0;  // largest principal strain in magnitude, over the corners of all cells
   int inverted_cells = 0;     // cells where det(I + grad u) <= 0 at some corner
 };
 [[nodiscard]] StrainRange strain_range(const geometry::TetMesh& mesh, const NodeLayout& layout,
-                                       const Eigen::VectorXd& u_mm);
+                                       const Eigen::VectorXd& u_mm, StrainMeasure measure = StrainMeasure::small);
 
 // Von Mises stress (kPa) at each cell's centroid.
 [[nodiscard]] std::vector<double> von_mises_of_cells(const geometry::TetMesh& mesh, const NodeLayout& layout,

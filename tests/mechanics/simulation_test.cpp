@@ -3,6 +3,7 @@
 #include "mechanics/simulation.h"
 
 #include <gmock/gmock.h>
+#include <cmath>
 #include <limits>
 
 #include "mechanics/bodies.h"
@@ -76,11 +77,24 @@ TEST_F(Simulating, RefusesWhatItCannotComputeYet) {
   scenario.engine = Engine::meshfree;
   EXPECT_THAT(refusal(), HasSubstr("not-available: The meshfree engine is not available yet"));
   scenario.engine = Engine::fem;
-  scenario.material = MaterialLaw::neo_hookean;
-  EXPECT_THAT(refusal(), HasSubstr("not-available"));
-  scenario.material = MaterialLaw::linear;
   scenario.motion = Motion{0.02, 50};
   EXPECT_THAT(refusal(), HasSubstr("Motion is not available yet"));
+}
+
+TEST_F(Simulating, TheMaterialsAgreeUnderASmallForceAndPartUnderALargeOne) {
+  const auto displaced_mm = [&](MaterialLaw law, double force_mN) {
+    scenario.material = law;
+    scenario.loads = {ToolLoad{{15, 15, 30}, 8, {force_mN, 0, 0}}};
+    const auto simulation = simulate(mesh, scenario).value();
+    EXPECT_TRUE(simulation.result.may_be_used()) << simulation.result.why_stopped;
+    return simulation.landmarks[0].displacement_mm;
+  };
+  // Strains of 1e-4, so differences of that order; then a quarter of the body's height.
+  for (const MaterialLaw law : {MaterialLaw::corotational, MaterialLaw::neo_hookean}) {
+    const double small_mm = displaced_mm(MaterialLaw::linear, 0.1);
+    EXPECT_NEAR(displaced_mm(law, 0.1), small_mm, 1e-3 * small_mm);
+    EXPECT_GT(std::abs(displaced_mm(law, 600) / displaced_mm(MaterialLaw::linear, 600) - 1), 0.01);
+  }
 }
 
 TEST_F(Simulating, RefusesALandmarkOfAnotherPlace) {

@@ -1,0 +1,155 @@
+#include "mechanics/body.h"
+
+#include <fmt/format.h>
+#include <cmath>
+#include <limits>
+
+#include "mechanics/shape_functions.h"
+
+namespace glisson::mechanics {
+namespace {
+
+Result<void> check_size(const geometry::TetMesh& mesh);
+Result<void> check_material(const std::vector<double>& youngs_kPa, std::size_t cells, const StaticOptions& options);
+
+}  // namespace
+
+Result<Body> prepare_body(geometry::TetMesh mesh, std::vector<double> youngs_kPa, std::vector<Support> supports,
+                          const StaticOptions& options, Holding holding) {
+  if (auto checked = geometry::check_tetrahedra(mesh); !checked) return failure(std::move(checked.error()));
+  if (auto checked = check_size(mesh); !checked) return failure(std::move(checked.error()));
+  if (auto checked = check_material(youngs_kPa, mesh.cells.size(), options); !checked) {
+    return failure(std::move(checked.error()));
+  }
+
+  Body body;
+  body.mesh = std::move(mesh);
+  body.youngs_kPa = std::move(youngs_kPa);
+  body.supports = std::move(supports);
+  body.options = options;
+  body.layout = lay_out_nodes(body.mesh, options.order);
+  body.boundary = boundary_faces(body.mesh, body.layout);
+  auto resolved = resolve_supports(body.mesh, body.layout, body.boundary, body.supports);
+  if (!resolved) return failure(std::move(resolved.error()));
+  body.resolved = std::move(*resolved);
+  const std::string free =
+      holding == Holding::required ? free_motion(body.layout, body.boundary, body.resolved) : std::string();
+  if (!free.empty()) {
+    return failure(Error{"body-free",
+                         GLISSON_TEXT("The supports do not hold the body: it {0}, so no equilibrium exists."),
+                         {free},
+                         GLISSON_TEXT("Hold more of it, or put a foundation under part of its surface."),
+                         {}});
+  }
+  body.materials.reserve(body.youngs_kPa.size());
+  for (const double youngs : body.youngs_kPa) {
+    body.materials.push_back(lame_from_youngs(youngs, options.poisson_ratio));
+  }
+  return body;
+}
+
+Eigen::VectorXd foundation_force_mN(const Body& body, const Eigen::VectorXd& u_mm) {
+  Eigen::VectorXd force_mN = Eigen::VectorXd::Zero(u_mm.size());
+  for (const FoundationFace& spring : body.resolved.foundations) {
+    const BoundaryFace& face = body.boundary[spring.face];
+    const FaceMass mass = face_mass_mm2(face, body.options.order);
+    for (int a = 0; a < mass.rows(); ++a) {
+      for (int b = 0; b < mass.cols(); ++b) {
+        force_mN.segment<3>(3 * face.nodes[a]) -=
+            spring.stiffness_kPa_per_mm * mass(a, b) * u_mm.segment<3>(3 * face.nodes[b]);
+      }
+    }
+  }
+  return force_mN;
+}
+
+void set_displacements(const Body& body, const Eigen::VectorXd& u_mm, StaticResult& result) {
+  const NodeLayout& layout = body.layout;
+  result.displacement_mm.assign(body.mesh.points_mm.size(), Eigen::Vector3d::Zero());
+  for (std::size_t p = 0; p < body.mesh.points_mm.size(); ++p) {
+    if (layout.node_of_point[p] >= 0) result.displacement_mm[p] = u_mm.segment<3>(3 * layout.node_of_point[p]);
+  }
+  result.mid_side_displacement_mm.resize(layout.edges.size());
+  for (int e = 0; e < static_cast<int>(layout.edges.size()); ++e) {
+    result.mid_side_displacement_mm[e] = u_mm.segment<3>(3 * (layout.corner_nodes + e));
+  }
+  result.max_displacement_mm = 0;
+  for (int node = 0; node < layout.nodes(); ++node) {
+    result.max_displacement_mm = std::max(result.max_displacement_mm, u_mm.segment<3>(3 * node).norm());
+  }
+}
+
+Eigen::VectorXd nodal_displacements(const Body& body, const StaticResult& result) {
+  const NodeLayout& layout = body.layout;
+  Eigen::VectorXd u_mm(3 * static_cast<Eigen::Index>(layout.nodes()));
+  for (std::size_t p = 0; p < result.displacement_mm.size(); ++p) {
+    if (layout.node_of_point[p] >= 0) u_mm.segment<3>(3 * layout.node_of_point[p]) = result.displacement_mm[p];
+  }
+  for (std::size_t e = 0; e < result.mid_side_displacement_mm.size(); ++e) {
+    u_mm.segment<3>(3 * (layout.corner_nodes + static_cast<Eigen::Index>(e))) = result.mid_side_displacement_mm[e];
+  }
+  return u_mm;
+}
+
+std::vector<Eigen::Vector3d> displacement_at(const Body& body, const StaticResult& result,
+                                             const std::vector<PointInMesh>& places) {
+  GLISSON_ASSERT(result.displacement_mm.size() == body.mesh.points_mm.size());
+  const NodeLayout& layout = body.layout;
+  std::vector<Eigen::Vector3d> displacements(places.size(), Eigen::Vector3d::Zero());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto cell = static_cast<std::size_t>(places[i].cell);
+    const TetValues values = tet_values(layout.order, places[i].barycentric);
+    for (int k = 0; k < layout.nodes_per_cell(); ++k) {
+      displacements[i] +=
+          values[k] * (k < 4 ? result.displacement_mm[body.mesh.cells[cell][k]]
+                             : result.mid_side_displacement_mm[layout.cells[cell][k] - layout.corner_nodes]);
+    }
+  }
+  return displacements;
+}
+
+Eigen::Vector3d sum_of(const Eigen::VectorXd& values) {
+  return Eigen::Map<const Eigen::Matrix3Xd>(values.data(), 3, values.size() / 3).rowwise().sum();
+}
+
+namespace {
+
+// The matrix's entries are counted in 32 bits, as CHOLMOD's are: each cell adds at most 55 blocks of 9.
+Result<void> check_size(const geometry::TetMesh& mesh) {
+  constexpr std::size_t most_cells = std::numeric_limits<int>::max() / (55 * 9);
+  if (mesh.cells.size() <= most_cells) return {};
+  return failure(Error{"too-large",
+                       GLISSON_TEXT("The mesh has {0} cells; at most {1} can be solved."),
+                       {std::to_string(mesh.cells.size()), std::to_string(most_cells)},
+                       GLISSON_TEXT("Mesh with fewer cells."),
+                       {}});
+}
+
+Result<void> check_material(const std::vector<double>& youngs_kPa, std::size_t cells, const StaticOptions& options) {
+  if (!(options.poisson_ratio > -1.0 && options.poisson_ratio < 0.5)) {
+    return failure(Error{"poisson-invalid",
+                         GLISSON_TEXT("Poisson's ratio must lie between -1 and 0.5, both excluded; it is {0}."),
+                         {fmt::format("{}", options.poisson_ratio)},
+                         GLISSON_TEXT("For tissue that is nearly incompressible take 0.45 to 0.499."),
+                         {}});
+  }
+  if (!std::isfinite(options.density_kg_mm3) || options.density_kg_mm3 < 0) {
+    return failure("density-invalid", GLISSON_TEXT("The density must be a finite number, zero or above."));
+  }
+  if (youngs_kPa.size() != cells) {
+    return failure("modulus-invalid", GLISSON_TEXT("There are {0} values of Young's modulus for {1} cells."),
+                   {std::to_string(youngs_kPa.size()), std::to_string(cells)});
+  }
+  for (std::size_t c = 0; c < cells; ++c) {
+    if (std::isfinite(youngs_kPa[c]) && youngs_kPa[c] > 0) continue;
+    return failure(Error{"modulus-invalid",
+                         GLISSON_TEXT("Young's modulus of cell {0} is {1} kPa; it must be a number above zero."),
+                         {std::to_string(c), fmt::format("{}", youngs_kPa[c])},
+                         GLISSON_TEXT("Fill the cells without data before simulating."),
+                         {}});
+  }
+  return {};
+}
+
+}  // namespace
+}  // namespace glisson::mechanics
