@@ -27,9 +27,10 @@ struct DeviceTables {
   [[nodiscard]] Result<platform::ConvergenceCurve> curve() const;
 };
 
+Result<platform::Device> device_with_id(const std::vector<platform::Device>& devices, const std::string& id);
+
 // Duration, frame rate, temperatures and the domain of influence.
 void add_request_options(CLI::App& command, platform::PlanRequest& request);
 
-Json as_json(const platform::Figure& figure);
 
 }  // namespace glisson::cli

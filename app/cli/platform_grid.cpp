@@ -2,7 +2,6 @@
 // and 6.9 of the dissertation draw.
 
 #include <fmt/format.h>
-#include <algorithm>
 
 #include "platform/grid.h"
 #include "platform_commands.h"
@@ -52,15 +51,8 @@ std::string table_of(const GridSurface& surface, const std::string& title) {
 Result<Outcome> run(const Options& options) {
   const auto devices = options.tables.devices();
   if (!devices) return failure(devices.error());
-  const auto device =
-      std::find_if(devices->begin(), devices->end(), [&](const Device& known) { return known.id == options.device; });
-  if (device == devices->end()) {
-    return failure(Error{"device-unknown",
-                         GLISSON_TEXT("There is no device \"{0}\"."),
-                         {options.device},
-                         GLISSON_TEXT("glisson-cli platform list shows their ids."),
-                         {}});
-  }
+  const auto device = device_with_id(*devices, options.device);
+  if (!device) return failure(device.error());
   const ProblemGrid grid = dissertation_grid();
   Outcome outcome{{{"device", device->id},
                    {"volumes_cm3", grid.volumes_cm3},

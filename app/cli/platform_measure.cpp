@@ -103,6 +103,12 @@ Result<Measurement> measure_here(const Options& options, const Progress& progres
   return measure(*kernel, meter, survey.missing, measuring, progress);
 }
 
+Json messages(const std::vector<Sentence>& sentences) {
+  Json list = Json::array();
+  for (const Sentence& sentence : sentences) list.push_back(sentence.message());
+  return list;
+}
+
 Json as_json(const MeasuredPoint& point) {
   Json json{{"nodes", point.nodes},
             {"seconds", point.seconds},
@@ -124,7 +130,7 @@ Json as_json(const TraceRuns& runs) {
                     {"clipped_fraction", run.clipped_fraction},
                     {"cut_by_gap", run.cut_by_gap}});
   }
-  return {{"idle_W", runs.idle_W}, {"runs", list}, {"warnings", runs.warnings}};
+  return {{"idle_W", runs.idle_W}, {"runs", list}, {"warnings", messages(runs.warnings)}};
 }
 
 Outcome describe(const Measurement& measured, const std::optional<TraceRuns>& runs, const std::string& out) {
@@ -132,7 +138,7 @@ Outcome describe(const Measurement& measured, const std::optional<TraceRuns>& ru
                    {"kernel", measured.kernel},
                    {"meter", measured.meter.empty() ? Json(nullptr) : Json(measured.meter)},
                    {"points", Json::array()},
-                   {"remarks", measured.remarks},
+                   {"remarks", messages(measured.remarks)},
                    {"assumed", assumed_figures(measured.device)},
                    {"out", out}},
                   {}};
@@ -141,6 +147,12 @@ Outcome describe(const Measurement& measured, const std::optional<TraceRuns>& ru
   if (measured.bandwidth_GB_s > 0) {
     outcome.document["memory_bandwidth_GB_s"] = measured.bandwidth_GB_s;
     outcome.text += fmt::format("The memory gives {:.3g} GB/s (triad).\n", measured.bandwidth_GB_s);
+  }
+  if (!measured.points.empty()) {
+    const MeasuredPoint& any = measured.points.front();
+    const double flops_per_byte = any.GFLOP_per_s / any.GB_per_s;
+    outcome.document["flops_per_byte"] = flops_per_byte;
+    outcome.text += fmt::format("A product takes {:.2f} operations a byte, so that memory decides.\n", flops_per_byte);
   }
   if (runs) {
     outcome.document["trace"] = as_json(*runs);
@@ -158,7 +170,7 @@ Outcome describe(const Measurement& measured, const std::optional<TraceRuns>& ru
                                 point.share_of_bandwidth > 0 ? fmt::format("{:.2f}", point.share_of_bandwidth) : "-",
                                 point.joules ? fmt::format("{:.3g}", *point.joules * 1e3) : "-");
   }
-  for (const std::string& remark : measured.remarks) outcome.text += "Note: " + remark + "\n";
+  for (const Sentence& remark : measured.remarks) outcome.text += "Note: " + remark.message() + "\n";
   outcome.text += fmt::format("Written to {}; plan with it: glisson-cli platform plan --devices {} ...\n", out, out);
   return outcome;
 }

@@ -43,6 +43,17 @@ Result<ConvergenceCurve> DeviceTables::curve() const {
       [](const auto& resources) { return read_convergence_curve(resources / "devices" / "convergence.json"); });
 }
 
+Result<Device> device_with_id(const std::vector<Device>& devices, const std::string& id) {
+  const auto found =
+      std::find_if(devices.begin(), devices.end(), [&](const Device& device) { return device.id == id; });
+  if (found != devices.end()) return *found;
+  return failure(Error{"device-unknown",
+                       GLISSON_TEXT("There is no device \"{0}\"."),
+                       {id},
+                       GLISSON_TEXT("glisson-cli platform list shows their ids."),
+                       {}});
+}
+
 void add_request_options(CLI::App& command, PlanRequest& request) {
   command.add_option("--hours", request.duration_h, "How long the operation takes")->capture_default_str();
   command.add_option("--ambient-C", request.ambient_C, "Temperature of the room")->capture_default_str();
@@ -55,33 +66,54 @@ void add_request_options(CLI::App& command, PlanRequest& request) {
       ->capture_default_str();
 }
 
+namespace {
+
+double idle_hours(const Device& device) {
+  return battery_of(device).energy_Wh() * device.supply_efficiency.value / device.idle_W.value;
+}
+
 Json as_json(const Figure& figure) {
   return {{"value", figure.value}, {"source", to_string(figure.source)}, {"note", figure.note}};
 }
 
-namespace {
+Json as_json(const Device& device) {
+  Json figures = Json::object();
+  for (const NamedFigure& named : figures_of(device)) figures[named.name] = as_json(named.figure);
+  return {{"id", device.id},
+          {"name", device.name},
+          {"worn", to_string(device.worn)},
+          {"worn_how", device.worn_how},
+          {"battery_Wh", battery_of(device).energy_Wh()},
+          {"idle_h", idle_hours(device)},
+          {"figures", figures},
+          {"assumed", assumed_figures(device)}};
+}
 
 Outcome describe(const std::vector<Device>& devices) {
   Outcome outcome{{{"platforms", Json::array()}}, {}};
   outcome.text =
       fmt::format("{:20} {:5} {:>7} {:>9} {:>8}  {}\n", "id", "worn", "idle W", "battery", "at idle", "name");
   for (const Device& device : devices) {
-    const Battery battery = battery_of(device);
-    const double idle_h = battery.energy_Wh() * device.supply_efficiency.value / device.idle_W.value;
-    outcome.document["platforms"].push_back({{"id", device.id},
-                                             {"name", device.name},
-                                             {"worn", to_string(device.worn)},
-                                             {"worn_how", device.worn_how},
-                                             {"idle_W", as_json(device.idle_W)},
-                                             {"battery_capacity_mAh", as_json(device.battery.capacity_mAh)},
-                                             {"battery_voltage_V", as_json(device.battery.voltage_V)},
-                                             {"battery_Wh", battery.energy_Wh()},
-                                             {"idle_h", idle_h},
-                                             {"thermal_resistance_C_per_W", as_json(device.thermal_resistance_C_per_W)},
-                                             {"assumed", assumed_figures(device)}});
-    outcome.text += fmt::format("{:20} {:5} {:7.3g} {:6.3g} Wh {:6.2g} h  {} ({} of its figures are assumed)\n",
-                                device.id, to_string(device.worn), device.idle_W.value, battery.energy_Wh(), idle_h,
-                                device.name, assumed_figures(device).size());
+    outcome.document["platforms"].push_back(as_json(device));
+    outcome.text +=
+        fmt::format("{:20} {:5} {:7.3g} {:6.3g} Wh {:6.2g} h  {} ({} of its {} figures are assumed)\n", device.id,
+                    to_string(device.worn), device.idle_W.value, battery_of(device).energy_Wh(), idle_hours(device),
+                    device.name, assumed_figures(device).size(), figures_of(device).size());
+  }
+  outcome.text += "Every figure with its source: --json, or --device ID.\n";
+  return outcome;
+}
+
+Outcome describe(const Device& device) {
+  Outcome outcome{{{"platforms", {as_json(device)}}}, {}};
+  outcome.text = fmt::format("{}, worn on the {}: {}\n", device.name, to_string(device.worn), device.worn_how);
+  for (const NamedFigure& named : figures_of(device)) {
+    outcome.text += fmt::format("  {:32} {:10.5g}  {:12}  {}\n", named.name, named.figure.value,
+                                to_string(named.figure.source), named.figure.note);
+  }
+  if (!device.kernel.measured.empty()) {
+    outcome.text += fmt::format("  {} block products timed, {} to {} nodes\n", device.kernel.measured.size(),
+                                device.kernel.measured.front().nodes, device.kernel.measured.back().nodes);
   }
   return outcome;
 }
@@ -115,7 +147,7 @@ Json as_json(const PlatformAnswer& answer) {
   Json reasons = Json::array();
   Json limits = Json::array();
   for (const Reason& reason : answer.reasons) {
-    reasons.push_back(reason.message());
+    reasons.push_back(reason.sentence.message());
     limits.push_back(name_of(reason.constraint));
   }
   Json remedies = Json::object();
@@ -148,7 +180,7 @@ Json as_json(const PlatformAnswer& answer) {
 
 std::string sentences_on(const PlatformAnswer& answer) {
   std::string text;
-  for (const Reason& reason : answer.reasons) text += "    " + reason.message() + "\n";
+  for (const Reason& reason : answer.reasons) text += "    " + reason.sentence.message() + "\n";
   std::string alternatives;
   for (const Remedy& remedy : listed(answer.remedies)) {
     if (remedy.value)
@@ -193,24 +225,33 @@ Outcome describe(const Plan& planned) {
   outcome.text += planned.recommended ? fmt::format("\nThe least obtrusive that holds: {}\n", *planned.recommended)
                                       : "\nNone of them holds.\n";
   outcome.document["notes"] = Json::array();
-  for (const Reason& note : planned.notes) {
+  for (const Sentence& note : planned.notes) {
     outcome.document["notes"].push_back(note.message());
     outcome.text += "Note: " + note.message() + "\n";
   }
   outcome.text +=
-      "Every figure's source: glisson-cli platform list --json. A plan is no better than what is assumed in it.\n";
+      "A plan is no better than what is assumed in it; where each figure comes from: glisson-cli platform list "
+      "--device ID\n";
   return outcome;
 }
 
 }  // namespace
 
 void add_platform_list(CLI::App& platform, Action& chosen) {
+  struct Options {
+    DeviceTables tables;
+    std::string device;
+  };
   CLI::App* command = platform.add_subcommand("list", "The devices, with where each figure comes from");
-  auto tables = std::make_shared<DeviceTables>();
-  command->add_option("--devices", tables->files, "Further device tables (JSON)");
-  command->callback([&chosen, tables] {
-    chosen = [tables](const Progress&) {
-      return tables->devices().map([](const std::vector<Device>& devices) { return describe(devices); });
+  auto options = std::make_shared<Options>();
+  command->add_option("--devices", options->tables.files, "Further device tables (JSON)");
+  command->add_option("--device", options->device, "One of them, with all its figures");
+  command->callback([&chosen, options] {
+    chosen = [options](const Progress&) -> Result<Outcome> {
+      const auto devices = options->tables.devices();
+      if (!devices) return failure(devices.error());
+      if (options->device.empty()) return describe(*devices);
+      return device_with_id(*devices, options->device).map([](const Device& device) { return describe(device); });
     };
   });
 }

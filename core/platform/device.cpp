@@ -46,10 +46,16 @@ double power_W(const Device& device, const Workload& workload, double frames_per
   return device.idle_W.value + product_cost(device, workload).joules * workload.products_per_frame * computed;
 }
 
+std::vector<NamedFigure> figures_of(const Device& device) {
+  std::vector<NamedFigure> figures;
+  for (const FigureSlot& slot : figure_slots()) figures.push_back({slot.full_name(), slot.of_const(device)});
+  return figures;
+}
+
 std::vector<std::string> assumed_figures(const Device& device) {
   std::vector<std::string> names;
-  for (const FigureSlot& slot : figure_slots()) {
-    if (slot.of_const(device).source == Source::assumed) names.push_back(slot.full_name());
+  for (const NamedFigure& named : figures_of(device)) {
+    if (named.figure.source == Source::assumed) names.push_back(named.name);
   }
   return names;
 }

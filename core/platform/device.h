@@ -79,7 +79,14 @@ struct ProductCost {
 [[nodiscard]] double fastest_frames_per_s(const Device& device, const Workload& workload);
 [[nodiscard]] double power_W(const Device& device, const Workload& workload, double frames_per_s);
 
-// The figures of the device that are assumed, by name ("thermal_resistance_C_per_W").
+// All figures of the device, by the names that they have in files ("idle_W", "battery.voltage_V").
+struct NamedFigure {
+  std::string name;
+  Figure figure;
+};
+[[nodiscard]] std::vector<NamedFigure> figures_of(const Device& device);
+
+// The names of those that are assumed.
 [[nodiscard]] std::vector<std::string> assumed_figures(const Device& device);
 
 std::string to_string(Worn worn);      // "head", "belt", "back"

@@ -18,9 +18,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto sampling_interval = std::chrono::milliseconds(20);
 
-std::optional<EnergyMeter> find_rapl(const fs::path& system_folder, std::vector<std::string>& missing);
-std::optional<EnergyMeter> find_ina(const fs::path& system_folder, std::vector<std::string>& missing);
-std::optional<EnergyMeter> find_battery(const fs::path& system_folder, std::vector<std::string>& missing);
+std::optional<EnergyMeter> find_rapl(const fs::path& system_folder, std::vector<Sentence>& missing);
+std::optional<EnergyMeter> find_ina(const fs::path& system_folder, std::vector<Sentence>& missing);
+std::optional<EnergyMeter> find_battery(const fs::path& system_folder, std::vector<Sentence>& missing);
 
 std::optional<std::string> first_line(const fs::path& file);
 std::optional<double> number_in(const fs::path& file);
@@ -127,7 +127,7 @@ Failure lost(const EnergyMeter& meter) {
   return failure("meter-lost", GLISSON_TEXT("The energy meter {0} stopped answering."), {meter.name});
 }
 
-std::optional<EnergyMeter> find_rapl(const fs::path& system_folder, std::vector<std::string>& missing) {
+std::optional<EnergyMeter> find_rapl(const fs::path& system_folder, std::vector<Sentence>& missing) {
   const fs::path folder = system_folder / "class" / "powercap";
   EnergyMeter meter{MeterKind::rapl, {}, {}};
   bool forbidden = false;
@@ -150,9 +150,9 @@ std::optional<EnergyMeter> find_rapl(const fs::path& system_folder, std::vector<
     meter.name = fmt::format("RAPL, {} packages", meter.sources.size());
     return meter;
   }
-  missing.push_back(
-      forbidden ? fmt::format("The processor's energy counters (RAPL) at {} may be read by root only.", folder.string())
-                : fmt::format("No energy counters of the processor (RAPL) at {}.", folder.string()));
+  missing.push_back({forbidden ? GLISSON_TEXT("The processor's energy counters (RAPL) at {0} may be read by root only.")
+                               : GLISSON_TEXT("No energy counters of the processor (RAPL) at {0}."),
+                     {folder.string()}});
   return {};
 }
 
@@ -161,7 +161,7 @@ bool is_board_input(const std::string& label) {
   return label == "VDD_IN" || label == "POM_5V_IN" || label == "VIN_SYS_5V0" || label.ends_with("_IN");
 }
 
-std::optional<EnergyMeter> find_ina(const fs::path& system_folder, std::vector<std::string>& missing) {
+std::optional<EnergyMeter> find_ina(const fs::path& system_folder, std::vector<Sentence>& missing) {
   const fs::path folder = system_folder / "class" / "hwmon";
   EnergyMeter meter{MeterKind::ina, {}, {}};
   std::optional<EnergyMeter::Source> input;
@@ -190,11 +190,11 @@ std::optional<EnergyMeter> find_ina(const fs::path& system_folder, std::vector<s
                        : fmt::format("INA sensors, {} supplies", meter.sources.size());
     return meter;
   }
-  missing.push_back(fmt::format("No current sensors (INA) at {}.", folder.string()));
+  missing.push_back({GLISSON_TEXT("No current sensors (INA) at {0}."), {folder.string()}});
   return {};
 }
 
-std::optional<EnergyMeter> find_battery(const fs::path& system_folder, std::vector<std::string>& missing) {
+std::optional<EnergyMeter> find_battery(const fs::path& system_folder, std::vector<Sentence>& missing) {
   const fs::path folder = system_folder / "class" / "power_supply";
   EnergyMeter meter{MeterKind::battery, "battery gauge", {}};
   bool charging = false;
@@ -217,9 +217,10 @@ std::optional<EnergyMeter> find_battery(const fs::path& system_folder, std::vect
     meter.sources.push_back(source);
   }
   if (!meter.sources.empty()) return meter;
-  missing.push_back(charging
-                        ? std::string("The battery is not discharging: unplug the machine to measure by its gauge.")
-                        : fmt::format("No battery gauge at {}.", folder.string()));
+  missing.push_back({charging
+                         ? GLISSON_TEXT("The battery is not discharging: unplug the machine to measure by its gauge.")
+                         : GLISSON_TEXT("No battery gauge at {0}."),
+                     {folder.string()}});
   return {};
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "platform/sentence.h"
 
 namespace glisson::platform {
 
@@ -36,8 +37,8 @@ struct EnergyMeter {
 };
 
 struct MeterSurvey {
-  std::vector<EnergyMeter> meters;   // best first: a counter before sensors, sensors before the battery's gauge
-  std::vector<std::string> missing;  // a sentence for each that is not there or may not be read
+  std::vector<EnergyMeter> meters;  // best first: a counter before sensors, sensors before the battery's gauge
+  std::vector<Sentence> missing;    // a sentence for each that is not there or may not be read
 };
 
 // `system_folder` is where the kernel shows its devices; another folder in tests.

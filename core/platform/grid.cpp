@@ -10,8 +10,8 @@ namespace {
 constexpr int dissertation_steps = 10;
 
 std::vector<double> evenly_spaced(double first, double last, int count) {
-  std::vector<double> values;
-  for (int i = 0; i < count; ++i) values.push_back(first + (last - first) * i / (count - 1));
+  std::vector<double> values(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) values[static_cast<std::size_t>(i)] = first + (last - first) * i / (count - 1);
   return values;
 }
 

@@ -23,7 +23,7 @@ struct Timing {
 
 std::vector<std::size_t> sizes_of(const ProblemGrid& grid);
 Result<std::size_t> prepare_largest(ProductKernel& kernel, std::vector<std::size_t>& sizes,
-                                    std::vector<std::string>& remarks);
+                                    std::vector<Sentence>& remarks);
 Result<double> idle_power_W(const EnergyMeter& meter, double listening_s);
 Result<Timing> time_product(ProductKernel& kernel, std::size_t nodes, const EnergyMeter* meter, double idle_W,
                             double at_least_s);
@@ -34,7 +34,7 @@ void set_kernel(const Measurement& measurement, int nodes_in_domain, Device& dev
 
 }  // namespace
 
-Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, const std::vector<std::string>& missing,
+Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, const std::vector<Sentence>& missing,
                             const MeasureOptions& options, const Progress& progress) {
   Measurement measurement;
   measurement.kernel = kernel.name();
@@ -47,9 +47,11 @@ Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, con
     if (!idle_W) return failure(idle_W.error());
     measurement.device.idle_W = {*idle_W, Source::measured, meter->name + ", with nothing running"};
   } else {
-    measurement.remarks.emplace_back(
-        "Nothing on this machine tells its energy: idle and active power are assumed. Measure them with a current "
-        "clamp (--trace) or a power meter, and give them with --idle-W and --active-W.");
+    measurement.remarks.push_back(
+        {GLISSON_TEXT(
+             "Nothing on this machine tells its energy: idle and active power are assumed. Measure them with a "
+             "current clamp or a power meter, and give them."),
+         {}});
   }
 
   std::vector<std::size_t> sizes = sizes_of(options.grid);
@@ -72,10 +74,10 @@ Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, con
     spreads.push_back(timing->spread);
   }
   if (const double spread = median(std::move(spreads)); spread > quiet_spread) {
-    measurement.remarks.push_back(fmt::format(
-        "Other work disturbed the timing: batches usually took {:.1f} times as long as the fastest one. Measure again "
-        "on a quiet machine.",
-        spread));
+    measurement.remarks.push_back(
+        {GLISSON_TEXT("Other work disturbed the timing: batches usually took {0} times as long as the fastest one. "
+                      "Measure again on a quiet machine."),
+         {fmt::format("{:.1f}", spread)}});
   }
   set_kernel(measurement, options.nodes_in_domain, measurement.device);
   return measurement;
@@ -122,7 +124,7 @@ std::vector<std::size_t> sizes_of(const ProblemGrid& grid) {
 
 // The batch for the largest size that fits serves all smaller ones.
 Result<std::size_t> prepare_largest(ProductKernel& kernel, std::vector<std::size_t>& sizes,
-                                    std::vector<std::string>& remarks) {
+                                    std::vector<Sentence>& remarks) {
   const std::size_t wanted = sizes.size();
   Result<void> prepared = failure("nothing-measured", GLISSON_TEXT("The grid holds no problem."));
   while (!sizes.empty()) {
@@ -133,9 +135,9 @@ Result<std::size_t> prepare_largest(ProductKernel& kernel, std::vector<std::size
   if (!prepared) return failure(prepared.error());
   if (sizes.size() < wanted) {
     remarks.push_back(
-        fmt::format("{} of {} problems are larger than the memory allowed and were left out; beyond {} "
-                    "nodes the plan goes on in proportion.",
-                    wanted - sizes.size(), wanted, sizes.back()));
+        {GLISSON_TEXT("{0} of {1} problems are larger than the memory allowed and were left out; beyond {2} "
+                      "nodes the plan goes on in proportion."),
+         {std::to_string(wanted - sizes.size()), std::to_string(wanted), std::to_string(sizes.back())}});
   }
   return sizes.back();
 }

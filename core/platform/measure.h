@@ -56,13 +56,13 @@ struct Measurement {
   std::string meter;   // empty where there was none
   double bandwidth_GB_s = 0;
   std::vector<MeasuredPoint> points;  // by increasing nodes
-  std::vector<std::string> remarks;   // what could not be measured, and why
+  std::vector<Sentence> remarks;      // what could not be measured, and why
 };
 
 // Takes about a quarter of a minute without a meter. `meter` may be null; `missing` are the survey's sentences, which
 // become remarks then.
 // Refused: what the kernel refuses for the smallest problem; a lost meter; no work left ("nothing-measured").
-Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, const std::vector<std::string>& missing,
+Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, const std::vector<Sentence>& missing,
                             const MeasureOptions& options = {}, const Progress& progress = {});
 
 // The power that a recording from outside shows, in place of what was assumed or metered: idle from its pauses, active

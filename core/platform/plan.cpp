@@ -15,7 +15,7 @@ std::vector<Reason> reasons_against(const PlatformAnswer& answer, const PlanRequ
 Remedies remedies_for(const Device& device, const PlatformAnswer& answer, const PlanRequest& request,
                       const ConvergenceCurve& curve);
 std::optional<std::string> least_obtrusive(const std::vector<PlatformAnswer>& platforms);
-std::vector<Reason> notes_on(const Plan& plan, const ConvergenceCurve& curve);
+std::vector<Sentence> notes_on(const Plan& plan, const ConvergenceCurve& curve);
 double hours_on_battery(const Device& device, double device_W, double ambient_C);
 double rounded_W(double power_W) { return std::round(power_W * 100) / 100; }
 
@@ -126,30 +126,31 @@ std::vector<Reason> reasons_against(const PlatformAnswer& answer, const PlanRequ
   const auto short_number = [](double value) { return fmt::format("{:.3g}", value); };
   std::vector<Reason> reasons;
   if (answer.idle.headroom_W < 0) {
-    reasons.push_back({Constraint::idle_energy,
-                       GLISSON_TEXT("It draws {0} W when idle; its battery allows {1} W over {2} h, and is empty after "
-                                    "{3} h without computing anything."),
-                       {short_number(answer.idle.idle_W), short_number(answer.idle.allowed_W),
-                        short_number(request.duration_h), short_number(answer.idle.idle_h)}});
+    reasons.push_back(
+        {Constraint::idle_energy,
+         {GLISSON_TEXT("It draws {0} W when idle; its battery allows {1} W over {2} h, and is empty after "
+                       "{3} h without computing anything."),
+          {short_number(answer.idle.idle_W), short_number(answer.idle.allowed_W), short_number(request.duration_h),
+           short_number(answer.idle.idle_h)}}});
   } else if (answer.battery_h < request.duration_h) {
     reasons.push_back({Constraint::energy,
-                       GLISSON_TEXT("Its battery is empty after {0} h of {1} h: only {2} W of headroom over idling."),
-                       {short_number(answer.battery_h), short_number(request.duration_h),
-                        fmt::format("{:g}", rounded_W(answer.idle.headroom_W))}});
+                       {GLISSON_TEXT("Its battery is empty after {0} h of {1} h: only {2} W of headroom over idling."),
+                        {short_number(answer.battery_h), short_number(request.duration_h),
+                         fmt::format("{:g}", rounded_W(answer.idle.headroom_W))}}});
   }
   if (answer.idle.idle_C > request.limit_C) {
     reasons.push_back({Constraint::idle_temperature,
-                       GLISSON_TEXT("It reaches {0} C when idle; the limit is {1} C."),
-                       {short_number(answer.idle.idle_C), short_number(request.limit_C)}});
+                       {GLISSON_TEXT("It reaches {0} C when idle; the limit is {1} C."),
+                        {short_number(answer.idle.idle_C), short_number(request.limit_C)}}});
   } else if (answer.temperature_C > request.limit_C) {
     reasons.push_back({Constraint::temperature,
-                       GLISSON_TEXT("It reaches {0} C; the limit is {1} C."),
-                       {short_number(answer.temperature_C), short_number(request.limit_C)}});
+                       {GLISSON_TEXT("It reaches {0} C; the limit is {1} C."),
+                        {short_number(answer.temperature_C), short_number(request.limit_C)}}});
   }
   if (answer.fps_by_computing < request.frames_per_s) {
     reasons.push_back({Constraint::computing,
-                       GLISSON_TEXT("It computes {0} frames a second of {1}."),
-                       {short_number(answer.fps_by_computing), short_number(request.frames_per_s)}});
+                       {GLISSON_TEXT("It computes {0} frames a second of {1}."),
+                        {short_number(answer.fps_by_computing), short_number(request.frames_per_s)}}});
   }
   return reasons;
 }
@@ -231,17 +232,15 @@ std::optional<std::string> least_obtrusive(const std::vector<PlatformAnswer>& pl
   return best->id;
 }
 
-std::vector<Reason> notes_on(const Plan& planned, const ConvergenceCurve& curve) {
-  std::vector<Reason> notes;
+std::vector<Sentence> notes_on(const Plan& planned, const ConvergenceCurve& curve) {
+  std::vector<Sentence> notes;
   const PlanRequest& request = planned.request;
   if (curve.source != Source::measured) {
-    notes.push_back({Constraint::computing,
-                     GLISSON_TEXT("The resolution for {0} mm comes from this curve: {1}"),
+    notes.push_back({GLISSON_TEXT("The resolution for {0} mm comes from this curve: {1}"),
                      {fmt::format("{:g}", request.accuracy_mm), curve.provenance}});
   }
   if (request.accuracy_mm > curve.points.back().error_mm) {
-    notes.push_back({Constraint::computing,
-                     GLISSON_TEXT("{0} mm is coarser than the convergence study reaches; planned is its coarsest "
+    notes.push_back({GLISSON_TEXT("{0} mm is coarser than the convergence study reaches; planned is its coarsest "
                                   "resolution, {1} mm3 a node."),
                      {fmt::format("{:g}", request.accuracy_mm), fmt::format("{:g}", planned.workload.resolution_mm3)}});
   }
@@ -250,16 +249,14 @@ std::vector<Reason> notes_on(const Plan& planned, const ConvergenceCurve& curve)
     coupled.nodes_in_domain = 27;
     const auto work = workload_at_resolution(request.liver_volume_cm3, planned.workload.resolution_mm3, coupled);
     GLISSON_ASSERT(work.has_value());
-    notes.push_back({Constraint::computing,
-                     GLISSON_TEXT("A frame is {0} block products as in the dissertation, without the vector updates of "
+    notes.push_back({GLISSON_TEXT("A frame is {0} block products as in the dissertation, without the vector updates of "
                                   "conjugate gradients; a simulation that couples 27 nodes moves {1} times as much."),
                      {std::to_string(request.workload.products_per_frame),
                       fmt::format("{:.0f}", work->bytes_per_node / planned.workload.bytes_per_node)}});
   }
   for (const PlatformAnswer& answer : planned.platforms) {
     if (!answer.feasible || answer.idle.headroom_W > 0.1 * answer.idle.allowed_W) continue;
-    notes.push_back({Constraint::idle_energy,
-                     GLISSON_TEXT("{0} holds with next to no headroom: its battery allows {1} W over {2} h, and idling "
+    notes.push_back({GLISSON_TEXT("{0} holds with next to no headroom: its battery allows {1} W over {2} h, and idling "
                                   "takes {3} W of them."),
                      {answer.name, fmt::format("{:.3g}", answer.idle.allowed_W),
                       fmt::format("{:g}", request.duration_h), fmt::format("{:.3g}", answer.idle.idle_W)}});

@@ -13,6 +13,7 @@
 #include "base/result.h"
 #include "platform/convergence_curve.h"
 #include "platform/device.h"
+#include "platform/sentence.h"
 #include "platform/workload.h"
 
 namespace glisson::platform {
@@ -29,12 +30,9 @@ struct PlanRequest {
 
 enum class Constraint { idle_energy, idle_temperature, computing, energy, temperature };
 
-// A sentence that a person reads, with its figures apart so that it can be translated.
 struct Reason {
   Constraint constraint = Constraint::computing;
-  std::string text;  // with {0}, {1}, ... for the arguments
-  std::vector<std::string> arguments;
-  [[nodiscard]] std::string message() const { return fill_in(text, arguments); }
+  Sentence sentence;
 };
 
 // With nothing running.
@@ -81,7 +79,7 @@ struct Plan {
   Workload workload;
   std::vector<PlatformAnswer> platforms;   // in the order of the devices
   std::optional<std::string> recommended;  // least obtrusive that holds; among equals the coolest
-  std::vector<Reason> notes;               // what limits the plan itself
+  std::vector<Sentence> notes;             // what limits the plan itself
 };
 
 // Refused: frame rates, durations and temperatures that no operation has ("request-invalid").

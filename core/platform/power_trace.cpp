@@ -32,7 +32,7 @@ std::vector<Stretch> stretches_of(const PowerTrace& trace, const std::vector<dou
 void absorb_short(const PowerTrace& trace, bool running, double shortest_s, std::vector<Stretch>& stretches);
 double mean_power_W(const PowerTrace& trace, std::size_t first, std::size_t last);
 std::optional<double> pause_power_W(const PowerTrace& trace, const Stretch& pause);
-std::vector<std::string> warnings_on(const PowerTrace& trace, const TraceRuns& runs, std::size_t gaps);
+std::vector<Sentence> warnings_on(const PowerTrace& trace, const TraceRuns& runs, std::size_t gaps);
 
 }  // namespace
 
@@ -307,25 +307,29 @@ std::optional<double> pause_power_W(const PowerTrace& trace, const Stretch& paus
   return mean_power_W(trace, pause.first + trim, pause.last - trim);
 }
 
-std::vector<std::string> warnings_on(const PowerTrace& trace, const TraceRuns& runs, std::size_t gaps) {
-  std::vector<std::string> warnings;
-  if (gaps > 0)
-    warnings.push_back(fmt::format("The recording has {} gaps; runs end there and nothing is made up for them.", gaps));
-  if (trace.dropped_rows > 0) warnings.push_back(fmt::format("{} rows held no reading.", trace.dropped_rows));
+std::vector<Sentence> warnings_on(const PowerTrace& trace, const TraceRuns& runs, std::size_t gaps) {
+  std::vector<Sentence> warnings;
+  if (gaps > 0) {
+    warnings.push_back({GLISSON_TEXT("The recording has {0} gaps; runs end there and nothing is made up for them."),
+                        {std::to_string(gaps)}});
+  }
+  if (trace.dropped_rows > 0)
+    warnings.push_back({GLISSON_TEXT("{0} rows held no reading."), {std::to_string(trace.dropped_rows)}});
   const auto clipped =
       std::count_if(runs.runs.begin(), runs.runs.end(), [](auto& run) { return run.clipped_fraction > 0; });
   if (clipped > 0) {
-    warnings.push_back(fmt::format(
-        "{} runs reach the end of a channel's range: their power is a lower bound. Record again with a larger range.",
-        clipped));
+    warnings.push_back(
+        {GLISSON_TEXT("{0} runs reach the end of a channel's range: their power is a lower bound. Record "
+                      "again with a larger range."),
+         {std::to_string(clipped)}});
   }
   if (runs.runs.size() >= 2 && runs.idle_W > 0) {
     const double drift_W = runs.runs.back().idle_W - runs.runs.front().idle_W;
-    if (std::abs(drift_W) > 0.1 * runs.idle_W)
-      warnings.push_back(
-          fmt::format("Idle power moves by {:.3g} W over the recording; each run is compared with the "
-                      "pauses beside it.",
-                      drift_W));
+    if (std::abs(drift_W) > 0.1 * runs.idle_W) {
+      warnings.push_back({GLISSON_TEXT("Idle power moves by {0} W over the recording; each run is compared with the "
+                                       "pauses beside it."),
+                          {fmt::format("{:.3g}", drift_W)}});
+    }
   }
   return warnings;
 }

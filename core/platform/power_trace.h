@@ -12,6 +12,7 @@
 
 #include "base/result.h"
 #include "platform/device.h"
+#include "platform/sentence.h"
 
 namespace glisson::platform {
 
@@ -63,7 +64,7 @@ struct TraceRun {
 struct TraceRuns {
   double idle_W = 0;  // the median of all pauses
   std::vector<TraceRun> runs;
-  std::vector<std::string> warnings;  // gaps, clipping, drift of idle power; a person should read them
+  std::vector<Sentence> warnings;  // gaps, clipping, drift of idle power; a person should read them
 };
 
 // Splits at the power that separates two levels best (Otsu's threshold on the trace smoothed over half of

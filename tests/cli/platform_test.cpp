@@ -72,8 +72,8 @@ TEST(PlatformPlan, BadQuestionsAndTablesAreRefused) {
 TEST(PlatformList, ShowsWhereFiguresComeFrom) {
   const Json list = answer({"list"});
   const Json& tx2 = platform_named(list, "tx2-gpu");
-  EXPECT_EQ(tx2.at("idle_W").at("source"), "dissertation");
-  EXPECT_EQ(tx2.at("thermal_resistance_C_per_W").at("source"), "assumed");
+  EXPECT_EQ(tx2.at("figures").at("idle_W").at("source"), "dissertation");
+  EXPECT_EQ(tx2.at("figures").at("thermal_resistance_C_per_W").at("source"), "assumed");
   EXPECT_THAT(tx2.at("assumed"), testing::Contains("kernel.active_W"));
 }
 

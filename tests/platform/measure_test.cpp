@@ -42,9 +42,15 @@ MeasureOptions small_grid() {
   return options;
 }
 
+std::vector<std::string> messages(const Measurement& measured) {
+  std::vector<std::string> messages;
+  for (const Sentence& remark : measured.remarks) messages.push_back(remark.message());
+  return messages;
+}
+
 TEST(Measure, TimesTheKernelOverTheGrid) {
   ClockworkKernel kernel(1000000);
-  const auto measured = measure(kernel, nullptr, {"No meter."}, small_grid());
+  const auto measured = measure(kernel, nullptr, {{"No meter.", {}}}, small_grid());
   ASSERT_TRUE(measured) << measured.error().message();
   ASSERT_EQ(measured->points.size(), 4u);
   for (const MeasuredPoint& point : measured->points) {
@@ -54,8 +60,8 @@ TEST(Measure, TimesTheKernelOverTheGrid) {
     EXPECT_FALSE(point.joules);
   }
   EXPECT_GT(measured->bandwidth_GB_s, 0);
-  EXPECT_THAT(measured->remarks, testing::Contains("No meter."));
-  EXPECT_THAT(measured->remarks, testing::Contains(testing::HasSubstr("are assumed")));
+  EXPECT_THAT(messages(*measured), testing::Contains("No meter."));
+  EXPECT_THAT(messages(*measured), testing::Contains(testing::HasSubstr("are assumed")));
 }
 
 TEST(Measure, DeviceCanBePlannedWithAndShared) {
@@ -86,7 +92,7 @@ TEST(Measure, ProblemsBeyondTheMemoryAreLeftOutAndSaid) {
   const auto measured = measure(kernel, nullptr, {}, small_grid());
   ASSERT_TRUE(measured);
   EXPECT_EQ(measured->points.size(), 3u);
-  EXPECT_THAT(measured->remarks, testing::Contains(testing::HasSubstr("1 of 4 problems")));
+  EXPECT_THAT(messages(*measured), testing::Contains(testing::HasSubstr("1 of 4 problems")));
   ClockworkKernel none(10);
   EXPECT_EQ(measure(none, nullptr, {}, small_grid()).error().code, "batch-too-large");
 }

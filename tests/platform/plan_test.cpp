@@ -45,7 +45,7 @@ TEST(Plan, TheDissertationsQuestionOfFiveHours) {
   for (const char* id : {"de5-fpga", "k40-gpu", "tx2-gpu"}) EXPECT_TRUE(answer_for(*planned, id).remedies.battery_Wh);
   EXPECT_TRUE(fails_by(answer_for(*planned, "de10-fpga"), Constraint::temperature));
   EXPECT_FALSE(answer_for(*planned, "de10-fpga").remedies.battery_Wh);
-  EXPECT_THAT(answer_for(*planned, "tx2-gpu").reasons.front().message(),
+  EXPECT_THAT(answer_for(*planned, "tx2-gpu").reasons.front().sentence.message(),
               testing::AllOf(testing::HasSubstr("2.8 W"), testing::HasSubstr("1.8 W")));
 }
 
@@ -132,7 +132,7 @@ TEST(Plan, SmallHeadroomIsNotHidden) {
   const auto planned = plan(question(8, 3, 10), test::shipped_devices(), test::shipped_curve());
   ASSERT_TRUE(answer_for(*planned, "tx2-gpu").feasible);
   std::string notes;
-  for (const Reason& note : planned->notes) notes += note.message() + "\n";
+  for (const Sentence& note : planned->notes) notes += note.message() + "\n";
   EXPECT_THAT(notes, testing::HasSubstr("Jetson TX2 GPU on the head holds with next to no headroom"));
   EXPECT_THAT(notes, testing::HasSubstr("27 nodes moves 22 times as much"));
 }
