@@ -63,7 +63,7 @@ HWY_EXPORT(multiply_tiles);
 HWY_EXPORT(target_name);
 
 // A thread's share below which starting it costs more than it saves: about 20 us of work.
-constexpr std::size_t bytes_worth_a_thread = 256 * 1024;
+constexpr std::size_t bytes_worth_a_thread = std::size_t{256} << 10;
 
 class ProcessorProduct : public ProductKernel {
  public:
