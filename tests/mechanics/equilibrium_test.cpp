@@ -109,7 +109,10 @@ TEST(Equilibrium, ASlenderBeamBendsAsTheElasticaDoes) {
     for (const MaterialLaw law : large_laws) {
       const auto result = find_equilibrium(body, materials_of(body, law), force).value();
       ASSERT_TRUE(result.may_be_used()) << result.why_stopped;
-      const Vector3d tip = result.displacement_mm[test::point_at(body.mesh, {length, h / 2, h / 2})];
+      Vector3d tip(0, 0, 0);  // the mean of the end's four corners
+      for (std::size_t p = 0; p < body.mesh.points_mm.size(); ++p) {
+        if (body.mesh.points_mm[p].x() == length) tip += 0.25 * result.displacement_mm[p];
+      }
       EXPECT_NEAR(tip.z(), -down * length, 0.01 * length) << load;
       EXPECT_NEAR(tip.x(), -in * length, 0.01 * length) << load;
       EXPECT_EQ(result.inverted_cells, 0);
