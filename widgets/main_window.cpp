@@ -86,11 +86,18 @@ void MainWindow::open_path(const fs::path& path) {
 
 void MainWindow::open_demo() {
   const fs::path folder = path_of(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)) / "demo";
-  load(tr("Opening the demo patient"), [folder](const Progress& progress) -> Result<Patient> {
-    std::error_code problem;
-    fs::create_directories(folder, problem);
-    return load_demo(folder, progress);
-  });
+  load(
+      tr("Opening the demo patient"),
+      [folder, name = tr("Demo patient").toStdString()](const Progress& progress) -> Result<Patient> {
+        std::error_code problem;
+        fs::create_directories(folder, problem);
+        return load_demo(folder, progress).map([&](Patient patient) {
+          patient.name = name;
+          return patient;
+        });
+      },
+      // The demo begins with the retraction that it is about.
+      [this] { rehearse_panel_->hoist_segment_vi(); });
 }
 
 void MainWindow::show_patient(const Patient& patient) {
@@ -186,6 +193,10 @@ QWidget* MainWindow::make_centre() {
   for (QPushButton* button : {demo, open_case, open_images}) buttons->addWidget(button);
   buttons->addStretch();
   page->addLayout(buttons);
+  page->addSpacing(24);
+  welcome_stage_ = new QLabel;
+  welcome_stage_->setAlignment(Qt::AlignCenter);
+  page->addWidget(welcome_stage_);
   page->addStretch(3);
   connect(demo, &QPushButton::clicked, this, &MainWindow::open_demo);
   connect(open_case, &QPushButton::clicked, this, &MainWindow::choose_case);
@@ -212,6 +223,7 @@ QWidget* MainWindow::make_next_step() {
 
 void MainWindow::make_status_bar() {
   status_ = new QLabel;
+  status_->setIndent(10);
   figures_ = new QLabel;
   figures_->setObjectName("figures");
   progress_ = new QProgressBar;
@@ -242,10 +254,13 @@ void MainWindow::connect_parts() {
   });
   connect(&work_, &BackgroundWork::progressed, this, [this](double fraction, const QString& stage) {
     progress_->setValue(static_cast<int>(1000 * fraction));
-    if (!stage.isEmpty()) status_->setText(stage);
+    if (stage.isEmpty()) return;
+    status_->setText(stage);
+    welcome_stage_->setText(tr("%1 (%2 %)").arg(stage).arg(100 * fraction, 0, 'f', 0));
   });
   connect(&work_, &BackgroundWork::finished, this, [this] {
     status_->clear();
+    welcome_stage_->clear();
     progress_->hide();
     cancel_->hide();
   });
@@ -305,15 +320,17 @@ void MainWindow::about() {
                          .arg(QString::fromStdString(version())));
 }
 
-void MainWindow::load(const QString& title, std::function<Result<Patient>(const Progress&)> loader) {
-  const bool begun = work_.start(title, [this, loader = std::move(loader)](const Progress& progress) {
+void MainWindow::load(const QString& title, std::function<Result<Patient>(const Progress&)> loader,
+                      std::function<void()> once_shown) {
+  const bool begun = work_.start(title, [this, loader = std::move(loader), once_shown](const Progress& progress) {
     auto patient = std::make_shared<Result<Patient>>(loader(progress));
-    return BackgroundWork::Then([this, patient] {
-      if (*patient) {
-        show_patient(**patient);
-      } else {
+    return BackgroundWork::Then([this, patient, once_shown] {
+      if (!*patient) {
         show_error(patient->error());
+        return;
       }
+      show_patient(**patient);
+      if (once_shown) once_shown();
     });
   });
   if (!begun) show_notice(tr("Something else is still under way. Wait for it, or cancel it first."));

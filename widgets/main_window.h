@@ -51,7 +51,8 @@ class MainWindow : public QMainWindow {
   void about();
 
   // Loads a patient on a worker thread, then shows it or says what went wrong.
-  void load(const QString& title, std::function<Result<Patient>(const Progress&)> loader);
+  void load(const QString& title, std::function<Result<Patient>(const Progress&)> loader,
+            std::function<void()> once_shown = {});
   void offer_import(const imaging::Study& study, const std::filesystem::path& path);
   void take_next_step();
   void show_error(const Error& error);
@@ -70,6 +71,7 @@ class MainWindow : public QMainWindow {
   QWidget* notice_ = nullptr;
   QLabel* notice_text_ = nullptr;
   QWidget* welcome_ = nullptr;
+  QLabel* welcome_stage_ = nullptr;
   QWidget* next_step_ = nullptr;
   QLabel* next_step_text_ = nullptr;
   QPushButton* next_step_button_ = nullptr;

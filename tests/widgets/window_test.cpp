@@ -171,6 +171,26 @@ class WindowTest : public QObject {
     QVERIFY(!cancel->isVisible());
   }
 
+  void steps_through_slices_by_keys() {
+    SliceView& coronal = window_->views().slice(SliceDirection::coronal);
+    const double before_mm = coronal.crosshair_mm().y();
+    coronal.setFocus();
+    QTest::keyClick(&coronal, Qt::Key_Up);
+    QVERIFY(std::abs(coronal.crosshair_mm().y() - before_mm - 4) < 1e-9);
+    QTest::keyClick(&coronal, Qt::Key_Down);
+    QVERIFY(std::abs(coronal.crosshair_mm().y() - before_mm) < 1e-9);
+  }
+
+  void says_in_the_window_that_a_folder_holds_no_images() {
+    const QTemporaryDir empty;
+    QSignalSpy finished(&window_->work(), &BackgroundWork::finished);
+    window_->open_path(empty.path().toStdString());
+    QVERIFY(finished.wait(patience_ms));
+    const auto* notice = window_->findChild<QLabel*>("notice_text");
+    QTRY_VERIFY(notice->isVisible());
+    QVERIFY(notice->text().contains(empty.path()));
+  }
+
   void shuts_down_cleanly() { window_.reset(); }
 
  private:

@@ -28,6 +28,8 @@ class RehearsePanel : public QWidget {
   void set_ready(bool ready);
   // A click on the liver, while placing: the tool goes there.
   void place_at(const Eigen::Vector3d& position_mm, const Eigen::Vector3d& outward_normal);
+  // The retractor under segment VI, with its usual force.
+  void hoist_segment_vi();
   [[nodiscard]] bool placing() const { return place_->isChecked(); }
   void show_frame();
 
@@ -44,7 +46,6 @@ class RehearsePanel : public QWidget {
   QWidget* make_look_group();
   [[nodiscard]] const rehearsal::ToolPreset& preset() const;
   void preset_chosen();
-  void hoist_segment_vi();
   void apply_direction();
   void set_force(double force_N);
 

@@ -88,7 +88,7 @@ void StudyPanel::show_patient(const Patient& patient) {
                  .arg(grid.spacing_mm.z(), 0, 'g', 3);
   }
   if (patient.rehearsal) {
-    facts << tr("%L1 cells, Young's modulus %2 kPa\non average")
+    facts << tr("%L1 cells\nYoung's modulus %2 kPa (mean)")
                  .arg(patient.rehearsal->patient().mesh().cells.size())
                  .arg(patient.mean_youngs_kPa, 0, 'f', 1);
   }

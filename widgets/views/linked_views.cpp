@@ -12,6 +12,12 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
   frames_ = {new ViewFrame(tr("Transverse"), QColor(107, 166, 250), slices_[0]),
              new ViewFrame(tr("Patient"), {}, space_), new ViewFrame(tr("Coronal"), QColor(115, 204, 128), slices_[1]),
              new ViewFrame(tr("Sagittal"), QColor(237, 140, 102), slices_[2])};
+  for (const std::size_t slice : {0, 2, 3}) {
+    frames_[slice]->setToolTip(
+        tr("Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.\n"
+           "Ctrl+wheel: zoom. Shift+drag: shift."));
+  }
+  frames_[1]->setToolTip(tr("Drag: turn. Shift+drag: shift. Wheel: zoom. Click: crosshair there."));
   auto* square = new QGridLayout(this);
   square->setContentsMargins(0, 0, 0, 0);
   square->setSpacing(3);

@@ -128,6 +128,16 @@ void SliceView::wheelEvent(QWheelEvent* event) {
   step(units / wheel_units_per_slice != 0 ? units / wheel_units_per_slice : (units > 0 ? 1 : -1));
 }
 
+void SliceView::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Up: step(1); break;
+    case Qt::Key_Down: step(-1); break;
+    case Qt::Key_PageUp: step(5); break;
+    case Qt::Key_PageDown: step(-5); break;
+    default: RenderWidget::keyPressEvent(event);
+  }
+}
+
 void SliceView::resizeEvent(QResizeEvent* event) {
   RenderWidget::resizeEvent(event);
   if (!fitted_) fit();

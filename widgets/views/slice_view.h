@@ -1,7 +1,7 @@
 #pragma once
 // One slice through a volume, as radiologists see it. Click or drag with the left button: the crosshair goes there.
-// Right button: brightness (up and down) and contrast (across). Wheel: next slice. Ctrl and wheel: zoom. Middle button
-// or Shift and left: shift. Several of them are linked by LinkedViews.
+// Right button: brightness (up and down) and contrast (across). Wheel, arrow and page keys: next slices. Ctrl and
+// wheel: zoom. Middle button or Shift and left: shift. Several of them are linked by LinkedViews.
 
 #include <Eigen/Core>
 #include <memory>
@@ -49,6 +49,7 @@ class SliceView : public RenderWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
