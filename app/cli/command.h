@@ -33,6 +33,7 @@ void add_export(CLI::App& app, Action& chosen);
 void add_render(CLI::App& app, Action& chosen);
 void add_match(CLI::App& app, Action& chosen);
 void add_register(CLI::App& app, Action& chosen);
+void add_sirgn(CLI::App& app, Action& chosen);
 void add_platform(CLI::App& app, Action& chosen);
 void add_deidentify(CLI::App& app, Action& chosen);
 void add_demo(CLI::App& app, Action& chosen);

@@ -17,6 +17,7 @@ void add_commands(CLI::App& app, Action& chosen) {
   add_export(app, chosen);
   add_match(app, chosen);
   add_register(app, chosen);
+  add_sirgn(app, chosen);
   add_platform(app, chosen);
   add_deidentify(app, chosen);
 }

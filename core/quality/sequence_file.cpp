@@ -1,0 +1,143 @@
+#include "quality/sequence_file.h"
+
+#include <charconv>
+#include <map>
+#include <string_view>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "geometry/mesh_file.h"
+#include "geometry/ply_file.h"
+
+namespace glisson::quality {
+namespace {
+
+namespace fs = std::filesystem;
+
+Failure invalid(const fs::path& file, std::string what) {
+  return failure(Error{"sequence-invalid",
+                       GLISSON_TEXT("{0}: {1}."),
+                       {file.filename().string(), std::move(what)},
+                       GLISSON_TEXT("A sequence names frames with a cloud each, and landmarks."),
+                       file});
+}
+
+struct Sighting {
+  std::string landmark;
+  std::size_t frame = 0;
+  Eigen::Vector3d position_mm;
+};
+std::optional<Sighting> parse_sighting(std::string_view line, std::size_t frames);
+Result<std::vector<LandmarkTrack>> read_tracks(const fs::path& file, std::size_t frames);
+
+}  // namespace
+
+Result<SequenceFiles> read_sequence(const fs::path& file) {
+  const auto document = read_json_file(file);
+  if (!document) return failure(document.error());
+  const fs::path folder = file.parent_path();
+  const Json& json = *document;
+  const auto text_of = [](const Json& object, const char* key) -> std::optional<std::string> {
+    if (!object.is_object() || !object.contains(key) || !object[key].is_string()) return std::nullopt;
+    return object[key].get<std::string>();
+  };
+  if (!json.is_object()) return invalid(file, "it is not an object");
+  if (auto known = refuse_unknown_keys(json, {"frames", "landmarks", "model", "camera", "registered"}, "sequence");
+      !known) {
+    return failure(std::move(known.error()).in_file(file));
+  }
+  if (!json.contains("frames") || !json["frames"].is_array()) return invalid(file, "it has no list of frames");
+
+  SequenceFiles sequence;
+  for (const Json& frame : json["frames"]) {
+    const auto cloud = text_of(frame, "cloud");
+    if (!cloud) return invalid(file, "frame " + std::to_string(sequence.clouds.size()) + " names no cloud");
+    sequence.clouds.push_back(folder / *cloud);
+    const auto image = text_of(frame, "image");
+    sequence.images.push_back(image ? folder / *image : fs::path());
+  }
+  if (json.contains("registered")) {
+    if (!json["registered"].is_array() || json["registered"].size() != sequence.clouds.size()) {
+      return invalid(file, "registered does not name one cloud a frame");
+    }
+    for (const Json& cloud : json["registered"]) {
+      if (!cloud.is_string()) return invalid(file, "registered holds something that is no file name");
+      sequence.registered.push_back(folder / cloud.get<std::string>());
+    }
+  }
+  if (const auto model = text_of(json, "model")) sequence.model = folder / *model;
+  for (const auto* list : {&sequence.clouds, &sequence.registered}) {
+    for (std::size_t frame = 0; frame < list->size(); ++frame) {
+      if (fs::exists((*list)[frame])) continue;
+      return failure(Error{"sequence-frame-missing",
+                           GLISSON_TEXT("Frame {0} is missing: there is no file {1}."),
+                           {std::to_string(frame), (*list)[frame].string()},
+                           GLISSON_TEXT("Remove the frame from the sequence (and number the tracks anew), or add it."),
+                           file});
+    }
+  }
+  const auto tracks = text_of(json, "landmarks");
+  if (!tracks) return invalid(file, "it names no file of landmarks");
+  auto landmarks = read_tracks(folder / *tracks, sequence.clouds.size());
+  if (!landmarks) return failure(landmarks.error());
+  sequence.landmarks = std::move(*landmarks);
+  return sequence;
+}
+
+Result<geometry::Surface> read_cloud(const fs::path& file) {
+  return file.extension() == ".ply" ? geometry::read_ply(file) : geometry::read_surface(file);
+}
+
+namespace {
+
+Result<std::vector<LandmarkTrack>> read_tracks(const fs::path& file, std::size_t frames) {
+  const auto text = read_text_file(file);
+  if (!text) return failure(text.error());
+  std::vector<LandmarkTrack> tracks;
+  std::map<std::string, std::size_t> place;
+  std::size_t line_number = 0;
+  for (std::size_t begin = 0; begin < text->size();) {
+    const std::size_t end = std::min(text->find('\n', begin), text->size());
+    std::string_view line = std::string_view(*text).substr(begin, end - begin);
+    begin = end + 1;
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    if (++line_number == 1 || line.empty()) continue;  // the header
+    const auto sighting = parse_sighting(line, frames);
+    if (!sighting) {
+      return failure(Error{"tracks-invalid",
+                           GLISSON_TEXT("Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm with a frame below {2}."),
+                           {file.filename().string(), std::to_string(line_number), std::to_string(frames)},
+                           {},
+                           file});
+    }
+    const auto [found, is_new] = place.try_emplace(sighting->landmark, tracks.size());
+    if (is_new) tracks.push_back({sighting->landmark, std::vector<std::optional<Eigen::Vector3d>>(frames)});
+    tracks[found->second].positions_mm[sighting->frame] = sighting->position_mm;
+  }
+  return tracks;
+}
+
+std::optional<Sighting> parse_sighting(std::string_view line, std::size_t frames) {
+  std::vector<std::string_view> words;
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    words.push_back(line.substr(0, comma));
+    if (comma == std::string_view::npos) break;
+    line.remove_prefix(comma + 1);
+  }
+  if (words.size() != 5) return std::nullopt;
+  const auto read = [](std::string_view word, auto& number) {
+    while (!word.empty() && word.front() == ' ') word.remove_prefix(1);
+    return std::from_chars(word.data(), word.data() + word.size(), number).ec == std::errc{};
+  };
+  Sighting sighting;
+  sighting.landmark = words[0];
+  bool good = read(words[1], sighting.frame) && sighting.frame < frames;
+  for (int axis = 0; axis < 3; ++axis) {
+    good = good && read(words[static_cast<std::size_t>(2 + axis)], sighting.position_mm[axis]);
+  }
+  return good && sighting.position_mm.allFinite() ? std::optional(sighting) : std::nullopt;
+}
+
+}  // namespace
+}  // namespace glisson::quality

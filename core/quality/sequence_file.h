@@ -1,0 +1,35 @@
+#pragma once
+// A sequence on disk: a JSON document that names the frames' images and clouds, the landmarks' tracks, the model, and,
+// where somebody else registered the clouds, the clouds as registered.
+//
+//   {"frames": [{"image": "f000.png", "cloud": "f000.ply"}, ...], "landmarks": "tracks.csv", "model": "model.ply",
+//    "camera": {...}, "registered": ["r000.ply", ...]}
+//
+// tracks.csv: landmark,frame,x_mm,y_mm,z_mm, frames counted from 0. Paths are relative to the document.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "quality/sirgn.h"
+
+namespace glisson::quality {
+
+struct SequenceFiles {
+  std::vector<std::filesystem::path> images;      // empty paths where a frame names none
+  std::vector<std::filesystem::path> clouds;      // one a frame
+  std::vector<std::filesystem::path> registered;  // one a frame, or none at all
+  std::optional<std::filesystem::path> model;
+  std::vector<LandmarkTrack> landmarks;
+};
+
+// Failures: file-not-readable, json-..., "sequence-invalid" (what is missing, or of which kind), "tracks-invalid"
+// (which line), "sequence-frame-missing" (a file that is named is not there).
+Result<SequenceFiles> read_sequence(const std::filesystem::path& file);
+
+// The points of a surface or cloud file, triangles or not. PLY clouds need no triangles.
+Result<geometry::Surface> read_cloud(const std::filesystem::path& file);
+
+}  // namespace glisson::quality
