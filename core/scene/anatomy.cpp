@@ -23,7 +23,7 @@ constexpr std::array<Style, 12> styles{{
     {"hepatic-arter", {{0.87, 0.23, 0.24}, 1.0, Finish::solid}},
     {"gallbladder", {{0.36, 0.62, 0.36}, 1.0, Finish::solid}},
     {"bil", {{0.20, 0.45, 0.28}, 1.0, Finish::solid}},
-    {"cyst", {{0.70, 0.88, 0.92}, 0.9, Finish::solid}},
+    {"cyst", {{0.70, 0.88, 0.92}, 1.0, Finish::solid}},
     {"vessel", {{0.25, 0.56, 0.90}, 1.0, Finish::solid}},
 }};
 

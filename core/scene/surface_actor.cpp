@@ -50,8 +50,30 @@ class AddingActor : public vtkOpenGLActor {
 };
 vtkStandardNewMacro(AddingActor)
 
-    vtkSmartPointer<vtkActor> actor_for(Finish finish) {
-  if (finish == Finish::light) return vtkSmartPointer<AddingActor>::New();
+    // Glass, which either waits for VTK's sorting of what is translucent or is drawn in its turn over what is there.
+    class GlassActor : public vtkOpenGLActor {
+ public:
+  static GlassActor* New();
+  vtkTypeMacro(GlassActor, vtkOpenGLActor)
+
+      void Render(vtkRenderer* renderer, vtkMapper* mapper) override {
+    if (!GetForceOpaque()) {
+      vtkOpenGLActor::Render(renderer, mapper);
+      return;
+    }
+    vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+    const vtkOpenGLState::ScopedglDepthMask depth_as_before(state);
+    const vtkOpenGLState::ScopedglEnableDisable blend_as_before(state, GL_BLEND);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglEnable(GL_BLEND);
+    mapper->Render(renderer, this);
+  }
+};
+vtkStandardNewMacro(GlassActor)
+
+    vtkSmartPointer<vtkActor> actor_for(const SurfaceItem& item) {
+  if (item.finish == Finish::light) return vtkSmartPointer<AddingActor>::New();
+  if (item.finish == Finish::glass && item.opacity < 1) return vtkSmartPointer<GlassActor>::New();
   return vtkSmartPointer<vtkActor>::New();
 }
 
@@ -70,7 +92,7 @@ vtkNew<vtkLookupTable> lookup_table(const Colouring& colouring) {
 }  // namespace
 
 SurfaceActor::SurfaceActor(vtkRenderer& renderer, const SurfaceItem& item)
-    : renderer_(renderer), surface_(*item.surface), actor_(actor_for(item.finish)) {
+    : renderer_(renderer), surface_(*item.surface), actor_(actor_for(item)) {
   vtkNew<vtkCellArray> triangles;
   triangles->AllocateExact(static_cast<vtkIdType>(surface_.triangles.size()),
                            3 * static_cast<vtkIdType>(surface_.triangles.size()));
@@ -101,6 +123,10 @@ SurfaceActor::SurfaceActor(vtkRenderer& renderer, const SurfaceItem& item)
 }
 
 SurfaceActor::~SurfaceActor() { renderer_.RemoveActor(actor_); }
+
+void SurfaceActor::set_transparency(Transparency transparency) {
+  if (GlassActor::SafeDownCast(actor_) != nullptr) actor_->SetForceOpaque(transparency == Transparency::quick);
+}
 
 void SurfaceActor::move(const std::vector<Eigen::Vector3d>& points_mm) {
   GLISSON_ASSERT(points_mm.size() == surface_.points_mm.size());

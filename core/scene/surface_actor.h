@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/view.h"
 
 namespace glisson::scene {
 
@@ -25,6 +26,7 @@ class SurfaceActor {
 
   void move(const std::vector<Eigen::Vector3d>& points_mm);
   void recolour(const std::vector<double>& values);
+  void set_transparency(Transparency transparency);
   void set_shown(bool shown) { actor_->SetVisibility(shown ? 1 : 0); }
 
   [[nodiscard]] bool shown() const { return actor_->GetVisibility() != 0; }

@@ -148,6 +148,7 @@ void View::prepare_frame(int width, int height) {
   parts.frame.height = std::max(height, 1);
   place(*parts.renderer.GetActiveCamera(), parts.frame);
   parts.renderer.SetUseDepthPeeling(parts.transparency == Transparency::exact ? 1 : 0);
+  for (const auto& [surface, actor] : parts.surfaces) actor->set_transparency(parts.transparency);
   parts.renderer.ResetCameraClippingRange();
   for (const auto& slice : parts.slices) {
     slice->lift_lines(-parts.frame.camera.sight * 0.002 * parts.frame.camera.visible_height_mm);

@@ -18,8 +18,8 @@ namespace glisson::scene {
 
 enum class Visibility { shown, hidden };
 
-// How clear surfaces that overlap are put together: `exact` sorts every pixel; `quick` draws them as they come, several
-// times faster, and is hard to tell from it where they have one colour.
+// How clear surfaces that overlap are put together: `exact` sorts every pixel; `quick` draws them in the scene's order
+// over what is solid, several times faster, and is hard to tell from it for one clear organ that comes last.
 enum class Transparency { exact, quick };
 
 class View {
