@@ -1,0 +1,217 @@
+// TRWL-S against TRW-S on the same problems in one run, word widths, sizes, real shapes; and SIRGn at the
+// dissertation's size.
+//
+//   bench_registration                                       the sweep below (minutes)
+//   bench_registration --benchmark_filter='n:128|pairs'      the targets
+//
+// `ratio_*` are of times in this run: to `trws` with the field given, with writing out the field counted in, and to
+// TRW-S whose field is evaluated, exponential and all, whenever a message needs it, as nothing but its two matrices
+// would have to be stored then (estimated: the passes' cells times the time that writing out took a cell).
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "base/parallel.h"
+#include "geometry/mesh_file.h"
+#include "quality/sequences.h"
+#include "registration/samples.h"
+#include "registration/trwls.h"
+#include "registration/trws.h"
+#include "support/data.h"
+
+namespace glisson::registration {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+constexpr int most_points = 256;
+
+// Samples of a shape from different starts, so that one pair of shapes gives many problems.
+const GeodesicSamples* samples_of(const std::string& name, int start) {
+  static std::map<std::pair<std::string, int>, GeodesicSamples> known;
+  const auto place = known.find({name, start});
+  if (place != known.end()) return &place->second;
+  const std::filesystem::path file = glisson::test::shared_data() / name;
+  const auto surface = geometry::read_surface(file);
+  if (!surface) return nullptr;
+  auto samples = sample_surface(*surface, most_points, start);
+  if (!samples) return nullptr;
+  samples->to_surface_mm.resize(0, 0);
+  return &known.emplace(std::pair(name, start), std::move(*samples)).first->second;
+}
+
+MatchingProblem problem_of(const GeodesicSamples& a, const GeodesicSamples& b, int n) {
+  MatchingProblem problem;
+  problem.source_mm = a.between_mm.topLeftCorner(n, n);
+  problem.target_mm = b.between_mm.topLeftCorner(n, n);
+  // About what GEO uses: half and three tenths of the square root of the area, itself 0.8 of the largest distance.
+  problem.sigma_mm = 0.4 * b.between_mm.maxCoeff();
+  problem.tau_mm = 0.25 * b.between_mm.maxCoeff();
+  return problem;
+}
+
+const std::string wolf0 = "tosca_nonrigid_shapes/wolf0.off";
+const std::string wolf1 = "tosca_nonrigid_shapes/wolf1.off";
+
+std::optional<MatchingProblem> wolves(int n) {
+  const GeodesicSamples* a = samples_of(wolf0, 0);
+  const GeodesicSamples* b = samples_of(wolf1, 1000);
+  if (a == nullptr || b == nullptr) return std::nullopt;
+  return problem_of(*a, *b, n);
+}
+
+struct Baseline {
+  double store_ms = 0;
+  double solve_ms = 0;
+  double energy = 0;
+};
+
+// Measured once a size. Above n = 128 the written-out field does not fit in 2 GB: then nothing.
+std::optional<Baseline> baseline(const MatchingProblem& problem) {
+  static std::map<int, Baseline> known;
+  const auto place = known.find(problem.nodes());
+  if (place != known.end()) return place->second;
+  const auto start = Clock::now();
+  const auto mrf = store(problem, std::uint64_t{2} << 30);
+  if (!mrf) return std::nullopt;
+  Baseline measured;
+  measured.store_ms = ms_since(start);
+  const MatchingSolution solution = trws(*mrf, {.stopping = Stopping::fixed_passes});
+  measured.solve_ms = solution.solve_ms;
+  measured.energy = solution.energy;
+  return known.emplace(problem.nodes(), measured).first->second;
+}
+
+// trwls on the wolves: n, threads, dynamic (1) or 20 passes (0).
+void trwls_wolves(benchmark::State& state) {
+  const auto problem = wolves(static_cast<int>(state.range(0)));
+  if (!problem) return state.SkipWithError("no real data: set GLISSON_SHARED_DATA");
+  set_thread_count(static_cast<int>(state.range(1)));
+  TrwlsOptions options;
+  if (state.range(2) == 0) {
+    options.stopping = Stopping::fixed_passes;
+    options.polish = Polish::none;  // as the baseline
+  }
+  double least_ms = 1e9;
+  MatchingSolution solution;
+  for (auto _ : state) {
+    solution = trwls(*problem, options).value();
+    least_ms = std::min(least_ms, solution.solve_ms);
+  }
+  set_thread_count(0);
+  state.SetLabel(widest_instructions());
+  state.counters["least_ms"] = least_ms;
+  state.counters["passes"] = static_cast<double>(solution.passes.size());
+  if (const auto base = baseline(*problem)) {
+    const double cells =
+        0.5 * static_cast<double>(problem->nodes()) * (problem->nodes() - 1) * problem->labels() * problem->labels();
+    const double evaluated_ms = base->solve_ms + base->store_ms / cells * (20 * 2 * cells);
+    state.counters["ratio_given"] = base->solve_ms / least_ms;
+    state.counters["ratio_with_field"] = (base->store_ms + base->solve_ms) / least_ms;
+    state.counters["ratio_evaluated"] = evaluated_ms / least_ms;
+    state.counters["energy_%"] = 100 * (solution.energy / base->energy - 1);
+    state.counters["trws_ms"] = base->solve_ms;
+    state.counters["field_ms"] = base->store_ms;
+  }
+}
+BENCHMARK(trwls_wolves)
+    ->ArgNames({"n", "threads", "dynamic"})
+    ->ArgsProduct({{96, 128, 192, 256}, {1, 2}, {0, 1}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+// Figure 3.8: the energy that each width of word reaches, and what it costs in plain code.
+void word_widths(benchmark::State& state) {
+  const auto problem = wolves(64);
+  if (!problem) return state.SkipWithError("no real data: set GLISSON_SHARED_DATA");
+  TrwlsOptions options;
+  options.width = static_cast<WordWidth>(state.range(0));
+  options.instructions = Instructions::plain;
+  options.stopping = Stopping::fixed_passes;
+  options.polish = Polish::none;
+  MatchingSolution solution;
+  for (auto _ : state) solution = trwls(*problem, options).value();
+  const char* names[] = {"8 bits", "16 bits", "32 bits", "64-bit floating point"};
+  state.SetLabel(names[state.range(0)]);
+  state.counters["energy"] = solution.energy;
+  for (const std::size_t pass : {0, 4, 9, 19}) {
+    state.counters[fmt::format("pass_{:02}", pass + 1)] = solution.passes[pass].energy;
+  }
+}
+BENCHMARK(word_widths)->DenseRange(0, 3)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+// Table 3.1 and 20 registrations a second: n = 128 or 96 on pairs of wolves, cats and livers, dynamic stopping.
+void pairs(benchmark::State& state) {
+  const int n = static_cast<int>(state.range(0));
+  const std::vector<std::vector<std::string>> families = {
+      {wolf0, wolf1, "tosca_nonrigid_shapes/wolf2.off"},
+      {"tosca_nonrigid_shapes/cat0.off", "tosca_nonrigid_shapes/cat1.off", "tosca_nonrigid_shapes/cat2.off"},
+      {"pbsm_liver_insilico/Liver1/src.ply", "pbsm_liver_insilico/Liver1/gt.ply"}};
+  double rough = 0, polished = 0, total_ms = 0, worst_ms = 0, rough_difference = 0, difference = 0;
+  int count = 0;
+  for (auto _ : state) {
+    for (const auto& family : families) {
+      for (std::size_t i = 0; i < family.size(); ++i) {
+        for (std::size_t j = 0; j < family.size(); ++j) {
+          if (i == j) continue;
+          for (const int start : {0, 500, 1000, 2000}) {
+            const GeodesicSamples* a = samples_of(family[i], 0);
+            const GeodesicSamples* b = samples_of(family[j], start);
+            if (a == nullptr || b == nullptr) return state.SkipWithError("no real data: set GLISSON_SHARED_DATA");
+            const MatchingProblem problem = problem_of(*a, *b, n);
+            // The baseline's labelling in double precision; the field written out would take 3 s a pair to make.
+            TrwlsOptions exact;
+            exact.width = WordWidth::double_precision;
+            exact.stopping = Stopping::fixed_passes;
+            exact.polish = Polish::none;
+            const double base = trwls(problem, exact).value().energy;
+            TrwlsOptions plain = exact;
+            plain.width = WordWidth::bits_16;
+            const double energy_16 = trwls(problem, plain).value().energy;
+            const MatchingSolution ours = trwls(problem).value();
+            rough += energy_16 / base;
+            rough_difference += std::abs(energy_16 / base - 1);
+            polished += ours.energy / base;
+            difference = std::max(difference, ours.energy / base - 1);
+            total_ms += ours.solve_ms;
+            worst_ms = std::max(worst_ms, ours.solve_ms);
+            ++count;
+          }
+        }
+      }
+    }
+  }
+  state.counters["pairs"] = count;
+  state.counters["mean_16_bits_%"] = 100 * (rough / count - 1);
+  state.counters["mean_abs_16_bits_%"] = 100 * rough_difference / count;
+  state.counters["mean_dynamic_%"] = 100 * (polished / count - 1);
+  state.counters["worst_dynamic_%"] = 100 * difference;
+  state.counters["mean_ms"] = total_ms / count;
+  state.counters["worst_ms"] = worst_ms;
+}
+BENCHMARK(pairs)->ArgName("n")->Arg(96)->Arg(128)->Unit(benchmark::kSecond)->Iterations(1);
+
+// The dissertation's largest input: 1,155 landmarks, 180 frames; 5 to 12 minutes there.
+void sirgn_at_full_size(benchmark::State& state) {
+  const auto liver = geometry::read_surface(glisson::test::shared_data() / "pbsm_liver_insilico/Liver1/src.ply");
+  if (!liver) return state.SkipWithError("no real data: set GLISSON_SHARED_DATA");
+  quality::test::SequenceSpec spec;
+  spec.frames = 180;
+  spec.landmarks = 1155;
+  const auto made = quality::test::make_sequence(*liver, spec);
+  for (auto _ : state) benchmark::DoNotOptimize(quality::sirgn(made.sequence));
+}
+BENCHMARK(sirgn_at_full_size)->Unit(benchmark::kSecond)->UseRealTime()->Iterations(1);
+
+}  // namespace
+}  // namespace glisson::registration
+
+BENCHMARK_MAIN();
