@@ -22,6 +22,8 @@ struct SourceInstance {
 struct SegmentationSource {
   std::string patient_name;
   std::string patient_id;
+  std::string patient_comments;
+  std::string series_description = "Segmentation";  // of the segmentation itself
   std::string study_uid;
   std::string series_uid;  // of the images, not of the segmentation
   std::string frame_of_reference_uid;

@@ -89,6 +89,7 @@ Result<SegmentationSource> segmentation_source(const std::vector<fs::path>& slic
     if (source.instances.size() > 1) continue;
     source.patient_name = text_of(*data_set, DCM_PatientName);
     source.patient_id = text_of(*data_set, DCM_PatientID);
+    source.patient_comments = text_of(*data_set, DCM_PatientComments);
     source.study_uid = text_of(*data_set, DCM_StudyInstanceUID);
     source.series_uid = text_of(*data_set, DCM_SeriesInstanceUID);
     source.frame_of_reference_uid = text_of(*data_set, DCM_FrameOfReferenceUID);

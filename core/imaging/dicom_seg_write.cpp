@@ -180,7 +180,7 @@ void describe_study(Item& data_set, const std::vector<SegmentedMask>& segments, 
   data_set.text(DCM_Modality, "SEG");
   data_set.text(DCM_Manufacturer, "Glisson");
   data_set.text(DCM_ReferringPhysicianName, "");
-  data_set.text(DCM_SeriesDescription, "Segmentation");
+  data_set.text(DCM_SeriesDescription, source.series_description);
   data_set.text(DCM_ManufacturerModelName, "Glisson");
   Item series = data_set.add(DCM_ReferencedSeriesSequence);
   series.text(DCM_SeriesInstanceUID, source.series_uid);
@@ -193,6 +193,7 @@ void describe_study(Item& data_set, const std::vector<SegmentedMask>& segments, 
   data_set.text(DCM_PatientID, source.patient_id);
   data_set.text(DCM_PatientBirthDate, "");
   data_set.text(DCM_PatientSex, "");
+  if (!source.patient_comments.empty()) data_set.text(DCM_PatientComments, source.patient_comments);
   data_set.text(DCM_DeviceSerialNumber, "0");
   data_set.text(DCM_SoftwareVersions, version());
   data_set.text(DCM_StudyInstanceUID, source.study_uid);

@@ -255,8 +255,11 @@ Result<DemoSeries> write_drawn_structures(const fs::path& dicom, const std::vect
     drawn.push_back(structure);
     drawn.back().info.label_value = static_cast<int>(drawn.size());
   }
-  const auto source = imaging::segmentation_source(anatomy.files);
+  auto source = imaging::segmentation_source(anatomy.files);
   if (!source) return failure(source.error());
+  source->series_description = "SIMULATED structures drawn by a radiologist";
+  source->content_date = source->study_date;  // the same bytes every day
+  source->content_time = source->study_time;
   const fs::path folder = dicom / "6_structures";
   std::error_code problem;
   fs::create_directories(folder, problem);  // a failure shows in the writing
