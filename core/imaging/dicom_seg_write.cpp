@@ -14,8 +14,8 @@
 #include "imaging/dicom_uid.h"
 
 // DCMTK after ours: its headers define macros.
-#include "dcmtk/config/osconfig.h"
-#include "dcmtk/dcmdata/dctk.h"
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
 
 namespace glisson::imaging {
 namespace fs = std::filesystem;
