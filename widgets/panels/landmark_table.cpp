@@ -2,7 +2,7 @@
 
 #include <QHeaderView>
 
-#include "panels/study_panel.h"
+#include "session/patient.h"
 
 namespace glisson::widgets {
 namespace {

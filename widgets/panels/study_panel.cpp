@@ -109,11 +109,4 @@ void StudyPanel::show_patient(const Patient& patient) {
   }
 }
 
-QString structure_label(const std::string& name) {
-  QString label = QString::fromStdString(name);
-  label.replace('-', ' ');
-  if (!label.isEmpty()) label[0] = label[0].toUpper();
-  return label;
-}
-
 }  // namespace glisson::widgets

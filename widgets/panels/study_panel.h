@@ -30,7 +30,4 @@ class StudyPanel : public QWidget {
   QTreeWidget* structures_;
 };
 
-// "portal-vein" -> "Portal vein", translated where the language is known to have a word for it.
-[[nodiscard]] QString structure_label(const std::string& name);
-
 }  // namespace glisson::widgets

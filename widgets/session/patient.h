@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <QString>
 #include <string>
 #include <vector>
 
@@ -37,5 +38,8 @@ struct GreyWindow {
   double width = 1;
 };
 [[nodiscard]] GreyWindow usual_window(const imaging::Volume& volume);
+
+// "portal-vein-2" -> "Portal vein 2": a structure or landmark as a person reads it.
+[[nodiscard]] QString structure_label(const std::string& name);
 
 }  // namespace glisson::widgets

@@ -198,7 +198,7 @@ void PatientViews::apply_frame() {
       const bool named = landmark.id == marked_landmark_ || landmark.id.starts_with("tumour");
       const bool far = landmark.displacement_mm >= rehearsal::significant_mm;
       const QString text =
-          QString("%1  %2 mm").arg(QString::fromStdString(landmark.id)).arg(landmark.displacement_mm, 0, 'f', 1);
+          QString("%1  %2 mm").arg(structure_label(landmark.id)).arg(landmark.displacement_mm, 0, 'f', 1);
       landmarks.push_back({named ? text.toStdString() : std::string(), landmark.displaced_mm,
                            landmark.id == marked_landmark_ ? 3.5 : 2.2, far ? amber : calm});
     }
