@@ -1,5 +1,5 @@
-// glisson-cli simulate (CASE | --mesh FILE.vtu) --scenario S.json --out DIR: equilibrium under supports, tools and
-// loads.
+// glisson-cli simulate (CASE | --mesh FILE.vtu) --scenario S.json --out DIR: equilibrium or motion under supports,
+// tools and loads.
 
 #include <fmt/format.h>
 
@@ -69,7 +69,7 @@ Result<Outcome> simulate(const Options& options, const Progress& progress) {
 }  // namespace
 
 void add_simulate(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("simulate", "Move the liver: equilibrium under supports, tools and loads");
+  CLI::App* command = app.add_subcommand("simulate", "Move the liver: equilibrium or motion under supports, tools and loads");
   auto options = std::make_shared<Options>();
   CLI::Option* case_folder = command->add_option("case", options->case_folder, "The case");
   CLI::Option* mesh = command->add_option("--mesh", options->mesh_file, "Tetrahedra (.vtu), instead of a case");

@@ -69,10 +69,13 @@ struct Landmark {
   Eigen::Vector3d position_mm{0, 0, 0};  // at rest
 };
 
-// Present when motion is asked for; absent means equilibrium.
+// Present when motion is asked for; absent means equilibrium. Rayleigh damping is mass_damping times the mass and
+// stiffness_damping times the stiffness.
 struct Motion {
   double step_s = 0.02;
   int steps = 0;
+  double mass_damping_per_s = 0;
+  double stiffness_damping_s = 0;
 };
 
 // One modulus for the whole body, or the name of a cell field that holds one a cell (kPa).

@@ -63,7 +63,12 @@ std::string scenario_text(const Scenario& scenario) {
   for (const Support& support : scenario.supports) json["supports"].push_back(json_of(support));
   json["loads"] = Json::array();
   for (const Load& load : scenario.loads) json["loads"].push_back(json_of(load));
-  if (scenario.motion) json["motion"] = {{"step_s", scenario.motion->step_s}, {"steps", scenario.motion->steps}};
+  if (scenario.motion) {
+    json["motion"] = {{"step_s", scenario.motion->step_s},
+                      {"steps", scenario.motion->steps},
+                      {"mass_damping_per_s", scenario.motion->mass_damping_per_s},
+                      {"stiffness_damping_s", scenario.motion->stiffness_damping_s}};
+  }
   json["landmarks"] = Json::array();
   for (const Landmark& landmark : scenario.landmarks) {
     const Vector3d& p = landmark.position_mm;
@@ -254,8 +259,15 @@ Landmark landmark_from(const Json& json, const std::string& where) {
 }
 
 Motion motion_from(const Json& json, const std::string& where) {
-  known_keys(json, {"step_s", "steps"}, where);
+  known_keys(json, {"step_s", "steps", "mass_damping_per_s", "stiffness_damping_s"}, where);
   Motion motion;
+  const auto damping = [&](const char* key) {
+    const double value = json.contains(key) ? number(json[key], where + ", " + key) : 0.0;
+    if (value < 0) refuse(where + ", " + key, GLISSON_TEXT("{0} must not be below zero."));
+    return value;
+  };
+  motion.mass_damping_per_s = damping("mass_damping_per_s");
+  motion.stiffness_damping_s = damping("stiffness_damping_s");
   motion.step_s = positive_number(required(json, "step_s", where), where + ", step_s");
   const Json& steps = required(json, "steps", where);
   if (!steps.is_number_integer() || steps.get<double>() < 1 || steps.get<double>() > 1e6) {

@@ -6,8 +6,10 @@
 #include "mechanics/body.h"
 #include "mechanics/equilibrium.h"
 #include "mechanics/large_deformation.h"
+#include "mechanics/motion.h"
 #include "mechanics/static_model.h"
 #include "mechanics/stopwatch.h"
+#include "mechanics/strain.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -25,6 +27,8 @@ Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<doub
                                  const Scenario& scenario, const Places& places, const Progress& progress);
 Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
                                  const Scenario& scenario, const Places& places, const Progress& progress);
+Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa, const Scenario& scenario,
+                             const Places& places, const Progress& progress);
 std::string names_of(const geometry::Fields& fields);
 void set_result_fields(const StaticResult& result, std::vector<double> youngs_kPa, std::vector<double> von_mises_kPa,
                        geometry::TetMesh& mesh);
@@ -40,9 +44,10 @@ Result<Simulation> simulate(const geometry::TetMesh& mesh, const Scenario& scena
   auto places = locate_landmarks(mesh, scenario.landmarks, options.landmark_tolerance_mm);
   if (!places) return failure(std::move(places.error()));
 
-  auto answer = scenario.material == MaterialLaw::linear
-                    ? small_equilibrium(mesh, *youngs_kPa, scenario, *places, progress)
-                    : large_equilibrium(mesh, *youngs_kPa, scenario, *places, progress);
+  const auto compute = scenario.motion                            ? end_of_motion
+                       : scenario.material == MaterialLaw::linear ? small_equilibrium
+                                                                  : large_equilibrium;
+  auto answer = compute(mesh, *youngs_kPa, scenario, *places, progress);
   if (!answer) return failure(std::move(answer.error()));
   progress.report(1.0, "Solved");
 
@@ -120,8 +125,9 @@ Result<void> refuse_what_is_not_available(const Scenario& scenario) {
   if (scenario.engine != Engine::fem) {
     return failure("not-available", GLISSON_TEXT("The meshfree engine is not available yet: take engine \"fem\"."));
   }
-  if (scenario.motion) {
-    return failure("not-available", GLISSON_TEXT("Motion is not available yet: leave it out to get equilibrium."));
+  if (scenario.motion && scenario.material == MaterialLaw::neo_hookean) {
+    return failure("not-available", GLISSON_TEXT("Motion is available for the materials \"linear\" and "
+                                                 "\"corotational\"; leave it out to get equilibrium."));
   }
   return {};
 }
@@ -166,6 +172,62 @@ Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<doub
   auto landmarks_mm = displacement_at(*body, *result, places);
   auto von_mises_kPa = von_mises_of_cells(*body, materials, nodal_displacements(*body, *result));
   return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa)};
+}
+
+// From rest, under loads that are there from the first moment.
+Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa, const Scenario& scenario,
+                             const Places& places, const Progress& progress) {
+  const Stopwatch setting_up;
+  StaticOptions options = options_of(scenario);
+  options.order = ElementOrder::linear;  // the cells that MovingBody moves
+  auto body = prepare_body(mesh, std::move(youngs_kPa), scenario.supports, options, Holding::optional);
+  if (!body) return failure(std::move(body.error()));
+  const std::vector<Material> materials = materials_of(*body, scenario.material);
+  const Motion& motion = *scenario.motion;
+  auto moving = MovingBody::create(std::move(*body), scenario.material,
+                                   {.step_s = motion.step_s,
+                                    .mass_damping_per_s = motion.mass_damping_per_s,
+                                    .stiffness_damping_s = motion.stiffness_damping_s});
+  if (!moving) return failure(std::move(moving.error()));
+  const auto force_mN = moving->force_of(scenario.loads);
+  if (!force_mN) return failure(force_mN.error());
+
+  Answer answer;
+  StaticResult& result = answer.result;
+  result.setup_s = setting_up.seconds();
+  result.status = SolveStatus::converged;
+  const Stopwatch stepping;
+  int done = 0;
+  for (; done < motion.steps && result.status == SolveStatus::converged; ++done) {
+    progress.report(double(done) / motion.steps, "Moving");
+    if (progress.cancelled()) return cancelled();
+    const StepReport step = moving->step(*force_mN);
+    result.iterations += step.iterations;
+    result.relative_residual = std::max(result.relative_residual, step.relative_residual);
+    result.inverted_cells = step.inverted_cells;
+    result.strain_energy_uJ = step.strain_energy_uJ;
+    if (!step.converged) result.status = SolveStatus::not_converged;
+  }
+  result.step_ms = 1e3 * stepping.seconds() / done;
+  result.why_stopped = result.status == SolveStatus::converged
+                           ? fmt::format("All {} steps converged, the worst to a relative residual of {:.1e}.", done,
+                                         result.relative_residual)
+                           : fmt::format("Step {} of {} stayed at a relative residual of {:.1e}.", done, motion.steps,
+                                         result.relative_residual);
+
+  const Eigen::VectorXd u_mm = moving->displacement_mm();
+  set_displacements(moving->body(), u_mm, result);
+  result.applied_force_mN = sum_of(*force_mN);
+  result.external_work_uJ = u_mm.dot(*force_mN);
+  const StrainMeasure measure =
+      scenario.material == MaterialLaw::linear ? StrainMeasure::small : StrainMeasure::stretch;
+  result.largest_strain = strain_range(mesh, moving->body().layout, u_mm, measure).largest_strain;
+  if (result.inverted_cells > 0) {
+    result.notes.push_back(fmt::format("{} cells are turned inside out at the end.", result.inverted_cells));
+  }
+  answer.landmark_displacements_mm = displacement_at(moving->body(), result, places);
+  answer.von_mises_kPa = von_mises_of_cells(moving->body(), materials, u_mm);
+  return answer;
 }
 
 void set_result_fields(const StaticResult& result, std::vector<double> youngs_kPa, std::vector<double> von_mises_kPa,

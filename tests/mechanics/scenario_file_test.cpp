@@ -21,6 +21,7 @@ constexpr const char* whole_scenario = R"({
                {"box": {"min_mm": [0, 0, 0], "max_mm": [1, 2, 3]}, "directions": ["x", "z"]}],
   "loads": [{"tool": {"center_mm": [4, 5, 6], "radius_mm": 10, "force_N": [0, 0, 5]}},
             {"pressure_kPa": 1.6}, {"gravity_m_s2": [0, 0, -9.81]}],
+  "motion": {"step_s": 0.01, "steps": 50, "stiffness_damping_s": 0.002},
   "landmarks": [{"id": "tumour-1", "position_mm": [7, 8, 9]}]})";
 
 TEST(ScenarioFile, ReadsEveryPartAndConvertsItsUnits) {
@@ -41,7 +42,8 @@ TEST(ScenarioFile, ReadsEveryPartAndConvertsItsUnits) {
   EXPECT_EQ(std::get<PressureLoad>(scenario.loads[1]).pressure_kPa, 1.6);
   EXPECT_EQ(std::get<GravityLoad>(scenario.loads[2]).acceleration_mm_s2, Vector3d(0, 0, -9810));
   EXPECT_EQ(scenario.landmarks[0].position_mm, Vector3d(7, 8, 9));
-  EXPECT_FALSE(scenario.motion);
+  EXPECT_EQ(scenario.motion->steps, 50);
+  EXPECT_EQ(scenario.motion->stiffness_damping_s, 0.002);
 }
 
 TEST(ScenarioFile, WhatIsWrittenReadsBackTheSame) {
@@ -97,6 +99,7 @@ TEST(ScenarioFile, ValuesThatCannotBeMeantAreRefusedWithTheirPlace) {
       {R"({"loads": [3]})", "load 1 must be an object"},
       {R"({"landmarks": [{"id": "a", "position_mm": [0,0,0]}, {"id": "a", "position_mm": [1,0,0]}]})", "the same id"},
       {R"({"motion": {"step_s": 0.02, "steps": 0}})", "whole number from 1"},
+      {R"({"motion": {"step_s": 0.02, "steps": 5, "mass_damping_per_s": -1}})", "must not be below zero"},
       {R"([])", "must be an object"},
       {R"({"engine": )", "not valid JSON"},
   };
