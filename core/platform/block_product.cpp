@@ -62,8 +62,8 @@ namespace {
 HWY_EXPORT(multiply_tiles);
 HWY_EXPORT(target_name);
 
-// A thread's share below which starting it costs more than it saves: about 20 us of work.
-constexpr std::size_t bytes_worth_a_thread = std::size_t{256} << 10;
+// A thread's share below which waking it costs more than it saves: 10 to 20 us of work from a cache.
+constexpr std::size_t bytes_worth_a_thread = std::size_t{1} << 20;
 
 class ProcessorProduct : public ProductKernel {
  public:
