@@ -60,12 +60,17 @@ Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, con
   const auto prepared = prepare_largest(kernel, sizes, measurement.remarks);
   if (!prepared) return failure(prepared.error());
 
-  const double at_least_s = std::max(options.seconds_per_point, meter != nullptr ? meter->shortest_useful_s() : 0);
+  const double metered_s = std::max(options.seconds_per_point, meter != nullptr ? meter->shortest_useful_s() : 0);
+  const double all_metered_s = metered_s * static_cast<double>(sizes.size());
+  const auto meter_every =
+      static_cast<std::size_t>(std::ceil(std::max(1.0, all_metered_s / options.longest_metering_s)));
   std::vector<double> spreads;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     if (progress.cancelled()) return cancelled();
     progress.report(0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(sizes.size()), "Block products");
-    const auto timing = time_product(kernel, sizes[i], meter, measurement.device.idle_W.value, at_least_s);
+    const bool metered = meter != nullptr && i % meter_every == 0;
+    const auto timing = time_product(kernel, sizes[i], metered ? meter : nullptr, measurement.device.idle_W.value,
+                                     metered ? metered_s : options.seconds_per_point);
     if (!timing) return failure(timing.error());
     const auto point = point_for({static_cast<double>(sizes[i]), timing->seconds, timing->joules},
                                  options.nodes_in_domain, measurement.bandwidth_GB_s);

@@ -37,6 +37,8 @@ struct MeasureOptions {
   double idle_s = 3;                // listening before anything runs
   double seconds_per_point = 0.03;  // without a meter: long against the clock's grain; with one, at least as long as
                                     // the meter needs
+  double longest_metering_s = 300;  // in all: a battery's gauge needs a minute a problem, so that some problems are
+                                    // then timed alone and their energy follows from the active power of the others
   std::size_t bandwidth_array_bytes = std::size_t{96} << 20;  // of the triad that the share is stated against
   std::size_t largest_bytes = std::size_t{1} << 30;           // larger problems are left out, and said
 };

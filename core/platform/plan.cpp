@@ -207,7 +207,8 @@ Remedies remedies_for(const Device& device, const PlatformAnswer& answer, const 
   if (computes) {
     const double until_hot_s =
         time_to_reach_s(heat_of(device), request.ambient_C, answer.power_W, request.ambient_C, request.limit_C);
-    remedies.duration_h = std::min(answer.battery_h, until_hot_s / hour_s);
+    const double longest_h = std::min(answer.battery_h, until_hot_s / hour_s);
+    if (longest_h > 0) remedies.duration_h = longest_h;
   }
   if (answer.idle.headroom_W >= 0 && answer.idle.idle_C <= request.limit_C)
     remedies.accuracy_mm = coarser_accuracy_mm(device, request, curve);

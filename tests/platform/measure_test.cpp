@@ -3,6 +3,7 @@
 #include "platform/measure.h"
 
 #include <gmock/gmock.h>
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <thread>
@@ -97,34 +98,34 @@ TEST(Measure, ProblemsBeyondTheMemoryAreLeftOutAndSaid) {
   EXPECT_EQ(measure(none, nullptr, {}, small_grid()).error().code, "batch-too-large");
 }
 
+// A board with a sensor that shows 5 W until the kernel runs, then 9.
+class SensedBoard : public ClockworkKernel {
+ public:
+  SensedBoard() : ClockworkKernel(1000000) {
+    std::filesystem::create_directories(sensor_);
+    std::ofstream(sensor_ / "name") << "ina226\n";
+    show_W(5);
+  }
+  Result<void> run(std::size_t nodes, int times) override {
+    show_W(9);
+    return ClockworkKernel::run(nodes, times);
+  }
+  [[nodiscard]] EnergyMeter meter() const { return survey_meters(system_.path()).meters.at(0); }
+
+ private:
+  void show_W(double power_W) const {
+    EXPECT_TRUE(write_text_file(sensor_ / "power1_input", std::to_string(static_cast<long>(power_W * 1e6))));
+  }
+  TemporaryFolder system_;
+  std::filesystem::path sensor_ = system_.path() / "class" / "hwmon" / "hwmon0";
+};
+
 TEST(Measure, MeterGivesIdlePowerAndEnergyAboveIt) {
-  const TemporaryFolder system;
-  const auto sensor = system.path() / "class" / "hwmon" / "hwmon0";
-  std::filesystem::create_directories(sensor);
-  const auto show_W = [&](double power_W) {
-    ASSERT_TRUE(write_text_file(sensor / "power1_input", std::to_string(static_cast<long>(power_W * 1e6))));
-  };
-  std::ofstream(sensor / "name") << "ina226\n";
-  show_W(5);
-
-  // The sensor shows 5 W until the kernel runs, then 9.
-  class Working : public ClockworkKernel {
-   public:
-    Working(std::function<void()> begin) : ClockworkKernel(1000000), begin_(std::move(begin)) {}
-    Result<void> run(std::size_t nodes, int times) override {
-      begin_();
-      return ClockworkKernel::run(nodes, times);
-    }
-
-   private:
-    std::function<void()> begin_;
-  };
-  Working kernel([&] { show_W(9); });
+  SensedBoard board;
   MeasureOptions options = small_grid();
   options.grid = {{1000, 1000.1}, {50, 100}};
-  const MeterSurvey survey = survey_meters(system.path());
-  ASSERT_EQ(survey.meters.size(), 1u);
-  const auto measured = measure(kernel, &survey.meters[0], {}, options);
+  const EnergyMeter meter = board.meter();
+  const auto measured = measure(board, &meter, {}, options);
   ASSERT_TRUE(measured) << measured.error().message();
   EXPECT_NEAR(measured->device.idle_W.value, 5, 1e-6);
   EXPECT_EQ(measured->device.idle_W.source, Source::measured);
@@ -133,6 +134,19 @@ TEST(Measure, MeterGivesIdlePowerAndEnergyAboveIt) {
     ASSERT_TRUE(point.joules);
     EXPECT_GE(*point.joules / point.seconds, 3.99);  // 4 W; more where the fastest batch was faster than the mean
   }
+}
+
+TEST(Measure, SlowMeterIsAskedAboutSomeProblemsOnly) {
+  SensedBoard board;
+  MeasureOptions options = small_grid();
+  options.longest_metering_s = 1;  // the sensor needs half a second a problem, and there are four
+  const EnergyMeter meter = board.meter();
+  const auto measured = measure(board, &meter, {}, options);
+  ASSERT_TRUE(measured) << measured.error().message();
+  EXPECT_EQ(measured->points.size(), 4u);
+  EXPECT_EQ(std::count_if(measured->points.begin(), measured->points.end(),
+                          [](const MeasuredPoint& point) { return point.joules.has_value(); }),
+            2);
 }
 
 TEST(Measure, RecordingAndItsLogMakeADeviceWithoutRunningAnything) {
