@@ -32,5 +32,4 @@ Result<platform::Device> device_with_id(const std::vector<platform::Device>& dev
 // Duration, frame rate, temperatures and the domain of influence.
 void add_request_options(CLI::App& command, platform::PlanRequest& request);
 
-
 }  // namespace glisson::cli

@@ -69,7 +69,8 @@ Result<Outcome> simulate(const Options& options, const Progress& progress) {
 }  // namespace
 
 void add_simulate(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("simulate", "Move the liver: equilibrium or motion under supports, tools and loads");
+  CLI::App* command =
+      app.add_subcommand("simulate", "Move the liver: equilibrium or motion under supports, tools and loads");
   auto options = std::make_shared<Options>();
   CLI::Option* case_folder = command->add_option("case", options->case_folder, "The case");
   CLI::Option* mesh = command->add_option("--mesh", options->mesh_file, "Tetrahedra (.vtu), instead of a case");
