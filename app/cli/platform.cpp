@@ -1,5 +1,5 @@
 // glisson-cli platform: wearable computers, what each can do for a case, and this machine measured.
-// The subcommands stand in platform_plan.cpp, platform_grid.cpp and platform_measure.cpp.
+// The subcommands stand in platform_plan.cpp, platform_grid.cpp, platform_measure.cpp and platform_cell.cpp.
 
 #include "command.h"
 #include "platform_commands.h"
@@ -14,6 +14,7 @@ void add_platform(CLI::App& app, Action& chosen) {
   add_platform_plan(*platform, chosen);
   add_platform_grid(*platform, chosen);
   add_platform_measure(*platform, chosen);
+  add_platform_cell(*platform, chosen);
   // --json and the other common options stand after the subcommand as well.
   for (CLI::App* subcommand : platform->get_subcommands({})) subcommand->fallthrough();
 }

@@ -162,6 +162,26 @@ CellRun run_cell(const CellModel& cell, double current_A, double ambient_C, doub
   return run;
 }
 
+CellPrediction predict(const CellModel& cell, const Discharge& measured) {
+  constexpr double step_s = 1;
+  CellPrediction prediction;
+  prediction.run = run_cell(cell, measured.mean_current_A(), measured.ambient_C, step_s);
+  const Discharge& predicted = prediction.run.discharge;
+  double count = 0;
+  for (std::size_t i = 0; i < measured.time_s.size(); ++i) {
+    const auto step = static_cast<std::size_t>((measured.time_s[i] - measured.time_s.front()) / step_s);
+    if (step >= predicted.time_s.size()) break;
+    prediction.rms_voltage_V += std::pow(predicted.voltage_V[step] - measured.voltage_V[i], 2);
+    prediction.rms_temperature_C += std::pow(predicted.temperature_C[step] - measured.temperature_C[i], 2);
+    ++count;
+  }
+  if (count > 0) {
+    prediction.rms_voltage_V = std::sqrt(prediction.rms_voltage_V / count);
+    prediction.rms_temperature_C = std::sqrt(prediction.rms_temperature_C / count);
+  }
+  return prediction;
+}
+
 Battery battery_of(const CellModel& cell, int in_series) {
   const auto mean = [](const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());

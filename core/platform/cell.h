@@ -70,6 +70,14 @@ struct CellRun {
 // A full cell at ambient under a constant current until its cutoff voltage or its last charge.
 [[nodiscard]] CellRun run_cell(const CellModel& cell, double current_A, double ambient_C, double step_s = 1);
 
+// A measured discharge beside the cell's own at the same mean current and ambient temperature.
+struct CellPrediction {
+  CellRun run;
+  double rms_voltage_V = 0;  // over the samples measured while both last
+  double rms_temperature_C = 0;
+};
+[[nodiscard]] CellPrediction predict(const CellModel& cell, const Discharge& measured);
+
 // The plan's battery for `in_series` such cells: the mean open-circuit voltage, the mean resistance at 25 C.
 [[nodiscard]] Battery battery_of(const CellModel& cell, int in_series = 1);
 

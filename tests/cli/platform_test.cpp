@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "base/files.h"
+#include "support/data.h"
 #include "support/process.h"
 
 namespace glisson::test {
@@ -115,6 +116,19 @@ TEST(PlatformMeasure, RecordingBecomesADeviceThatCanBePlannedWith) {
   const Json& mine = platform_named(plan, "my-headset");
   EXPECT_EQ(mine.at("worn"), "head");
   EXPECT_NEAR(mine.at("fps_by_computing").get<double>(), 5, 0.2);  // 1 ms a product at 6061 nodes
+}
+
+TEST(PlatformCell, PredictsADischargeThatItHasNotSeen) {
+  GLISSON_NEEDS_DATA("battery_samsung_30q");
+  const auto file = [](const std::string& rate) {
+    return (shared_data() / "battery_samsung_30q" / "S001" / ("Q30_S001_" + rate + ".csv")).string();
+  };
+  const Json cell = answer({"cell", "--slow", file("C10"), "--discharge", file("1C"), file("2C"), "--predict",
+                            file("3C"), "--discharge-negative"});
+  ASSERT_EQ(cell.at("predictions").size(), 1u);
+  const Json& prediction = cell.at("predictions")[0];
+  const double measured_s = prediction.at("measured").at("seconds");
+  EXPECT_NEAR(prediction.at("predicted").at("seconds").get<double>(), measured_s, 0.02 * measured_s);
 }
 
 TEST(PlatformMeasure, BadRecordingsLeaveNothingBehind) {
