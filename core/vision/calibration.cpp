@@ -1,0 +1,148 @@
+#include "vision/calibration.h"
+
+#include <fmt/format.h>
+#include <cmath>
+#include <opencv2/core/eigen.hpp>
+#include <opencv2/core/persistence.hpp>
+#include <optional>
+
+#include "base/json.h"
+
+namespace glisson::vision {
+namespace {
+
+namespace fs = std::filesystem;
+
+Failure invalid(const fs::path& file, std::string what) {
+  return failure(Error{"calibration-invalid",
+                       GLISSON_TEXT("The calibration {0} has no {1}."),
+                       {file.filename().string(), std::move(what)},
+                       GLISSON_TEXT("It needs left and right, each with a matrix and distortion, and left_to_right."),
+                       file});
+}
+
+// Numbers of a JSON array, nested by rows or not.
+std::optional<std::vector<double>> numbers(const Json& json) {
+  if (!json.is_array()) return std::nullopt;
+  std::vector<double> all;
+  for (const Json& item : json) {
+    if (item.is_number()) {
+      all.push_back(item.get<double>());
+    } else if (const auto row = numbers(item)) {
+      all.insert(all.end(), row->begin(), row->end());
+    } else {
+      return std::nullopt;
+    }
+  }
+  return all;
+}
+
+std::optional<Camera> camera_in(const Json& document, const char* eye) {
+  if (!document.contains(eye) || !document[eye].is_object() || !document[eye].contains("matrix")) return std::nullopt;
+  const auto matrix = numbers(document[eye]["matrix"]);
+  if (!matrix || matrix->size() != 9) return std::nullopt;
+  Camera camera;
+  camera.matrix = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(matrix->data());
+  if (document[eye].contains("distortion")) {
+    const auto distortion = numbers(document[eye]["distortion"]);
+    if (!distortion) return std::nullopt;
+    camera.distortion = *distortion;
+  }
+  return camera;
+}
+
+Result<StereoCalibration> read_json(const fs::path& file) {
+  const auto document = read_json_file(file);
+  if (!document) return failure(document.error());
+  StereoCalibration calibration;
+  const auto left = camera_in(*document, "left");
+  if (!left) return invalid(file, "left camera");
+  const auto right = camera_in(*document, "right");
+  if (!right) return invalid(file, "right camera");
+  calibration.left = *left;
+  calibration.right = *right;
+  const auto transform = document->contains("left_to_right") ? numbers((*document)["left_to_right"])
+                                                             : std::optional<std::vector<double>>();
+  if (!transform || transform->size() != 16) return invalid(file, "left_to_right of 4 x 4 numbers");
+  calibration.left_to_right.matrix() =
+      Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(transform->data());
+  return calibration;
+}
+
+Result<StereoCalibration> read_opencv(const fs::path& file) {
+  try {
+    const cv::FileStorage storage(file.string(), cv::FileStorage::READ);
+    if (!storage.isOpened()) {
+      return failure(
+          Error{"file-not-readable", GLISSON_TEXT("The file {0} cannot be read."), {file.string()}, {}, file});
+    }
+    StereoCalibration calibration;
+    const auto read = [&](const char* name) {
+      cv::Mat matrix, in_double;
+      storage[name] >> matrix;
+      if (!matrix.empty()) matrix.convertTo(in_double, CV_64F);
+      return in_double;
+    };
+    for (auto& [camera, matrix_name, distortion_name] :
+         {std::tuple{&calibration.left, "M1", "D1"}, std::tuple{&calibration.right, "M2", "D2"}}) {
+      const cv::Mat matrix = read(matrix_name), distortion = read(distortion_name);
+      if (matrix.rows != 3 || matrix.cols != 3) return invalid(file, matrix_name);
+      cv::cv2eigen(matrix, camera->matrix);
+      for (int i = 0; i < static_cast<int>(distortion.total()); ++i)
+        camera->distortion.push_back(distortion.at<double>(i));
+    }
+    const cv::Mat rotation = read("R"), translation = read("T");
+    if (rotation.rows != 3 || rotation.cols != 3) return invalid(file, "R");
+    if (translation.total() != 3) return invalid(file, "T");
+    Eigen::Matrix3d linear;
+    cv::cv2eigen(rotation, linear);
+    calibration.left_to_right.linear() = linear;
+    for (int i = 0; i < 3; ++i) calibration.left_to_right.translation()[i] = translation.at<double>(i);
+    return calibration;
+  } catch (const cv::Exception&) {
+    return invalid(file, "content that OpenCV can read");
+  }
+}
+
+}  // namespace
+
+Result<StereoCalibration> read_stereo_calibration(const fs::path& file) {
+  auto calibration = file.extension() == ".json" ? read_json(file) : read_opencv(file);
+  if (!calibration) return calibration;
+  auto good = checked(std::move(*calibration));
+  if (!good) return failure(std::move(good.error()).in_file(file));
+  return good;
+}
+
+Result<StereoCalibration> checked(StereoCalibration calibration) {
+  constexpr double largest_deviation = 1e-3;  // files print few digits
+  for (const Camera* camera : {&calibration.left, &calibration.right}) {
+    if (!camera->matrix.allFinite() || camera->matrix(0, 0) <= 0 || camera->matrix(1, 1) <= 0) {
+      return failure("calibration-invalid", GLISSON_TEXT("A camera's focal length is not positive."));
+    }
+    for (const double coefficient : camera->distortion) {
+      if (!std::isfinite(coefficient)) {
+        return failure("calibration-invalid", GLISSON_TEXT("A coefficient of distortion is not finite."));
+      }
+    }
+  }
+  const Eigen::Matrix3d rotation = calibration.left_to_right.linear();
+  const double deviation = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (!calibration.left_to_right.matrix().allFinite() || deviation > largest_deviation || rotation.determinant() < 0) {
+    return failure("calibration-not-rotation",
+                   GLISSON_TEXT("left_to_right does not hold a rotation: R R^T is off the identity by {0}."),
+                   {fmt::format("{:.3g}", deviation)});
+  }
+  if (calibration.baseline_mm() <= 0) {
+    return failure("calibration-no-baseline", GLISSON_TEXT("Both eyes are in one place: there is no depth to see."));
+  }
+  const Eigen::Vector3d right_eye_mm = calibration.left_to_right.inverse().translation();
+  if (right_eye_mm.x() < 0) {
+    calibration.left_to_right = calibration.left_to_right.inverse();
+    calibration.notes.push_back(
+        "left_to_right puts the right eye to the left of the left one: it was taken as right to left");
+  }
+  return calibration;
+}
+
+}  // namespace glisson::vision

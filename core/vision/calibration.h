@@ -1,0 +1,40 @@
+#pragma once
+// A stereo camera: what each eye's lens does, and where the right eye is. Lengths in mm; a camera looks along +z, with
+// x to the right and y down its picture.
+
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace glisson::vision {
+
+struct Camera {
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();  // focal lengths and principal point, in pixels
+  std::vector<double> distortion;                        // k1, k2, p1, p2, k3, ... as OpenCV numbers them; may be empty
+};
+
+struct StereoCalibration {
+  Camera left;
+  Camera right;
+  Eigen::Isometry3d left_to_right =
+      Eigen::Isometry3d::Identity();  // takes a point in left-camera mm to right-camera mm
+  std::vector<std::string> notes;     // what was put right, and why
+
+  [[nodiscard]] double baseline_mm() const { return left_to_right.translation().norm(); }
+};
+
+// Reads
+//   {"left": {"matrix": [3x3], "distortion": [..]}, "right": {...}, "left_to_right": [4x4]}      (.json)
+// or OpenCV's M1, D1, M2, D2, R, T, as its calibration samples write them                          (.yml, .yaml, .xml).
+// A left_to_right that would put the right eye to the left of the left one is the other direction: it is turned
+// around, and a note says so. Failures: file-not-readable, json-..., "calibration-invalid" (what is missing),
+// "calibration-not-rotation" (by how much), "calibration-no-baseline".
+Result<StereoCalibration> read_stereo_calibration(const std::filesystem::path& file);
+
+// The same checks on values from elsewhere.
+Result<StereoCalibration> checked(StereoCalibration calibration);
+
+}  // namespace glisson::vision
