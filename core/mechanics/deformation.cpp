@@ -42,12 +42,6 @@ Matrix9d rotation_derivative(const Polar& polar) {
   return derivative;
 }
 
-Eigen::Matrix3d determinant_gradient(const Eigen::Matrix3d& f) {
-  Eigen::Matrix3d gradient;
-  for (int c = 0; c < 3; ++c) gradient.col(c) = f.col((c + 1) % 3).cross(f.col((c + 2) % 3));
-  return gradient;
-}
-
 Matrix9d determinant_hessian(const Eigen::Matrix3d& f) {
   // Column c of the gradient is f_(c+1) x f_(c+2).
   Matrix9d hessian = Matrix9d::Zero();

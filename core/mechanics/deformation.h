@@ -3,6 +3,7 @@
 // after column, so that the derivative of one matrix by another is 9x9.
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace glisson::mechanics {
 
@@ -25,7 +26,11 @@ struct Polar {
 [[nodiscard]] Matrix9d rotation_derivative(const Polar& polar);
 
 // det F by F (the cofactor matrix), and its second derivative.
-[[nodiscard]] Eigen::Matrix3d determinant_gradient(const Eigen::Matrix3d& f);
+[[nodiscard]] inline Eigen::Matrix3d determinant_gradient(const Eigen::Matrix3d& f) {
+  Eigen::Matrix3d gradient;
+  for (int c = 0; c < 3; ++c) gradient.col(c) = f.col((c + 1) % 3).cross(f.col((c + 2) % 3));
+  return gradient;
+}
 [[nodiscard]] Matrix9d determinant_hessian(const Eigen::Matrix3d& f);
 
 // The nearest positive semi-definite matrix to a symmetric one: negative eigenvalues become zero.

@@ -122,25 +122,38 @@ void LatticePreconditioner::refresh_lattice(const BlockCsr& matrix) {
   Eigen::SparseMatrix<double> lower(size, size);
   lower.setFromTriplets(entries.begin(), entries.end());
   auto factor = CholeskyFactor::create(lower, std::uint64_t{1} << 30);
+  constexpr Eigen::Index most_unknowns_to_invert = 1536;
   factor_.reset();
-  if (factor) factor_ = std::move(*factor);
+  inverse_.resize(0, 0);
+  if (!factor) return;
+  if (size > most_unknowns_to_invert) {
+    factor_ = std::move(*factor);
+  } else {
+    inverse_ = factor->solve(Eigen::MatrixXd::Identity(size, size)).cast<float>();
+  }
 }
 
 double LatticePreconditioner::apply(const std::vector<float>& r, std::vector<float>& z) const {
-  Eigen::MatrixXd coarse = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(lattice_.size()), 1);
-  if (factor_) {
-    parallel_for(lattice_.size(), 32, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t p = begin; p < end; ++p) {
-        Eigen::Vector3f sum = Eigen::Vector3f::Zero();  // r is already zero where held
-        for (const Share& share : shares_[p]) {
-          sum += share.weight * Eigen::Map<const Eigen::Vector3f>(r.data() + 3 * static_cast<std::size_t>(share.node));
-        }
-        coarse.block<3, 1>(3 * static_cast<Eigen::Index>(p), 0) = sum.cast<double>();
+  Eigen::VectorXf coarse = Eigen::VectorXf::Zero(3 * static_cast<Eigen::Index>(lattice_.size()));
+  parallel_for(lattice_.size(), 32, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      Eigen::Vector4f sum = Eigen::Vector4f::Zero();  // r is already zero where held; the fourth lane is not used
+      for (const Share& share : shares_[p]) {
+        sum += share.weight * Eigen::Map<const Eigen::Vector4f>(r.data() + 3 * static_cast<std::size_t>(share.node));
       }
+      coarse.segment<3>(3 * static_cast<Eigen::Index>(p)) = sum.head<3>();
+    }
+  });
+  Eigen::VectorXf shift = Eigen::VectorXf::Zero(coarse.size() + 1);
+  if (factor_) {
+    shift.head(coarse.size()) = factor_->solve(coarse.cast<double>()).cast<float>();
+  } else if (inverse_.size() > 0) {
+    constexpr std::size_t columns_at_once = 96;  // symmetric: columns are rows, and lie together
+    parallel_for(static_cast<std::size_t>(coarse.size()), columns_at_once, [&](std::size_t begin, std::size_t end) {
+      const auto first = static_cast<Eigen::Index>(begin), count = static_cast<Eigen::Index>(end - begin);
+      for (Eigen::Index k = first; k < first + count; ++k) shift[k] = inverse_.col(k).dot(coarse);
     });
-    coarse = factor_->solve(coarse);
   }
-  const Eigen::VectorXf shift = coarse.col(0).cast<float>();
   std::vector<double> partial((corners_.size() + rows_in_chunk - 1) / rows_in_chunk, 0.0);
   parallel_for(partial.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t chunk = begin; chunk < end; ++chunk) {
@@ -148,10 +161,10 @@ double LatticePreconditioner::apply(const std::vector<float>& r, std::vector<flo
       const std::size_t last = std::min((chunk + 1) * rows_in_chunk, corners_.size());
       for (std::size_t n = chunk * rows_in_chunk; n < last; ++n) {
         const Eigen::Map<const Eigen::Vector3f> residual(r.data() + 3 * n), mask(mask_.data() + 3 * n);
-        Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-        for (const Corner& corner : corners_[n]) sum += corner.weight * shift.segment<3>(3 * corner.point);
-        const Eigen::Vector3f value =
-            Eigen::Map<const Eigen::Matrix3f>(inverse_diagonal_.data() + 9 * n) * residual + mask.cwiseProduct(sum);
+        Eigen::Vector4f sum = Eigen::Vector4f::Zero();
+        for (const Corner& corner : corners_[n]) sum += corner.weight * shift.segment<4>(3 * corner.point);
+        const Eigen::Vector3f value = Eigen::Map<const Eigen::Matrix3f>(inverse_diagonal_.data() + 9 * n) * residual +
+                                      mask.cwiseProduct(sum.head<3>());
         Eigen::Map<Eigen::Vector3f>(z.data() + 3 * n) = value;
         dot += static_cast<double>(value.dot(residual));
       }

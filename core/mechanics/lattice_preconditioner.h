@@ -24,7 +24,7 @@ class LatticePreconditioner {
   // Where its factorisation fails, the diagonal works alone.
   void refresh_lattice(const BlockCsr& matrix);
 
-  // z from r, 3 values a node (z may be longer); gives back r . z.
+  // z from r, 3 values a node and one more; gives back r . z.
   double apply(const std::vector<float>& r, std::vector<float>& z) const;
 
   [[nodiscard]] std::size_t lattice_points() const { return lattice_.size(); }
@@ -46,6 +46,8 @@ class LatticePreconditioner {
   std::vector<std::vector<Share>> shares_;      // of each such point
   std::vector<float> inverse_diagonal_;         // 9 a node
   std::optional<CholeskyFactor> factor_;
+  Eigen::MatrixXf
+      inverse_;  // instead of the factor, where it is small enough for both cores to multiply with it sooner
 };
 
 }  // namespace glisson::mechanics

@@ -24,6 +24,7 @@ struct MovingBody::Parts {
   TurningCells::Turned turned;
   bool lattice_is_due = true;
   int iterations_when_fresh = 0;  // of the first step after the lattice was refreshed
+  int iterations_lost = 0;        // beyond that, since then
 
   Parts(Body given, MaterialLaw law, const MotionOptions& given_options);
 
@@ -116,9 +117,13 @@ StepReport MovingBody::step(const Eigen::VectorXd& force_mN) {
     report.relative_residual = relative();
   }
   if (report.iterations > 0) {
-    // Refreshing the lattice costs about as much as ten iterations: it waits until its age costs that.
-    if (parts.lattice_is_due) parts.iterations_when_fresh = report.iterations;
-    parts.lattice_is_due = report.iterations > parts.iterations_when_fresh + 10;
+    // Refreshing the lattice costs about as much as a hundred iterations: it waits until its age has cost that.
+    if (parts.lattice_is_due) {
+      parts.iterations_when_fresh = report.iterations;
+      parts.iterations_lost = 0;
+    }
+    parts.iterations_lost += std::max(0, report.iterations - parts.iterations_when_fresh);
+    parts.lattice_is_due = parts.iterations_lost > 100;
   }
 
   report.converged = report.relative_residual <= options.relative_tolerance && dv.allFinite();
@@ -271,7 +276,7 @@ double lattice_spacing_mm(const Body& body) {
     }
   }
   const double mean_mm = sum_mm / (6.0 * static_cast<double>(body.mesh.cells.size()));
-  return std::max(2.5 * mean_mm, 1.01 * longest_mm);
+  return std::max(4.5 * mean_mm, 1.01 * longest_mm);
 }
 
 }  // namespace
