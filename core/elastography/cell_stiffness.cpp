@@ -222,6 +222,7 @@ void summarise(CellStiffness& stiffness) {
 
 Error no_overlap(const std::vector<Vector3d>& points_mm, const Grid& grid) {
   std::vector<Vector3d> corners_mm;
+  corners_mm.reserve(8);
   for (int corner = 0; corner < 8; ++corner) {
     corners_mm.push_back(grid.position_mm(Vector3d((corner & 1) != 0 ? grid.size[0] - 0.5 : -0.5,
                                                    (corner & 2) != 0 ? grid.size[1] - 0.5 : -0.5,
