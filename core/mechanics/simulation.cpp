@@ -187,7 +187,8 @@ Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> 
   auto moving = MovingBody::create(std::move(*body), scenario.material,
                                    {.step_s = motion.step_s,
                                     .mass_damping_per_s = motion.mass_damping_per_s,
-                                    .stiffness_damping_s = motion.stiffness_damping_s});
+                                    .stiffness_damping_s = motion.stiffness_damping_s,
+                                    .max_iterations = 5000});  // nobody waits for a frame here: stiff bodies get theirs
   if (!moving) return failure(std::move(moving.error()));
   const auto force_mN = moving->force_of(scenario.loads);
   if (!force_mN) return failure(force_mN.error());
