@@ -153,7 +153,8 @@ namespace {
 Result<void> save_structure_surfaces(Case& patient, const std::vector<Structure>& structures) {
   for (const Structure& structure : structures) {
     if (segmentation::voxel_count(structure.mask) == 0) continue;
-    const auto surface = meshing::mask_surface(structure.mask);
+    const auto surface = meshing::mask_surface(
+        structure.mask, structure.name == "liver" ? meshing::organ_smoothing : meshing::MaskSurfaceOptions{});
     if (!surface) return failure(surface.error());
     auto saved =
         patient.add("surfaces/" + structure.name, ".vtp", Made{"mesh", {}, {"labels/" + structure.name}, {}, {}},

@@ -326,11 +326,11 @@ void add_landmarks_and_tools(Scene& scene, const ShownResult& shown) {
   }
 }
 
-// 1, 2, 5, 10, 20, ... at or above the value: a legend that ends at a round number.
+// 1, 1.5, 2, 3, ... 10, 15, ... at or above the value: a legend that ends at a round number.
 double round_up(double value) {
   if (!(value > 0)) return 1;
   const double power = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0}) {
+  for (const double step : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0}) {
     if (step * power >= value * (1 - 1e-9)) return step * power;
   }
   return 10 * power;

@@ -51,6 +51,16 @@ TEST(MaskSurface, KeepsItsPlaceOnATurnedAnisotropicLeftHandedGrid) {
   expect_ball(mask_surface(ball(centred_grid({40, 40, 24}, {1.2, 1.2, 2.0}, direction))).value(), 2.0);
 }
 
+TEST(MaskSurface, KeepsAVesselOfTwoVoxels) {
+  const imaging::Grid grid{{10, 10, 60}, {1, 1, 1}, {0, 0, 0}, Eigen::Matrix3d::Identity()};
+  imaging::Mask mask{grid, std::vector<std::uint8_t>(grid.voxels())};
+  for (int k = 5; k < 55; ++k) {
+    for (int offset = 0; offset < 4; ++offset) mask.at(4 + offset % 2, 4 + offset / 2, k) = 1;
+  }
+  // A square bar of 200 mm3 is rounded; most of it must be left (strong smoothing thins it to a thread).
+  EXPECT_GT(geometry::volume_mm3(mask_surface(mask).value()), 0.5 * 200);
+}
+
 TEST(MaskSurface, ClosesWhatTheImageCuts) {
   const imaging::Grid grid{{10, 10, 10}, {1, 1, 1}, {0, 0, 0}, Eigen::Matrix3d::Identity()};
   const imaging::Mask full{grid, std::vector<std::uint8_t>(grid.voxels(), 1)};
