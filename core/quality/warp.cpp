@@ -1,5 +1,7 @@
 #include "quality/warp_internal.h"
 
+#include <algorithm>
+
 namespace glisson::quality {
 
 using Eigen::Vector3d;

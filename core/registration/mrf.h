@@ -77,7 +77,7 @@ enum class Stopping {
 };
 
 struct SolverOptions {
-  int passes = 20;  // the dissertation's fixed number (section 3.3.5); a pass goes once forth and once back
+  int passes = 20;  // 1 or more; the dissertation's fixed number (section 3.3.5); a pass goes once forth and once back
   Stopping stopping = Stopping::dynamic;
   int patience =
       3;  // passes without a lower energy before it is said to have stopped falling: TRW-S often pauses for two

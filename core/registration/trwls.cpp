@@ -20,6 +20,7 @@ MatchingSolution solve(const MatchingProblem& problem, const TrwlsOptions& optio
 Result<MatchingSolution> trwls(const MatchingProblem& problem, const TrwlsOptions& options, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   if (auto good = check(problem); !good) return failure(good.error());
+  GLISSON_ASSERT(options.passes >= 1);
   const bool plain = options.instructions == Instructions::plain;
   MatchingSolution solution;
   switch (options.width) {
@@ -56,10 +57,10 @@ struct Quantised {
   using Total = typename Arithmetic<Word>::Total;
 
   Slices<Word> slices;
-  AlignedVector<Total> seed;      // seed[node * stride + label], less each node's least
-  double least_seeds = 0;         // the sum of what was taken off
-  double energy_of_one = 0;       // the energy that a cost of 1 stands for
-  double most_added_by_rounding;  // no labelling costs more in words than its energy and this
+  AlignedVector<Total> seed;          // seed[node * stride + label], less each node's least
+  double least_seeds = 0;             // the sum of what was taken off
+  double energy_of_one = 0;           // the energy that a cost of 1 stands for
+  double most_added_by_rounding = 0;  // no labelling costs more in words than its energy and this
 };
 
 template <typename Word>

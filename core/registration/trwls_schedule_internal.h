@@ -8,6 +8,7 @@
 // Sweeps follow one another without a gap. Every wait is for a chunk claimed earlier, hence there is no deadlock, even
 // with a single thread.
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <thread>
