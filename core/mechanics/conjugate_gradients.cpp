@@ -27,7 +27,12 @@ double sum_over(std::size_t values, const Work& work) {
 int conjugate_gradients(const BlockCsr& matrix, const std::vector<float>& mask,
                         const LatticePreconditioner& preconditioner, double target_norm, int max_iterations,
                         GradientBuffers& buffers) {
-  auto& [r, x, p, q, z] = buffers;
+  // References and not one structured binding, which a lambda may not capture in clang before 16.
+  std::vector<float>& r = buffers.residual;
+  std::vector<float>& x = buffers.solution;
+  std::vector<float>& p = buffers.direction;
+  std::vector<float>& q = buffers.product;
+  std::vector<float>& z = buffers.preconditioned;
   const std::size_t values = 3 * static_cast<std::size_t>(matrix.rows());
   std::fill(x.begin(), x.end(), 0.0F);
   double r_dot_z = preconditioner.apply(r, z);
