@@ -56,6 +56,7 @@ KnownStructure known_structure(std::string_view name) {
 
 std::vector<std::string> known_structure_names() {
   std::vector<std::string> names;
+  names.reserve(known.size());
   for (const Entry& entry : known) names.emplace_back(entry.name);
   return names;
 }
