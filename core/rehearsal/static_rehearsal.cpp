@@ -142,6 +142,7 @@ Result<BodyResponse> StaticRehearsal::Parts::response_to_tool(const Body& body, 
                                                               double radius_mm) const {
   // A force of 1 N along each axis; any other is their sum.
   std::vector<mechanics::Loads> unit_loads;
+  unit_loads.reserve(3);
   for (int axis = 0; axis < 3; ++axis) {
     unit_loads.push_back({mechanics::ToolLoad{center_mm, radius_mm, units::mN_from_N(1.0) * Vector3d::Unit(axis)}});
   }
