@@ -36,7 +36,7 @@ Result<ConstrainedSystem> ConstrainedSystem::create(Eigen::SparseMatrix<double> 
     if (!factor) return failure(std::move(factor.error()));
     system.factor_ = std::move(*factor);
   }
-  system.lower_ = std::move(lower);
+  system.lower_.swap(lower);  // Eigen's sparse matrices have no move: assigning would copy
   return system;
 }
 
