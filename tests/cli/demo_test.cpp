@@ -1,0 +1,54 @@
+// The main job through the program itself: the demo's own DICOM files, read back, to moved landmarks and a report.
+
+#include <gmock/gmock.h>
+
+#include "base/files.h"
+#include "support/process.h"
+
+namespace glisson::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+// One test, since the study takes half a minute to make and read.
+TEST(Demo, GoesFromDicomToAReportWithoutADisplay) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "demo";
+  const char* display = std::getenv("DISPLAY");
+  const std::string kept = display ? display : "";
+  unsetenv("DISPLAY");
+  const Finished finished = glisson_cli({"demo", "--out", out.string(), "--json", "--quiet"});
+  if (display) setenv("DISPLAY", kept.c_str(), 1);
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  const Json summary = finished.json();
+
+  // What a person would check: the liver is found, the model is the patient's, the equilibrium is one.
+  EXPECT_GT(summary.at("liver_dice").get<double>(), 0.9);
+  EXPECT_NEAR(summary.at("cells").get<double>(), 20000, 0.15 * 20000);
+  EXPECT_LT(summary.at("stiffness").at("mean_error_kPa").get<double>(),
+            0.25 * summary.at("stiffness").at("mean_kPa").get<double>());
+  EXPECT_LT(summary.at("relative_residual").get<double>(), 1e-9);
+  EXPECT_GT(summary.at("max_displacement_mm").get<double>(), 5.0);
+  EXPECT_GE(summary.at("landmarks").size(), 10u);
+
+  const std::string report = read_text_file(out / "report.html").value();
+  EXPECT_THAT(report, HasSubstr("SIMULATED"));
+  EXPECT_THAT(report, HasSubstr("Not a medical device"));
+  for (const char* picture : {"anatomy", "liver", "stiffness", "model", "displacement", "comparison"}) {
+    EXPECT_TRUE(fs::exists(out / "pictures" / (std::string(picture) + ".png"))) << picture;
+  }
+
+  // The case is one for the other commands, and a second demo does not overwrite what is not a demo.
+  const std::string patient = (out / "demo.glisson").string();
+  const Finished exported = glisson_cli(
+      {"export", patient, "--format", "dicom-seg", "--out", (folder.path() / "seg.dcm").string(), "--json", "--quiet"});
+  EXPECT_EQ(exported.exit_code, 0) << exported.err;
+  const Json found = glisson_cli({"scan", (folder.path() / "seg.dcm").string(), "--json", "--quiet"}).json();
+  EXPECT_EQ(found.at("series")[0].at("role"), "segmentation");
+  ASSERT_TRUE(write_text_file(folder.path() / "taken" / "thesis.txt", "precious"));
+  EXPECT_EQ(glisson_cli({"demo", "--out", (folder.path() / "taken").string(), "--quiet"}).exit_code, 1);
+}
+
+}  // namespace
+}  // namespace glisson::test
