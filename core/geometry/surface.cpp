@@ -101,7 +101,7 @@ std::vector<int> pinched_points(const Surface& surface) {
   // the steps from any of them comes back after all of them.
   struct Step {
     int point, from, to;
-    auto operator<=>(const Step&) const = default;
+    auto operator<=>(const Step&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 reads 0 as a pointer
   };
   std::vector<Step> steps;
   steps.reserve(3 * surface.triangles.size());

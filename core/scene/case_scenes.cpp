@@ -149,6 +149,7 @@ void add_outlines(SliceItem& slice, std::vector<Structure>& structures) {
 Scene slice_scene(SliceItem slice, const imaging::Grid& framed) {
   Scene scene;
   std::vector<Eigen::Vector3d> corners;
+  corners.reserve(8);
   for (int corner = 0; corner < 8; ++corner) {
     corners.push_back(framed.position_mm(corner & 1 ? framed.size[0] : 0, corner & 2 ? framed.size[1] : 0,
                                          corner & 4 ? framed.size[2] : 0));
