@@ -322,17 +322,18 @@ void MainWindow::about() {
 
 void MainWindow::load(const QString& title, std::function<Result<Patient>(const Progress&)> loader,
                       std::function<void()> once_shown) {
-  const bool begun = work_.start(title, [this, loader = std::move(loader), once_shown](const Progress& progress) {
-    auto patient = std::make_shared<Result<Patient>>(loader(progress));
-    return BackgroundWork::Then([this, patient, once_shown] {
-      if (!*patient) {
-        show_error(patient->error());
-        return;
-      }
-      show_patient(**patient);
-      if (once_shown) once_shown();
-    });
-  });
+  const bool begun = work_.start(
+      title, [this, loader = std::move(loader), once_shown = std::move(once_shown)](const Progress& progress) {
+        auto patient = std::make_shared<Result<Patient>>(loader(progress));
+        return BackgroundWork::Then([this, patient, once_shown] {
+          if (!*patient) {
+            show_error(patient->error());
+            return;
+          }
+          show_patient(**patient);
+          if (once_shown) once_shown();
+        });
+      });
   if (!begun) show_notice(tr("Something else is still under way. Wait for it, or cancel it first."));
 }
 
