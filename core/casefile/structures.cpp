@@ -145,11 +145,11 @@ std::vector<Eigen::Vector3d> spread_points(const imaging::Mask& mask, const imag
   return taken;
 }
 
+}  // namespace
+
 bool is_vessel(const std::string& name) {
   return name.find("vein") != std::string::npos || name.find("arter") != std::string::npos;
 }
-
-}  // namespace
 
 std::vector<mechanics::Landmark> landmarks_of(const std::vector<Structure>& structures, int points_per_vessel) {
   const imaging::Mask* liver = nullptr;

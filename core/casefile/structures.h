@@ -37,6 +37,9 @@ Result<SavedStructure> save_structure(Case& patient, const segmentation::Structu
 // All structures of the case, the liver first.
 Result<std::vector<segmentation::Structure>> read_structures(const Case& patient);
 
+// Whether a structure or landmark of that name is (on) a vessel: "portal-vein", "hepatic-vein-3", "artery".
+[[nodiscard]] bool is_vessel(const std::string& name);
+
 // Points to follow: the centre of each tumour and cyst, and points spread along each vessel inside the liver (the
 // farthest from one another first). Positions are rest positions, patient LPS, mm.
 std::vector<mechanics::Landmark> landmarks_of(const std::vector<segmentation::Structure>& structures,

@@ -268,16 +268,22 @@ Result<ShownResult> read_shown_result(const fs::path& folder) {
   return shown;
 }
 
+// The displacement of the body at a place in it.
+Eigen::Vector3d displacement_at(const mechanics::PointInMesh& place, const ShownResult& shown) {
+  Eigen::Vector3d u = Eigen::Vector3d::Zero();
+  const auto& cell = shown.result.mesh.cells[static_cast<std::size_t>(place.cell)];
+  for (int corner = 0; corner < 4; ++corner) {
+    u += place.barycentric[corner] * shown.displacement_mm[static_cast<std::size_t>(cell[corner])];
+  }
+  return u;
+}
+
 // Carries a surface with the body around it, and keeps how far each point went as a field.
 geometry::Surface moved(geometry::Surface surface, const ShownResult& shown) {
   const auto places = mechanics::locate_points(shown.result.mesh, surface.points_mm);
   geometry::Field field{"displacement_mm", 1, std::vector<double>(surface.points_mm.size())};
   for (std::size_t p = 0; p < places.size(); ++p) {
-    Eigen::Vector3d u = Eigen::Vector3d::Zero();
-    const auto& cell = shown.result.mesh.cells[static_cast<std::size_t>(places[p].cell)];
-    for (int corner = 0; corner < 4; ++corner) {
-      u += places[p].barycentric[corner] * shown.displacement_mm[static_cast<std::size_t>(cell[corner])];
-    }
+    const Eigen::Vector3d u = displacement_at(places[p], shown);
     surface.points_mm[p] += u;
     field.values[p] = u.norm();
   }
@@ -307,21 +313,18 @@ Result<Scene> moved_organ(const ShownResult& shown) {
 void add_landmarks_and_tools(Scene& scene, const ShownResult& shown) {
   for (const auto& landmark : shown.result.landmarks) {
     const bool significant = landmark.displacement_mm >= rehearsal::significant_mm;
-    const bool vessel_point =
-        landmark.id.find("vein") != std::string::npos || landmark.id.find("arter") != std::string::npos;
-    scene.landmarks.push_back({vessel_point ? "" : fmt::format("{} {:.1f} mm", landmark.id, landmark.displacement_mm),
-                               landmark.displaced_mm, 2.5, significant ? flag_orange : ivory});
+    // The points on vessels are many; their names would hide the picture.
+    const std::string label = casefile::is_vessel(landmark.id)
+                                  ? std::string()
+                                  : fmt::format("{} {:.1f} mm", landmark.id, landmark.displacement_mm);
+    scene.landmarks.push_back({label, landmark.displaced_mm, 2.5, significant ? flag_orange : ivory});
   }
   for (const auto& tool : shown.result.tools) {
     const double force_N = units::N_from_mN(tool.force_mN.norm());
     if (force_N <= 0) continue;
-    // The arrow ends where the tool now touches, and comes from where it pulls to.
+    // The arrow begins where the tool now touches, and points where it pulls.
     const auto place = mechanics::locate_points(shown.result.mesh, {tool.center_mm}).front();
-    Eigen::Vector3d touched = tool.center_mm;
-    for (int corner = 0; corner < 4; ++corner) {
-      const int point = shown.result.mesh.cells[static_cast<std::size_t>(place.cell)][corner];
-      touched += place.barycentric[corner] * shown.displacement_mm[static_cast<std::size_t>(point)];
-    }
+    const Eigen::Vector3d touched = tool.center_mm + displacement_at(place, shown);
     scene.arrows.push_back(
         {touched, touched + 45 * tool.force_mN.normalized(), 3, tool_blue, fmt::format("{:.1f} N", force_N)});
   }
