@@ -101,7 +101,9 @@ class Schedule {
       if (sweep == 0) return true;
       const bool back = sweep % 2 == 1;
       if (back && passes_read_.load(std::memory_order_acquire) < sweep / 2) return false;
-      return all_done(sweep - 1, nodes_ - 2);
+      // The last belief of a sweep has no messages that wait for it: without this a thread may still be at it when the
+      // next sweep ends, and both write in the same place.
+      return all_done(sweep - 1, nodes_ - 2) && gathered_[count() - 1].load(std::memory_order_acquire) >= sweep;
     }
     if (head_done_[static_cast<std::size_t>(position - 1)].load(std::memory_order_acquire) <= sweep) return false;
     return position < 2 || all_done(sweep, position - 2);

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "problems.h"
 #include "registration/trwls.h"
+#include "registration/trwls_schedule_internal.h"
 #include "registration/trws.h"
 
 namespace glisson::registration {
@@ -125,6 +126,26 @@ TEST(Trwls, IsTrwsInDoublePrecision) {
     }
     EXPECT_NEAR(ours.energy, baseline.energy, 1e-9 * baseline.energy);
   }
+}
+
+// A thread may be held up for long between taking a belief and having gathered it. The last belief of a sweep is one
+// that no message waits for.
+TEST(Trwls, BeginsNoSweepBeforeTheLastBeliefOfTheOneBeforeIsGathered) {
+  constexpr int nodes = 3;
+  Schedule schedule(nodes, 2);
+  bool began_early = false;
+  const auto gather = [&](int sweep, int position) {
+    if (sweep != 0 || position != nodes - 1) return;
+    began_early = schedule.gather_next([](int, int) {});
+  };
+  for (std::size_t chunk = 0; chunk < schedule.chunks(); ++chunk) {
+    const Schedule::Claim claim = schedule.claim();
+    ASSERT_TRUE(schedule.wait_for_belief(claim.sweep, schedule.chunk(claim.chunk).position, gather));
+    schedule.finished(claim);
+  }
+  ASSERT_TRUE(schedule.wait_for_belief(0, nodes - 1, gather));
+  EXPECT_FALSE(began_early);
+  EXPECT_TRUE(schedule.gather_next(gather));
 }
 
 // Every instruction set that this machine has, against portable code; with label counts that leave parts of vectors
