@@ -1,0 +1,36 @@
+#pragma once
+// What an experiment gives, whatever its sort: a long vector of measured numbers, each with its standard deviation and
+// with what is known about when, where and under which load it was taken. Everything that judges or selects is written
+// against this alone.
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace glisson::closedloop {
+
+struct Observations {
+  std::string unit;                     // "mm", "kPa"; "noise" where quantities of several units are joined
+  std::vector<std::string> directions;  // what the components of a point are called: {"x","y","z"}, {"stress"}, ...
+  std::vector<std::string> trials;      // ids
+
+  // Row after row, grouped by trial and within it by time; all have as many rows.
+  Eigen::VectorXd measured;    // NaN where predict() was asked for what nobody measured
+  Eigen::VectorXd noise;       // standard deviation, > 0, of independent errors
+  std::vector<int> trial;      // index into `trials`
+  std::vector<int> sample;     // rows of one trial with the same number were measured at the same moment
+  std::vector<int> direction;  // index into `directions`
+  std::vector<int> point;      // rows with the same number make one vector (x, y, z of one marker); consecutive
+  Eigen::VectorXd time_s;
+  Eigen::VectorXd load;      // what was done: force (N), strain, current (A)
+  Eigen::MatrixXd place_mm;  // three columns; no rows where the experiment has no places
+  // Whatever else a smooth correction may depend on besides load and place (the tool's place, the strain rate,
+  // the charge drawn): a column each; may have no columns.
+  Eigen::MatrixXd conditions;
+
+  [[nodiscard]] Eigen::Index rows() const { return measured.size(); }
+  [[nodiscard]] int trial_count() const { return static_cast<int>(trials.size()); }
+  [[nodiscard]] bool has_places() const { return place_mm.rows() == rows() && rows() > 0; }
+};
+
+}  // namespace glisson::closedloop
