@@ -11,9 +11,8 @@
 #include "base/parallel.h"
 #include "base/units.h"
 #include "elastography/region_statistics.h"
-#include "geometry/surface.h"
-#include "imaging/distance_map.h"
-#include "imaging/gaussian_blur.h"
+#include "geometry/nearest.h"
+#include "imaging/filters.h"
 
 namespace glisson::elastography {
 namespace {
@@ -28,9 +27,22 @@ enum class Trust : std::uint8_t { reliable, without_value, not_confident, at_bor
 
 Result<void> check(const std::vector<Vector3d>& points_mm, const Volume& shear_kPa, const StiffnessOptions& options);
 std::vector<Trust> trust_in(const Volume& shear_kPa, const Reliability& reliability, double unreliable_border_mm);
-// For each voxel of the map the shear stiffness to fill in there.
-std::vector<float> filling_kPa(const Volume& shear_kPa, const std::vector<Trust>& trust,
-                               const StiffnessOptions& options);
+
+// What to fill in where the map is not to be trusted.
+class Fill {
+ public:
+  Fill(const Volume& shear_kPa, const std::vector<Trust>& trust, const StiffnessOptions& options);
+  // The shear stiffness for a voxel of the map.
+  [[nodiscard]] float shear_kPa(const std::array<int, 3>& index) const;
+
+ private:
+  Grid grid_;
+  std::vector<std::size_t> reliable_;  // voxels
+  geometry::NearestPoint centres_;     // of those
+  std::vector<float> value_kPa_;       // of every voxel: what it gives to those near it
+  std::vector<float> weight_;          // below smallest_weight the nearest reliable voxel's value stands
+};
+
 Error no_overlap(const std::vector<Vector3d>& points_mm, const Grid& grid);
 void count(CellStiffness& stiffness, Trust trust);
 void summarise(CellStiffness& stiffness);
@@ -69,7 +81,7 @@ Result<CellStiffness> cell_stiffness(const std::vector<Vector3d>& points_mm, con
                                       "voxels nearer to the border."),
                          {}});
   }
-  const std::vector<float> filling = filling_kPa(shear_kPa, trust, options);
+  const Fill fill(shear_kPa, trust, options);
 
   CellStiffness stiffness;
   stiffness.youngs_kPa.reserve(points_mm.size());
@@ -83,7 +95,7 @@ Result<CellStiffness> cell_stiffness(const std::vector<Vector3d>& points_mm, con
     } else {
       count(stiffness, trust[voxel]);
     }
-    const float shear = measured ? shear_kPa.values[voxel] : filling[voxel];
+    const float shear = measured ? shear_kPa.values[voxel] : fill.shear_kPa(at.index);
     stiffness.youngs_kPa.push_back(units::youngs_from_shear(static_cast<double>(shear), options.poisson_ratio));
     stiffness.source.push_back(measured ? StiffnessSource::measured : StiffnessSource::filled);
   }
@@ -174,28 +186,52 @@ std::vector<Trust> trust_in(const Volume& shear_kPa, const Reliability& reliabil
   return trust;
 }
 
-std::vector<float> filling_kPa(const Volume& shear_kPa, const std::vector<Trust>& trust,
-                               const StiffnessOptions& options) {
-  Mask reliable{shear_kPa.grid, std::vector<std::uint8_t>(trust.size())};
-  for (std::size_t voxel = 0; voxel < trust.size(); ++voxel) reliable.values[voxel] = trust[voxel] == Trust::reliable;
-  const imaging::NearestVoxels nearest = imaging::nearest_voxels(reliable);
-  std::vector<float> filling(trust.size());
-  for (std::size_t voxel = 0; voxel < trust.size(); ++voxel) filling[voxel] = shear_kPa.values[nearest.offset[voxel]];
-  if (options.filling == Filling::nearest_reliable) return filling;
+// The Gaussian's recursion is exact to about a hundredth of its height: below that there is no average to speak of.
+constexpr float smallest_weight = 0.01F;
 
-  // Beyond the Gaussian's reach the nearest reliable voxel's average stands.
-  std::vector<float> weight(reliable.values.begin(), reliable.values.end());
+std::vector<std::size_t> reliable_voxels(const std::vector<Trust>& trust) {
+  std::vector<std::size_t> voxels;
+  for (std::size_t voxel = 0; voxel < trust.size(); ++voxel) {
+    if (trust[voxel] == Trust::reliable) voxels.push_back(voxel);
+  }
+  return voxels;
+}
+
+std::vector<Vector3d> centres_mm(const Grid& grid, const std::vector<std::size_t>& voxels) {
+  const auto width = static_cast<std::size_t>(grid.size[0]), height = static_cast<std::size_t>(grid.size[1]);
+  std::vector<Vector3d> centres;
+  centres.reserve(voxels.size());
+  for (const std::size_t voxel : voxels) {
+    centres.push_back(grid.position_mm(static_cast<int>(voxel % width), static_cast<int>(voxel / width % height),
+                                       static_cast<int>(voxel / width / height)));
+  }
+  return centres;
+}
+
+Fill::Fill(const Volume& shear_kPa, const std::vector<Trust>& trust, const StiffnessOptions& options)
+    : grid_(shear_kPa.grid),
+      reliable_(reliable_voxels(trust)),
+      centres_(centres_mm(grid_, reliable_)),
+      value_kPa_(shear_kPa.values),
+      weight_(trust.size(), 0.0F) {
+  if (options.filling == Filling::nearest_reliable) return;
   std::vector<float> sum(trust.size(), 0.0F);
-  for (std::size_t voxel = 0; voxel < trust.size(); ++voxel) {
-    if (reliable.values[voxel] != 0) sum[voxel] = shear_kPa.values[voxel];
+  for (const std::size_t voxel : reliable_) {
+    weight_[voxel] = 1.0F;
+    sum[voxel] = shear_kPa.values[voxel];
   }
-  weight = imaging::gaussian_blur(std::move(weight), shear_kPa.grid, options.averaging_length_mm);
-  sum = imaging::gaussian_blur(std::move(sum), shear_kPa.grid, options.averaging_length_mm);
-  for (std::size_t voxel = 0; voxel < trust.size(); ++voxel) {
-    const std::size_t from = weight[voxel] > 1e-3F ? voxel : nearest.offset[voxel];
-    filling[voxel] = sum[from] / weight[from];
+  weight_ = imaging::gaussian_blur(std::move(weight_), grid_, options.averaging_length_mm);
+  sum = imaging::gaussian_blur(std::move(sum), grid_, options.averaging_length_mm);
+  for (std::size_t voxel = 0; voxel < sum.size(); ++voxel) {
+    if (weight_[voxel] >= smallest_weight) value_kPa_[voxel] = sum[voxel] / weight_[voxel];
   }
-  return filling;
+}
+
+float Fill::shear_kPa(const std::array<int, 3>& index) const {
+  const std::size_t voxel = grid_.offset(index[0], index[1], index[2]);
+  if (weight_[voxel] >= smallest_weight) return value_kPa_[voxel];
+  const int nearest = centres_.nearest(grid_.position_mm(index[0], index[1], index[2])).point;
+  return value_kPa_[reliable_[static_cast<std::size_t>(nearest)]];
 }
 
 void count(CellStiffness& stiffness, Trust trust) {

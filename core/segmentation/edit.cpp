@@ -9,9 +9,6 @@
 
 #include "base/parallel.h"
 #include "base/result.h"
-#include "imaging/distance_map.h"
-#include "imaging/gaussian_blur.h"
-#include "segmentation/connected.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -72,26 +69,8 @@ Mask cut(Mask mask, const Outline& outline, CutSide side) {
   return mask;
 }
 
-Mask fill_holes(Mask mask) {
-  const ConnectedVoxels background = connected_voxels(inverse_of(mask), Neighbours::faces);
-  std::vector<bool> reaches_border(background.sizes.size(), false);
-  const Grid& grid = mask.grid;
-  for (int k = 0; k < grid.size[2]; ++k) {
-    for (int j = 0; j < grid.size[1]; ++j) {
-      const bool whole_row = k == 0 || j == 0 || k + 1 == grid.size[2] || j + 1 == grid.size[1];
-      for (int i = 0; i < grid.size[0]; ++i) {
-        if (whole_row || i == 0 || i + 1 == grid.size[0]) reaches_border[background.piece[grid.offset(i, j, k)]] = true;
-      }
-    }
-  }
-  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
-    if (mask.values[voxel] == 0 && !reaches_border[background.piece[voxel]]) mask.values[voxel] = 1;
-  }
-  return mask;
-}
-
 Mask keep_largest(Mask mask) {
-  const ConnectedVoxels connected = connected_voxels(mask, Neighbours::all);
+  const imaging::ConnectedVoxels connected = imaging::connected_voxels(mask, imaging::Neighbours::all);
   const std::uint32_t largest = connected.largest();
   for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
     if (connected.piece[voxel] != largest) mask.values[voxel] = 0;
@@ -100,14 +79,10 @@ Mask keep_largest(Mask mask) {
 }
 
 Mask smooth(Mask mask, double radius_mm) {
-  const std::vector<float> inside(mask.values.begin(), mask.values.end());
-  // What lies beyond the image is unknown, not empty: the weights keep a structure from shrinking from the border.
-  const std::vector<float> sum = imaging::gaussian_blur(inside, mask.grid, radius_mm);
-  const std::vector<float> weight =
-      imaging::gaussian_blur(std::vector<float>(inside.size(), 1.0F), mask.grid, radius_mm);
-  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
-    mask.values[voxel] = sum[voxel] >= 0.5F * weight[voxel] ? 1 : 0;
-  }
+  // What lies beyond the image is unknown, not empty: the blur goes on there with what the border holds.
+  const std::vector<float> inside =
+      imaging::gaussian_blur({mask.values.begin(), mask.values.end()}, mask.grid, radius_mm);
+  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) mask.values[voxel] = inside[voxel] >= 0.5F ? 1 : 0;
   return mask;
 }
 

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "imaging/image.h"
+#include "imaging/filters.h"
 
 namespace glisson::segmentation {
 
@@ -38,7 +38,7 @@ enum class CutSide { inside, outside };
 [[nodiscard]] imaging::Mask cut(imaging::Mask mask, const Outline& outline, CutSide side);
 
 // Fills every hole that no path through faces leads out of.
-[[nodiscard]] imaging::Mask fill_holes(imaging::Mask mask);
+using imaging::fill_holes;
 
 // Keeps the largest piece (26 neighbours); an empty mask stays empty.
 [[nodiscard]] imaging::Mask keep_largest(imaging::Mask mask);

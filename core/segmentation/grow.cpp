@@ -8,7 +8,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "segmentation/connected.h"
+#include "imaging/filters.h"
 #include "segmentation/edit.h"
 #include "segmentation/slice_holes.h"
 #include "segmentation/structures.h"
@@ -143,7 +143,7 @@ namespace {
 Region region_of(const Mask& tissue, const std::vector<Seed>& seeds, const GrowOptions& options) {
   Region region;
   region.core = with_margin(tissue, -options.neck_radius_mm);
-  const ConnectedVoxels connected = connected_voxels(region.core, Neighbours::faces);
+  const imaging::ConnectedVoxels connected = imaging::connected_voxels(region.core, imaging::Neighbours::faces);
   std::vector<bool> kept(connected.sizes.size(), false);
   for (const Seed& seed : seeds) {
     // A seed near the liver's surface lies outside the core: the nearest part of the core around it is meant.
@@ -191,7 +191,7 @@ Mask finished(const Region& region, const Grid& grid, const std::array<int, 3>& 
   for (std::size_t voxel = 0; voxel < fine.size(); ++voxel) mask.values[voxel] = fine[voxel] >= 0.5F ? 1 : 0;
 
   // Crumbs that smoothing broke off go; pieces that hold seeds of their own stay.
-  const ConnectedVoxels connected = connected_voxels(mask, Neighbours::faces);
+  const imaging::ConnectedVoxels connected = imaging::connected_voxels(mask, imaging::Neighbours::faces);
   const std::size_t crumb = connected.sizes[connected.largest()] / 100;
   for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
     if (connected.sizes[connected.piece[voxel]] <= crumb) mask.values[voxel] = 0;

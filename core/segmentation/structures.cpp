@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "base/units.h"
-#include "segmentation/connected.h"
+#include "imaging/filters.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -144,7 +144,7 @@ Result<double> dice(const imaging::Mask& a, const imaging::Mask& b) {
 }
 
 std::vector<Piece> pieces(const imaging::Mask& mask) {
-  const ConnectedVoxels connected = connected_voxels(mask, Neighbours::all);
+  const imaging::ConnectedVoxels connected = imaging::connected_voxels(mask, imaging::Neighbours::all);
   const imaging::Grid& grid = mask.grid;
   std::vector<Piece> found(connected.sizes.size());
   for (int k = 0; k < grid.size[2]; ++k) {

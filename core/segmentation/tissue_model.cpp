@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "imaging/gaussian_blur.h"
+#include "imaging/filters.h"
 #include "segmentation/working_grid.h"
 
 namespace glisson::segmentation {

@@ -12,7 +12,7 @@
 #include "imaging/dicom_seg.h"
 #include "imaging/dicom_uid.h"
 #include "imaging/dicom_write.h"
-#include "imaging/distance_map.h"
+#include "imaging/filters.h"
 #include "imaging/volume_file.h"
 #include "segmentation/rasterise.h"
 #include "segmentation/structures.h"

@@ -11,7 +11,7 @@
 #include <random>
 
 #include "base/parallel.h"
-#include "imaging/distance_map.h"
+#include "imaging/filters.h"
 #include "imaging/volume_file.h"
 #include "segmentation/edit.h"
 #include "segmentation/structures.h"
