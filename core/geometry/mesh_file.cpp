@@ -30,6 +30,7 @@
 #include <string>
 
 #include "base/files.h"
+#include "geometry/legacy_vtk_guard.h"
 #include "geometry/mesh_file_guard.h"
 #include "geometry/obj_file.h"
 #include "geometry/off_file.h"
@@ -156,6 +157,9 @@ class FirstComplaint : public vtkCommand {
 template <typename Reader, typename Data>
 Result<vtkSmartPointer<Data>> read_with(const fs::path& file) {
   if (auto checked = check_announced_counts(file); !checked) return failure(checked.error());
+  if constexpr (std::is_base_of_v<vtkDataReader, Reader>) {
+    if (auto checked = check_cell_lists(file); !checked) return failure(checked.error());
+  }
   const vtkNew<FirstComplaint> complaint;
   try {
     const vtkNew<Reader> reader;

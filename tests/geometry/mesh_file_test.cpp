@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <cstring>
 #include <fstream>
+#include <random>
+#include <sstream>
 
 #include "base/files.h"
 #include "geometry/mesh_file.h"
@@ -121,6 +123,67 @@ TEST(MeshFile, AnIndexBeyondThePointsIsRefused) {
   EXPECT_EQ(read_surface(folder.path() / "a.obj").error().code, "surface-index");
   std::ofstream(folder.path() / "b.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -9\n";
   EXPECT_EQ(read_surface(folder.path() / "b.obj").error().code, "surface-index");
+}
+
+TEST(MeshFile, CellListsThatContradictThemselvesAreRefused) {
+  const TemporaryFolder folder;
+  const std::string points = "POINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1";
+  for (const char* cells : {"CELLS 1 5\n9 0 1 2 3\nCELL_TYPES 1\n10", "CELLS 2 5\n4 0 1 2 3\nCELL_TYPES 2\n10 10",
+                            "CELLS 1 5\n-4 0 1 2 3\nCELL_TYPES 1\n10", "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 3\n10 10 10",
+                            "CELLS 1 7\n4 0 1 2 3 0 0\nCELL_TYPES 1\n10", "CELLS 1 5\n4 0 1 2 3"}) {
+    const auto mesh = read_tetrahedra(legacy_grid(folder, points, cells));
+    ASSERT_FALSE(mesh) << cells;
+    EXPECT_EQ(mesh.error().code, "mesh-file-invalid") << cells;
+  }
+}
+
+// As legacy text: points, cells, types.
+std::string legacy_text(const TetMesh& mesh) {
+  std::ostringstream text;
+  text << "# vtk DataFile Version 3.0\nbox\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " << mesh.points_mm.size()
+       << " float\n";
+  for (const Vector3d& point : mesh.points_mm) text << point.transpose() << "\n";
+  text << "CELLS " << mesh.cells.size() << " " << 5 * mesh.cells.size() << "\n";
+  for (const auto& cell : mesh.cells)
+    text << "4 " << cell[0] << " " << cell[1] << " " << cell[2] << " " << cell[3] << "\n";
+  text << "CELL_TYPES " << mesh.cells.size() << "\n";
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) text << "10\n";
+  return text.str();
+}
+
+// VTK's own reader believes the lists; some of these files would bring it down.
+template <typename Read>
+void read_damaged(const std::string& whole, const Read& read) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "damaged.vtk";
+  ASSERT_TRUE(write_text_file(file, whole));
+  ASSERT_TRUE(read(file));
+  int refused = 0;
+  constexpr int tries = 200;
+  for (unsigned seed = 0; seed < tries; ++seed) {
+    std::mt19937 random(seed);
+    std::string bytes = whole;
+    for (int change = 0; change < 4; ++change) {
+      bytes[random() % bytes.size()] = static_cast<char>(seed % 2 == 0 ? random() : '0' + random() % 10);
+    }
+    if (seed % 3 == 0) bytes.resize(random() % bytes.size());
+    ASSERT_TRUE(write_text_file(file, bytes));
+    refused += read(file) ? 0 : 1;
+  }
+  EXPECT_GT(refused, tries / 4);  // those cut short at least
+  EXPECT_LT(refused, tries);
+}
+
+TEST(MeshFile, DamagedLegacyGridsAreReadOrRefusedAndBreakNothing) {
+  read_damaged(legacy_text(test::box_of_tetrahedra({3, 3, 3}, {9, 9, 9})),
+               [](const fs::path& file) { return read_tetrahedra(file).has_value(); });
+}
+
+TEST(MeshFile, DamagedLegacySurfacesAreReadOrRefusedAndBreakNothing) {
+  GLISSON_NEEDS_DATA("sofa_liver_meshes");
+  const auto liver = read_text_file(test::shared_data() / "sofa_liver_meshes/liver.vtk");
+  ASSERT_TRUE(liver);
+  read_damaged(*liver, [](const fs::path& file) { return read_surface(file).has_value(); });
 }
 
 TEST(MeshFile, CountsThatTheFileCannotHoldAreRefusedBeforeMemoryIsTaken) {
