@@ -106,7 +106,7 @@ Result<CsvTable> parse_csv(std::string_view text, const std::filesystem::path& f
   CsvTable table;
   std::string_view line_before;
   char separator = ',';
-  while (!text.empty()) {
+  for (std::size_t line_number = 1; !text.empty(); ++line_number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
@@ -126,6 +126,7 @@ Result<CsvTable> parse_csv(std::string_view text, const std::filesystem::path& f
     }
     for (std::size_t c = 0; c < table.columns.size(); ++c)
       table.columns[c].push_back(c < cells.size() ? number_in(cells[c]) : no_number);
+    table.lines.push_back(line_number);
   }
   if (table.columns.empty()) return refuse(file, "csv-without-numbers", GLISSON_TEXT("{0} holds no rows of numbers."));
   return table;

@@ -13,6 +13,7 @@ namespace glisson {
 struct CsvTable {
   std::vector<std::string> names;            // of the columns; "1", "2", ... where the file has no header
   std::vector<std::vector<double>> columns;  // NaN where a cell holds no number
+  std::vector<std::size_t> lines;            // of the file, from 1, one a row
   std::size_t rows_without_numbers = 0;      // skipped: units, comments, a scope's preamble
 
   [[nodiscard]] std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
