@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "closedloop/palpation_model.h"
+
 namespace glisson::closedloop {
 namespace {
 
@@ -64,7 +66,12 @@ const Effect* effect_of(const ForwardModel& model, const Setting& setting) {
   return found == catalogue.end() ? nullptr : &*found;
 }
 
-Result<std::unique_ptr<ForwardModel>> forward_model(Experiment experiment, const Progress&) {
+Result<std::unique_ptr<ForwardModel>> forward_model(Experiment experiment, const Progress& progress) {
+  if (auto* palpation = std::get_if<Palpation>(&experiment.setup)) {
+    return palpation_model(std::move(*palpation), progress).map_error([&](Error error) {
+      return error.file.empty() ? std::move(error).in_file(experiment.file) : error;
+    });
+  }
   return failure(Error{"not-available",
                        GLISSON_TEXT("Experiments such as \"{0}\" cannot be predicted by this version."),
                        {experiment.title},

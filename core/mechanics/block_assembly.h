@@ -1,6 +1,6 @@
 #pragma once
 // Symmetric sparse matrices made of 3x3 blocks that cells give for pairs of their nodes: how they are stored and
-// summed. Inside of this room.
+// summed. For rooms that make a stiffness of cells; it shows how it is stored.
 
 #include <algorithm>
 #include <Eigen/SparseCore>

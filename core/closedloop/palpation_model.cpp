@@ -1,0 +1,578 @@
+#include "closedloop/palpation_model.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <map>
+#include <mutex>
+
+#include "base/parallel.h"
+#include "base/units.h"
+#include "closedloop/palpation_effects.h"
+#include "closedloop/palpation_history.h"
+#include "closedloop/palpation_search.h"
+#include "closedloop/palpation_solver.h"
+#include "closedloop/palpation_state.h"
+#include "closedloop/palpation_stiffening.h"
+#include "mechanics/load_vector.h"
+
+namespace glisson::closedloop {
+namespace {
+
+// One moment at which markers were seen.
+struct Shot {
+  std::size_t trial = 0;
+  Eigen::Index sample = 0;            // of the trial
+  Eigen::Index first_row = 0;         // of the observations
+  std::vector<Eigen::Index> markers;  // among all places of markers
+};
+
+// The history of a trial's load cell.
+struct History {
+  Eigen::VectorXd time_s;
+  Eigen::VectorXd reading_mN;
+  Eigen::Index load = 0;  // the column of its tool among the unit loads
+};
+
+// The columns of unit loads: a mN of each tool, then a mm/s2 of gravity along x, y, z, then a kPa of pressure.
+struct LoadColumns {
+  Eigen::Index tools = 0;
+  [[nodiscard]] Eigen::Index gravity() const { return tools; }
+  [[nodiscard]] Eigen::Index pressure() const { return tools + 3; }
+  [[nodiscard]] Eigen::Index all() const { return tools + 4; }
+};
+
+// How much of each unit load acts at each shot (columns), and its derivatives by the load's own parameters.
+struct Loading {
+  Eigen::MatrixXd amounts;
+  Eigen::MatrixXd by_zero, by_gain;
+  std::vector<Eigen::MatrixXd> by_amplitude, by_time;  // one a creep term
+};
+
+Eigen::Matrix3d rotation(const Eigen::Vector3d& rotation_deg);
+std::array<Eigen::Matrix3d, 3> rotation_derivatives(const Eigen::Vector3d& rotation_deg);
+
+class PalpationModel : public ForwardModel {
+ public:
+  PalpationModel(Palpation experiment, PalpationSolver solver, LoadColumns columns, std::vector<History> histories,
+                 std::vector<Shot> shots, std::vector<Eigen::Vector3d> places_mm, Observations observations)
+      : experiment_(std::move(experiment)),
+        solver_(std::move(solver)),
+        columns_(columns),
+        histories_(std::move(histories)),
+        shots_(std::move(shots)),
+        places_mm_(std::move(places_mm)),
+        observations_(std::move(observations)),
+        catalogue_(palpation_catalogue(experiment_, solver_.specimen())),
+        held_from_kPa_per_mm_(held_from_kPa_per_mm(solver_.specimen())) {}
+
+  [[nodiscard]] const Observations& observations() const override { return observations_; }
+  [[nodiscard]] const std::vector<Effect>& catalogue() const override { return catalogue_; }
+  [[nodiscard]] Result<Eigen::VectorXd> predict(const Settings& settings) const override;
+  [[nodiscard]] Result<Linearisation> linearise(const Settings& settings) const override;
+  [[nodiscard]] std::vector<Eigen::VectorXd> starts(const Effect& effect, const Settings& active,
+                                                    const Eigen::VectorXd& residual) const override;
+
+ private:
+  using Fields = std::vector<Eigen::MatrixXd>;  // a matrix a parameter: displacements of all places at all shots
+
+  [[nodiscard]] PalpationState state(const Settings& settings) const {
+    return state_of(settings, held_from_kPa_per_mm_);
+  }
+  [[nodiscard]] Loading loading(const PalpationState& state) const;
+  [[nodiscard]] Result<Eigen::MatrixXd> displacements(const Settings& settings) const;
+  [[nodiscard]] Result<Fields> linear_derivatives(const Settings& settings) const;
+  [[nodiscard]] Result<Fields> stiffened_derivatives(const Settings& settings) const;
+  [[nodiscard]] Result<Eigen::MatrixXd> equilibria(const Settings& settings) const;
+
+  // From displacements of all places at all shots to rows of observations; `turn` is the frame's rotation.
+  template <typename OfMarker>
+  [[nodiscard]] Eigen::VectorXd rows(const OfMarker& of_marker) const;
+  [[nodiscard]] Eigen::VectorXd seen(const PalpationState& state, const Eigen::MatrixXd& displacements_mm) const;
+
+  Palpation experiment_;
+  PalpationSolver solver_;
+  LoadColumns columns_;
+  std::vector<History> histories_;
+  std::vector<Shot> shots_;
+  std::vector<Eigen::Vector3d> places_mm_;
+  Observations observations_;
+  std::vector<Effect> catalogue_;
+  double held_from_kPa_per_mm_;
+
+  // The last equilibrium with stiffening and how it changes: the next search starts from there.
+  struct Last {
+    Settings settings;
+    Eigen::MatrixXd u_mm;
+    std::vector<Eigen::MatrixXd> by_parameter;
+  };
+  mutable std::mutex last_guard_;
+  mutable std::shared_ptr<const Last> last_;
+};
+
+bool stiffens(const PalpationState& state) { return state.stiffening && state.stiffening->coefficient != 0; }
+
+Result<std::vector<History>> histories_and_loads(const Palpation& experiment, const SpecimenBody& specimen,
+                                                 LoadColumns& columns, Eigen::MatrixXd& loads_mN);
+
+}  // namespace
+
+Result<std::unique_ptr<ForwardModel>> palpation_model(Palpation experiment, const Progress& progress) {
+  progress.report(0.0, "Preparing the specimen");
+  auto specimen = specimen_body(experiment.mesh, experiment.cell_young_kPa, experiment.supports,
+                                experiment.poisson_ratio, experiment.density_kg_mm3);
+  if (!specimen) return failure(std::move(specimen.error()));
+  LoadColumns columns;
+  Eigen::MatrixXd loads_mN;
+  auto histories = histories_and_loads(experiment, *specimen, columns, loads_mN);
+  if (!histories) return failure(std::move(histories.error()));
+
+  std::vector<Shot> shots;
+  std::vector<Eigen::Vector3d> places_mm;
+  Observations seen;
+  seen.unit = "mm";
+  seen.directions = {"x", "y", "z"};
+  struct Row {
+    double measured, time_s, load_N;
+    int trial, sample, direction, point;
+    Eigen::Vector3d place_mm, tool_mm;
+  };
+  std::vector<Row> rows;
+  std::map<std::array<double, 3>, Eigen::Index> known_places;
+  for (std::size_t t = 0; t < experiment.trials.size(); ++t) {
+    const PalpationTrial& trial = experiment.trials[t];
+    seen.trials.push_back(trial.id);
+    for (std::size_t s = 0; s < trial.samples.size(); ++s) {
+      const PalpationSample& sample = trial.samples[s];
+      if (sample.markers.empty()) continue;
+      Shot shot{t, static_cast<Eigen::Index>(s), static_cast<Eigen::Index>(rows.size()), {}};
+      for (const Marker& marker : sample.markers) {
+        const auto& at = marker.rest_mm;
+        const auto [place, is_new] =
+            known_places.try_emplace({at.x(), at.y(), at.z()}, static_cast<Eigen::Index>(places_mm.size()));
+        if (is_new) places_mm.push_back(at);
+        shot.markers.push_back(place->second);
+        const int point = static_cast<int>(rows.size() / 3);
+        for (int d = 0; d < 3; ++d) {
+          rows.push_back({marker.position_mm[d] - at[d], sample.time_s, units::N_from_mN(sample.force_mN),
+                          static_cast<int>(t), static_cast<int>(s), d, point, at, trial.tool.center_mm});
+        }
+      }
+      shots.push_back(std::move(shot));
+    }
+  }
+  if (rows.empty()) return failure("no-measurement", GLISSON_TEXT("No sample of the experiment has markers."));
+
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  seen.measured.resize(count);
+  seen.noise = Eigen::VectorXd::Constant(count, experiment.noise_mm);
+  seen.time_s.resize(count);
+  seen.load.resize(count);
+  seen.place_mm.resize(count, 3);
+  seen.conditions.resize(count, 3);
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const Row& row = rows[static_cast<std::size_t>(r)];
+    seen.measured[r] = row.measured;
+    seen.time_s[r] = row.time_s;
+    seen.load[r] = row.load_N;
+    seen.trial.push_back(row.trial);
+    seen.sample.push_back(row.sample);
+    seen.direction.push_back(row.direction);
+    seen.point.push_back(row.point);
+    seen.place_mm.row(r) = row.place_mm;
+    seen.conditions.row(r) = row.tool_mm;
+  }
+
+  Interpolation markers(specimen->body.layout, mechanics::locate_points(specimen->body.mesh, places_mm));
+  auto solver =
+      PalpationSolver::create(std::move(*specimen), std::move(loads_mN), std::move(markers), progress.part(0.1, 1.0));
+  if (!solver) return failure(std::move(solver.error()));
+  progress.report(1.0, "Solved the declared specimen");
+  return std::make_unique<PalpationModel>(std::move(experiment), std::move(*solver), columns, std::move(*histories),
+                                          std::move(shots), std::move(places_mm), std::move(seen));
+}
+
+namespace {
+
+Result<Eigen::VectorXd> PalpationModel::predict(const Settings& settings) const {
+  return displacements(settings).map([&](const Eigen::MatrixXd& u_mm) { return seen(state(settings), u_mm); });
+}
+
+Result<Linearisation> PalpationModel::linearise(const Settings& settings) const {
+  const PalpationState at = state(settings);
+  auto u_mm = displacements(settings);
+  if (!u_mm) return failure(std::move(u_mm.error()));
+  auto fields = at.stiffening ? stiffened_derivatives(settings) : linear_derivatives(settings);
+  if (!fields) return failure(std::move(fields.error()));
+
+  Linearisation result{seen(at, *u_mm), Eigen::MatrixXd(observations_.rows(), parameter_count(settings))};
+  const Eigen::Matrix3d turn = rotation(at.rotation_deg);
+  const auto turns = rotation_derivatives(at.rotation_deg);
+  Eigen::Index column = 0;
+  for (const Setting& setting : settings) {
+    for (Eigen::Index p = 0; p < setting.parameters.size(); ++p, ++column) {
+      const Eigen::MatrixXd& field = (*fields)[static_cast<std::size_t>(column)];
+      result.derivatives.col(column) = rows([&](Eigen::Index place, Eigen::Index shot) -> Eigen::Vector3d {
+        if (setting.kind != palpation::frame_misalignment) return turn * field.col(shot).segment<3>(3 * place);
+        if (p >= 3) return Eigen::Vector3d::Unit(p - 3);
+        return turns[static_cast<std::size_t>(p)] *
+               (places_mm_[static_cast<std::size_t>(place)] + u_mm->col(shot).segment<3>(3 * place));
+      });
+    }
+  }
+  return result;
+}
+
+template <typename OfMarker>
+Eigen::VectorXd PalpationModel::rows(const OfMarker& of_marker) const {
+  Eigen::VectorXd values(observations_.rows());
+  for (std::size_t s = 0; s < shots_.size(); ++s) {
+    Eigen::Index row = shots_[s].first_row;
+    for (const Eigen::Index place : shots_[s].markers) {
+      values.segment<3>(row) = of_marker(place, static_cast<Eigen::Index>(s));
+      row += 3;
+    }
+  }
+  return values;
+}
+
+Eigen::VectorXd PalpationModel::seen(const PalpationState& state, const Eigen::MatrixXd& displacements_mm) const {
+  const Eigen::Matrix3d turn_less_one = rotation(state.rotation_deg) - Eigen::Matrix3d::Identity();
+  return rows([&](Eigen::Index place, Eigen::Index shot) -> Eigen::Vector3d {
+    const Eigen::Vector3d u = displacements_mm.col(shot).segment<3>(3 * place);
+    return u + turn_less_one * (places_mm_[static_cast<std::size_t>(place)] + u) + state.translation_mm;
+  });
+}
+
+// What acts at each shot.
+Loading PalpationModel::loading(const PalpationState& state) const {
+  const auto shots = static_cast<Eigen::Index>(shots_.size());
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(columns_.all(), shots);
+  Loading loading{none, none, none, {state.creep.size(), none}, {state.creep.size(), none}};
+  for (std::size_t t = 0; t < histories_.size(); ++t) {
+    const History& history = histories_[t];
+    const Eigen::VectorXd force_mN = (history.reading_mN.array() - state.zero_mN) / state.gain;
+    const Eigen::VectorXd effective_mN = effective_load(history.time_s, force_mN, state.creep);
+    const Eigen::VectorXd of_one = effective_load(history.time_s, Eigen::VectorXd::Ones(force_mN.size()), state.creep);
+    std::vector<DelayedLoad> delayed;
+    for (const CreepTerm& term : state.creep) delayed.push_back(delayed_load(history.time_s, force_mN, term.time_s));
+    for (std::size_t s = 0; s < shots_.size(); ++s) {
+      if (shots_[s].trial != t) continue;
+      const auto shot = static_cast<Eigen::Index>(s);
+      const Eigen::Index i = shots_[s].sample;
+      loading.amounts(history.load, shot) = effective_mN[i];
+      loading.by_zero(history.load, shot) = -of_one[i] / state.gain;
+      loading.by_gain(history.load, shot) = -effective_mN[i] / state.gain;
+      for (std::size_t c = 0; c < delayed.size(); ++c) {
+        loading.by_amplitude[c](history.load, shot) = delayed[c].value[i];
+        loading.by_time[c](history.load, shot) = state.creep[c].amplitude * delayed[c].by_time[i];
+      }
+    }
+  }
+  loading.amounts.middleRows<3>(columns_.gravity()).colwise() += experiment_.gravity_mm_s2 + state.gravity_mm_s2;
+  loading.amounts.row(columns_.pressure()).array() += state.pressure_kPa;
+  return loading;
+}
+
+Result<Eigen::MatrixXd> PalpationModel::displacements(const Settings& settings) const {
+  const PalpationState at = state(settings);
+  if (stiffens(at)) {
+    return equilibria(settings).map([&](const Eigen::MatrixXd& u_mm) { return solver_.markers().at_places(u_mm); });
+  }
+  return solver_.at_markers(at.scaled_structure()).map([&](const Eigen::MatrixXd& response) {
+    return (response * loading(at).amounts / at.stiffness_factor).eval();
+  });
+}
+
+// Which of the structure's parameters each parameter of a setting is, and its derivative by it.
+struct Chain {
+  StructureParameter parameter;
+  double factor = 1;
+};
+std::vector<Chain> chain(const Setting& setting, const PalpationState& at) {
+  using S = StructureParameter;
+  if (setting.kind == palpation::stiff_inclusion) {
+    return {{S::inclusion_x}, {S::inclusion_y}, {S::inclusion_z}, {S::inclusion_radius}, {S::inclusion_ratio}};
+  }
+  if (setting.kind == palpation::anisotropy) return {{S::axis_x}, {S::axis_y}, {S::axis_z}, {S::anisotropy_ratio}};
+  if (setting.kind == palpation::capsule) return {{S::capsule, units::mN_from_N(1.0) / at.stiffness_factor}};
+  if (setting.kind == palpation::support_compliance && at.structure.compliance_mm_per_kPa > 0) {
+    const double compliance = at.structure.compliance_mm_per_kPa;
+    return {{S::compliance, -compliance * compliance * at.stiffness_factor}};
+  }
+  return {};
+}
+
+Result<PalpationModel::Fields> PalpationModel::linear_derivatives(const Settings& settings) const {
+  const PalpationState at = state(settings);
+  const Structure structure = at.scaled_structure();
+  const Loading load = loading(at);
+  auto response = solver_.at_markers(structure);
+  if (!response) return failure(std::move(response.error()));
+
+  // All that one factorisation gives, asked for at once.
+  std::vector<StructureParameter> wanted;
+  for (const Setting& setting : settings) {
+    for (const Chain& link : chain(setting, at)) wanted.push_back(link.parameter);
+  }
+  if (at.stiffness_factor != 1 || std::any_of(settings.begin(), settings.end(), [](const Setting& setting) {
+        return setting.kind == palpation::stiffness_scale;
+      })) {
+    if (structure.compliance_mm_per_kPa > 0) wanted.push_back(StructureParameter::compliance);
+    if (structure.capsule_mN_per_mm > 0) wanted.push_back(StructureParameter::capsule);
+  }
+  std::sort(wanted.begin(), wanted.end());
+  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  auto derivatives = solver_.derivatives_at_markers(structure, wanted);
+  if (!derivatives) return failure(std::move(derivatives.error()));
+  const Eigen::MatrixXd amounts = load.amounts / at.stiffness_factor;
+  const auto by = [&](StructureParameter parameter) -> Eigen::MatrixXd {
+    const auto found = std::find(wanted.begin(), wanted.end(), parameter);
+    return (*derivatives)[static_cast<std::size_t>(found - wanted.begin())] * amounts;
+  };
+  const auto of_load = [&](const Eigen::MatrixXd& change) -> Eigen::MatrixXd {
+    return *response * change / at.stiffness_factor;
+  };
+
+  Fields fields;
+  const Eigen::MatrixXd nothing = Eigen::MatrixXd::Zero(response->rows(), amounts.cols());
+  for (const Setting& setting : settings) {
+    const auto links = chain(setting, at);
+    for (Eigen::Index p = 0; p < setting.parameters.size(); ++p) {
+      if (!links.empty()) {
+        const Chain& link = links[static_cast<std::size_t>(p)];
+        fields.emplace_back(link.factor * by(link.parameter));
+      } else if (setting.kind == palpation::stiffness_scale) {
+        const double factor = at.stiffness_factor;
+        Eigen::MatrixXd field = -(*response * amounts) / factor;
+        if (structure.compliance_mm_per_kPa > 0) {
+          field += at.structure.compliance_mm_per_kPa * by(StructureParameter::compliance);
+        }
+        if (structure.capsule_mN_per_mm > 0) {
+          field -= at.structure.capsule_mN_per_mm / (factor * factor) * by(StructureParameter::capsule);
+        }
+        fields.push_back(std::move(field));
+      } else if (setting.kind == palpation::viscoelastic_creep) {
+        const auto terms = static_cast<Eigen::Index>(at.creep.size());
+        const auto term = static_cast<std::size_t>(p % terms);
+        fields.push_back(of_load(p < terms ? load.by_amplitude[term] : load.by_time[term]));
+      } else if (setting.kind == palpation::force_bias) {
+        fields.push_back(p == 0 ? of_load(units::mN_from_N(1.0) * load.by_zero) : of_load(load.by_gain));
+      } else if (setting.kind == palpation::preload && setting.form == palpation::form_pressure) {
+        fields.emplace_back(response->col(columns_.pressure()) *
+                            Eigen::RowVectorXd::Constant(amounts.cols(), 1.0 / at.stiffness_factor));
+      } else if (setting.kind == palpation::preload) {
+        fields.emplace_back(
+            response->col(columns_.gravity() + p) *
+            Eigen::RowVectorXd::Constant(amounts.cols(), units::mm_s2_from_m_s2(1.0) / at.stiffness_factor));
+      } else {
+        fields.push_back(nothing);  // of what is seen alone, or of supports that are held
+      }
+    }
+  }
+  return fields;
+}
+
+Result<Eigen::MatrixXd> PalpationModel::equilibria(const Settings& settings) const {
+  const PalpationState at = state(settings);
+  std::shared_ptr<const Last> last;
+  {
+    const std::lock_guard lock(last_guard_);
+    last = last_;
+  }
+  const auto same_effects = [&] {
+    return last && std::equal(settings.begin(), settings.end(), last->settings.begin(), last->settings.end(),
+                              [](const Setting& a, const Setting& b) { return a.kind == b.kind && a.form == b.form; });
+  };
+  const bool follows = same_effects();
+  if (follows && std::equal(settings.begin(), settings.end(), last->settings.begin(),
+                            [](const Setting& a, const Setting& b) { return a.parameters == b.parameters; })) {
+    return last->u_mm;
+  }
+  auto linear = solver_.solution(at.scaled_structure());
+  if (!linear) return failure(std::move(linear.error()));
+  const Eigen::MatrixXd amounts = loading(at).amounts / at.stiffness_factor;
+  const Eigen::MatrixXd forces_mN = solver_.loads_mN() * amounts;
+  Eigen::MatrixXd start_mm = (*linear)->u_mm * amounts;
+  if (follows) {
+    start_mm = last->u_mm;
+    std::size_t column = 0;
+    for (std::size_t s = 0; s < settings.size(); ++s) {
+      const Eigen::VectorXd step = settings[s].parameters - last->settings[s].parameters;
+      for (Eigen::Index p = 0; p < step.size() && !last->by_parameter.empty(); ++p) {
+        start_mm += step[p] * last->by_parameter[column++];
+      }
+    }
+  }
+  auto found = stiffened_equilibria(solver_.specimen(), **linear, *at.stiffening, forces_mN, start_mm);
+  if (!found && follows) {
+    found = stiffened_equilibria(solver_.specimen(), **linear, *at.stiffening, forces_mN, (*linear)->u_mm * amounts);
+  }
+  if (!found) return failure(std::move(found.error()));
+  const std::lock_guard lock(last_guard_);
+  last_ = std::make_shared<const Last>(Last{settings, *found, {}});
+  return found;
+}
+
+// From what is in balance, R(u; parameters) = 0: du = -(tangent)^-1 dR, with dR by central differences, which are cheap
+// and lose nothing that matters (1e-9 of R).
+Result<PalpationModel::Fields> PalpationModel::stiffened_derivatives(const Settings& settings) const {
+  const PalpationState at = state(settings);
+  auto linear = solver_.solution(at.scaled_structure());
+  if (!linear) return failure(std::move(linear.error()));
+  Eigen::MatrixXd u_mm;
+  if (stiffens(at)) {
+    auto found = equilibria(settings);
+    if (!found) return failure(std::move(found.error()));
+    u_mm = std::move(*found);
+  } else {
+    u_mm = (*linear)->u_mm * loading(at).amounts / at.stiffness_factor;
+  }
+  const Eigen::Index shots = u_mm.cols(), parameters = parameter_count(settings);
+  const auto imbalance = [&](const Settings& moved) {
+    const PalpationState there = state(moved);
+    const Structure structure = there.scaled_structure();
+    Eigen::MatrixXd force_mN = -(solver_.loads_mN() * loading(there).amounts) / there.stiffness_factor;
+    parallel_for(static_cast<std::size_t>(shots), 1, [&](std::size_t begin, std::size_t end) {
+      for (auto s = static_cast<Eigen::Index>(begin); s < static_cast<Eigen::Index>(end); ++s) {
+        force_mN.col(s) += resisting_force_mN(solver_.specimen(), structure, *there.stiffening, u_mm.col(s));
+      }
+    });
+    return force_mN;
+  };
+  Eigen::MatrixXd forces_mN(u_mm.rows(), shots * parameters);
+  std::vector<Eigen::Index> state_of_column;
+  Settings moved = settings;
+  Eigen::Index column = 0;
+  for (std::size_t s = 0; s < settings.size(); ++s) {
+    for (Eigen::Index p = 0; p < settings[s].parameters.size(); ++p, ++column) {
+      const double value = settings[s].parameters[p], step = 1e-5 * std::max(1e-2, std::abs(value));
+      moved[s].parameters[p] = value + step;
+      const Eigen::MatrixXd ahead = imbalance(moved);
+      moved[s].parameters[p] = value - step;
+      forces_mN.middleCols(column * shots, shots) = -(ahead - imbalance(moved)) / (2 * step);
+      moved[s].parameters[p] = value;
+      for (Eigen::Index c = 0; c < shots; ++c) state_of_column.push_back(c);
+    }
+  }
+  auto solved = solve_tangent(solver_.specimen(), **linear, *at.stiffening, u_mm, forces_mN, state_of_column, 1e-6);
+  if (!solved) return failure(std::move(solved.error()));
+  Fields fields, nodal;
+  for (Eigen::Index i = 0; i < parameters; ++i) {
+    nodal.emplace_back(solved->middleCols(i * shots, shots));
+    fields.push_back(solver_.markers().at_places(nodal.back()));
+  }
+  if (stiffens(at)) {
+    const std::lock_guard lock(last_guard_);
+    last_ = std::make_shared<const Last>(Last{settings, std::move(u_mm), std::move(nodal)});
+  }
+  return fields;
+}
+
+std::vector<Eigen::VectorXd> PalpationModel::starts(const Effect& effect, const Settings& active,
+                                                    const Eigen::VectorXd& residual) const {
+  const PalpationState at = state(active);
+  // Displacements of all places at all shots, from what was left over in the camera's frame.
+  const Eigen::Matrix3d turn_back = rotation(at.rotation_deg).transpose();
+  ResidualField left;
+  left.residual_mm =
+      Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(places_mm_.size()), static_cast<Eigen::Index>(shots_.size()));
+  left.seen = Eigen::MatrixXd::Zero(left.residual_mm.rows(), left.residual_mm.cols());
+  for (std::size_t s = 0; s < shots_.size(); ++s) {
+    Eigen::Index row = shots_[s].first_row;
+    for (const Eigen::Index place : shots_[s].markers) {
+      if (residual.segment<3>(row).allFinite()) {
+        left.residual_mm.col(static_cast<Eigen::Index>(s)).segment<3>(3 * place) = turn_back * residual.segment<3>(row);
+        left.seen.col(static_cast<Eigen::Index>(s)).segment<3>(3 * place).setOnes();
+      }
+      row += 3;
+    }
+  }
+  left.amounts = loading(at).amounts / at.stiffness_factor;
+  auto better = palpation_starts(effect, solver_, at, left);
+  return better.empty() ? effect.starts : better;
+}
+
+// --- what the model is made of
+
+Result<std::vector<History>> histories_and_loads(const Palpation& experiment, const SpecimenBody& specimen,
+                                                 LoadColumns& columns, Eigen::MatrixXd& loads_mN) {
+  const mechanics::Body& body = specimen.body;
+  std::vector<mechanics::ToolLoad> tools;
+  std::vector<Eigen::VectorXd> forces;
+  const auto add = [&](const mechanics::Load& load) -> Result<void> {
+    return mechanics::load_vector(body.mesh, body.layout, body.boundary, body.options.density_kg_mm3, {load})
+        .map([&](Eigen::VectorXd force_mN) { forces.push_back(std::move(force_mN)); });
+  };
+  std::vector<History> histories;
+  for (const PalpationTrial& trial : experiment.trials) {
+    History history;
+    const auto samples = static_cast<Eigen::Index>(trial.samples.size());
+    history.time_s.resize(samples);
+    history.reading_mN.resize(samples);
+    for (Eigen::Index s = 0; s < samples; ++s) {
+      history.time_s[s] = trial.samples[static_cast<std::size_t>(s)].time_s;
+      history.reading_mN[s] = trial.samples[static_cast<std::size_t>(s)].force_mN;
+    }
+    const mechanics::ToolLoad tool{trial.tool.center_mm, trial.tool.radius_mm, trial.tool.direction};
+    const auto known = std::find_if(tools.begin(), tools.end(), [&](const mechanics::ToolLoad& other) {
+      return other.center_mm == tool.center_mm && other.radius_mm == tool.radius_mm && other.force_mN == tool.force_mN;
+    });
+    history.load = known - tools.begin();
+    if (known == tools.end()) {
+      if (auto added = add(tool); !added) {
+        Error error = std::move(added.error());
+        error.text = fmt::format("Trial {}: {}", trial.id, error.message());
+        error.arguments.clear();
+        return failure(std::move(error));
+      }
+      tools.push_back(tool);
+    }
+    histories.push_back(std::move(history));
+  }
+  columns.tools = static_cast<Eigen::Index>(tools.size());
+  for (int d = 0; d < 3; ++d) {
+    if (auto added = add(mechanics::GravityLoad{Eigen::Vector3d::Unit(d)}); !added) return failure(added.error());
+  }
+  if (auto added = add(mechanics::PressureLoad{1.0}); !added) return failure(added.error());
+  loads_mN.resize(3 * static_cast<Eigen::Index>(body.layout.nodes()), columns.all());
+  for (std::size_t l = 0; l < forces.size(); ++l) loads_mN.col(static_cast<Eigen::Index>(l)) = forces[l];
+  return histories;
+}
+
+constexpr double radians_per_degree = 0.017453292519943295;
+
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
+
+Eigen::Matrix3d rotation(const Eigen::Vector3d& rotation_deg) {
+  const double angle = radians_per_degree * rotation_deg.norm();
+  if (angle == 0) return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, rotation_deg.normalized()).toRotationMatrix();
+}
+
+// dR/dv_i = [J_l e_i]x R, J_l the left Jacobian of the rotation group (e.g. J. Sola et al. 2018, A micro Lie theory).
+std::array<Eigen::Matrix3d, 3> rotation_derivatives(const Eigen::Vector3d& rotation_deg) {
+  const double angle = radians_per_degree * rotation_deg.norm();
+  Eigen::Matrix3d jacobian = Eigen::Matrix3d::Identity();
+  if (angle > 1e-8) {
+    const Eigen::Vector3d axis = rotation_deg.normalized();
+    jacobian = std::sin(angle) / angle * Eigen::Matrix3d::Identity() +
+               (1 - std::sin(angle) / angle) * axis * axis.transpose() +
+               (1 - std::cos(angle)) / angle * cross_matrix(axis);
+  }
+  const Eigen::Matrix3d turn = rotation(rotation_deg);
+  std::array<Eigen::Matrix3d, 3> derivatives;
+  for (int i = 0; i < 3; ++i) {
+    derivatives[static_cast<std::size_t>(i)] = radians_per_degree * cross_matrix(jacobian.col(i)) * turn;
+  }
+  return derivatives;
+}
+
+}  // namespace
+}  // namespace glisson::closedloop

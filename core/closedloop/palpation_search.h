@@ -1,0 +1,27 @@
+#pragma once
+// Where to begin the search for an effect of a specimen's structure: by what small amounts of it would do to the
+// markers, which the factor at hand gives cheaply, held against what is left unexplained. A hidden inclusion is looked
+// for everywhere at once: adjoint solves (one a marker and direction) give each cell's influence on every marker, sums
+// over spheres of cells give the influence of a lump (Born's approximation). Inside of this room.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "closedloop/effect.h"
+#include "closedloop/palpation_solver.h"
+#include "closedloop/palpation_state.h"
+
+namespace glisson::closedloop {
+
+// What a state leaves unexplained, in the specimen's frame.
+struct ResidualField {
+  Eigen::MatrixXd residual_mm;  // measured - predicted: 3 rows a place, a column a shot; zero where not seen
+  Eigen::MatrixXd seen;         // 1 where seen
+  Eigen::MatrixXd amounts;      // of each unit load (rows) at each shot, divided by the state's stiffness factor
+};
+
+// Best first; empty where the effect's own starts serve as well.
+[[nodiscard]] std::vector<Eigen::VectorXd> palpation_starts(const Effect& effect, const PalpationSolver& solver,
+                                                            const PalpationState& state, const ResidualField& left);
+
+}  // namespace glisson::closedloop

@@ -1,0 +1,151 @@
+#include "closedloop/palpation_solver.h"
+
+#include <algorithm>
+#include <deque>
+#include <mutex>
+
+#include "base/parallel.h"
+
+namespace glisson::closedloop {
+
+// Lately used structures come first. All keep what happened at their markers, the first few their factors too, and the
+// declared one always does.
+struct PalpationSolver::Memory {
+  struct Entry {
+    Structure structure;
+    std::shared_ptr<const Solution> solution;  // may have been let go
+    Eigen::MatrixXd at_markers;
+    std::vector<std::pair<StructureParameter, Eigen::MatrixXd>> derivatives;
+  };
+  static constexpr std::size_t most_entries = 64, most_factors = 2;
+
+  std::recursive_mutex one_at_a_time;
+  std::deque<Entry> entries;
+  std::shared_ptr<const Solution> declared;
+
+  Entry* find(const Structure& structure) {
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.structure == structure; });
+    if (found == entries.end()) return nullptr;
+    std::rotate(entries.begin(), found, found + 1);
+    return &entries.front();
+  }
+  Entry& remember(Entry entry) {
+    entries.push_front(std::move(entry));
+    if (entries.size() > most_entries) entries.pop_back();
+    return entries.front();
+  }
+  void let_go_of_old_factors() {
+    std::size_t kept = 0;
+    for (Entry& entry : entries) {
+      if (entry.solution && entry.solution != declared && ++kept > most_factors) entry.solution.reset();
+    }
+  }
+};
+
+namespace {
+
+// Far below what measurements can see; what is reached is usually 1e-12.
+constexpr mechanics::Refinement refinement{.target = 1e-9, .tolerance = 1e-6, .max_refinements = 3};
+
+Result<std::shared_ptr<const PalpationSolver::Solution>> solve_structure(const SpecimenBody& specimen,
+                                                                         const Structure& structure,
+                                                                         const Eigen::MatrixXd& loads_mN,
+                                                                         const Progress& progress) {
+  auto system = mechanics::ConstrainedSystem::create(stiffness(specimen, structure), held(specimen, structure),
+                                                     specimen.body.options.memory_limit_bytes, progress);
+  if (!system) return failure(std::move(system.error()));
+  auto solution = std::make_shared<PalpationSolver::Solution>(
+      PalpationSolver::Solution{structure, std::move(*system), Eigen::MatrixXd()});
+  const auto columns = solution->system.solve(loads_mN, {}, refinement);
+  solution->u_mm.resize(loads_mN.rows(), loads_mN.cols());
+  for (std::size_t l = 0; l < columns.size(); ++l) {
+    if (!columns[l].converged) {
+      return failure("solve-inexact", GLISSON_TEXT("The specimen's equations are too badly conditioned to be solved."));
+    }
+    solution->u_mm.col(static_cast<Eigen::Index>(l)) = columns[l].u;
+  }
+  return std::shared_ptr<const PalpationSolver::Solution>(std::move(solution));
+}
+
+}  // namespace
+
+Result<PalpationSolver> PalpationSolver::create(SpecimenBody specimen, Eigen::MatrixXd loads_mN, Interpolation markers,
+                                                const Progress& progress) {
+  auto declared = solve_structure(specimen, {}, loads_mN, progress);
+  if (!declared) return failure(std::move(declared.error()));
+  PalpationSolver solver;
+  solver.specimen_ = std::make_shared<const SpecimenBody>(std::move(specimen));
+  solver.loads_mN_ = std::make_shared<const Eigen::MatrixXd>(std::move(loads_mN));
+  solver.markers_ = std::make_shared<const Interpolation>(std::move(markers));
+  solver.memory_ = std::make_shared<Memory>();
+  solver.memory_->declared = *declared;
+  return solver;
+}
+
+Result<Eigen::MatrixXd> PalpationSolver::at_markers(const Structure& structure) const {
+  const std::lock_guard lock(memory_->one_at_a_time);
+  if (const auto* known = memory_->find(structure)) return known->at_markers;
+  if (auto solved = solution(structure); !solved) return failure(std::move(solved.error()));
+  return memory_->find(structure)->at_markers;
+}
+
+Result<std::shared_ptr<const PalpationSolver::Solution>> PalpationSolver::solution(const Structure& structure) const {
+  const std::lock_guard lock(memory_->one_at_a_time);
+  Memory::Entry* entry = memory_->find(structure);
+  if (entry != nullptr && entry->solution) return entry->solution;
+  Result<std::shared_ptr<const Solution>> solved = memory_->declared;
+  if (!(structure == Structure{})) solved = solve_structure(*specimen_, structure, *loads_mN_, {});
+  if (!solved) return failure(std::move(solved.error()));
+  if (entry == nullptr) entry = &memory_->remember({structure, {}, markers_->at_places((*solved)->u_mm), {}});
+  entry->solution = *solved;
+  memory_->let_go_of_old_factors();
+  return solved;
+}
+
+Result<std::vector<Eigen::MatrixXd>> PalpationSolver::derivatives_at_markers(
+    const Structure& structure, const std::vector<StructureParameter>& parameters) const {
+  const std::lock_guard lock(memory_->one_at_a_time);
+  std::vector<StructureParameter> unknown;
+  Memory::Entry* entry = memory_->find(structure);
+  const auto known = [&](StructureParameter parameter) -> const Eigen::MatrixXd* {
+    for (const auto& [name, matrix] : entry->derivatives) {
+      if (name == parameter) return &matrix;
+    }
+    return nullptr;
+  };
+  for (const StructureParameter parameter : parameters) {
+    if (entry == nullptr || known(parameter) == nullptr) unknown.push_back(parameter);
+  }
+  if (!unknown.empty()) {
+    auto solved = solution(structure);
+    if (!solved) return failure(std::move(solved.error()));
+    entry = memory_->find(structure);
+    // K u = f with f fixed: K du = -dK u.
+    const Eigen::MatrixXd& u_mm = (*solved)->u_mm;
+    const Eigen::Index loads = u_mm.cols();
+    Eigen::MatrixXd forces_mN(u_mm.rows(), loads * static_cast<Eigen::Index>(unknown.size()));
+    parallel_for(static_cast<std::size_t>(forces_mN.cols()), 1, [&](std::size_t begin, std::size_t end) {
+      for (auto c = static_cast<Eigen::Index>(begin); c < static_cast<Eigen::Index>(end); ++c) {
+        const StructureParameter parameter = unknown[static_cast<std::size_t>(c / loads)];
+        forces_mN.col(c) = -stiffness_derivative(*specimen_, structure, parameter, u_mm.col(c % loads));
+      }
+    });
+    const Eigen::MatrixXd moved = markers_->at_places(solve(**solved, forces_mN));
+    for (std::size_t i = 0; i < unknown.size(); ++i) {
+      entry->derivatives.emplace_back(unknown[i], moved.middleCols(static_cast<Eigen::Index>(i) * loads, loads));
+    }
+  }
+  std::vector<Eigen::MatrixXd> derivatives;
+  for (const StructureParameter parameter : parameters) derivatives.push_back(*known(parameter));
+  return derivatives;
+}
+
+Eigen::MatrixXd PalpationSolver::solve(const Solution& solution, const Eigen::MatrixXd& forces_mN) {
+  const auto columns = solution.system.solve(forces_mN, {}, {.target = 1e-8, .max_refinements = 1});
+  Eigen::MatrixXd u_mm(forces_mN.rows(), forces_mN.cols());
+  for (std::size_t c = 0; c < columns.size(); ++c) u_mm.col(static_cast<Eigen::Index>(c)) = columns[c].u;
+  return u_mm;
+}
+
+}  // namespace glisson::closedloop
