@@ -1,17 +1,24 @@
 #include "vision/calibration.h"
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <opencv2/core/eigen.hpp>
 #include <opencv2/core/persistence.hpp>
 #include <optional>
 
+#include "base/files.h"
 #include "base/json.h"
 
 namespace glisson::vision {
 namespace {
 
 namespace fs = std::filesystem;
+
+Result<void> checked_rotation(const StereoCalibration& calibration);
 
 Failure invalid(const fs::path& file, std::string what) {
   return failure(Error{"calibration-invalid",
@@ -104,10 +111,70 @@ Result<StereoCalibration> read_opencv(const fs::path& file) {
   }
 }
 
+// The numbers of a text file, between spaces, commas or line ends; nothing where there is anything else.
+std::optional<std::vector<double>> numbers_in_text(const fs::path& file) {
+  constexpr std::uint64_t most_bytes = 1 << 16;
+  const auto text = read_text_file(file, most_bytes);
+  if (!text) return std::nullopt;
+  std::vector<double> all;
+  const char* at = text->data();
+  const char* const end = at + text->size();
+  for (;;) {
+    while (at != end && (std::isspace(static_cast<unsigned char>(*at)) != 0 || *at == ',')) ++at;
+    if (at == end) return all;
+    double number = 0;
+    const auto [after, problem] = std::from_chars(at, end, number);
+    if (problem != std::errc{}) return std::nullopt;
+    all.push_back(number);
+    at = after;
+  }
+}
+
+// The file of a calibration folder whose name contains all these words; empty where there is none.
+fs::path named(const fs::path& folder, std::initializer_list<std::string_view> words) {
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(folder, problem)) {
+    const std::string name = entry.path().filename().string();
+    if (std::all_of(words.begin(), words.end(),
+                    [&](std::string_view word) { return name.find(word) != std::string::npos; })) {
+      return entry.path();
+    }
+  }
+  return {};
+}
+
+Result<StereoCalibration> read_text_folder(const fs::path& folder) {
+  StereoCalibration calibration;
+  for (auto& [camera, eye] :
+       {std::pair{&calibration.left, std::string("left")}, std::pair{&calibration.right, std::string("right")}}) {
+    const auto matrix = numbers_in_text(named(folder, {eye, "intrinsic"}));
+    if (!matrix || matrix->size() != 9) return invalid(folder, "file of 3 x 3 " + eye + " intrinsics");
+    camera->matrix = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(matrix->data());
+    const fs::path distortion_file = named(folder, {eye, "distortion"});
+    if (distortion_file.empty()) continue;
+    const auto distortion = numbers_in_text(distortion_file);
+    if (!distortion) return invalid(folder, eye + " distortion made of numbers");
+    camera->distortion = *distortion;
+  }
+  const fs::path forth = named(folder, {"l2r"}), back = named(folder, {"r2l"});
+  const auto transform = numbers_in_text(forth.empty() ? back : forth);
+  if (!transform || transform->size() != 16) return invalid(folder, "file l2r or r2l of 4 x 4 numbers");
+  calibration.left_to_right.matrix() =
+      Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(transform->data());
+  if (!forth.empty()) return calibration;
+  auto good = checked_rotation(calibration);  // what is no rotation has no inverse to speak of
+  if (!good) return failure(good.error());
+  calibration.left_to_right = calibration.left_to_right.inverse();
+  return calibration;
+}
+
 }  // namespace
 
 Result<StereoCalibration> read_stereo_calibration(const fs::path& file) {
-  auto calibration = file.extension() == ".json" ? read_json(file) : read_opencv(file);
+  std::error_code problem;
+  auto calibration = fs::is_directory(file, problem) ? read_text_folder(file)
+                     : file.extension() == ".json"   ? read_json(file)
+                                                     : read_opencv(file);
   if (!calibration) return calibration;
   auto good = checked(std::move(*calibration));
   if (!good) return failure(std::move(good.error()).in_file(file));
@@ -115,7 +182,6 @@ Result<StereoCalibration> read_stereo_calibration(const fs::path& file) {
 }
 
 Result<StereoCalibration> checked(StereoCalibration calibration) {
-  constexpr double largest_deviation = 1e-3;  // files print few digits
   for (const Camera* camera : {&calibration.left, &calibration.right}) {
     if (!camera->matrix.allFinite() || camera->matrix(0, 0) <= 0 || camera->matrix(1, 1) <= 0) {
       return failure("calibration-invalid", GLISSON_TEXT("A camera's focal length is not positive."));
@@ -126,13 +192,7 @@ Result<StereoCalibration> checked(StereoCalibration calibration) {
       }
     }
   }
-  const Eigen::Matrix3d rotation = calibration.left_to_right.linear();
-  const double deviation = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (!calibration.left_to_right.matrix().allFinite() || deviation > largest_deviation || rotation.determinant() < 0) {
-    return failure("calibration-not-rotation",
-                   GLISSON_TEXT("left_to_right does not hold a rotation: R R^T is off the identity by {0}."),
-                   {fmt::format("{:.3g}", deviation)});
-  }
+  if (auto good = checked_rotation(calibration); !good) return failure(good.error());
   if (calibration.baseline_mm() <= 0) {
     return failure("calibration-no-baseline", GLISSON_TEXT("Both eyes are in one place: there is no depth to see."));
   }
@@ -145,4 +205,22 @@ Result<StereoCalibration> checked(StereoCalibration calibration) {
   return calibration;
 }
 
+namespace {
+
+Result<void> checked_rotation(const StereoCalibration& calibration) {
+  constexpr double largest_deviation = 1e-3;  // files print few digits
+  const Eigen::Matrix3d rotation = calibration.left_to_right.linear();
+  const Eigen::RowVector4d last_row = calibration.left_to_right.matrix().row(3);
+  const double deviation =
+      std::max((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(),
+               (last_row - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff());
+  if (!calibration.left_to_right.matrix().allFinite() || deviation > largest_deviation || rotation.determinant() < 0) {
+    return failure("calibration-not-rotation",
+                   GLISSON_TEXT("left_to_right does not hold a rotation: R R^T or the last row is off by {0}."),
+                   {fmt::format("{:.3g}", deviation)});
+  }
+  return {};
+}
+
+}  // namespace
 }  // namespace glisson::vision

@@ -2,21 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 #include <opencv2/ximgproc/disparity_filter.hpp>
+
+#include "vision/opencv_internal.h"
 
 namespace glisson::vision {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Rectified {
-  cv::Mat left, right;
+// How the camera's pictures become rectified ones.
+struct Rectification {
+  cv::Mat left_map[2], right_map[2];
   cv::Mat to_depth;         // Q of OpenCV: pixel and disparity to rectified left-camera mm
   Eigen::Matrix3d to_left;  // rectified left camera to left camera
+};
+
+// Semi-global matching both ways round, and the filter that smooths its answer.
+struct Matchers {
+  int shrink = 1;  // pictures are matched at this part of their size
+  cv::Ptr<cv::StereoMatcher> there, back;
+  cv::Ptr<cv::ximgproc::DisparityWLSFilter> filter;
 };
 
 struct Disparity {
@@ -24,62 +33,106 @@ struct Disparity {
   cv::Mat confidence;  // CV_32F, 0..1
 };
 
-Result<cv::Mat> read_image(const fs::path& file);
-Rectified rectify(const cv::Mat& left, const cv::Mat& right, const StereoCalibration& calibration);
-Disparity match(const Rectified& pair, int disparities, double largest_disagreement_px);
-cv::Mat usable_pixels(const cv::Mat& image, const StereoOptions& options);
-StereoCloud cloud_of(const Rectified& pair, const Disparity& disparity, const cv::Mat& usable,
-                     const StereoOptions& options);
+Rectification rectification(const StereoCalibration& calibration, int width, int height);
+Matchers matchers(int disparities, int shrink);
+Disparity match(const Matchers& matchers, const cv::Mat& left, const cv::Mat& right, double largest_disagreement_px);
+void place_points(const Rectification& rectified, const cv::Mat& left, const Disparity& disparity,
+                  const std::vector<std::uint8_t>& usable, const StereoOptions& options, StereoCloud& cloud);
 
 }  // namespace
 
-Result<StereoCloud> stereo_cloud(const fs::path& left, const fs::path& right, const StereoCalibration& calibration,
-                                 const StereoOptions& options) {
-  const auto left_image = read_image(left);
-  if (!left_image) return failure(left_image.error());
-  const auto right_image = read_image(right);
-  if (!right_image) return failure(right_image.error());
-  if (left_image->size() != right_image->size()) {
-    return failure("stereo-image-sizes", GLISSON_TEXT("The left image is {0} x {1} pixels, the right one {2} x {3}."),
-                   {std::to_string(left_image->cols), std::to_string(left_image->rows),
-                    std::to_string(right_image->cols), std::to_string(right_image->rows)});
-  }
+struct StereoMatcher::Inside {
+  int width = 0, height = 0;
+  StereoOptions options;
+  Rectification rectified;
+  Matchers matchers;
+};
+
+StereoMatcher::StereoMatcher(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
+StereoMatcher::StereoMatcher(StereoMatcher&&) noexcept = default;
+StereoMatcher& StereoMatcher::operator=(StereoMatcher&&) noexcept = default;
+StereoMatcher::~StereoMatcher() = default;
+
+Result<StereoMatcher> StereoMatcher::prepare(const StereoCalibration& calibration, int width, int height,
+                                             const StereoOptions& options) {
+  constexpr int wide = 640;  // pixels: above it, half the size keeps depths as good (subpixel) and ten pairs a second
   if (!(options.nearest_mm > 0) || !(options.farthest_mm > options.nearest_mm)) {
     return failure("stereo-range", GLISSON_TEXT("The nearest depth must be positive and less than the farthest."));
   }
+  for (const Camera* camera : {&calibration.left, &calibration.right}) {
+    const double x = camera->matrix(0, 2), y = camera->matrix(1, 2);
+    if (x > 0 && x < width && y > 0 && y < height) continue;
+    return failure(Error{
+        "stereo-calibration-size",
+        GLISSON_TEXT("The calibration is of pictures of another size: its principal point {0}, {1} lies outside "
+                     "{2} x {3} pixels."),
+        {std::to_string(std::lround(x)), std::to_string(std::lround(y)), std::to_string(width), std::to_string(height)},
+        GLISSON_TEXT("Calibrate at the size of the video, or scale the calibration's matrices."),
+        {}});
+  }
   try {
-    const Rectified pair = rectify(*left_image, *right_image, calibration);
-    const double focal_px = pair.to_depth.at<double>(2, 3);
-    const double most_px = focal_px * calibration.baseline_mm() / options.nearest_mm;
-    const int most_disparities = std::max(16, pair.left.cols / 3 / 16 * 16);
-    const int disparities = std::clamp(static_cast<int>(std::ceil(most_px / 16)) * 16, 16, most_disparities);
-    const Disparity disparity = match(pair, disparities, options.largest_disagreement_px);
-    return cloud_of(pair, disparity, usable_pixels(pair.left, options), options);
+    auto inside = std::make_unique<Inside>();
+    inside->width = width;
+    inside->height = height;
+    inside->options = options;
+    inside->rectified = rectification(calibration, width, height);
+    const bool half = options.size == MatchingSize::half || (options.size == MatchingSize::automatic && width > wide);
+    const int shrink = half ? 2 : 1;
+    const double focal_px = inside->rectified.to_depth.at<double>(2, 3);
+    const double most_px = focal_px * calibration.baseline_mm() / options.nearest_mm / shrink;
+    const int most_disparities = std::max(16, width / shrink / 3 / 16 * 16);
+    inside->matchers =
+        matchers(std::clamp(static_cast<int>(std::ceil(most_px / 16)) * 16, 16, most_disparities), shrink);
+    return StereoMatcher(std::move(inside));
   } catch (const cv::Exception& problem) {
     return failure("stereo-failed", GLISSON_TEXT("The pair could not be matched: {0}."), {problem.err});
   }
 }
 
-namespace {
-
-Result<cv::Mat> read_image(const fs::path& file) {
-  cv::Mat image;
+Result<StereoCloud> StereoMatcher::cloud(const Frame& left, const Frame& right) {
+  if (left.width != right.width || left.height != right.height) {
+    return failure("stereo-image-sizes", GLISSON_TEXT("The left image is {0} x {1} pixels, the right one {2} x {3}."),
+                   {std::to_string(left.width), std::to_string(left.height), std::to_string(right.width),
+                    std::to_string(right.height)});
+  }
+  if (left.width != inside_->width || left.height != inside_->height) {
+    return failure("stereo-image-sizes", GLISSON_TEXT("The images are {0} x {1} pixels; {2} x {3} were expected."),
+                   {std::to_string(left.width), std::to_string(left.height), std::to_string(inside_->width),
+                    std::to_string(inside_->height)});
+  }
   try {
-    if (fs::is_regular_file(file)) image = cv::imread(file.string(), cv::IMREAD_COLOR);
-  } catch (const cv::Exception&) {
-    image.release();
+    const auto& [to_left_eye, to_right_eye, to_depth, to_left] = inside_->rectified;
+    cv::Mat left_rectified, right_rectified;
+    cv::remap(to_opencv(left), left_rectified, to_left_eye[0], to_left_eye[1], cv::INTER_LINEAR);
+    cv::remap(to_opencv(right), right_rectified, to_right_eye[0], to_right_eye[1], cv::INTER_LINEAR);
+    StereoCloud cloud;
+    cloud.picture = from_opencv(left_rectified);
+    const UsablePixels pixels = usable_pixels(cloud.picture, inside_->options.masks);
+    cloud.masked = pixels.shares;
+    const Disparity disparity =
+        match(inside_->matchers, left_rectified, right_rectified, inside_->options.largest_disagreement_px);
+    place_points(inside_->rectified, left_rectified, disparity, pixels.usable, inside_->options, cloud);
+    return cloud;
+  } catch (const cv::Exception& problem) {
+    return failure("stereo-failed", GLISSON_TEXT("The pair could not be matched: {0}."), {problem.err});
   }
-  if (image.empty()) {
-    return failure(Error{"image-not-readable",
-                         GLISSON_TEXT("The picture {0} cannot be read."),
-                         {file.string()},
-                         GLISSON_TEXT("PNG, JPEG, TIFF and BMP are read."),
-                         file});
-  }
-  return image;
 }
 
-Rectified rectify(const cv::Mat& left, const cv::Mat& right, const StereoCalibration& calibration) {
+Result<StereoCloud> stereo_cloud(const fs::path& left, const fs::path& right, const StereoCalibration& calibration,
+                                 const StereoOptions& options) {
+  const auto left_frame = read_frame(left);
+  if (!left_frame) return failure(left_frame.error());
+  const auto right_frame = read_frame(right);
+  if (!right_frame) return failure(right_frame.error());
+  auto matcher = StereoMatcher::prepare(calibration, left_frame->width, left_frame->height, options);
+  if (!matcher) return failure(matcher.error());
+  return matcher->cloud(*left_frame, *right_frame);
+}
+
+namespace {
+
+Rectification rectification(const StereoCalibration& calibration, int width, int height) {
+  const cv::Size size(width, height);
   cv::Mat left_matrix, right_matrix, rotation, translation;
   cv::eigen2cv(calibration.left.matrix, left_matrix);
   cv::eigen2cv(calibration.right.matrix, right_matrix);
@@ -88,74 +141,77 @@ Rectified rectify(const cv::Mat& left, const cv::Mat& right, const StereoCalibra
   const cv::Mat left_distortion(calibration.left.distortion, true),
       right_distortion(calibration.right.distortion, true);
 
-  Rectified pair;
-  cv::Mat turn_left, turn_right, project_left, project_right, map_x, map_y;
-  cv::stereoRectify(left_matrix, left_distortion, right_matrix, right_distortion, left.size(), rotation, translation,
-                    turn_left, turn_right, project_left, project_right, pair.to_depth, cv::CALIB_ZERO_DISPARITY, -1);
-  cv::initUndistortRectifyMap(left_matrix, left_distortion, turn_left, project_left, left.size(), CV_32FC1, map_x,
-                              map_y);
-  cv::remap(left, pair.left, map_x, map_y, cv::INTER_LINEAR);
-  cv::initUndistortRectifyMap(right_matrix, right_distortion, turn_right, project_right, left.size(), CV_32FC1, map_x,
-                              map_y);
-  cv::remap(right, pair.right, map_x, map_y, cv::INTER_LINEAR);
-  cv::cv2eigen(turn_left, pair.to_left);
-  pair.to_left.transposeInPlace();
-  return pair;
+  Rectification rectified;
+  cv::Mat turn_left, turn_right, project_left, project_right;
+  cv::stereoRectify(left_matrix, left_distortion, right_matrix, right_distortion, size, rotation, translation,
+                    turn_left, turn_right, project_left, project_right, rectified.to_depth, cv::CALIB_ZERO_DISPARITY,
+                    -1);
+  cv::initUndistortRectifyMap(left_matrix, left_distortion, turn_left, project_left, size, CV_16SC2,
+                              rectified.left_map[0], rectified.left_map[1]);
+  cv::initUndistortRectifyMap(right_matrix, right_distortion, turn_right, project_right, size, CV_16SC2,
+                              rectified.right_map[0], rectified.right_map[1]);
+  cv::cv2eigen(turn_left, rectified.to_left);
+  rectified.to_left.transposeInPlace();
+  return rectified;
 }
 
-Disparity match(const Rectified& pair, int disparities, double largest_disagreement_px) {
+Matchers matchers(int disparities, int shrink) {
   constexpr int block = 5;
-  constexpr int subpixel = 16;  // OpenCV counts disparities in sixteenths
-  cv::Mat left, right;
-  cv::cvtColor(pair.left, left, cv::COLOR_BGR2GRAY);
-  cv::cvtColor(pair.right, right, cv::COLOR_BGR2GRAY);
+  Matchers made;
+  made.shrink = shrink;
   // Smoothness penalties as OpenCV's documentation sets them for one channel.
-  const auto matcher = cv::StereoSGBM::create(0, disparities, block, 8 * block * block, 32 * block * block, 1, 31, 10,
-                                              100, 2, cv::StereoSGBM::MODE_SGBM_3WAY);
-  const auto back_matcher = cv::ximgproc::createRightMatcher(matcher);
-  cv::Mat there, back, filtered;
-  matcher->compute(left, right, there);
-  back_matcher->compute(right, left, back);
-  const auto filter = cv::ximgproc::createDisparityWLSFilter(matcher);
-  filter->setLambda(8000);
-  filter->setSigmaColor(1.5);
-  filter->filter(there, pair.left, filtered, back);
+  const auto there = cv::StereoSGBM::create(0, disparities, block, 8 * block * block, 32 * block * block, 1, 31, 10,
+                                            100, 2, cv::StereoSGBM::MODE_SGBM_3WAY);
+  made.there = there;
+  made.back = cv::ximgproc::createRightMatcher(there);
+  made.filter = cv::ximgproc::createDisparityWLSFilter(there);
+  made.filter->setLambda(8000);
+  made.filter->setSigmaColor(1.5);
+  return made;
+}
 
-  Disparity disparity;
-  filtered.convertTo(disparity.px, CV_32F, 1.0 / subpixel);
-  filter->getConfidenceMap().convertTo(disparity.confidence, CV_32F, 1.0 / 255);
+Disparity match(const Matchers& matchers, const cv::Mat& left, const cv::Mat& right, double largest_disagreement_px) {
+  constexpr double subpixel = 16;  // OpenCV counts disparities in sixteenths
+  cv::Mat left_grey, right_grey, there, back, filtered;
+  cv::cvtColor(left, left_grey, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(right, right_grey, cv::COLOR_BGR2GRAY);
+  if (matchers.shrink > 1) {
+    const cv::Size small(left.cols / matchers.shrink, left.rows / matchers.shrink);
+    cv::resize(left_grey, left_grey, small, 0, 0, cv::INTER_AREA);
+    cv::resize(right_grey, right_grey, small, 0, 0, cv::INTER_AREA);
+  }
+  matchers.there->compute(left_grey, right_grey, there);
+  matchers.back->compute(right_grey, left_grey, back);
+  matchers.filter->filter(there, left, filtered, back);
+
+  cv::Mat agrees = cv::Mat::zeros(there.size(), CV_8U);
   for (int y = 0; y < there.rows; ++y) {
     for (int x = 0; x < there.cols; ++x) {
-      const double to_right_px = there.at<short>(y, x) / static_cast<double>(subpixel);
+      const double to_right_px = there.at<short>(y, x) / subpixel;
       const int in_right = x - static_cast<int>(std::lround(to_right_px));
-      const bool inside = to_right_px > 0 && in_right >= 0 && in_right < back.cols;
-      const double to_left_px = inside ? back.at<short>(y, in_right) / static_cast<double>(subpixel) : 0;
-      if (!inside || std::abs(to_right_px + to_left_px) > largest_disagreement_px) {
-        disparity.px.at<float>(y, x) = std::numeric_limits<float>::quiet_NaN();
-      }
+      if (!(to_right_px > 0) || in_right < 0 || in_right >= back.cols) continue;
+      const double to_left_px = back.at<short>(y, in_right) / subpixel;
+      if (std::abs(to_right_px + to_left_px) <= largest_disagreement_px) agrees.at<std::uint8_t>(y, x) = 255;
     }
   }
+  Disparity disparity;
+  // The filter answers in pixels of the full size, or scaled as OpenCV's version does it: told from the shapes.
+  filtered.convertTo(disparity.px, CV_32F, 1.0 / subpixel);
+  matchers.filter->getConfidenceMap().convertTo(disparity.confidence, CV_32F, 1.0 / 255);
+  if (agrees.size() != disparity.px.size()) {
+    cv::resize(agrees, agrees, disparity.px.size(), 0, 0, cv::INTER_NEAREST);
+  }
+  disparity.px.setTo(std::numeric_limits<float>::quiet_NaN(), agrees == 0);
   return disparity;
 }
 
-// Neither the scope's black border nor a highlight with what it outshines.
-cv::Mat usable_pixels(const cv::Mat& image, const StereoOptions& options) {
-  std::vector<cv::Mat> channels;
-  cv::split(image, channels);
-  const cv::Mat darkest_channel = cv::min(cv::min(channels[0], channels[1]), channels[2]);
-  const cv::Mat brightest_channel = cv::max(cv::max(channels[0], channels[1]), channels[2]);
-  cv::Mat highlights;
-  cv::dilate(darkest_channel >= options.highlight_brightness, highlights, cv::Mat(), {-1, -1}, 2);
-  return (brightest_channel >= options.darkest) & ~highlights;
-}
-
-StereoCloud cloud_of(const Rectified& pair, const Disparity& disparity, const cv::Mat& usable,
-                     const StereoOptions& options) {
-  StereoCloud cloud;
-  const double center_x = -pair.to_depth.at<double>(0, 3), center_y = -pair.to_depth.at<double>(1, 3);
-  const double focal_px = pair.to_depth.at<double>(2, 3), depth_of_px = focal_px / pair.to_depth.at<double>(3, 2);
+void place_points(const Rectification& rectified, const cv::Mat& left, const Disparity& disparity,
+                  const std::vector<std::uint8_t>& usable, const StereoOptions& options, StereoCloud& cloud) {
+  const double center_x = -rectified.to_depth.at<double>(0, 3), center_y = -rectified.to_depth.at<double>(1, 3);
+  const double focal_px = rectified.to_depth.at<double>(2, 3),
+               depth_of_px = focal_px / rectified.to_depth.at<double>(3, 2);
   const int step = std::max(1, options.step_px);
-  const int columns = (pair.left.cols + step - 1) / step;
+  const int columns = (left.cols + step - 1) / step;
   std::vector<int> above(static_cast<std::size_t>(columns), -1), row(above);
   std::size_t looked_at = 0;
   const auto join = [&](int a, int b, int c) {
@@ -164,11 +220,14 @@ StereoCloud cloud_of(const Rectified& pair, const Disparity& disparity, const cv
     const auto [nearest, farthest] = std::minmax({depth_mm(a), depth_mm(b), depth_mm(c)});
     if (farthest - nearest < 0.05 * nearest) cloud.triangles.push_back({a, b, c});
   };
-  for (int y = 0; y < pair.left.rows; y += step, std::swap(above, row)) {
-    for (int x = 0; x < pair.left.cols; x += step) {
+  for (int y = 0; y < left.rows; y += step, std::swap(above, row)) {
+    for (int x = 0; x < left.cols; x += step) {
       const auto column = static_cast<std::size_t>(x / step);
       row[column] = -1;
-      if (usable.at<std::uint8_t>(y, x) == 0) continue;
+      if (usable[static_cast<std::size_t>(x) + static_cast<std::size_t>(y) * static_cast<std::size_t>(left.cols)] ==
+          0) {
+        continue;
+      }
       ++looked_at;
       const double px = disparity.px.at<float>(y, x);
       const double confidence = disparity.confidence.at<float>(y, x);
@@ -178,9 +237,10 @@ StereoCloud cloud_of(const Rectified& pair, const Disparity& disparity, const cv
       row[column] = static_cast<int>(cloud.points_mm.size());
       const Eigen::Vector3d rectified_mm(depth_mm * (x - center_x) / focal_px, depth_mm * (y - center_y) / focal_px,
                                          depth_mm);
-      cloud.points_mm.emplace_back(pair.to_left * rectified_mm);
+      cloud.points_mm.emplace_back(rectified.to_left * rectified_mm);
       cloud.confidence.push_back(confidence);
-      const auto& blue_green_red = pair.left.at<cv::Vec3b>(y, x);
+      cloud.pixels.push_back({x, y});
+      const auto& blue_green_red = left.at<cv::Vec3b>(y, x);
       cloud.colour.push_back({blue_green_red[2], blue_green_red[1], blue_green_red[0]});
       if (column == 0) continue;
       // Seen from the camera, that is from outside the tissue, counter-clockwise.
@@ -190,7 +250,6 @@ StereoCloud cloud_of(const Rectified& pair, const Disparity& disparity, const cv
   }
   cloud.valid_fraction =
       looked_at > 0 ? static_cast<double>(cloud.points_mm.size()) / static_cast<double>(looked_at) : 0;
-  return cloud;
 }
 
 }  // namespace

@@ -1,27 +1,38 @@
 #pragma once
 // A pair of pictures to points in left-camera mm: rectified, matched by semi-global matching (Hirschmueller 2008) both
-// ways round, smoothed along edges, and only what both ways agree on is kept.
+// ways round, smoothed along edges (weighted least squares, Min et al. 2014), and only what both ways agree on is kept.
 
 #include <array>
 #include <cstdint>
 #include <Eigen/Core>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "vision/calibration.h"
+#include "vision/frame.h"
+#include "vision/masks.h"
 
 namespace glisson::vision {
+
+// At which size the pictures are matched. Half the size takes a fifth of the time; the disparities are then brought to
+// full size along the picture's edges.
+enum class MatchingSize {
+  automatic,  // half for pictures wider than 640 pixels
+  full,
+  half
+};
 
 struct StereoOptions {
   double nearest_mm = 30;              // a laparoscope is not held closer
   double farthest_mm = 300;            // nor does it see organs farther away
-  double largest_disagreement_px = 1;  // between left-to-right and right-to-left
+  double largest_disagreement_px = 1;  // between left-to-right and right-to-left, at the size that was matched
   double least_confidence = 0.5;
-  int highlight_brightness = 240;  // of 255, in all colours: a reflection, which shows nothing of the tissue
-  int darkest = 10;                // below: the black border of the scope
-  int step_px = 1;                 // one point every so many pixels
+  MatchingSize size = MatchingSize::automatic;
+  MaskOptions masks;
+  int step_px = 1;  // one point every so many pixels
 };
 
 struct StereoCloud {
@@ -29,10 +40,35 @@ struct StereoCloud {
   std::vector<double> confidence;                   // 0..1, one a point
   std::vector<std::array<std::uint8_t, 3>> colour;  // red, green, blue
   std::vector<std::array<int, 3>> triangles;        // between neighbouring pixels, not across steps in depth
-  double valid_fraction = 0;                        // of the pixels that are neither border nor highlight
+  std::vector<std::array<int, 2>> pixels;           // x and y in `picture`, one a point
+  Frame picture;                                    // the rectified left picture
+  MaskedShares masked;                              // of the picture
+  double valid_fraction = 0;                        // of the pixels that are not masked
 };
 
-// Failures: "image-not-readable", "stereo-image-sizes" (the two differ), "stereo-range" (depths that cannot be).
+// The function for many pairs of one camera: what depends on the camera alone is worked out once.
+class StereoMatcher {
+ public:
+  // Failures: "stereo-range" (depths that cannot be), "stereo-calibration-size" (the calibration's principal point lies
+  // outside pictures of this size), "stereo-failed".
+  static Result<StereoMatcher> prepare(const StereoCalibration& calibration, int width, int height,
+                                       const StereoOptions& options = {});
+
+  StereoMatcher(StereoMatcher&&) noexcept;
+  StereoMatcher& operator=(StereoMatcher&&) noexcept;
+  ~StereoMatcher();
+
+  // Failures: "stereo-image-sizes" (not the size that was prepared for, or the two differ), "stereo-failed". Not to be
+  // called from two threads at once.
+  Result<StereoCloud> cloud(const Frame& left, const Frame& right);
+
+ private:
+  struct Inside;
+  explicit StereoMatcher(std::unique_ptr<Inside> inside);
+  std::unique_ptr<Inside> inside_;
+};
+
+// One pair, from files. Failures: those of read_frame, prepare and cloud.
 Result<StereoCloud> stereo_cloud(const std::filesystem::path& left, const std::filesystem::path& right,
                                  const StereoCalibration& calibration, const StereoOptions& options = {});
 

@@ -1,0 +1,43 @@
+// glisson-cli stereo, calibrate, sequence and review, in the contract's words.
+
+#include <gmock/gmock.h>
+
+#include "base/files.h"
+#include "support/data.h"
+#include "support/process.h"
+
+namespace glisson::test {
+namespace {
+
+std::string heart(const char* file) { return (shared_data() / "hamlyn_heart_stereo" / file).string(); }
+
+TEST(StereoCommand, TurnsARealPairIntoACloudAndAPicture) {
+  GLISSON_NEEDS_DATA("hamlyn_heart_stereo");
+  const TemporaryFolder folder;
+  const auto cloud = folder.path() / "cloud.ply", picture = folder.path() / "depth.png";
+  const Finished finished =
+      glisson_cli({"stereo", heart("f7_dynamic_deint_L_0100.png"), heart("f7_dynamic_deint_R_0100.png"),
+                   "--calibration", heart(""), "--out", cloud.string(), "--picture", picture.string(), "--json"});
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  const Json answer = finished.json();
+  EXPECT_GT(answer.at("points").get<int>(), 20000);
+  EXPECT_GT(answer.at("valid_fraction").get<double>(), 0.4);
+  EXPECT_LT(answer.at("epipolar_px").get<double>(), 1);
+  EXPECT_TRUE(std::filesystem::exists(cloud));
+  EXPECT_TRUE(std::filesystem::exists(picture));
+}
+
+TEST(StereoCommand, RefusesExchangedPicturesAndLeavesNothingBehind) {
+  GLISSON_NEEDS_DATA("hamlyn_heart_stereo");
+  const TemporaryFolder folder;
+  const auto cloud = folder.path() / "cloud.ply";
+  const Finished finished =
+      glisson_cli({"stereo", heart("f7_dynamic_deint_R_0100.png"), heart("f7_dynamic_deint_L_0100.png"),
+                   "--calibration", heart(""), "--out", cloud.string(), "--json", "--quiet"});
+  EXPECT_EQ(finished.exit_code, 1);
+  EXPECT_EQ(finished.json().at("error").at("code"), "calibration-not-of-pictures");
+  EXPECT_FALSE(std::filesystem::exists(cloud));
+}
+
+}  // namespace
+}  // namespace glisson::test
