@@ -31,6 +31,7 @@ void add_simulate(CLI::App& app, Action& chosen);
 void add_compare(CLI::App& app, Action& chosen);
 void add_export(CLI::App& app, Action& chosen);
 void add_render(CLI::App& app, Action& chosen);
+void add_calibrate(CLI::App& app, Action& chosen);
 void add_stereo(CLI::App& app, Action& chosen);
 void add_match(CLI::App& app, Action& chosen);
 void add_register(CLI::App& app, Action& chosen);

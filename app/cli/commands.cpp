@@ -15,6 +15,7 @@ void add_commands(CLI::App& app, Action& chosen) {
   add_compare(app, chosen);
   add_render(app, chosen);
   add_export(app, chosen);
+  add_calibrate(app, chosen);
   add_stereo(app, chosen);
   add_match(app, chosen);
   add_register(app, chosen);

@@ -9,6 +9,7 @@
 #include <opencv2/core/eigen.hpp>
 #include <opencv2/core/persistence.hpp>
 #include <optional>
+#include <tuple>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -145,17 +146,9 @@ fs::path named(const fs::path& folder, std::initializer_list<std::string_view> w
 
 Result<StereoCalibration> read_text_folder(const fs::path& folder) {
   StereoCalibration calibration;
-  for (auto& [camera, eye] :
-       {std::pair{&calibration.left, std::string("left")}, std::pair{&calibration.right, std::string("right")}}) {
-    const auto matrix = numbers_in_text(named(folder, {eye, "intrinsic"}));
-    if (!matrix || matrix->size() != 9) return invalid(folder, "file of 3 x 3 " + eye + " intrinsics");
-    camera->matrix = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(matrix->data());
-    const fs::path distortion_file = named(folder, {eye, "distortion"});
-    if (distortion_file.empty()) continue;
-    const auto distortion = numbers_in_text(distortion_file);
-    if (!distortion) return invalid(folder, eye + " distortion made of numbers");
-    camera->distortion = *distortion;
-  }
+  auto cameras = read_cameras(folder);
+  if (!cameras) return failure(cameras.error());
+  std::tie(calibration.left, calibration.right) = std::move(*cameras);
   const fs::path forth = named(folder, {"l2r"}), back = named(folder, {"r2l"});
   const auto transform = numbers_in_text(forth.empty() ? back : forth);
   if (!transform || transform->size() != 16) return invalid(folder, "file l2r or r2l of 4 x 4 numbers");
@@ -179,6 +172,38 @@ Result<StereoCalibration> read_stereo_calibration(const fs::path& file) {
   auto good = checked(std::move(*calibration));
   if (!good) return failure(std::move(good.error()).in_file(file));
   return good;
+}
+
+Result<std::pair<Camera, Camera>> read_cameras(const fs::path& folder) {
+  std::pair<Camera, Camera> cameras;
+  for (auto& [camera, eye] :
+       {std::pair{&cameras.first, std::string("left")}, std::pair{&cameras.second, std::string("right")}}) {
+    const auto matrix = numbers_in_text(named(folder, {eye, "intrinsic"}));
+    if (!matrix || matrix->size() != 9) return invalid(folder, "file of 3 x 3 " + eye + " intrinsics");
+    camera->matrix = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(matrix->data());
+    const fs::path distortion_file = named(folder, {eye, "distortion"});
+    if (distortion_file.empty()) continue;
+    const auto distortion = numbers_in_text(distortion_file);
+    if (!distortion) return invalid(folder, eye + " distortion made of numbers");
+    camera->distortion = *distortion;
+  }
+  return cameras;
+}
+
+Result<void> write_stereo_calibration(const fs::path& file, const StereoCalibration& calibration) {
+  const auto rows = [](const auto& matrix) {
+    Json json = Json::array();
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+      json.push_back(std::vector<double>(matrix.row(row).begin(), matrix.row(row).end()));
+    }
+    return json;
+  };
+  const auto camera = [&](const Camera& eye) {
+    return Json{{"matrix", rows(eye.matrix)}, {"distortion", eye.distortion}};
+  };
+  return write_json_file(file, {{"left", camera(calibration.left)},
+                                {"right", camera(calibration.right)},
+                                {"left_to_right", rows(calibration.left_to_right.matrix())}});
 }
 
 Result<StereoCalibration> checked(StereoCalibration calibration) {

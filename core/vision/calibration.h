@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -35,6 +36,12 @@ struct StereoCalibration {
 // around, and a note says so. Failures: file-not-readable, json-..., "calibration-invalid" (what is missing),
 // "calibration-not-rotation" (by how much), "calibration-no-baseline".
 Result<StereoCalibration> read_stereo_calibration(const std::filesystem::path& file);
+
+// The two lenses alone, left first, from a folder of text files that need not say where the right eye is.
+Result<std::pair<Camera, Camera>> read_cameras(const std::filesystem::path& folder);
+
+// As the JSON above. Failures: those of write_json_file.
+Result<void> write_stereo_calibration(const std::filesystem::path& file, const StereoCalibration& calibration);
 
 // The same checks on values from elsewhere.
 Result<StereoCalibration> checked(StereoCalibration calibration);

@@ -90,7 +90,7 @@ Result<FrameSource> FrameSource::open(const fs::path& video_or_folder) {
     return FrameSource(std::move(inside));
   }
   try {
-    if (fs::is_regular_file(video_or_folder, problem)) inside->video.open(video_or_folder.string());
+    if (fs::is_regular_file(video_or_folder, problem)) inside->video.open(video_or_folder.string(), cv::CAP_FFMPEG);
   } catch (const cv::Exception&) {
     inside->video.release();
   }

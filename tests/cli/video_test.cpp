@@ -1,6 +1,7 @@
 // glisson-cli stereo, calibrate, sequence and review, in the contract's words.
 
 #include <gmock/gmock.h>
+#include <cmath>
 
 #include "base/files.h"
 #include "support/data.h"
@@ -37,6 +38,32 @@ TEST(StereoCommand, RefusesExchangedPicturesAndLeavesNothingBehind) {
   EXPECT_EQ(finished.exit_code, 1);
   EXPECT_EQ(finished.json().at("error").at("code"), "calibration-not-of-pictures");
   EXPECT_FALSE(std::filesystem::exists(cloud));
+}
+
+TEST(CalibrateCommand, SaysHowFarItIsFromTheKnownLenses) {
+  GLISSON_NEEDS_DATA("ucl_stereo_laparoscope_calib");
+  const auto folder = shared_data() / "ucl_stereo_laparoscope_calib";
+  const TemporaryFolder out;
+  const auto file = out.path() / "camera.json";
+  std::vector<std::string> words{"calibrate", "--board", "dots",         "--columns", "25",
+                                 "--rows",    "18",      "--spacing-mm", "5"};
+  for (const char* eye : {"left", "right"}) {
+    words.push_back(std::string("--") + eye);
+    for (const char* moment : {"08_54_13", "08_54_29", "08_54_44"}) {
+      words.push_back((folder / moment / (std::string(eye) + "_image.png")).string());
+    }
+  }
+  for (const std::string& word : {std::string("--known"), folder.string(), std::string("--out"), file.string(),
+                                  std::string("--json"), std::string("--quiet")}) {
+    words.push_back(word);
+  }
+  const Finished finished = glisson_cli(words);
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  const Json answer = finished.json();
+  EXPECT_EQ(answer.at("pairs"), 3);
+  EXPECT_LT(answer.at("rms_px").get<double>(), 2.5);
+  EXPECT_LT(std::abs(answer.at("known").at("left").at("focal_percent").get<double>()), 2.5);
+  EXPECT_TRUE(read_json_file(file).value().contains("left_to_right"));
 }
 
 }  // namespace
