@@ -6,16 +6,14 @@
 #include <cmath>
 #include <Eigen/Geometry>
 #include <map>
-#include <mutex>
 
-#include "base/parallel.h"
 #include "base/units.h"
 #include "closedloop/palpation_effects.h"
 #include "closedloop/palpation_history.h"
 #include "closedloop/palpation_search.h"
 #include "closedloop/palpation_solver.h"
 #include "closedloop/palpation_state.h"
-#include "closedloop/palpation_stiffening.h"
+#include "closedloop/palpation_stiffened_response.h"
 #include "mechanics/load_vector.h"
 
 namespace glisson::closedloop {
@@ -66,7 +64,11 @@ class PalpationModel : public ForwardModel {
         places_mm_(std::move(places_mm)),
         observations_(std::move(observations)),
         catalogue_(palpation_catalogue(experiment_, solver_.specimen())),
-        held_from_kPa_per_mm_(held_from_kPa_per_mm(solver_.specimen())) {}
+        held_from_kPa_per_mm_(held_from_kPa_per_mm(solver_.specimen())),
+        stiffened_(solver_, [this](const Settings& settings) {
+          const PalpationState at = state(settings);
+          return Acting{at, loading(at).amounts / at.stiffness_factor};
+        }) {}
 
   [[nodiscard]] const Observations& observations() const override { return observations_; }
   [[nodiscard]] const std::vector<Effect>& catalogue() const override { return catalogue_; }
@@ -84,8 +86,6 @@ class PalpationModel : public ForwardModel {
   [[nodiscard]] Loading loading(const PalpationState& state) const;
   [[nodiscard]] Result<Eigen::MatrixXd> displacements(const Settings& settings) const;
   [[nodiscard]] Result<Fields> linear_derivatives(const Settings& settings) const;
-  [[nodiscard]] Result<Fields> stiffened_derivatives(const Settings& settings) const;
-  [[nodiscard]] Result<Eigen::MatrixXd> equilibria(const Settings& settings) const;
 
   // From displacements of all places at all shots to rows of observations; `turn` is the frame's rotation.
   template <typename OfMarker>
@@ -102,14 +102,7 @@ class PalpationModel : public ForwardModel {
   std::vector<Effect> catalogue_;
   double held_from_kPa_per_mm_;
 
-  // The last equilibrium with stiffening and how it changes: the next search starts from there.
-  struct Last {
-    Settings settings;
-    Eigen::MatrixXd u_mm;
-    std::vector<Eigen::MatrixXd> by_parameter;
-  };
-  mutable std::mutex last_guard_;
-  mutable std::shared_ptr<const Last> last_;
+  StiffenedResponse stiffened_;
 };
 
 bool stiffens(const PalpationState& state) { return state.stiffening && state.stiffening->coefficient != 0; }
@@ -204,7 +197,7 @@ Result<Linearisation> PalpationModel::linearise(const Settings& settings) const 
   const PalpationState at = state(settings);
   auto u_mm = displacements(settings);
   if (!u_mm) return failure(std::move(u_mm.error()));
-  auto fields = at.stiffening ? stiffened_derivatives(settings) : linear_derivatives(settings);
+  auto fields = at.stiffening ? stiffened_.derivatives_at_markers(settings) : linear_derivatives(settings);
   if (!fields) return failure(std::move(fields.error()));
 
   Linearisation result{seen(at, *u_mm), Eigen::MatrixXd(observations_.rows(), parameter_count(settings))};
@@ -279,7 +272,7 @@ Loading PalpationModel::loading(const PalpationState& state) const {
 Result<Eigen::MatrixXd> PalpationModel::displacements(const Settings& settings) const {
   const PalpationState at = state(settings);
   if (stiffens(at)) {
-    return equilibria(settings).map([&](const Eigen::MatrixXd& u_mm) { return solver_.markers().at_places(u_mm); });
+    return stiffened_.at_markers(settings);
   }
   return solver_.at_markers(at.scaled_structure()).map([&](const Eigen::MatrixXd& response) {
     return (response * loading(at).amounts / at.stiffness_factor).eval();
@@ -371,102 +364,6 @@ Result<PalpationModel::Fields> PalpationModel::linear_derivatives(const Settings
         fields.push_back(nothing);  // of what is seen alone, or of supports that are held
       }
     }
-  }
-  return fields;
-}
-
-Result<Eigen::MatrixXd> PalpationModel::equilibria(const Settings& settings) const {
-  const PalpationState at = state(settings);
-  std::shared_ptr<const Last> last;
-  {
-    const std::lock_guard lock(last_guard_);
-    last = last_;
-  }
-  const auto same_effects = [&] {
-    return last && std::equal(settings.begin(), settings.end(), last->settings.begin(), last->settings.end(),
-                              [](const Setting& a, const Setting& b) { return a.kind == b.kind && a.form == b.form; });
-  };
-  const bool follows = same_effects();
-  if (follows && std::equal(settings.begin(), settings.end(), last->settings.begin(),
-                            [](const Setting& a, const Setting& b) { return a.parameters == b.parameters; })) {
-    return last->u_mm;
-  }
-  auto linear = solver_.solution(at.scaled_structure());
-  if (!linear) return failure(std::move(linear.error()));
-  const Eigen::MatrixXd amounts = loading(at).amounts / at.stiffness_factor;
-  const Eigen::MatrixXd forces_mN = solver_.loads_mN() * amounts;
-  Eigen::MatrixXd start_mm = (*linear)->u_mm * amounts;
-  if (follows) {
-    start_mm = last->u_mm;
-    std::size_t column = 0;
-    for (std::size_t s = 0; s < settings.size(); ++s) {
-      const Eigen::VectorXd step = settings[s].parameters - last->settings[s].parameters;
-      for (Eigen::Index p = 0; p < step.size() && !last->by_parameter.empty(); ++p) {
-        start_mm += step[p] * last->by_parameter[column++];
-      }
-    }
-  }
-  auto found = stiffened_equilibria(solver_.specimen(), **linear, *at.stiffening, forces_mN, start_mm);
-  if (!found && follows) {
-    found = stiffened_equilibria(solver_.specimen(), **linear, *at.stiffening, forces_mN, (*linear)->u_mm * amounts);
-  }
-  if (!found) return failure(std::move(found.error()));
-  const std::lock_guard lock(last_guard_);
-  last_ = std::make_shared<const Last>(Last{settings, *found, {}});
-  return found;
-}
-
-// From what is in balance, R(u; parameters) = 0: du = -(tangent)^-1 dR, with dR by central differences, which are cheap
-// and lose nothing that matters (1e-9 of R).
-Result<PalpationModel::Fields> PalpationModel::stiffened_derivatives(const Settings& settings) const {
-  const PalpationState at = state(settings);
-  auto linear = solver_.solution(at.scaled_structure());
-  if (!linear) return failure(std::move(linear.error()));
-  Eigen::MatrixXd u_mm;
-  if (stiffens(at)) {
-    auto found = equilibria(settings);
-    if (!found) return failure(std::move(found.error()));
-    u_mm = std::move(*found);
-  } else {
-    u_mm = (*linear)->u_mm * loading(at).amounts / at.stiffness_factor;
-  }
-  const Eigen::Index shots = u_mm.cols(), parameters = parameter_count(settings);
-  const auto imbalance = [&](const Settings& moved) {
-    const PalpationState there = state(moved);
-    const Structure structure = there.scaled_structure();
-    Eigen::MatrixXd force_mN = -(solver_.loads_mN() * loading(there).amounts) / there.stiffness_factor;
-    parallel_for(static_cast<std::size_t>(shots), 1, [&](std::size_t begin, std::size_t end) {
-      for (auto s = static_cast<Eigen::Index>(begin); s < static_cast<Eigen::Index>(end); ++s) {
-        force_mN.col(s) += resisting_force_mN(solver_.specimen(), structure, *there.stiffening, u_mm.col(s));
-      }
-    });
-    return force_mN;
-  };
-  Eigen::MatrixXd forces_mN(u_mm.rows(), shots * parameters);
-  std::vector<Eigen::Index> state_of_column;
-  Settings moved = settings;
-  Eigen::Index column = 0;
-  for (std::size_t s = 0; s < settings.size(); ++s) {
-    for (Eigen::Index p = 0; p < settings[s].parameters.size(); ++p, ++column) {
-      const double value = settings[s].parameters[p], step = 1e-5 * std::max(1e-2, std::abs(value));
-      moved[s].parameters[p] = value + step;
-      const Eigen::MatrixXd ahead = imbalance(moved);
-      moved[s].parameters[p] = value - step;
-      forces_mN.middleCols(column * shots, shots) = -(ahead - imbalance(moved)) / (2 * step);
-      moved[s].parameters[p] = value;
-      for (Eigen::Index c = 0; c < shots; ++c) state_of_column.push_back(c);
-    }
-  }
-  auto solved = solve_tangent(solver_.specimen(), **linear, *at.stiffening, u_mm, forces_mN, state_of_column, 1e-6);
-  if (!solved) return failure(std::move(solved.error()));
-  Fields fields, nodal;
-  for (Eigen::Index i = 0; i < parameters; ++i) {
-    nodal.emplace_back(solved->middleCols(i * shots, shots));
-    fields.push_back(solver_.markers().at_places(nodal.back()));
-  }
-  if (stiffens(at)) {
-    const std::lock_guard lock(last_guard_);
-    last_ = std::make_shared<const Last>(Last{settings, std::move(u_mm), std::move(nodal)});
   }
   return fields;
 }

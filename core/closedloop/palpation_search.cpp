@@ -113,10 +113,11 @@ std::vector<Eigen::VectorXd> anisotropy_starts(const Effect& effect, const Palpa
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return matches[a].gain_mm2 > matches[b].gain_mm2; });
-  // A grain that stiffens along one axis softens across it: the best of either sign.
+  // A grain that stiffens along one axis softens across it: the best of either sign, where both are any good.
   std::vector<Eigen::VectorXd> starts;
   bool have_stiffer = false, have_softer = false;
   for (const std::size_t a : order) {
+    if (matches[a].gain_mm2 < 0.7 * matches[order.front()].gain_mm2) break;
     bool& have = matches[a].amount > 0 ? have_stiffer : have_softer;
     if (have) continue;
     have = true;
@@ -140,8 +141,11 @@ Influence influence(const PalpationSolver& solver, const PalpationSolver::Soluti
 
 struct Ball {
   Eigen::Vector3d center_mm;
-  double radius_mm = 0;
+  double radius_mm = 0;  // 0: not matched
   Match match;
+
+  // Lumps are stiff before they are soft: a soft one must explain much more.
+  [[nodiscard]] double worth_mm2() const { return match.amount > 0 ? match.gain_mm2 : 0.5 * match.gain_mm2; }
 };
 
 std::vector<Eigen::VectorXd> inclusion_starts(const Effect& effect, const PalpationSolver& solver,
@@ -191,19 +195,15 @@ std::vector<Eigen::VectorXd> inclusion_starts(const Effect& effect, const Palpat
         for (std::size_t c = 0; c < centroids.size(); ++c) {
           if ((centroids[c] - balls[b].center_mm).squaredNorm() < radius_mm * radius_mm) sum += on.of_cell[c];
         }
-        const Match found = match_of(sum.cast<double>());
-        // Lumps are stiff before they are soft: a soft one must explain much more.
-        const double worth = found.amount > 0 ? found.gain_mm2 : 0.5 * found.gain_mm2;
-        const double known = balls[b].match.amount > 0 ? balls[b].match.gain_mm2 : 0.5 * balls[b].match.gain_mm2;
-        if (worth > known) balls[b] = {balls[b].center_mm, radius_mm, found};
+        const Ball ball{balls[b].center_mm, radius_mm, match_of(sum.cast<double>())};
+        if (ball.worth_mm2() > balls[b].worth_mm2()) balls[b] = ball;
       }
     }
   });
-  std::sort(balls.begin(), balls.end(),
-            [](const Ball& a, const Ball& b) { return a.match.gain_mm2 > b.match.gain_mm2; });
+  std::sort(balls.begin(), balls.end(), [](const Ball& a, const Ball& b) { return a.worth_mm2() > b.worth_mm2(); });
   std::vector<Ball> best;
   for (const Ball& ball : balls) {
-    if (best.size() == 3 || ball.radius_mm == 0) break;
+    if (best.size() == 3 || ball.radius_mm == 0 || ball.worth_mm2() < 0.6 * balls.front().worth_mm2()) break;
     const bool apart = std::all_of(best.begin(), best.end(), [&](const Ball& other) {
       return (other.center_mm - ball.center_mm).norm() > std::max(other.radius_mm, ball.radius_mm);
     });

@@ -9,17 +9,23 @@
 namespace glisson::closedloop {
 
 // Lately used structures come first. All keep what happened at their markers, the first few their factors too, and the
-// declared one always does.
+// declared one always does. The lock is held for looking up and noting down alone: two structures are solved at once.
 struct PalpationSolver::Memory {
   struct Entry {
     Structure structure;
     std::shared_ptr<const Solution> solution;  // may have been let go
     Eigen::MatrixXd at_markers;
     std::vector<std::pair<StructureParameter, Eigen::MatrixXd>> derivatives;
-  };
-  static constexpr std::size_t most_entries = 64, most_factors = 2;
 
-  std::recursive_mutex one_at_a_time;
+    [[nodiscard]] const Eigen::MatrixXd* by(StructureParameter parameter) const {
+      const auto found = std::find_if(derivatives.begin(), derivatives.end(),
+                                      [&](const auto& known) { return known.first == parameter; });
+      return found == derivatives.end() ? nullptr : &found->second;
+    }
+  };
+  static constexpr std::size_t most_entries = 1024, most_factors = 4;
+
+  std::mutex guard;
   std::deque<Entry> entries;
   std::shared_ptr<const Solution> declared;
 
@@ -27,19 +33,26 @@ struct PalpationSolver::Memory {
     const auto found =
         std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.structure == structure; });
     if (found == entries.end()) return nullptr;
-    std::rotate(entries.begin(), found, found + 1);
+    if (found != entries.begin()) {
+      Entry moved = std::move(*found);
+      entries.erase(found);
+      entries.push_front(std::move(moved));
+    }
     return &entries.front();
   }
-  Entry& remember(Entry entry) {
-    entries.push_front(std::move(entry));
-    if (entries.size() > most_entries) entries.pop_back();
-    return entries.front();
-  }
-  void let_go_of_old_factors() {
-    std::size_t kept = 0;
-    for (Entry& entry : entries) {
-      if (entry.solution && entry.solution != declared && ++kept > most_factors) entry.solution.reset();
+  Entry& find_or_add(const std::shared_ptr<const Solution>& solution, const Interpolation& markers) {
+    Entry* entry = find(solution->structure);
+    if (entry == nullptr) {
+      entries.push_front({solution->structure, {}, markers.at_places(solution->u_mm), {}});
+      if (entries.size() > most_entries) entries.pop_back();
+      entry = &entries.front();
     }
+    entry->solution = solution;
+    std::size_t kept = 0;
+    for (Entry& other : entries) {
+      if (other.solution && other.solution != declared && ++kept > most_factors) other.solution.reset();
+    }
+    return *entry;
   }
 };
 
@@ -84,60 +97,67 @@ Result<PalpationSolver> PalpationSolver::create(SpecimenBody specimen, Eigen::Ma
 }
 
 Result<Eigen::MatrixXd> PalpationSolver::at_markers(const Structure& structure) const {
-  const std::lock_guard lock(memory_->one_at_a_time);
-  if (const auto* known = memory_->find(structure)) return known->at_markers;
-  if (auto solved = solution(structure); !solved) return failure(std::move(solved.error()));
-  return memory_->find(structure)->at_markers;
+  {
+    const std::lock_guard lock(memory_->guard);
+    if (const auto* known = memory_->find(structure)) return known->at_markers;
+  }
+  auto solved = solution(structure);
+  if (!solved) return failure(std::move(solved.error()));
+  const std::lock_guard lock(memory_->guard);
+  return memory_->find_or_add(*solved, *markers_).at_markers;
 }
 
 Result<std::shared_ptr<const PalpationSolver::Solution>> PalpationSolver::solution(const Structure& structure) const {
-  const std::lock_guard lock(memory_->one_at_a_time);
-  Memory::Entry* entry = memory_->find(structure);
-  if (entry != nullptr && entry->solution) return entry->solution;
+  {
+    const std::lock_guard lock(memory_->guard);
+    if (const auto* known = memory_->find(structure); known != nullptr && known->solution) return known->solution;
+  }
   Result<std::shared_ptr<const Solution>> solved = memory_->declared;
   if (!(structure == Structure{})) solved = solve_structure(*specimen_, structure, *loads_mN_, {});
   if (!solved) return failure(std::move(solved.error()));
-  if (entry == nullptr) entry = &memory_->remember({structure, {}, markers_->at_places((*solved)->u_mm), {}});
-  entry->solution = *solved;
-  memory_->let_go_of_old_factors();
+  const std::lock_guard lock(memory_->guard);
+  memory_->find_or_add(*solved, *markers_);
   return solved;
 }
 
 Result<std::vector<Eigen::MatrixXd>> PalpationSolver::derivatives_at_markers(
     const Structure& structure, const std::vector<StructureParameter>& parameters) const {
-  const std::lock_guard lock(memory_->one_at_a_time);
-  std::vector<StructureParameter> unknown;
-  Memory::Entry* entry = memory_->find(structure);
-  const auto known = [&](StructureParameter parameter) -> const Eigen::MatrixXd* {
-    for (const auto& [name, matrix] : entry->derivatives) {
-      if (name == parameter) return &matrix;
-    }
-    return nullptr;
-  };
-  for (const StructureParameter parameter : parameters) {
-    if (entry == nullptr || known(parameter) == nullptr) unknown.push_back(parameter);
-  }
-  if (!unknown.empty()) {
-    auto solved = solution(structure);
-    if (!solved) return failure(std::move(solved.error()));
-    entry = memory_->find(structure);
-    // K u = f with f fixed: K du = -dK u.
-    const Eigen::MatrixXd& u_mm = (*solved)->u_mm;
-    const Eigen::Index loads = u_mm.cols();
-    Eigen::MatrixXd forces_mN(u_mm.rows(), loads * static_cast<Eigen::Index>(unknown.size()));
-    parallel_for(static_cast<std::size_t>(forces_mN.cols()), 1, [&](std::size_t begin, std::size_t end) {
-      for (auto c = static_cast<Eigen::Index>(begin); c < static_cast<Eigen::Index>(end); ++c) {
-        const StructureParameter parameter = unknown[static_cast<std::size_t>(c / loads)];
-        forces_mN.col(c) = -stiffness_derivative(*specimen_, structure, parameter, u_mm.col(c % loads));
+  std::vector<Eigen::MatrixXd> derivatives(parameters.size());
+  std::vector<std::size_t> unknown;
+  {
+    const std::lock_guard lock(memory_->guard);
+    const auto* entry = memory_->find(structure);
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      const Eigen::MatrixXd* known = entry == nullptr ? nullptr : entry->by(parameters[i]);
+      if (known != nullptr) {
+        derivatives[i] = *known;
+      } else {
+        unknown.push_back(i);
       }
-    });
-    const Eigen::MatrixXd moved = markers_->at_places(solve(**solved, forces_mN));
-    for (std::size_t i = 0; i < unknown.size(); ++i) {
-      entry->derivatives.emplace_back(unknown[i], moved.middleCols(static_cast<Eigen::Index>(i) * loads, loads));
     }
   }
-  std::vector<Eigen::MatrixXd> derivatives;
-  for (const StructureParameter parameter : parameters) derivatives.push_back(*known(parameter));
+  if (unknown.empty()) return derivatives;
+
+  auto solved = solution(structure);
+  if (!solved) return failure(std::move(solved.error()));
+  // K u = f with f fixed: K du = -dK u.
+  const Eigen::MatrixXd& u_mm = (*solved)->u_mm;
+  const Eigen::Index loads = u_mm.cols();
+  Eigen::MatrixXd forces_mN(u_mm.rows(), loads * static_cast<Eigen::Index>(unknown.size()));
+  parallel_for(static_cast<std::size_t>(forces_mN.cols()), 1, [&](std::size_t begin, std::size_t end) {
+    for (auto c = static_cast<Eigen::Index>(begin); c < static_cast<Eigen::Index>(end); ++c) {
+      const StructureParameter parameter = parameters[unknown[static_cast<std::size_t>(c / loads)]];
+      forces_mN.col(c) = -stiffness_derivative(*specimen_, structure, parameter, u_mm.col(c % loads));
+    }
+  });
+  const Eigen::MatrixXd moved = markers_->at_places(solve(**solved, forces_mN));
+  const std::lock_guard lock(memory_->guard);
+  auto& entry = memory_->find_or_add(*solved, *markers_);
+  for (std::size_t i = 0; i < unknown.size(); ++i) {
+    const StructureParameter parameter = parameters[unknown[i]];
+    derivatives[unknown[i]] = moved.middleCols(static_cast<Eigen::Index>(i) * loads, loads);
+    if (entry.by(parameter) == nullptr) entry.derivatives.emplace_back(parameter, derivatives[unknown[i]]);
+  }
   return derivatives;
 }
 

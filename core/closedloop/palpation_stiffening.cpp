@@ -185,7 +185,7 @@ Eigen::VectorXd resisting_force_mN(const SpecimenBody& specimen, const Structure
 Result<Eigen::MatrixXd> stiffened_equilibria(const SpecimenBody& specimen, const PalpationSolver::Solution& linear,
                                              const Stiffening& stiffening, const Eigen::MatrixXd& forces_mN,
                                              const Eigen::MatrixXd& start_mm) {
-  constexpr double tolerance = 1e-8;
+  constexpr double tolerance = 1e-7;  // of the load: 1e-6 mm or less
   constexpr int most_steps = 40, most_halvings = 12;
   const StiffeningBody body(specimen, linear.structure, stiffening);
   const Preconditioner precondition(specimen, linear);

@@ -66,11 +66,11 @@ TEST(PalpationEffects, AtItsDefaultNoneChangesAnything) {
 }
 
 // Central differences of the whole prediction are the slow judge. They err by about 1e-6 of the largest derivative, the
-// solver's rounding over the step; with stiffening by 1e-4, for an equilibrium is found to 1e-8 of its load only.
+// solver's rounding over the step; with stiffening by 1e-3, for an equilibrium is found to 1e-7 of its load only.
 void expect_exact_derivatives(const ForwardModel& model, const Settings& settings, const std::string& name) {
   const bool iterates = std::any_of(settings.begin(), settings.end(),
                                     [](const Setting& one) { return one.kind == palpation::strain_stiffening; });
-  const double tolerance = iterates ? 1e-4 : 1e-5;
+  const double tolerance = iterates ? 1e-3 : 1e-5;
   const auto linear = model.linearise(settings).value();
   EXPECT_LT((linear.predicted - model.predict(settings).value()).cwiseAbs().maxCoeff(), 1e-9) << name;
   Eigen::Index column = 0;

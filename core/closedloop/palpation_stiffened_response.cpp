@@ -1,0 +1,209 @@
+#include "closedloop/palpation_stiffened_response.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <mutex>
+
+#include "base/parallel.h"
+#include "closedloop/palpation_stiffening.h"
+
+namespace glisson::closedloop {
+namespace {
+
+// Shots under the same load are one equilibrium, unless a creeping load parts them as soon as a parameter moves.
+struct Distinct {
+  Eigen::MatrixXd amounts;
+  std::vector<Eigen::Index> first;  // a shot under each distinct load
+  std::vector<Eigen::Index> which;  // the distinct load of each shot
+};
+Distinct distinct(const Acting& acting) {
+  const Eigen::MatrixXd& all = acting.amounts;
+  Distinct result;
+  for (Eigen::Index c = 0; c < all.cols(); ++c) {
+    const auto known = std::find_if(result.first.begin(), result.first.end(), [&](Eigen::Index other) {
+      return acting.state.creep.empty() && all.col(other) == all.col(c);
+    });
+    result.which.push_back(known - result.first.begin());
+    if (known == result.first.end()) result.first.push_back(c);
+  }
+  result.amounts = all(Eigen::all, result.first);
+  return result;
+}
+
+bool same_effects(const Settings& a, const Settings& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Setting& x, const Setting& y) {
+    return x.kind == y.kind && x.form == y.form && x.parameters.size() == y.parameters.size();
+  });
+}
+bool same_settings(const Settings& a, const Settings& b) {
+  return same_effects(a, b) && std::equal(a.begin(), a.end(), b.begin(), [](const Setting& x, const Setting& y) {
+           return x.parameters == y.parameters;
+         });
+}
+
+}  // namespace
+
+// Equilibria at all nodes, one a distinct load, and their derivatives where they were asked for.
+struct StiffenedResponse::Nodal {
+  Settings settings;
+  Acting acting;
+  Distinct loads;
+  Eigen::MatrixXd u_mm;
+  std::vector<Eigen::MatrixXd> by_parameter;
+
+  [[nodiscard]] Eigen::MatrixXd at_shots(const Interpolation& markers, const Eigen::MatrixXd& nodal) const {
+    return markers.at_places(nodal)(Eigen::all, loads.which);
+  }
+};
+
+// The last few at all nodes, many at the markers.
+struct StiffenedResponse::Memory {
+  struct Entry {
+    Settings settings;
+    Eigen::MatrixXd at_markers;
+    std::vector<Eigen::MatrixXd> by_parameter;  // empty where not asked for
+  };
+  static constexpr std::size_t most_entries = 512, most_nodal = 6;
+  std::mutex guard;
+  std::deque<Entry> entries;
+  std::deque<std::shared_ptr<const Nodal>> nodal;
+
+  [[nodiscard]] const Entry* find(const Settings& settings) const {
+    const auto found = std::find_if(entries.begin(), entries.end(),
+                                    [&](const Entry& entry) { return same_settings(entry.settings, settings); });
+    return found == entries.end() ? nullptr : &*found;
+  }
+  void note(Entry entry) {
+    std::erase_if(entries, [&](const Entry& other) { return same_settings(other.settings, entry.settings); });
+    entries.push_front(std::move(entry));
+    if (entries.size() > most_entries) entries.pop_back();
+  }
+  void note(std::shared_ptr<const Nodal> solved) {
+    std::erase_if(nodal, [&](const auto& other) { return same_effects(other->settings, solved->settings); });
+    nodal.push_front(std::move(solved));
+    if (nodal.size() > most_nodal) nodal.pop_back();
+  }
+};
+
+StiffenedResponse::StiffenedResponse(PalpationSolver solver, std::function<Acting(const Settings&)> acting)
+    : solver_(std::move(solver)), acting_(std::move(acting)), memory_(std::make_shared<Memory>()) {}
+
+Result<Eigen::MatrixXd> StiffenedResponse::at_markers(const Settings& settings) const {
+  {
+    const std::lock_guard lock(memory_->guard);
+    if (const auto* known = memory_->find(settings)) return known->at_markers;
+  }
+  const auto solved = equilibria(settings);
+  if (!solved) return failure(solved.error());
+  Eigen::MatrixXd at_markers = (*solved)->at_shots(solver_.markers(), (*solved)->u_mm);
+  const std::lock_guard lock(memory_->guard);
+  memory_->note({settings, at_markers, {}});
+  return at_markers;
+}
+
+// With springs and a membrane that do not scale, everything is divided by the stiffness factor: `amounts` are already.
+Result<std::shared_ptr<const StiffenedResponse::Nodal>> StiffenedResponse::equilibria(const Settings& settings) const {
+  std::shared_ptr<const Nodal> last;
+  {
+    const std::lock_guard lock(memory_->guard);
+    for (const auto& known : memory_->nodal) {
+      if (same_effects(known->settings, settings)) last = known;
+    }
+  }
+  if (last && same_settings(last->settings, settings)) return last;
+
+  auto solved = std::make_shared<Nodal>();
+  solved->settings = settings;
+  solved->acting = acting_(settings);
+  solved->loads = distinct(solved->acting);
+  const PalpationState& at = solved->acting.state;
+  const auto linear = solver_.solution(at.scaled_structure());
+  if (!linear) return failure(linear.error());
+  const Eigen::MatrixXd linear_mm = (*linear)->u_mm * solved->loads.amounts;
+  if (at.stiffening->coefficient == 0) {
+    solved->u_mm = linear_mm;
+    return std::shared_ptr<const Nodal>(std::move(solved));
+  }
+  const Eigen::MatrixXd forces_mN = solver_.loads_mN() * solved->loads.amounts;
+  const auto from = [&](const Eigen::MatrixXd& start_mm) {
+    return stiffened_equilibria(solver_.specimen(), **linear, *at.stiffening, forces_mN, start_mm);
+  };
+  Result<Eigen::MatrixXd> found = failure("stiffening-diverged", "");
+  if (last && last->loads.which == solved->loads.which) {
+    Eigen::MatrixXd start_mm = last->u_mm;
+    std::size_t column = 0;
+    for (std::size_t s = 0; s < settings.size() && !last->by_parameter.empty(); ++s) {
+      const Eigen::VectorXd step = settings[s].parameters - last->settings[s].parameters;
+      for (Eigen::Index p = 0; p < step.size(); ++p) start_mm += step[p] * last->by_parameter[column++];
+    }
+    found = from(start_mm);
+  }
+  if (!found) found = from(linear_mm);
+  if (!found) return failure(std::move(found.error()));
+  solved->u_mm = std::move(*found);
+  const std::lock_guard lock(memory_->guard);
+  memory_->note(std::shared_ptr<const Nodal>(solved));
+  return std::shared_ptr<const Nodal>(std::move(solved));
+}
+
+// From what is in balance, R(u; parameters) = 0: du = -(tangent)^-1 dR, with dR by central differences, which are cheap
+// and lose nothing that matters (1e-9 of R).
+Result<std::vector<Eigen::MatrixXd>> StiffenedResponse::derivatives_at_markers(const Settings& settings) const {
+  {
+    const std::lock_guard lock(memory_->guard);
+    const auto* known = memory_->find(settings);
+    if (known != nullptr && !known->by_parameter.empty()) return known->by_parameter;
+  }
+  const auto solved = equilibria(settings);
+  if (!solved) return failure(solved.error());
+  const Nodal& here = **solved;
+  const auto linear = solver_.solution(here.acting.state.scaled_structure());
+  if (!linear) return failure(linear.error());
+
+  const Eigen::Index loads = here.u_mm.cols(), parameters = parameter_count(settings);
+  const auto imbalance_mN = [&](const Settings& moved) {
+    const Acting there = acting_(moved);
+    const Structure structure = there.state.scaled_structure();
+    Eigen::MatrixXd force_mN = -(solver_.loads_mN() * there.amounts(Eigen::all, here.loads.first));
+    parallel_for(static_cast<std::size_t>(loads), 1, [&](std::size_t begin, std::size_t end) {
+      for (auto l = static_cast<Eigen::Index>(begin); l < static_cast<Eigen::Index>(end); ++l) {
+        force_mN.col(l) += resisting_force_mN(solver_.specimen(), structure, *there.state.stiffening, here.u_mm.col(l));
+      }
+    });
+    return force_mN;
+  };
+  Eigen::MatrixXd forces_mN(here.u_mm.rows(), loads * parameters);
+  std::vector<Eigen::Index> load_of_column;
+  Settings moved = settings;
+  Eigen::Index column = 0;
+  for (std::size_t s = 0; s < settings.size(); ++s) {
+    for (Eigen::Index p = 0; p < settings[s].parameters.size(); ++p, ++column) {
+      const double value = settings[s].parameters[p], step = 1e-5 * std::max(1e-2, std::abs(value));
+      moved[s].parameters[p] = value + step;
+      const Eigen::MatrixXd ahead_mN = imbalance_mN(moved);
+      moved[s].parameters[p] = value - step;
+      forces_mN.middleCols(column * loads, loads) = -(ahead_mN - imbalance_mN(moved)) / (2 * step);
+      moved[s].parameters[p] = value;
+      for (Eigen::Index l = 0; l < loads; ++l) load_of_column.push_back(l);
+    }
+  }
+  constexpr double tolerance = 1e-5;  // a search needs no more of its slopes
+  auto slopes = solve_tangent(solver_.specimen(), **linear, *here.acting.state.stiffening, here.u_mm, forces_mN,
+                              load_of_column, tolerance);
+  if (!slopes) return failure(std::move(slopes.error()));
+
+  auto with_slopes = std::make_shared<Nodal>(here);
+  Memory::Entry entry{settings, here.at_shots(solver_.markers(), here.u_mm), {}};
+  for (Eigen::Index i = 0; i < parameters; ++i) {
+    with_slopes->by_parameter.emplace_back(slopes->middleCols(i * loads, loads));
+    entry.by_parameter.push_back(here.at_shots(solver_.markers(), with_slopes->by_parameter.back()));
+  }
+  std::vector<Eigen::MatrixXd> derivatives = entry.by_parameter;
+  const std::lock_guard lock(memory_->guard);
+  memory_->note(std::move(entry));
+  memory_->note(std::shared_ptr<const Nodal>(std::move(with_slopes)));
+  return derivatives;
+}
+
+}  // namespace glisson::closedloop
