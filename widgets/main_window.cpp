@@ -105,6 +105,9 @@ void MainWindow::show_patient(const Patient& patient) {
   welcome_->hide();
   views_->show();
   notice_->hide();
+  QStringList remarks;
+  for (const std::string& remark : patient.remarks) remarks << QString::fromStdString(remark);
+  if (!remarks.isEmpty()) show_notice(remarks.join(" "));
   origin_->setText(QString::fromStdString(patient.origin));
   origin_->setVisible(!patient.origin.empty());
   setWindowTitle(tr("%1 - Glisson").arg(QString::fromStdString(patient.name)));

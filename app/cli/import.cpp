@@ -1,7 +1,6 @@
 // glisson-cli import PATH --case CASE: makes a case out of a study.
 
 #include <fmt/format.h>
-#include <system_error>
 
 #include "casefile/import.h"
 #include "command.h"
@@ -9,7 +8,6 @@
 #include "shared_options.h"
 
 namespace glisson::cli {
-namespace fs = std::filesystem;
 namespace {
 
 struct Options {
@@ -21,19 +19,11 @@ struct Options {
 Result<Outcome> import_path(const Options& options, const Progress& progress) {
   const auto study = imaging::scan(options.path, progress.part(0.0, 0.3));
   if (!study) return failure(study.error());
-  auto patient = casefile::Case::create(options.case_folder);
-  if (!patient) return failure(patient.error());
-
-  const auto imported = casefile::import_study(*patient, *study, options.choice, progress.part(0.3, 1.0));
-  if (!imported) {
-    // Nothing was there before (Case::create saw to it), so nothing is left behind.
-    std::error_code ignored;
-    fs::remove_all(options.case_folder, ignored);
-    return failure(imported.error());
-  }
+  const auto made = casefile::new_case_from(*study, options.case_folder, options.choice, progress.part(0.3, 1.0));
+  if (!made) return failure(made.error());
 
   Outcome outcome{{{"case", options.case_folder}, {"volumes", Json::array()}, {"structures", Json::array()}}, {}};
-  for (const auto& volume : *imported) {
+  for (const auto& volume : made->volumes) {
     outcome.document["volumes"].push_back({{"role", imaging::role_name(volume.role)},
                                            {"id", volume.id},
                                            {"size", three(volume.grid.size)},
@@ -45,14 +35,14 @@ Result<Outcome> import_path(const Options& options, const Progress& progress) {
         fmt::format("{:22} {} x {} x {}\n", volume.id, volume.grid.size[0], volume.grid.size[1], volume.grid.size[2]) +
         bullet_list(volume.notes);
   }
-  for (const casefile::Entry& entry : patient->entries()) {
+  for (const casefile::Entry& entry : made->patient.entries()) {
     if (!entry.id.starts_with("labels/")) continue;
     outcome.document["structures"].push_back(entry.id.substr(7));
     outcome.text += fmt::format("{}\n", entry.id);
   }
-  if (!patient->origin().empty()) outcome.document["origin"] = patient->origin();
-  outcome.text +=
-      fmt::format("{}{}\n", options.case_folder, patient->origin().empty() ? "" : " (" + patient->origin() + ")");
+  const std::string& origin = made->patient.origin();
+  if (!origin.empty()) outcome.document["origin"] = origin;
+  outcome.text += fmt::format("{}{}\n", options.case_folder, origin.empty() ? "" : " (" + origin + ")");
   return outcome;
 }
 

@@ -1,5 +1,7 @@
 // glisson [--demo | PATH]: the window.
 
+#include <algorithm>
+#include <iterator>
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QSurfaceFormat>
@@ -8,7 +10,44 @@
 #include "main_window.h"
 #include "theme.h"
 
+namespace {
+
+const QCommandLineOption demo_option("demo", "Open the demo patient.");
+
+void name_application() {
+  QCoreApplication::setApplicationName("glisson");
+  QCoreApplication::setApplicationVersion(QString::fromStdString(glisson::version()));
+}
+
+// Answers --help and --version, and ends the program, itself.
+QStringList positional_arguments(QCommandLineParser& parser, const QCoreApplication& application) {
+  parser.setApplicationDescription("Planning and reviewing liver surgery. Not a medical device.");
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addOption(demo_option);
+  parser.addPositionalArgument("PATH", "A case (NAME.glisson), or a folder or file of images.", "[PATH]");
+  parser.process(application);
+  return parser.positionalArguments();
+}
+
+bool asks_for_text_only(int argc, char** argv) {
+  static constexpr std::string_view text_only[] = {"-h", "--help", "--help-all", "-v", "--version"};
+  return std::any_of(argv + 1, argv + argc, [](std::string_view argument) {
+    return std::find(std::begin(text_only), std::end(text_only), argument) != std::end(text_only);
+  });
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  QCommandLineParser arguments;
+  if (asks_for_text_only(argc, argv)) {  // needs no display
+    const QCoreApplication application(argc, argv);
+    name_application();
+    positional_arguments(arguments, application);
+    return 0;
+  }
+
   // VTK needs a core profile; set before any window exists.
   QSurfaceFormat format;
   format.setVersion(3, 2);
@@ -17,27 +56,18 @@ int main(int argc, char** argv) {
   QSurfaceFormat::setDefaultFormat(format);
 
   QApplication application(argc, argv);
-  QApplication::setApplicationName("glisson");
+  name_application();
   QApplication::setApplicationDisplayName("Glisson");
-  QApplication::setApplicationVersion(QString::fromStdString(glisson::version()));
   glisson::widgets::apply_dark_theme(application);
   QApplication::setWindowIcon(QIcon(":/icons/glisson.svg"));
 
-  QCommandLineParser arguments;
-  arguments.setApplicationDescription("Planning and reviewing liver surgery. Not a medical device.");
-  arguments.addHelpOption();
-  arguments.addVersionOption();
-  const QCommandLineOption demo("demo", "Open the demo patient.");
-  arguments.addOption(demo);
-  arguments.addPositionalArgument("PATH", "A case (NAME.glisson), or a folder or file of images.", "[PATH]");
-  arguments.process(application);
-
+  const QStringList paths = positional_arguments(arguments, application);
   glisson::widgets::MainWindow window;
   window.show();
-  if (arguments.isSet(demo)) {
+  if (arguments.isSet(demo_option)) {
     window.open_demo();
-  } else if (!arguments.positionalArguments().isEmpty()) {
-    window.open_path(std::filesystem::path(arguments.positionalArguments().front().toStdU16String()));
+  } else if (!paths.isEmpty()) {
+    window.open_path(std::filesystem::path(paths.front().toStdU16String()));
   }
   return QApplication::exec();
 }

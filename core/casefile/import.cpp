@@ -53,6 +53,20 @@ Result<std::vector<ImportedVolume>> import_study(Case& patient, const Study& stu
   return imported;
 }
 
+Result<NewCase> new_case_from(const Study& study, const std::filesystem::path& folder, const ImportChoice& choice,
+                              const Progress& progress) {
+  auto patient = Case::create(folder);
+  if (!patient) return failure(patient.error());
+  auto volumes = import_study(*patient, study, choice, progress);
+  if (!volumes) {
+    // Nothing was there before: Case::create saw to it.
+    std::error_code ignored;
+    std::filesystem::remove_all(folder, ignored);
+    return failure(volumes.error());
+  }
+  return NewCase{*std::move(patient), *std::move(volumes)};
+}
+
 std::string structure_name(const std::string& name) {
   std::string simple;
   for (const char c : name) {

@@ -1,6 +1,7 @@
 #pragma once
 // From the series of a study to the volumes of a case.
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,14 @@ struct ImportedVolume {
 // before stays until each new volume is complete.
 Result<std::vector<ImportedVolume>> import_study(Case& patient, const imaging::Study& study, const ImportChoice& choice,
                                                  const Progress& progress = {});
+
+// A new case of a study, or nothing: where the import fails or is cancelled, the folder that it made is gone again.
+struct NewCase {
+  Case patient;
+  std::vector<ImportedVolume> volumes;
+};
+Result<NewCase> new_case_from(const imaging::Study& study, const std::filesystem::path& folder,
+                              const ImportChoice& choice, const Progress& progress = {});
 
 // "Hepatic Vein, left" -> "hepatic-vein-left": a name that serves as a file name and on the command line.
 std::string structure_name(const std::string& name);

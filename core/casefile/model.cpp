@@ -148,13 +148,17 @@ Result<PatientModel> read_model(const Case& patient) {
   return model;
 }
 
+Result<geometry::Surface> smooth_outline(const Structure& structure) {
+  return meshing::mask_surface(structure.mask,
+                               structure.name == "liver" ? meshing::organ_smoothing : meshing::MaskSurfaceOptions{});
+}
+
 namespace {
 
 Result<void> save_structure_surfaces(Case& patient, const std::vector<Structure>& structures) {
   for (const Structure& structure : structures) {
     if (segmentation::voxel_count(structure.mask) == 0) continue;
-    const auto surface = meshing::mask_surface(
-        structure.mask, structure.name == "liver" ? meshing::organ_smoothing : meshing::MaskSurfaceOptions{});
+    const auto surface = smooth_outline(structure);
     if (!surface) return failure(surface.error());
     auto saved =
         patient.add("surfaces/" + structure.name, ".vtp", Made{"mesh", {}, {"labels/" + structure.name}, {}, {}},

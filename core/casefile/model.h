@@ -20,6 +20,9 @@ namespace glisson::casefile {
 Result<meshing::LiverMesh> mesh_liver(Case& patient, const meshing::MeshOptions& options = {},
                                       const Progress& progress = {});
 
+// A structure's outline made smooth, for pictures: as mesh_liver saves it. Fails with "mask-empty".
+Result<geometry::Surface> smooth_outline(const segmentation::Structure& structure);
+
 // Where the stiffness comes from: the MRE map of the case, one value, or the atlas.
 struct FromMre {};
 struct Uniform {

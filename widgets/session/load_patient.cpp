@@ -6,7 +6,6 @@
 #include "casefile/import.h"
 #include "casefile/model.h"
 #include "casefile/structures.h"
-#include "geometry/mesh_file.h"
 #include "imaging/volume_file.h"
 #include "study/demo.h"
 
@@ -48,18 +47,15 @@ Result<void> prepare_rehearsal(const casefile::Case& from, Patient& patient, con
   return {};
 }
 
-// Before there is a model: what has a surface, or none.
-Result<void> read_surfaces(const casefile::Case& from, Patient& patient) {
-  for (const casefile::Entry& entry : from.entries()) {
-    if (!entry.id.starts_with("surfaces/")) continue;
-    auto surface = from.file_of(entry.id).and_then(geometry::read_surface);
-    if (!surface) return failure(surface.error());
-    const double volume_mm3 = geometry::volume_mm3(*surface);
-    PatientStructure structure{entry.id.substr(std::string("surfaces/").size()),
-                               std::make_shared<geometry::Surface>(*std::move(surface)),
-                               units::ml_from_mm3(std::abs(volume_mm3))};
-    const bool first = structure.name == "liver";
-    patient.structures.insert(first ? patient.structures.begin() : patient.structures.end(), std::move(structure));
+// Before there is a model: what has been outlined so far.
+Result<void> show_outlines(const casefile::Case& from, Patient& patient) {
+  const auto structures = casefile::read_structures(from);
+  if (!structures) return failure(structures.error());
+  for (const segmentation::Structure& structure : *structures) {
+    auto outline = casefile::smooth_outline(structure);
+    if (!outline) return failure(outline.error());
+    patient.structures.push_back({structure.name, std::make_shared<geometry::Surface>(*std::move(outline)),
+                                  segmentation::volume_ml(structure.mask)});
   }
   return {};
 }
@@ -89,19 +85,17 @@ Result<Patient> load_patient(const fs::path& case_folder, const Progress& progre
   progress.report(0.2, "Preparing the model");
   const auto prepared = opened->find("meshes/model") != nullptr
                             ? prepare_rehearsal(*opened, patient, progress.part(0.2, 1))
-                            : read_surfaces(*opened, patient);
+                            : show_outlines(*opened, patient);
   if (!prepared) return failure(prepared.error());
   return patient;
 }
 
 Result<Patient> import_patient(const imaging::Study& study, const std::string& anatomy_uid, const fs::path& case_folder,
                                const Progress& progress) {
-  auto made = casefile::Case::create(case_folder);
-  if (!made) return failure(made.error());
   casefile::ImportChoice choice;
   if (!anatomy_uid.empty()) choice.anatomy_uid = anatomy_uid;
-  auto imported = casefile::import_study(*made, study, choice, progress.part(0, 0.8));
-  if (!imported) return failure(imported.error());
+  const auto made = casefile::new_case_from(study, case_folder, choice, progress.part(0, 0.8));
+  if (!made) return failure(made.error());
   return load_patient(case_folder, progress.part(0.8, 1));
 }
 
@@ -114,10 +108,12 @@ NextStep next_step(const fs::path& case_folder) {
 Result<Patient> outline_liver(const fs::path& case_folder, const Eigen::Vector3d& inside_mm, const Progress& progress) {
   auto opened = casefile::Case::open(case_folder);
   if (!opened) return failure(opened.error());
-  if (auto grown = casefile::grow_structure(*opened, "liver", {inside_mm}, progress.part(0, 0.9)); !grown) {
-    return failure(grown.error());
-  }
-  return load_patient(case_folder, progress.part(0.9, 1));
+  auto grown = casefile::grow_structure(*opened, "liver", {inside_mm}, progress.part(0, 0.9));
+  if (!grown) return failure(grown.error());
+  return load_patient(case_folder, progress.part(0.9, 1)).map([&](Patient patient) {
+    patient.remarks = std::move(grown->notes);
+    return patient;
+  });
 }
 
 Result<Patient> build_model(const fs::path& case_folder, const Progress& progress) {

@@ -28,8 +28,9 @@ struct Patient {
   std::vector<PatientStructure> structures;          // the liver first
   // Absent until the model was built. Its structures are those above, in their order.
   std::shared_ptr<const rehearsal::StaticRehearsal> rehearsal;
-  double mean_youngs_kPa = 0;   // of the model's cells
-  double atlas_youngs_kPa = 0;  // of its atlas twin
+  std::vector<std::string> remarks;  // what the last step found worth looking at, one sentence each
+  double mean_youngs_kPa = 0;        // of the model's cells
+  double atlas_youngs_kPa = 0;       // of its atlas twin
 };
 
 // A window of grey values that suits most of a volume: from its 1st to its 99th hundredth.

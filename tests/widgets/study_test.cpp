@@ -1,0 +1,210 @@
+// From a folder of DICOM that is dropped on the window to a liver that moves, as a person does it: the dialogs are
+// answered, the two next steps are taken.
+//
+// The study is simulated: two series of an ellipsoid of 290 ml in a body, one of them dark.
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <QTreeWidget>
+#include <QtTest>
+#include <random>
+
+#include "base/files.h"
+#include "imaging/dicom_text.h"
+#include "imaging/dicom_uid.h"
+#include "imaging/dicom_write.h"
+#include "main_window.h"
+#include "theme.h"
+
+namespace glisson::widgets {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int patience_ms = 120000;  // for the longest step on a machine that does other work too
+const Eigen::Vector3d liver_mm(-20, 5, 0);
+
+imaging::Volume ellipsoid_in_a_body(double brightness) {
+  imaging::Volume volume;
+  volume.grid.size = {44, 40, 30};
+  volume.grid.spacing_mm = {4, 4, 5};
+  volume.grid.origin_mm = {-106, -73, -72};
+  volume.values.resize(volume.grid.voxels());
+  std::mt19937 random(3);
+  std::normal_distribution<float> noise(0, 4);
+  for (int k = 0; k < 30; ++k) {
+    for (int j = 0; j < 40; ++j) {
+      for (int i = 0; i < 44; ++i) {
+        const Eigen::Vector3d away =
+            (volume.grid.position_mm(i, j, k) - liver_mm).cwiseQuotient(Eigen::Vector3d(48, 40, 36));
+        volume.at(i, j, k) = static_cast<float>(away.norm() < 1 ? brightness : 0.4 * brightness) + noise(random);
+      }
+    }
+  }
+  return volume;
+}
+
+void write_series(const fs::path& folder, const std::string& name, int number, const imaging::Volume& volume) {
+  imaging::SeriesDescription description;
+  description.patient_name = "NOBODY^SIMULATED";
+  description.study_uid = imaging::uid_from_name("dropped study");
+  description.series_uid = imaging::uid_from_name(name);
+  description.frame_of_reference_uid = imaging::uid_from_name("dropped frame");
+  description.series_description = name;
+  description.series_number = number;
+  const auto written = imaging::write_dicom_series(folder / name, volume, description);
+  if (!written) qFatal("%s", written.error().message().c_str());
+}
+
+// Does `answer` to the next dialog of that kind; the tests' own event loop is inside the dialog then.
+template <typename Dialog, typename Answer>
+void when_asked(QObject* context, Answer answer) {
+  auto* timer = new QTimer(context);
+  timer->setInterval(30);
+  QObject::connect(timer, &QTimer::timeout, context, [timer, answer] {
+    auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr) return;
+    timer->stop();
+    timer->deleteLater();
+    answer(*dialog);
+  });
+  timer->start();
+}
+
+class StudyTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    write_series(study(), "T1 dark", 1, ellipsoid_in_a_body(40));
+    write_series(study(), "T1 bright", 2, ellipsoid_in_a_body(150));
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1400, 900);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  }
+
+  void takes_only_one_folder_or_file_that_is_dropped() {
+    QVERIFY(drag({QUrl::fromLocalFile(QString::fromStdString(study().string()))}));
+    QVERIFY(!drag({QUrl("https://example.org/study")}));
+    QVERIFY(!drag({QUrl::fromLocalFile("/a"), QUrl::fromLocalFile("/b")}));
+  }
+
+  void leaves_no_case_behind_when_the_person_changes_their_mind() {
+    QSignalSpy finished(&window_->work(), &BackgroundWork::finished);
+    when_asked<QInputDialog>(this, [](QInputDialog& dialog) { dialog.reject(); });
+    drop_study();
+    QVERIFY(finished.wait(patience_ms));
+    QTest::qWait(100);
+    QVERIFY(!fs::exists(case_folder()));
+    QVERIFY(!next_step()->isVisible());
+  }
+
+  void imports_the_series_that_the_person_chooses() {
+    when_asked<QInputDialog>(this, [this](QInputDialog& dialog) {
+      auto* choice = dialog.findChild<QComboBox*>();
+      offered_ = choice->count();
+      for (int n = 0; n < choice->count(); ++n) {
+        if (choice->itemText(n).contains("bright")) choice->setCurrentIndex(n);
+      }
+      dialog.accept();
+    });
+    when_asked<QFileDialog>(this, [this](QFileDialog& dialog) {
+      dialog.findChild<QLineEdit*>()->setText(QString::fromStdString(case_folder().string()));
+      QMetaObject::invokeMethod(&dialog, "accept");
+    });
+    drop_study();
+    QTRY_VERIFY_WITH_TIMEOUT(next_step()->isVisible(), patience_ms);
+    QCOMPARE(offered_, 2);
+    QVERIFY(fs::exists(case_folder() / "case.json"));
+    const imaging::Volume bright = ellipsoid_in_a_body(150);
+    const SliceView& slice = window_->views().slice(SliceDirection::transverse);
+    QVERIFY((slice.crosshair_mm() - bright.grid.position_mm(22, 20, 15)).norm() < 30);
+    QVERIFY(next_step()->text().contains("Outline"));
+  }
+
+  void outlines_the_liver_from_the_crosshair() {
+    window_->views().set_crosshair(liver_mm);
+    QTest::mouseClick(next_step(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(next_step()->text().contains("Build"), patience_ms);
+    // The ellipsoid's volume is 289.5 ml.
+    auto* structures = window_->findChild<QTreeWidget*>("structures");
+    QCOMPARE(structures->topLevelItemCount(), 1);
+    const double volume_ml = QLocale().toDouble(structures->topLevelItem(0)->text(1));
+    QVERIFY(window_->findChild<QLabel*>("notice_text")->isVisible());  // adults' livers are larger
+    QVERIFY2(std::abs(volume_ml - 289.5) < 15, qPrintable(QString::number(volume_ml)));
+  }
+
+  void builds_the_model_and_rehearses() {
+    QTest::mouseClick(next_step(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!next_step()->isVisible() && !window_->work().busy(), patience_ms);
+    auto* hoist = window_->findChild<QPushButton*>("hoist");
+    QTRY_VERIFY_WITH_TIMEOUT(hoist->isEnabled(), patience_ms);
+    QSignalSpy placed(&window_->rehearsal(), &LiveRehearsal::placed);
+    QTest::mouseClick(hoist, Qt::LeftButton);
+    QVERIFY(placed.wait(patience_ms));
+    QVERIFY(window_->rehearsal().frame()->patient.max_displacement_mm > 0.5);
+  }
+
+  void opens_the_kept_case_again() {
+    window_ = std::make_unique<MainWindow>();
+    window_->show();
+    window_->open_path(case_folder());
+    auto* name = window_->findChild<QLabel*>("patient_name");
+    QTRY_VERIFY_WITH_TIMEOUT(name->text().contains("dropped"), patience_ms);
+  }
+
+  void shuts_down_cleanly() { window_.reset(); }
+
+ private:
+  [[nodiscard]] fs::path study() const { return folder_.path() / "study"; }
+  [[nodiscard]] fs::path case_folder() const { return folder_.path() / "dropped.glisson"; }
+  QPushButton* next_step() { return window_->findChild<QWidget*>("next_step")->findChild<QPushButton*>(); }
+
+  bool drag(const QList<QUrl>& urls) {
+    QMimeData dragged;
+    dragged.setUrls(urls);
+    QDragEnterEvent enters(QPoint(200, 200), Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
+    enters.ignore();
+    QCoreApplication::sendEvent(window_.get(), &enters);
+    return enters.isAccepted();
+  }
+
+  void drop_study() {
+    const QList<QUrl> urls{QUrl::fromLocalFile(QString::fromStdString(study().string()))};
+    drag(urls);  // Qt gives a drop only to what has accepted it
+    QMimeData dragged;
+    dragged.setUrls(urls);
+    QDropEvent drops(QPointF(200, 200), Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(window_.get(), &drops);
+  }
+
+  TemporaryFolder folder_;
+  std::unique_ptr<MainWindow> window_;
+  int offered_ = 0;
+};
+
+}  // namespace
+}  // namespace glisson::widgets
+
+int main(int argc, char** argv) {
+  QSurfaceFormat format;
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  QSurfaceFormat::setDefaultFormat(format);
+  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+  QApplication application(argc, argv);
+  glisson::widgets::apply_dark_theme(application);
+  glisson::widgets::StudyTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "study_test.moc"
