@@ -6,10 +6,12 @@
 #include <cmath>
 #include <Eigen/Geometry>
 #include <map>
+#include <mutex>
 
 #include "base/units.h"
 #include "closedloop/palpation_effects.h"
 #include "closedloop/palpation_history.h"
+#include "closedloop/palpation_refinement.h"
 #include "closedloop/palpation_search.h"
 #include "closedloop/palpation_solver.h"
 #include "closedloop/palpation_state.h"
@@ -74,6 +76,7 @@ class PalpationModel : public ForwardModel {
   [[nodiscard]] const std::vector<Effect>& catalogue() const override { return catalogue_; }
   [[nodiscard]] Result<Eigen::VectorXd> predict(const Settings& settings) const override;
   [[nodiscard]] Result<Linearisation> linearise(const Settings& settings) const override;
+  [[nodiscard]] Eigen::MatrixXd systematic_uncertainty() const override;
   [[nodiscard]] std::vector<Eigen::VectorXd> starts(const Effect& effect, const Settings& active,
                                                     const Eigen::VectorXd& residual) const override;
 
@@ -103,6 +106,8 @@ class PalpationModel : public ForwardModel {
   double held_from_kPa_per_mm_;
 
   StiffenedResponse stiffened_;
+  mutable std::once_flag uncertainty_once_;
+  mutable Eigen::MatrixXd uncertainty_mm_;
 };
 
 bool stiffens(const PalpationState& state) { return state.stiffening && state.stiffening->coefficient != 0; }
@@ -237,6 +242,33 @@ Eigen::VectorXd PalpationModel::seen(const PalpationState& state, const Eigen::M
     const Eigen::Vector3d u = displacements_mm.col(shot).segment<3>(3 * place);
     return u + turn_less_one * (places_mm_[static_cast<std::size_t>(place)] + u) + state.translation_mm;
   });
+}
+
+// The discretisation error of each tool's response, at the loads that were read: a column a tool.
+Eigen::MatrixXd PalpationModel::systematic_uncertainty() const {
+  std::call_once(uncertainty_once_, [&] {
+    const mechanics::Body& body = solver_.specimen().body;
+    std::vector<FaceLoad> tools;
+    for (std::size_t t = 0; t < histories_.size(); ++t) {
+      if (histories_[t].load != static_cast<Eigen::Index>(tools.size())) continue;  // a tool that is known already
+      const PalpationTool& tool = experiment_.trials[t].tool;
+      FaceLoad load{
+          histories_[t].load, mechanics::faces_within(body.boundary, tool.center_mm, tool.radius_mm).value(), {}};
+      double area_mm2 = 0;
+      for (const std::size_t face : load.faces) area_mm2 += body.boundary[face].area_mm2;
+      load.traction_kPa = tool.direction / area_mm2;
+      tools.push_back(std::move(load));
+    }
+    const Eigen::MatrixXd error_mm = discretisation_error_mm(solver_, places_mm_, tools);
+    const Eigen::MatrixXd amounts = loading({}).amounts;
+    uncertainty_mm_.resize(observations_.rows(), error_mm.cols());
+    for (Eigen::Index l = 0; l < error_mm.cols(); ++l) {
+      uncertainty_mm_.col(l) = rows([&](Eigen::Index place, Eigen::Index shot) -> Eigen::Vector3d {
+        return amounts(l, shot) * error_mm.col(l).segment<3>(3 * place);
+      });
+    }
+  });
+  return uncertainty_mm_;
 }
 
 // What acts at each shot.

@@ -12,6 +12,7 @@
 // no size.
 //
 // Observations are displacements, measured position minus rest (mm): three rows a marker and moment. Exact derivatives.
+// The systematic uncertainty is the discretisation error (palpation_refinement.h).
 
 #include <memory>
 
