@@ -19,6 +19,8 @@ Failure not_a_result(const fs::path& folder, const std::string& why) {
                        folder});
 }
 
+Json steps_of(const mechanics::Simulation& simulation);
+
 std::string_view engine_name(mechanics::Engine engine) { return engine == mechanics::Engine::fem ? "fem" : "meshfree"; }
 
 }  // namespace
@@ -43,6 +45,9 @@ std::string result_text(const mechanics::Simulation& simulation) {
                 {"largest_strain", result.largest_strain},
                 {"inverted_cells", result.inverted_cells},
                 {"applied_force_N", three(result.applied_force_mN * 1e-3)},
+                {"held_reaction_N", three(result.held_reaction_mN * 1e-3)},
+                {"foundation_reaction_N", three(result.foundation_reaction_mN * 1e-3)},
+                {"ligament_reaction_N", three(result.ligament_reaction_mN * 1e-3)},
                 {"timing", {{"setup_s", result.setup_s}, {"step_ms", result.step_ms}}},
                 {"notes", result.notes},
                 {"landmarks", Json::array()}};
@@ -52,8 +57,36 @@ std::string result_text(const mechanics::Simulation& simulation) {
                                      {"displaced_mm", three(landmark.displaced_mm)},
                                      {"displacement_mm", landmark.displacement_mm}});
   }
+  if (!simulation.steps.empty()) document["steps"] = steps_of(simulation);
   return document.dump(2) + "\n";
 }
+
+namespace {
+
+Json steps_of(const mechanics::Simulation& simulation) {
+  Json steps = Json::array();
+  for (const mechanics::MotionStep& step : simulation.steps) {
+    Json landmarks = Json::array();
+    for (std::size_t l = 0; l < step.landmarks_mm.size(); ++l) {
+      landmarks.push_back({{"id", simulation.landmarks[l].id}, {"position_mm", three(step.landmarks_mm[l])}});
+    }
+    steps.push_back({{"time_s", step.time_s},
+                     {"landmarks", std::move(landmarks)},
+                     {"held_reaction_N", three(step.held_reaction_mN * 1e-3)},
+                     {"foundation_reaction_N", three(step.foundation_reaction_mN * 1e-3)},
+                     {"ligament_reaction_N", three(step.ligament_reaction_mN * 1e-3)},
+                     {"converged", step.report.converged},
+                     {"relative_residual", step.report.relative_residual},
+                     {"iterations", step.report.iterations},
+                     {"inverted_cells", step.report.inverted_cells},
+                     {"kinetic_energy_uJ", step.report.kinetic_energy_uJ},
+                     {"strain_energy_uJ", step.report.strain_energy_uJ},
+                     {"step_ms", step.report.step_ms}});
+  }
+  return steps;
+}
+
+}  // namespace
 
 Result<rehearsal::ComparedResult> read_result(const fs::path& folder) {
   std::error_code problem;

@@ -65,14 +65,11 @@ Eigen::SparseMatrix<double> empty_matrix(const BlockPattern& pattern, int nodes)
   return matrix;
 }
 
-void add_foundation(const BoundaryFace& face, double stiffness_kPa_per_mm, ElementOrder order,
-                    const BlockPattern& pattern, double* values) {
+void add_foundation(const BoundaryFace& face, const FoundationFace& spring, ElementOrder order, const BlockSink& sink) {
   const FaceMass mass = face_mass_mm2(face, order);
   for (int a = 0; a < mass.rows(); ++a) {
     for (int b = 0; b < mass.cols(); ++b) {
-      if (face.nodes[a] < face.nodes[b]) continue;
-      const int k = pattern.block_of(face.nodes[b], face.nodes[a]);
-      for (int d = 0; d < 3; ++d) values[pattern.position(face.nodes[b], k, d, d)] += stiffness_kPa_per_mm * mass(a, b);
+      sink.add(face.nodes[a], face.nodes[b], spring.stiffness_kPa_per_mm * mass(a, b) * Eigen::Matrix3d::Identity());
     }
   }
 }

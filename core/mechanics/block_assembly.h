@@ -43,16 +43,33 @@ struct BlockPattern {
 [[nodiscard]] Lists cells_of_nodes(const NodeLayout& layout);
 [[nodiscard]] BlockPattern pattern_of(const NodeLayout& layout, const Lists& cells_of_node);
 [[nodiscard]] Eigen::SparseMatrix<double> empty_matrix(const BlockPattern& pattern, int nodes);
-void add_foundation(const BoundaryFace& face, double stiffness_kPa_per_mm, ElementOrder order,
-                    const BlockPattern& pattern, double* values);
 
-// The lower triangle of the sum over cells, and over the springs of the foundations. `column_of_cell(cell, b)` gives
-// a function of a: the 3x3 block of the cell's local nodes a (row) and b (column), integrated over the cell. The
+// Adds 3x3 blocks of a symmetric matrix one by one, for nodes that share a cell. Both triangles are offered; the lower
+// one is kept.
+class BlockSink {
+ public:
+  BlockSink(const BlockPattern& pattern, double* values) : pattern_(pattern), values_(values) {}
+  void add(int row, int column, const Eigen::Matrix3d& block) const {
+    if (row < column) return;
+    const int k = pattern_.block_of(column, row);
+    for (int c = 0; c < 3; ++c) {
+      for (int r = k == 0 ? c : 0; r < 3; ++r) values_[pattern_.position(column, k, r, c)] += block(r, c);
+    }
+  }
+
+ private:
+  const BlockPattern& pattern_;
+  double* values_;
+};
+
+void add_foundation(const BoundaryFace& face, const FoundationFace& spring, ElementOrder order, const BlockSink& sink);
+
+// The lower triangle of the sum over cells, and of what `add_more(BlockSink)` adds to it. `column_of_cell(cell, b)`
+// gives a function of a: the 3x3 block of the cell's local nodes a (row) and b (column), integrated over the cell. The
 // result does not depend on the number of threads: each column is summed by one thread, in the order of the cells.
-template <typename ColumnOfCell>
-Eigen::SparseMatrix<double> assemble_blocks(const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
-                                            const std::vector<FoundationFace>& foundations,
-                                            const ColumnOfCell& column_of_cell) {
+template <typename ColumnOfCell, typename AddMore>
+Eigen::SparseMatrix<double> assemble_blocks(const NodeLayout& layout, const ColumnOfCell& column_of_cell,
+                                            const AddMore& add_more) {
   const Lists cells_of_node = cells_of_nodes(layout);
   const BlockPattern pattern = pattern_of(layout, cells_of_node);
   Eigen::SparseMatrix<double> matrix = empty_matrix(pattern, layout.nodes());
@@ -75,10 +92,18 @@ Eigen::SparseMatrix<double> assemble_blocks(const NodeLayout& layout, const std:
   parallel_for(static_cast<std::size_t>(layout.nodes()), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t j = begin; j < end; ++j) add_column(static_cast<int>(j));
   });
-  for (const FoundationFace& spring : foundations) {
-    add_foundation(boundary[spring.face], spring.stiffness_kPa_per_mm, layout.order, pattern, values);
-  }
+  add_more(BlockSink(pattern, values));
   return matrix;
+}
+
+// With the springs of foundations.
+template <typename ColumnOfCell>
+Eigen::SparseMatrix<double> assemble_blocks(const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
+                                            const std::vector<FoundationFace>& foundations,
+                                            const ColumnOfCell& column_of_cell) {
+  return assemble_blocks(layout, column_of_cell, [&](const BlockSink& sink) {
+    for (const FoundationFace& spring : foundations) add_foundation(boundary[spring.face], spring, layout.order, sink);
+  });
 }
 
 }  // namespace glisson::mechanics

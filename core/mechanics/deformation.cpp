@@ -5,16 +5,6 @@
 #include <Eigen/SVD>
 
 namespace glisson::mechanics {
-namespace {
-
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
-
-}  // namespace
-
 Polar polar_decomposition(const Eigen::Matrix3d& f) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(f, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Matrix3d u = svd.matrixU();
@@ -51,12 +41,6 @@ Matrix9d determinant_hessian(const Eigen::Matrix3d& f) {
     hessian.block<3, 3>(3 * c, 3 * last) = cross_matrix(f.col(next));
   }
   return hessian;
-}
-
-Matrix9d positive_part(const Matrix9d& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<Matrix9d> modes(symmetric);
-  if (modes.eigenvalues().minCoeff() >= 0) return symmetric;
-  return modes.eigenvectors() * modes.eigenvalues().cwiseMax(0.0).asDiagonal() * modes.eigenvectors().transpose();
 }
 
 }  // namespace glisson::mechanics

@@ -3,6 +3,7 @@
 // after column, so that the derivative of one matrix by another is 9x9.
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 namespace glisson::mechanics {
@@ -12,6 +13,13 @@ using Matrix9d = Eigen::Matrix<double, 9, 9>;
 
 inline Vector9d as_vector(const Eigen::Matrix3d& m) { return Eigen::Map<const Vector9d>(m.data()); }
 inline Eigen::Matrix3d as_matrix(const Vector9d& v) { return Eigen::Map<const Eigen::Matrix3d>(v.data()); }
+
+// The matrix of v x.
+inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
 
 // F = R S with R a rotation (never a reflection) and S symmetric. Where F inverts, the smallest eigenvalue of S is
 // negative (Irving, Teran, Fedkiw 2004, Invertible Finite Elements). The slow, sure way: by singular values.
@@ -34,6 +42,11 @@ struct Polar {
 [[nodiscard]] Matrix9d determinant_hessian(const Eigen::Matrix3d& f);
 
 // The nearest positive semi-definite matrix to a symmetric one: negative eigenvalues become zero.
-[[nodiscard]] Matrix9d positive_part(const Matrix9d& symmetric);
+template <int size>
+[[nodiscard]] Eigen::Matrix<double, size, size> positive_part(const Eigen::Matrix<double, size, size>& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, size, size>> modes(symmetric);
+  if (modes.eigenvalues().minCoeff() >= 0) return symmetric;
+  return modes.eigenvectors() * modes.eigenvalues().cwiseMax(0.0).asDiagonal() * modes.eigenvectors().transpose();
+}
 
 }  // namespace glisson::mechanics

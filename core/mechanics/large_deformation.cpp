@@ -8,6 +8,7 @@
 #include "mechanics/quadrature.h"
 #include "mechanics/shape_functions.h"
 #include "mechanics/strain.h"
+#include "mechanics/surroundings.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -49,21 +50,23 @@ void visit_samples(const Body& body, const Sampling& sampling, const Eigen::Vect
   });
 }
 
-Material material_of(const Lame& lame, MaterialLaw law) {
+Material material_of(const Lame& lame, MaterialLaw law, double strain_stiffening) {
   switch (law) {
     case MaterialLaw::linear: return SmallStrain{lame};
     case MaterialLaw::corotational: return Corotational{lame};
     case MaterialLaw::neo_hookean: return StableNeoHookean(lame);
+    case MaterialLaw::veronda_westmann: return veronda_westmann_from(lame, strain_stiffening);
   }
   GLISSON_ASSERT(false);
 }
 
 }  // namespace
 
-std::vector<Material> materials_of(const Body& body, MaterialLaw law) {
+std::vector<Material> materials_of(const Body& body, MaterialLaw law, double strain_stiffening) {
+  GLISSON_ASSERT(law != MaterialLaw::veronda_westmann || strain_stiffening > 0);
   std::vector<Material> materials;
   materials.reserve(body.materials.size());
-  for (const Lame& lame : body.materials) materials.push_back(material_of(lame, law));
+  for (const Lame& lame : body.materials) materials.push_back(material_of(lame, law, strain_stiffening));
   return materials;
 }
 
@@ -97,7 +100,7 @@ Eigen::VectorXd internal_force_mN(const Body& body, const std::vector<Material>&
 }
 
 Eigen::SparseMatrix<double> tangent_stiffness(const Body& body, const std::vector<Material>& materials,
-                                              const Eigen::VectorXd& u_mm, Tangent which) {
+                                              const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa) {
   const Sampling sampling(body.options.order);
   std::vector<Matrix9d> tangents(body.layout.cells.size() * sampling.points());
   visit_samples(body, sampling, u_mm,
@@ -106,7 +109,7 @@ Eigen::SparseMatrix<double> tangent_stiffness(const Body& body, const std::vecto
                   tangents[c * sampling.points() + q] = which == Tangent::exact ? tangent : positive_part(tangent);
                 });
 
-  return assemble_blocks(body.layout, body.boundary, body.resolved.foundations, [&](std::size_t cell, int b) {
+  const auto column_of_cell = [&](std::size_t cell, int b) {
     // Moving node b by e changes F by e g_b^T: the stress follows by these 9x3, and the force on a by its g_a.
     const CellGeometry shape = cell_geometry(body.mesh, cell);
     std::array<TetGradients, 4> gradients;
@@ -124,6 +127,9 @@ Eigen::SparseMatrix<double> tangent_stiffness(const Body& body, const std::vecto
       }
       return block;
     };
+  };
+  return assemble_blocks(body.layout, column_of_cell, [&](const BlockSink& sink) {
+    add_surroundings_tangent(body, pressure_kPa, u_mm, which, sink);
   });
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // Energy, forces and stiffness of a body at large deformation: its material's functions of F, integrated over the
-// cells (one point in a linear cell, four in a quadratic one). Foundations are not in here, except where said.
+// cells (one point in a linear cell, four in a quadratic one). What is around it is not in here, except where said.
 // `u_mm` has 3 values a node; forces are in mN, 3 a node.
 
 #include <Eigen/SparseCore>
@@ -12,8 +12,9 @@
 
 namespace glisson::mechanics {
 
-// One material a cell, from the body's moduli. Neo-Hookean means the one that is stable under inversion.
-[[nodiscard]] std::vector<Material> materials_of(const Body& body, MaterialLaw law);
+// One material a cell, from the body's moduli. Neo-Hookean means the one that is stable under inversion;
+// `strain_stiffening` is read by Veronda and Westmann's law.
+[[nodiscard]] std::vector<Material> materials_of(const Body& body, MaterialLaw law, double strain_stiffening = 0);
 
 // uJ; infinite where a material cannot be what the displacement makes of it.
 [[nodiscard]] double strain_energy_uJ(const Body& body, const std::vector<Material>& materials,
@@ -27,9 +28,10 @@ namespace glisson::mechanics {
 // each material point, which leaves a direction of descent (Teran et al. 2005, Robust Quasistatic Finite Elements).
 enum class Tangent { exact, positive };
 
-// Lower triangle (mN/mm), the foundations' springs included.
+// Lower triangle (mN/mm), with what is around the body (surroundings.h): the gas at `pressure_kPa`.
 [[nodiscard]] Eigen::SparseMatrix<double> tangent_stiffness(const Body& body, const std::vector<Material>& materials,
-                                                            const Eigen::VectorXd& u_mm, Tangent which);
+                                                            const Eigen::VectorXd& u_mm, Tangent which,
+                                                            double pressure_kPa = 0);
 
 // Von Mises' equivalent of Cauchy's stress P F^T / J (kPa) at each cell's centroid.
 [[nodiscard]] std::vector<double> von_mises_of_cells(const Body& body, const std::vector<Material>& materials,

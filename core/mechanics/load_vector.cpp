@@ -54,4 +54,21 @@ Result<Eigen::VectorXd> load_vector(const geometry::TetMesh& mesh, const NodeLay
   return force_mN;
 }
 
+Result<AppliedLoads> applied_loads(const Body& body, const Loads& loads, Gas gas) {
+  AppliedLoads applied;
+  Loads dead;
+  for (const Load& load : loads) {
+    const auto* pressure = std::get_if<PressureLoad>(&load);
+    if (pressure != nullptr && gas == Gas::follows_the_surface && std::isfinite(pressure->pressure_kPa)) {
+      applied.gas_kPa += pressure->pressure_kPa;
+    } else {
+      dead.push_back(load);
+    }
+  }
+  auto force_mN = load_vector(body.mesh, body.layout, body.boundary, body.options.density_kg_mm3, dead);
+  if (!force_mN) return failure(std::move(force_mN.error()));
+  applied.dead_mN = std::move(*force_mN);
+  return applied;
+}
+
 }  // namespace glisson::mechanics

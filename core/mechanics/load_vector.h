@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "mechanics/body.h"
 #include "mechanics/boundary.h"
 #include "mechanics/node_layout.h"
 #include "mechanics/scenario.h"
@@ -16,5 +17,13 @@ namespace glisson::mechanics {
 Result<Eigen::VectorXd> load_vector(const geometry::TetMesh& mesh, const NodeLayout& layout,
                                     const std::vector<BoundaryFace>& boundary, double density_kg_mm3,
                                     const Loads& loads);
+
+// The same, apart: what stays as it is, and the pressure of the gas that follows the surface (surroundings.h).
+struct AppliedLoads {
+  Eigen::VectorXd dead_mN;
+  double gas_kPa = 0;
+};
+enum class Gas { follows_the_surface, stays_as_at_rest };
+Result<AppliedLoads> applied_loads(const Body& body, const Loads& loads, Gas gas);
 
 }  // namespace glisson::mechanics

@@ -42,7 +42,7 @@ struct MovingBody::Parts {
 
 namespace {
 
-Result<void> check(MaterialLaw law, const MotionOptions& options);
+Result<void> check(const Body& body, MaterialLaw law);
 std::vector<float> mask_of(const Body& body, const TurningCells& cells);
 Eigen::VectorXd masses_of(const Body& body, const TurningCells& cells);
 double lattice_spacing_mm(const Body& body);
@@ -50,8 +50,19 @@ double lattice_spacing_mm(const Body& body);
 }  // namespace
 
 Result<MovingBody> MovingBody::create(Body body, MaterialLaw law, const MotionOptions& options) {
-  if (auto checked = check(law, options); !checked) return failure(std::move(checked.error()));
+  if (auto checked = check(body, law); !checked) return failure(std::move(checked.error()));
+  if (auto checked = check_motion_options(options); !checked) return failure(std::move(checked.error()));
   return MovingBody(std::make_unique<Parts>(std::move(body), law, options));
+}
+
+Result<void> check_motion_options(const MotionOptions& options) {
+  const auto at_least_zero = [](double value) { return std::isfinite(value) && value >= 0; };
+  if (std::isfinite(options.step_s) && options.step_s > 0 && at_least_zero(options.mass_damping_per_s) &&
+      at_least_zero(options.stiffness_damping_s) && options.relative_tolerance > 0 && options.max_iterations >= 1) {
+    return {};
+  }
+  return failure("step-invalid",
+                 GLISSON_TEXT("A motion needs a step and a tolerance above zero, and damping not below it."));
 }
 
 MovingBody::Parts::Parts(Body given, MaterialLaw law, const MotionOptions& given_options)
@@ -228,18 +239,14 @@ MovingBody::Cost MovingBody::cost() const {
 
 namespace {
 
-Result<void> check(MaterialLaw law, const MotionOptions& options) {
-  if (law != MaterialLaw::linear && law != MaterialLaw::corotational) {
-    return failure("not-available",
-                   GLISSON_TEXT("Motion is available for the materials \"linear\" and \"corotational\"."));
+Result<void> check(const Body& body, MaterialLaw law) {
+  if ((law == MaterialLaw::linear || law == MaterialLaw::corotational) && body.resolved.ligaments.empty() &&
+      !body.options.capsule) {
+    return {};
   }
-  const auto at_least_zero = [](double value) { return std::isfinite(value) && value >= 0; };
-  if (!std::isfinite(options.step_s) || options.step_s <= 0 || !at_least_zero(options.mass_damping_per_s) ||
-      !at_least_zero(options.stiffness_damping_s) || !(options.relative_tolerance > 0) || options.max_iterations < 1) {
-    return failure("step-invalid",
-                   GLISSON_TEXT("A motion needs a step and a tolerance above zero, and damping not below it."));
-  }
-  return {};
+  return failure("not-available",
+                 GLISSON_TEXT("One linear solve a step moves the materials \"linear\" and \"corotational\", without "
+                              "ligaments or a capsule."));
 }
 
 // One value more than the nodes have: see BlockCsr::multiply.

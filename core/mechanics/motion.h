@@ -31,6 +31,9 @@ struct MotionOptions {
   int max_iterations = 200;          // as in section 4.2 of the dissertation; most steps need a few dozen
 };
 
+// Failure: "step-invalid" (which number is out of range).
+Result<void> check_motion_options(const MotionOptions& options);
+
 struct StepReport {
   bool converged = false;
   double relative_residual = 0;  // |A dv - b| / |b|, formed in double precision

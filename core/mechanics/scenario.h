@@ -16,7 +16,7 @@
 namespace glisson::mechanics {
 
 enum class Engine { fem, meshfree };
-enum class MaterialLaw { linear, corotational, neo_hookean };
+enum class MaterialLaw { linear, corotational, neo_hookean, veronda_westmann };
 
 // Which points of a mesh are meant: those where a point array is not zero, or those inside a ball or a box.
 struct NamedPoints {
@@ -40,9 +40,24 @@ struct Foundation {
   double stiffness_kPa_per_mm = 0;
 };
 
+// A band from the named part of the surface to a fixed place in the body wall: a fan of springs that pull and never
+// push, one from each named point of the surface, which share the stiffness by the area around them. Each begins to
+// pull when it is `slack_mm` longer than at rest. It alone holds no body.
+struct Ligament {
+  Eigen::Vector3d anchor_mm{0, 0, 0};
+  double stiffness_mN_per_mm = 0;  // of the whole band
+  double slack_mm = 0;
+};
+
 struct Support {
   Region where;
-  std::variant<Held, Foundation> how;
+  std::variant<Held, Foundation, Ligament> how;
+};
+
+// Glisson's capsule: a skin over the whole boundary that resists being stretched in its plane (capsule.h).
+struct Capsule {
+  double youngs_modulus_kPa = 8220;  // at small strain, porcine: 8.22 (sd 3.42) MPa, Umale et al. 2011 (J. Biomech. 44)
+  double thickness_mm = 0;
 };
 
 // A dead load: a uniform traction over the boundary faces whose centroid at rest lies within the radius.
@@ -52,7 +67,9 @@ struct ToolLoad {
   Eigen::Vector3d force_mN{0, 0, 0};
 };
 
-// Acts against the outward normal of the whole boundary: positive compresses, as insufflation gas does.
+// Acts against the outward normal of the whole boundary: positive compresses, as insufflation gas does. It follows the
+// surface, in direction and area, wherever the material knows large deformation; in linear elasticity the surface is
+// that at rest.
 struct PressureLoad {
   double pressure_kPa = 0;
 };
@@ -87,10 +104,12 @@ inline const std::string youngs_modulus_field = "youngs_modulus_kPa";
 struct Scenario {
   Engine engine = Engine::fem;
   MaterialLaw material = MaterialLaw::linear;
-  double poisson_ratio = 0.45;  // what liver simulations commonly take for a nearly incompressible organ
+  double strain_stiffening = 0;  // Veronda and Westmann's c2 (isochoric.h), read by that law alone
+  double poisson_ratio = 0.45;   // what liver simulations commonly take for a nearly incompressible organ
   double density_kg_mm3 = units::kg_mm3_from_kg_m3(1000.0);
   std::optional<YoungsModulus> youngs_modulus;  // absent: the mesh's own field `youngs_modulus_kPa`
   std::vector<Support> supports;
+  std::optional<Capsule> capsule;
   Loads loads;
   std::optional<Motion> motion;
   std::vector<Landmark> landmarks;

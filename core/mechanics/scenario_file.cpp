@@ -6,6 +6,8 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "mechanics/patient_position.h"
+#include "mechanics/tissue.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -26,6 +28,8 @@ struct Refusal {
 Scenario scenario_from(const Json& json);
 Support support_from(const Json& json, const std::string& where);
 Load load_from(const Json& json, const std::string& where);
+Vector3d gravity_of_patient_from(const Json& json, const std::string& where);
+Capsule capsule_from(const Json& json, const std::string& where);
 Landmark landmark_from(const Json& json, const std::string& where);
 Motion motion_from(const Json& json, const std::string& where);
 Json json_of(const Support& support);
@@ -50,10 +54,11 @@ Result<Scenario> parse_scenario(std::string_view json, const std::filesystem::pa
 }
 
 std::string scenario_text(const Scenario& scenario) {
-  constexpr const char* materials[] = {"linear", "corotational", "neo-hookean"};
+  constexpr const char* materials[] = {"linear", "corotational", "neo-hookean", "veronda-westmann"};
   Json json;
   json["engine"] = scenario.engine == Engine::fem ? "fem" : "meshfree";
   json["material"] = materials[static_cast<int>(scenario.material)];
+  if (scenario.material == MaterialLaw::veronda_westmann) json["strain_stiffening"] = scenario.strain_stiffening;
   json["poisson_ratio"] = scenario.poisson_ratio;
   json["density_kg_m3"] = units::kg_m3_from_kg_mm3(scenario.density_kg_mm3);
   if (scenario.youngs_modulus) {
@@ -61,6 +66,10 @@ std::string scenario_text(const Scenario& scenario) {
   }
   json["supports"] = Json::array();
   for (const Support& support : scenario.supports) json["supports"].push_back(json_of(support));
+  if (scenario.capsule) {
+    json["capsule"] = {{"youngs_modulus_kPa", scenario.capsule->youngs_modulus_kPa},
+                       {"thickness_mm", scenario.capsule->thickness_mm}};
+  }
   json["loads"] = Json::array();
   for (const Load& load : scenario.loads) json["loads"].push_back(json_of(load));
   if (scenario.motion) {
@@ -148,8 +157,8 @@ std::vector<Value> list_of(const Json& json, const char* key, const char* each,
 
 Scenario scenario_from(const Json& json) {
   known_keys(json,
-             {"engine", "material", "poisson_ratio", "density_kg_m3", "youngs_modulus_kPa", "supports", "loads",
-              "motion", "landmarks"},
+             {"engine", "material", "strain_stiffening", "poisson_ratio", "density_kg_m3", "youngs_modulus_kPa",
+              "tissue", "supports", "capsule", "loads", "motion", "landmarks"},
              "The scenario");
   Scenario scenario;
   if (json.contains("engine")) {
@@ -159,7 +168,14 @@ Scenario scenario_from(const Json& json) {
     scenario.material = one_of<MaterialLaw>(json["material"], "material",
                                             {{"linear", MaterialLaw::linear},
                                              {"corotational", MaterialLaw::corotational},
-                                             {"neo-hookean", MaterialLaw::neo_hookean}});
+                                             {"neo-hookean", MaterialLaw::neo_hookean},
+                                             {"veronda-westmann", MaterialLaw::veronda_westmann}});
+  }
+  if ((scenario.material == MaterialLaw::veronda_westmann) != json.contains("strain_stiffening")) {
+    refuse("strain_stiffening", GLISSON_TEXT("{0} goes with the material \"veronda-westmann\": give both or neither."));
+  }
+  if (json.contains("strain_stiffening")) {
+    scenario.strain_stiffening = positive_number(json["strain_stiffening"], "strain_stiffening");
   }
   if (json.contains("poisson_ratio")) {
     scenario.poisson_ratio = number(json["poisson_ratio"], "poisson_ratio");
@@ -178,6 +194,15 @@ Scenario scenario_from(const Json& json) {
       scenario.youngs_modulus = positive_number(modulus, "youngs_modulus_kPa");
     }
   }
+  if (json.contains("tissue")) {
+    if (scenario.youngs_modulus) {
+      refuse("tissue", GLISSON_TEXT("{0} and \"youngs_modulus_kPa\" both say how stiff the body is: give one."));
+    }
+    const auto tissue = published_tissue(name(json["tissue"], "tissue"));
+    if (!tissue) throw Refusal{tissue.error()};
+    scenario.youngs_modulus = tissue->youngs_modulus_kPa(scenario.poisson_ratio);
+  }
+  if (json.contains("capsule")) scenario.capsule = capsule_from(json["capsule"], "capsule");
   scenario.supports = list_of<Support>(json, "supports", "support", support_from);
   scenario.loads = list_of<Load>(json, "loads", "load", load_from);
   scenario.landmarks = list_of<Landmark>(json, "landmarks", "landmark", landmark_from);
@@ -194,7 +219,7 @@ Scenario scenario_from(const Json& json) {
 }
 
 Support support_from(const Json& json, const std::string& where) {
-  known_keys(json, {"point_array", "sphere", "box", "foundation_kPa_per_mm", "directions"}, where);
+  known_keys(json, {"point_array", "sphere", "box", "foundation_kPa_per_mm", "directions", "ligament"}, where);
   const auto kinds = json.count("point_array") + json.count("sphere") + json.count("box");
   if (kinds != 1) refuse(where, GLISSON_TEXT("{0} needs exactly one of \"point_array\", \"sphere\" and \"box\"."));
 
@@ -217,7 +242,19 @@ Support support_from(const Json& json, const std::string& where) {
     support.where = region;
   }
 
-  if (json.contains("foundation_kPa_per_mm")) {
+  if (json.contains("ligament")) {
+    if (json.contains("directions") || json.contains("foundation_kPa_per_mm"))
+      refuse(where, GLISSON_TEXT("{0} is a ligament: it takes neither \"foundation_kPa_per_mm\" nor \"directions\"."));
+    const Json& band = json["ligament"];
+    const std::string inside = where + ", ligament";
+    known_keys(band, {"anchor_mm", "stiffness_N_per_mm", "slack_mm"}, inside);
+    const double slack_mm = band.contains("slack_mm") ? number(band["slack_mm"], inside + ", slack_mm") : 0.0;
+    if (slack_mm < 0) refuse(inside + ", slack_mm", GLISSON_TEXT("{0} must not be below zero."));
+    support.how = Ligament{vector(required(band, "anchor_mm", inside), inside + ", anchor_mm"),
+                           units::mN_from_N(positive_number(required(band, "stiffness_N_per_mm", inside),
+                                                            inside + ", stiffness_N_per_mm")),
+                           slack_mm};
+  } else if (json.contains("foundation_kPa_per_mm")) {
     if (json.contains("directions"))
       refuse(where,
              GLISSON_TEXT(
@@ -237,9 +274,12 @@ Support support_from(const Json& json, const std::string& where) {
 }
 
 Load load_from(const Json& json, const std::string& where) {
-  known_keys(json, {"tool", "pressure_kPa", "gravity_m_s2"}, where);
+  known_keys(json, {"tool", "pressure_kPa", "gravity_m_s2", "gravity_of_patient"}, where);
   if (json.size() != 1)
-    refuse(where, GLISSON_TEXT("{0} needs exactly one of \"tool\", \"pressure_kPa\" and \"gravity_m_s2\"."));
+    refuse(where, GLISSON_TEXT("{0} needs exactly one of \"tool\", \"pressure_kPa\", \"gravity_m_s2\" and "
+                               "\"gravity_of_patient\"."));
+  if (json.contains("gravity_of_patient"))
+    return GravityLoad{gravity_of_patient_from(json["gravity_of_patient"], where + ", gravity_of_patient")};
   if (json.contains("pressure_kPa")) return PressureLoad{number(json["pressure_kPa"], where + ", pressure_kPa")};
   if (json.contains("gravity_m_s2")) {
     return GravityLoad{vector(json["gravity_m_s2"], where + ", gravity_m_s2").unaryExpr(&units::mm_s2_from_m_s2)};
@@ -250,6 +290,35 @@ Load load_from(const Json& json, const std::string& where) {
       vector(required(tool, "center_mm", where + ", tool"), where + ", center_mm"),
       positive_number(required(tool, "radius_mm", where + ", tool"), where + ", radius_mm"),
       vector(required(tool, "force_N", where + ", tool"), where + ", force_N").unaryExpr(&units::mN_from_N)};
+}
+
+Vector3d gravity_of_patient_from(const Json& json, const std::string& where) {
+  known_keys(json, {"reverse_trendelenburg_deg", "left_tilt_deg", "right_tilt_deg", "scanned_supine"}, where);
+  const auto angle = [&](const char* key) {
+    const double value = json.contains(key) ? number(json[key], where + ", " + key) : 0.0;
+    if (std::abs(value) > 90) refuse(where + ", " + key, GLISSON_TEXT("{0} must lie between -90 and 90 degrees."));
+    return value;
+  };
+  if (json.contains("left_tilt_deg") && json.contains("right_tilt_deg"))
+    refuse(where, GLISSON_TEXT("{0} has both \"left_tilt_deg\" and \"right_tilt_deg\": give one."));
+  const PatientPosition position{angle("reverse_trendelenburg_deg"), angle("left_tilt_deg") - angle("right_tilt_deg")};
+  bool scanned_supine = false;
+  if (json.contains("scanned_supine")) {
+    if (!json["scanned_supine"].is_boolean())
+      refuse(where + ", scanned_supine", GLISSON_TEXT("{0} must be true or false."));
+    scanned_supine = json["scanned_supine"].get<bool>();
+  }
+  return gravity_mm_s2(position) - (scanned_supine ? gravity_mm_s2(supine) : Vector3d::Zero());
+}
+
+Capsule capsule_from(const Json& json, const std::string& where) {
+  known_keys(json, {"youngs_modulus_kPa", "thickness_mm"}, where);
+  Capsule capsule;
+  if (json.contains("youngs_modulus_kPa")) {
+    capsule.youngs_modulus_kPa = positive_number(json["youngs_modulus_kPa"], where + ", youngs_modulus_kPa");
+  }
+  capsule.thickness_mm = positive_number(required(json, "thickness_mm", where), where + ", thickness_mm");
+  return capsule;
 }
 
 Landmark landmark_from(const Json& json, const std::string& where) {
@@ -291,7 +360,11 @@ Json json_of(const Support& support) {
     const auto& box = std::get<geometry::Box>(support.where);
     json["box"] = {{"min_mm", json_of(box.min_mm)}, {"max_mm", json_of(box.max_mm)}};
   }
-  if (const auto* foundation = std::get_if<Foundation>(&support.how)) {
+  if (const auto* ligament = std::get_if<Ligament>(&support.how)) {
+    json["ligament"] = {{"anchor_mm", json_of(ligament->anchor_mm)},
+                        {"stiffness_N_per_mm", units::N_from_mN(ligament->stiffness_mN_per_mm)},
+                        {"slack_mm", ligament->slack_mm}};
+  } else if (const auto* foundation = std::get_if<Foundation>(&support.how)) {
     json["foundation_kPa_per_mm"] = foundation->stiffness_kPa_per_mm;
   } else if (const auto& held = std::get<Held>(support.how).directions; held != std::array{true, true, true}) {
     json["directions"] = Json::array();

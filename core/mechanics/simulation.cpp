@@ -1,15 +1,16 @@
 #include "mechanics/simulation.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "mechanics/body.h"
 #include "mechanics/equilibrium.h"
 #include "mechanics/large_deformation.h"
-#include "mechanics/motion.h"
+#include "mechanics/newton_motion.h"
 #include "mechanics/static_model.h"
 #include "mechanics/stopwatch.h"
-#include "mechanics/strain.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -19,10 +20,12 @@ struct Answer {
   StaticResult result;
   std::vector<Eigen::Vector3d> landmark_displacements_mm;
   std::vector<double> von_mises_kPa;  // one a cell
+  std::vector<MotionStep> steps;
 };
 using Places = std::vector<PointInMesh>;
 
 Result<void> refuse_what_is_not_available(const Scenario& scenario);
+bool is_linear(const Scenario& scenario);
 Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
                                  const Scenario& scenario, const Places& places, const Progress& progress);
 Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
@@ -44,9 +47,7 @@ Result<Simulation> simulate(const geometry::TetMesh& mesh, const Scenario& scena
   auto places = locate_landmarks(mesh, scenario.landmarks, options.landmark_tolerance_mm);
   if (!places) return failure(std::move(places.error()));
 
-  const auto compute = scenario.motion                            ? end_of_motion
-                       : scenario.material == MaterialLaw::linear ? small_equilibrium
-                                                                  : large_equilibrium;
+  const auto compute = scenario.motion ? end_of_motion : is_linear(scenario) ? small_equilibrium : large_equilibrium;
   auto answer = compute(mesh, *youngs_kPa, scenario, *places, progress);
   if (!answer) return failure(std::move(answer.error()));
   progress.report(1.0, "Solved");
@@ -54,6 +55,7 @@ Result<Simulation> simulate(const geometry::TetMesh& mesh, const Scenario& scena
   Simulation simulation;
   simulation.scenario = scenario;
   simulation.landmarks = displaced_landmarks(scenario.landmarks, *places, answer->landmark_displacements_mm);
+  simulation.steps = std::move(answer->steps);
   simulation.mesh = mesh;
   set_result_fields(answer->result, std::move(*youngs_kPa), std::move(answer->von_mises_kPa), simulation.mesh);
   simulation.result = std::move(answer->result);
@@ -125,11 +127,16 @@ Result<void> refuse_what_is_not_available(const Scenario& scenario) {
   if (scenario.engine != Engine::fem) {
     return failure("not-available", GLISSON_TEXT("The meshfree engine is not available yet: take engine \"fem\"."));
   }
-  if (scenario.motion && scenario.material == MaterialLaw::neo_hookean) {
-    return failure("not-available", GLISSON_TEXT("Motion is available for the materials \"linear\" and "
-                                                 "\"corotational\"; leave it out to get equilibrium."));
-  }
   return {};
+}
+
+bool has_ligaments(const Scenario& scenario) {
+  return std::any_of(scenario.supports.begin(), scenario.supports.end(),
+                     [](const Support& support) { return std::holds_alternative<Ligament>(support.how); });
+}
+
+bool is_linear(const Scenario& scenario) {
+  return scenario.material == MaterialLaw::linear && !has_ligaments(scenario);
 }
 
 std::string names_of(const geometry::Fields& fields) {
@@ -142,6 +149,7 @@ StaticOptions options_of(const Scenario& scenario) {
   StaticOptions options;
   options.poisson_ratio = scenario.poisson_ratio;
   options.density_kg_mm3 = scenario.density_kg_mm3;
+  options.capsule = scenario.capsule;
   return options;
 }
 
@@ -155,7 +163,7 @@ Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<doub
   if (!result) return failure(std::move(result.error()));
   auto landmarks_mm = model->displacement_at(*result, places);
   auto von_mises_kPa = model->von_mises_kPa(*result);
-  return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa)};
+  return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}};
 }
 
 Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
@@ -164,70 +172,111 @@ Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<doub
   const auto body =
       prepare_body(mesh, std::move(youngs_kPa), scenario.supports, options_of(scenario), Holding::required);
   if (!body) return failure(body.error());
-  const std::vector<Material> materials = materials_of(*body, scenario.material);
+  const std::vector<Material> materials = materials_of(*body, scenario.material, scenario.strain_stiffening);
   const double setup_s = watch.seconds();
   auto result = find_equilibrium(*body, materials, scenario.loads, {}, progress);
   if (!result) return failure(std::move(result.error()));
   result->setup_s = setup_s;
   auto landmarks_mm = displacement_at(*body, *result, places);
   auto von_mises_kPa = von_mises_of_cells(*body, materials, nodal_displacements(*body, *result));
-  return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa)};
+  return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}};
+}
+
+// One step solve moves what it can; Newton the rest.
+bool moves_by_one_solve(const Scenario& scenario) {
+  const bool gas = std::any_of(scenario.loads.begin(), scenario.loads.end(),
+                               [](const Load& load) { return std::holds_alternative<PressureLoad>(load); });
+  return !has_ligaments(scenario) && !scenario.capsule &&
+         (scenario.material == MaterialLaw::linear || (scenario.material == MaterialLaw::corotational && !gas));
 }
 
 // From rest, under loads that are there from the first moment.
+struct Mover {
+  std::function<Result<StepReport>()> step;
+  std::function<Eigen::VectorXd()> displacement_mm, velocity_mm_s;
+};
+
 Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa, const Scenario& scenario,
                              const Places& places, const Progress& progress) {
   const Stopwatch setting_up;
   StaticOptions options = options_of(scenario);
-  options.order = ElementOrder::linear;  // the cells that MovingBody moves
-  auto body = prepare_body(mesh, std::move(youngs_kPa), scenario.supports, options, Holding::optional);
-  if (!body) return failure(std::move(body.error()));
-  const std::vector<Material> materials = materials_of(*body, scenario.material);
+  options.order = ElementOrder::linear;  // the cells that both movers move
+  const auto body = prepare_body(mesh, std::move(youngs_kPa), scenario.supports, options, Holding::optional);
+  if (!body) return failure(body.error());
+  const std::vector<Material> materials = materials_of(*body, scenario.material, scenario.strain_stiffening);
+  const auto loads = applied_loads(*body, scenario.loads, gas_on(materials));
+  if (!loads) return failure(loads.error());
   const Motion& motion = *scenario.motion;
-  auto moving = MovingBody::create(std::move(*body), scenario.material,
-                                   {.step_s = motion.step_s,
-                                    .mass_damping_per_s = motion.mass_damping_per_s,
-                                    .stiffness_damping_s = motion.stiffness_damping_s,
-                                    .max_iterations = 5000});  // nobody waits for a frame here: stiff bodies get theirs
-  if (!moving) return failure(std::move(moving.error()));
-  const auto force_mN = moving->force_of(scenario.loads);
-  if (!force_mN) return failure(force_mN.error());
+  MotionOptions motion_options{.step_s = motion.step_s,
+                               .mass_damping_per_s = motion.mass_damping_per_s,
+                               .stiffness_damping_s = motion.stiffness_damping_s};
+
+  std::optional<MovingBody> moving;
+  std::optional<NewtonMotion> newton;
+  Mover mover;
+  if (moves_by_one_solve(scenario)) {
+    motion_options.max_iterations = 5000;  // nobody waits for a frame here: stiff bodies get theirs
+    auto created = MovingBody::create(*body, scenario.material, motion_options);
+    if (!created) return failure(std::move(created.error()));
+    moving = std::move(*created);
+    mover = {[&]() -> Result<StepReport> { return moving->step(loads->dead_mN); },
+             [&] { return moving->displacement_mm(); }, [&] { return moving->velocity_mm_s(); }};
+  } else {
+    motion_options.max_iterations = 40;  // Newton steps: see NewtonOptions
+    auto created = NewtonMotion::create(*body, materials, *loads, motion_options);
+    if (!created) return failure(std::move(created.error()));
+    newton = std::move(*created);
+    mover = {[&] { return newton->step(progress); }, [&] { return newton->displacement_mm(); },
+             [&] { return newton->velocity_mm_s(); }};
+  }
+  const double setup_s = setting_up.seconds();
+
+  // What the damping pushes with: its stiffness' part is the slope of the forces along the velocity.
+  const auto damping_mN = [&](const Eigen::VectorXd& u_mm, const Eigen::VectorXd& v_mm_s) -> Eigen::VectorXd {
+    const double speed = v_mm_s.cwiseAbs().maxCoeff();
+    if (motion.stiffness_damping_s == 0 || speed == 0) return Eigen::VectorXd::Zero(u_mm.size());
+    const double ahead_s = 1e-6 / speed;
+    return motion.stiffness_damping_s / ahead_s *
+           (internal_force_mN(*body, materials, u_mm) - internal_force_mN(*body, materials, u_mm + ahead_s * v_mm_s));
+  };
 
   Answer answer;
-  StaticResult& result = answer.result;
-  result.setup_s = setting_up.seconds();
-  result.status = SolveStatus::converged;
+  SolveStatus status = SolveStatus::converged;
+  double relative_residual = 0;
+  int iterations = 0, done = 0;
+  StaticResult state;
   const Stopwatch stepping;
-  int done = 0;
-  for (; done < motion.steps && result.status == SolveStatus::converged; ++done) {
+  for (; done < motion.steps && status == SolveStatus::converged; ++done) {
     progress.report(double(done) / motion.steps, "Moving");
     if (progress.cancelled()) return cancelled();
-    const StepReport step = moving->step(*force_mN);
-    result.iterations += step.iterations;
-    result.relative_residual = std::max(result.relative_residual, step.relative_residual);
-    result.inverted_cells = step.inverted_cells;
-    result.strain_energy_uJ = step.strain_energy_uJ;
-    if (!step.converged) result.status = SolveStatus::not_converged;
+    auto report = mover.step();
+    if (!report) return failure(std::move(report.error()));
+    iterations += report->iterations;
+    relative_residual = std::max(relative_residual, report->relative_residual);
+    if (!report->converged) status = SolveStatus::not_converged;
+    const Eigen::VectorXd u_mm = mover.displacement_mm();
+    state = state_of(*body, materials, u_mm, *loads, damping_mN(u_mm, mover.velocity_mm_s()));
+    MotionStep step{(done + 1) * motion.step_s, displacement_at(*body, state, places),
+                    state.held_reaction_mN,     state.foundation_reaction_mN,
+                    state.ligament_reaction_mN, *report};
+    for (std::size_t l = 0; l < places.size(); ++l) step.landmarks_mm[l] += scenario.landmarks[l].position_mm;
+    answer.steps.push_back(std::move(step));
   }
+
+  StaticResult& result = answer.result;
+  result = std::move(state);
+  result.status = status;
+  result.relative_residual = relative_residual;
+  result.iterations = iterations;
+  result.setup_s = setup_s;
   result.step_ms = 1e3 * stepping.seconds() / done;
   result.why_stopped = result.status == SolveStatus::converged
                            ? fmt::format("All {} steps converged, the worst to a relative residual of {:.1e}.", done,
                                          result.relative_residual)
                            : fmt::format("Step {} of {} stayed at a relative residual of {:.1e}.", done, motion.steps,
                                          result.relative_residual);
-
-  const Eigen::VectorXd u_mm = moving->displacement_mm();
-  set_displacements(moving->body(), u_mm, result);
-  result.applied_force_mN = sum_of(*force_mN);
-  result.external_work_uJ = u_mm.dot(*force_mN);
-  const StrainMeasure measure =
-      scenario.material == MaterialLaw::linear ? StrainMeasure::small : StrainMeasure::stretch;
-  result.largest_strain = strain_range(mesh, moving->body().layout, u_mm, measure).largest_strain;
-  if (result.inverted_cells > 0) {
-    result.notes.push_back(fmt::format("{} cells are turned inside out at the end.", result.inverted_cells));
-  }
-  answer.landmark_displacements_mm = displacement_at(moving->body(), result, places);
-  answer.von_mises_kPa = von_mises_of_cells(moving->body(), materials, u_mm);
+  answer.landmark_displacements_mm = displacement_at(*body, result, places);
+  answer.von_mises_kPa = von_mises_of_cells(*body, materials, mover.displacement_mm());
   return answer;
 }
 

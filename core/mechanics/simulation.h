@@ -7,6 +7,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "geometry/tetrahedra.h"
+#include "mechanics/motion.h"
 #include "mechanics/point_location.h"
 #include "mechanics/scenario.h"
 #include "mechanics/static_result.h"
@@ -24,6 +25,16 @@ struct DisplacedLandmark {
   double outside_by_mm = 0;  // above 0: the landmark lies outside the body and moves with its nearest place
 };
 
+// A step of a motion, at its end.
+struct MotionStep {
+  double time_s = 0;
+  std::vector<Eigen::Vector3d> landmarks_mm;  // in the scenario's order
+  Eigen::Vector3d held_reaction_mN{0, 0, 0};  // as in StaticResult, with what the damping takes
+  Eigen::Vector3d foundation_reaction_mN{0, 0, 0};
+  Eigen::Vector3d ligament_reaction_mN{0, 0, 0};
+  StepReport report;
+};
+
 struct SimulationOptions {
   // A landmark farther than this from the body is refused: it is in another frame, or of another patient.
   double landmark_tolerance_mm = 10.0;
@@ -33,8 +44,9 @@ struct Simulation {
   Scenario scenario;
   StaticResult result;
   std::vector<DisplacedLandmark> landmarks;
-  geometry::TetMesh mesh;  // the rest mesh with point field "displacement_mm" (3) and cell fields
-                           // "youngs_modulus_kPa" and "von_mises_kPa", as written to result.vtu
+  std::vector<MotionStep> steps;  // of a motion; empty for an equilibrium
+  geometry::TetMesh mesh;         // the rest mesh with point field "displacement_mm" (3) and cell fields
+                                  // "youngs_modulus_kPa" and "von_mises_kPa", as written to result.vtu
 };
 
 // Failures: those of StaticModel; "landmark-outside"; "modulus-missing" (no such cell field, or one of the wrong

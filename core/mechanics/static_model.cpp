@@ -27,14 +27,17 @@ Result<StaticModel> StaticModel::create(geometry::TetMesh mesh, std::vector<doub
   progress.report(0.0, "Checking the model");
   auto body = prepare_body(std::move(mesh), std::move(youngs_kPa), std::move(supports), options, Holding::required);
   if (!body) return failure(std::move(body.error()));
+  if (!body->resolved.ligaments.empty()) {
+    return failure("not-available",
+                   GLISSON_TEXT("A ligament only pulls, so it is not linear: look for the equilibrium by steps."));
+  }
   auto parts = std::make_shared<Parts>();
   static_cast<Body&>(*parts) = std::move(*body);
 
   progress.report(0.05, "Assembling the stiffness");
   if (progress.cancelled()) return cancelled();
-  auto system = ConstrainedSystem::create(
-      assemble_stiffness(parts->mesh, parts->layout, parts->materials, parts->boundary, parts->resolved.foundations),
-      parts->resolved.held, options.memory_limit_bytes, progress.part(0.1, 1.0));
+  auto system = ConstrainedSystem::create(assemble_stiffness(*parts), parts->resolved.held, options.memory_limit_bytes,
+                                          progress.part(0.1, 1.0));
   if (!system) return failure(std::move(system.error()));
   parts->system = std::move(*system);
   parts->cost = {watch.seconds(), parts->system->free_unknowns(), parts->system->matrix_bytes(),

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/progress.h"
@@ -32,7 +33,8 @@ struct StaticOptions {
   ElementOrder order = ElementOrder::quadratic;
   double relative_tolerance = 1e-6;  // far below any measured modulus; what is reached is usually 1e-12, and 1e-8 near
                                      // incompressibility, where rounding ends it
-  int max_refinements = 8;           // each gains several digits; more would not help a matrix that needs them
+  std::optional<Capsule> capsule = std::nullopt;  // over the whole boundary
+  int max_refinements = 8;  // each gains several digits; more would not help a matrix that needs them
   std::uint64_t memory_limit_bytes = std::uint64_t{12} << 30;  // the factor is refused before it asks for more
 };
 
@@ -48,7 +50,8 @@ class StaticModel {
   // Checks everything, assembles and factorises. `youngs_kPa` has one value a cell. Failures: those of
   // check_tetrahedra; "modulus-invalid" (the first cell is named), "poisson-invalid", "support-empty" (a support
   // that names nothing), "body-free" (not held enough to be in equilibrium; the free motion is named),
-  // "too-large" (the factor would not fit the memory limit), "factorisation-failed", "cancelled".
+  // "too-large" (the factor would not fit the memory limit), "factorisation-failed", "cancelled"; "not-available" (a
+  // ligament, which only pulls: find_equilibrium knows it).
   static Result<StaticModel> create(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
                                     std::vector<Support> supports, StaticOptions options = {},
                                     const Progress& progress = {});

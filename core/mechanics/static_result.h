@@ -23,10 +23,11 @@ struct StaticResult {
   Eigen::Vector3d applied_force_mN{0, 0, 0};        // sum of all loads
   Eigen::Vector3d held_reaction_mN{0, 0, 0};        // what the held points push back with, summed
   Eigen::Vector3d foundation_reaction_mN{0, 0, 0};  // what the foundations push back with, summed
+  Eigen::Vector3d ligament_reaction_mN{0, 0, 0};    // what the ligaments pull with, summed
   double relative_residual = 0;                     // |K u - f| / |f| over what is free to move (Euclidean)
   int iterations = 0;                               // refinements of a direct solve (0: it sufficed), or Newton steps
-  double strain_energy_uJ = 0;                      // in the body, without the foundations
-  double foundation_energy_uJ = 0;
+  double strain_energy_uJ = 0;                      // in the body; in linear elasticity with its capsule
+  double foundation_energy_uJ = 0;                  // at large deformation: of ligaments, capsule and gas as well
   double external_work_uJ = 0;  // f.u / 2 in linear elasticity: equals the energies where nothing held is moved
   double max_displacement_mm = 0;
   double largest_strain = 0;       // largest principal strain in magnitude, over the corners of all cells

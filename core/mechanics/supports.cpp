@@ -11,6 +11,8 @@ using Named = std::vector<std::uint8_t>;  // one a mesh point: 1 where the suppo
 Result<Named> named_points(const geometry::TetMesh& mesh, const Region& region, const std::string& which);
 void hold(const geometry::TetMesh& mesh, const NodeLayout& layout, const Named& named, const Held& how,
           std::vector<std::uint8_t>& held);
+Result<std::vector<LigamentSpring>> springs_of(const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
+                                               const Named& named, const Ligament& ligament, const std::string& which);
 std::string names_of(const geometry::Fields& fields);
 
 }  // namespace
@@ -37,6 +39,12 @@ Result<ResolvedSupports> resolve_supports(const geometry::TetMesh& mesh, const N
 
     if (const auto* held = std::get_if<Held>(&supports[s].how)) {
       hold(mesh, layout, *named, *held, resolved.held);
+      continue;
+    }
+    if (const auto* ligament = std::get_if<Ligament>(&supports[s].how)) {
+      auto springs = springs_of(layout, boundary, *named, *ligament, which);
+      if (!springs) return failure(std::move(springs.error()));
+      resolved.ligaments.insert(resolved.ligaments.end(), springs->begin(), springs->end());
       continue;
     }
     const double stiffness = std::get<Foundation>(supports[s].how).stiffness_kPa_per_mm;
@@ -124,6 +132,42 @@ void hold(const geometry::TetMesh& mesh, const NodeLayout& layout, const Named& 
       for (int i = 0; i < 3; ++i) hold_node(layout.node_of_edge(corners[i], corners[(i + 1) % 3]));
     }
   }
+}
+
+Result<std::vector<LigamentSpring>> springs_of(const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
+                                               const Named& named, const Ligament& ligament, const std::string& which) {
+  if (!ligament.anchor_mm.allFinite() || !std::isfinite(ligament.stiffness_mN_per_mm) ||
+      ligament.stiffness_mN_per_mm <= 0 || !std::isfinite(ligament.slack_mm) || ligament.slack_mm < 0) {
+    return failure("support-invalid",
+                   GLISSON_TEXT("The ligament of support {0} needs a finite anchor, a stiffness above zero and a slack "
+                                "not below it."),
+                   {which});
+  }
+  std::vector<double> area_of_point_mm2(named.size(), 0.0);
+  double area_mm2 = 0;
+  for (const BoundaryFace& face : boundary) {
+    for (const int p : face.points) {
+      if (!named[p]) continue;
+      area_of_point_mm2[p] += face.area_mm2 / 3.0;
+      area_mm2 += face.area_mm2 / 3.0;
+    }
+  }
+  if (area_mm2 == 0) {
+    return failure(Error{"support-empty",
+                         GLISSON_TEXT("The ligament of support {0} names no point of the surface."),
+                         {which},
+                         GLISSON_TEXT("Move or enlarge its region."),
+                         {}});
+  }
+  std::vector<LigamentSpring> springs;
+  for (std::size_t p = 0; p < named.size(); ++p) {
+    if (area_of_point_mm2[p] == 0) continue;
+    const int node = layout.node_of_point[p];
+    springs.push_back({node, ligament.anchor_mm,
+                       (ligament.anchor_mm - layout.positions_mm[node]).norm() + ligament.slack_mm,
+                       ligament.stiffness_mN_per_mm * area_of_point_mm2[p] / area_mm2});
+  }
+  return springs;
 }
 
 std::string names_of(const geometry::Fields& fields) {

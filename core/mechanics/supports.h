@@ -1,5 +1,5 @@
 #pragma once
-// Supports as values -> which unknowns are held and which faces stand on springs.
+// Supports as values -> which unknowns are held, which faces stand on springs, which points hang on ligaments.
 
 #include <cstdint>
 #include <string>
@@ -18,20 +18,30 @@ struct FoundationFace {
   double stiffness_kPa_per_mm;
 };
 
+// One spring of a ligament's fan.
+struct LigamentSpring {
+  int node;
+  Eigen::Vector3d anchor_mm;
+  double free_length_mm;  // up to which it does not pull
+  double stiffness_mN_per_mm;
+};
+
 struct ResolvedSupports {
   std::vector<std::uint8_t> held;  // 3 a node (x, y, z): 1 where that displacement is held
   std::vector<FoundationFace> foundations;
+  std::vector<LigamentSpring> ligaments;
 };
 
-// Failures: "support-empty" (a support that names no point, or a foundation that covers no face), "array-unknown",
-// "support-invalid" (a number that is not finite or not positive).
+// Failures: "support-empty" (a support that names no point, or a foundation that covers no face, or a ligament
+// that names no point of the surface), "array-unknown", "support-invalid" (a number that is not finite or not
+// positive).
 Result<ResolvedSupports> resolve_supports(const geometry::TetMesh& mesh, const NodeLayout& layout,
                                           const std::vector<BoundaryFace>& boundary,
                                           const std::vector<Support>& supports);
 
 // What the supports leave free, as English ("can turn about the axis through (0.0, 0.0, 0.0) mm along x"), or
-// nothing where the body can be in equilibrium: the null space of the supports on the six rigid motions. The body
-// must hang together.
+// nothing where the body can be in equilibrium: the null space of the supports on the six rigid motions. Ligaments,
+// which only pull, do not count. The body must hang together.
 std::string free_motion(const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
                         const ResolvedSupports& supports);
 

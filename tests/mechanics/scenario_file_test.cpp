@@ -51,6 +51,32 @@ TEST(ScenarioFile, WhatIsWrittenReadsBackTheSame) {
   EXPECT_EQ(scenario_text(parse_scenario(once).value()), once);
 }
 
+constexpr const char* surgical_scenario = R"({
+  "material": "veronda-westmann", "strain_stiffening": 3.5, "tissue": "liver-dissertation-cohort",
+  "supports": [{"point_array": "bare_area"},
+               {"sphere": {"center_mm": [1, 2, 3], "radius_mm": 20},
+                "ligament": {"anchor_mm": [0, -90, 10], "stiffness_N_per_mm": 0.2, "slack_mm": 4}}],
+  "capsule": {"thickness_mm": 0.08},
+  "loads": [{"gravity_of_patient": {"reverse_trendelenburg_deg": 30, "right_tilt_deg": 10, "scanned_supine": true}}]})";
+
+TEST(ScenarioFile, ReadsLigamentsCapsuleTissueAndThePositionOfThePatient) {
+  const Scenario scenario = parse_scenario(surgical_scenario).value();
+  EXPECT_EQ(scenario.material, MaterialLaw::veronda_westmann);
+  EXPECT_EQ(scenario.strain_stiffening, 3.5);
+  EXPECT_DOUBLE_EQ(std::get<double>(*scenario.youngs_modulus), 2.1 * 2 * 1.45);
+  EXPECT_EQ(std::get<Ligament>(scenario.supports[1].how).stiffness_mN_per_mm, 200);
+  EXPECT_EQ(std::get<Ligament>(scenario.supports[1].how).slack_mm, 4);
+  EXPECT_EQ(scenario.capsule->youngs_modulus_kPa, 8220);
+  EXPECT_EQ(scenario.capsule->thickness_mm, 0.08);
+  // What is new since the scan: towards the feet and the right, and less towards the back.
+  const Vector3d gravity = std::get<GravityLoad>(scenario.loads[0]).acceleration_mm_s2;
+  EXPECT_NEAR(gravity.z(), -4905, 1e-9);
+  EXPECT_LT(gravity.x(), 0);
+  EXPECT_LT(gravity.y(), 0);
+  const std::string once = scenario_text(scenario);
+  EXPECT_EQ(scenario_text(parse_scenario(once).value()), once);
+}
+
 TEST(ScenarioFile, AnEmptyScenarioHasTheDefaults) {
   const Scenario scenario = parse_scenario("{}").value();
   EXPECT_EQ(scenario.poisson_ratio, 0.45);
@@ -100,6 +126,12 @@ TEST(ScenarioFile, ValuesThatCannotBeMeantAreRefusedWithTheirPlace) {
       {R"({"landmarks": [{"id": "a", "position_mm": [0,0,0]}, {"id": "a", "position_mm": [1,0,0]}]})", "the same id"},
       {R"({"motion": {"step_s": 0.02, "steps": 0}})", "whole number from 1"},
       {R"({"motion": {"step_s": 0.02, "steps": 5, "mass_damping_per_s": -1}})", "must not be below zero"},
+      {R"({"material": "veronda-westmann"})", "give both or neither"},
+      {R"({"tissue": "spleen"})", "There is no published tissue spleen"},
+      {R"({"tissue": "liver-published-cohort", "youngs_modulus_kPa": 3})", "both say how stiff"},
+      {R"({"capsule": {}})", "lacks \"thickness_mm\""},
+      {R"({"supports": [{"point_array": "a", "directions": ["x"], "ligament": {}}]})", "is a ligament"},
+      {R"({"loads": [{"gravity_of_patient": {"left_tilt_deg": 120}}]})", "between -90 and 90"},
       {R"([])", "must be an object"},
       {R"({"engine": )", "not valid JSON"},
   };

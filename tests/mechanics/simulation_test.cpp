@@ -76,10 +76,24 @@ TEST_F(Simulating, TakesTheModulusFromACellArray) {
 TEST_F(Simulating, RefusesWhatItCannotComputeYet) {
   scenario.engine = Engine::meshfree;
   EXPECT_THAT(refusal(), HasSubstr("not-available: The meshfree engine is not available yet"));
-  scenario.engine = Engine::fem;
-  scenario.motion = Motion{0.02, 50};
-  scenario.material = MaterialLaw::neo_hookean;
-  EXPECT_THAT(refusal(), HasSubstr("not-available: Motion is available for the materials"));
+}
+
+TEST_F(Simulating, AMotionOfAnyMaterialTracksTheLandmarksAndEndsWithTheLoadsCarried) {
+  scenario.poisson_ratio = 0.3;
+  scenario.loads = {ToolLoad{{15, 15, 30}, 8, {30, 0, 0}}};
+  scenario.motion = Motion{0.05, 40, 20.0, 0.01};
+  for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::corotational, MaterialLaw::neo_hookean}) {
+    scenario.material = law;
+    const auto moved = simulate(mesh, scenario).value();
+    ASSERT_TRUE(moved.result.may_be_used()) << moved.result.why_stopped;
+    ASSERT_EQ(moved.steps.size(), 40u);
+    EXPECT_EQ(moved.steps.back().landmarks_mm[0], moved.landmarks[0].displaced_mm);
+    EXPECT_GT((moved.steps[20].landmarks_mm[0] - moved.steps[0].landmarks_mm[0]).norm(), 0.01);
+    EXPECT_NEAR(moved.steps.back().time_s, 2.0, 1e-12);
+    // At rest in the end, the supports carry the tool.
+    const Eigen::Vector3d carried_mN = moved.result.held_reaction_mN + moved.result.foundation_reaction_mN;
+    EXPECT_LT((carried_mN + Eigen::Vector3d(30, 0, 0)).norm(), 0.05);
+  }
 }
 
 TEST_F(Simulating, TheMaterialsAgreeUnderASmallForceAndPartUnderALargeOne) {
