@@ -1,0 +1,113 @@
+#include "geometry/cut_surface.h"
+
+#include <fmt/format.h>
+#include <cmath>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace glisson::geometry {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+Failure invalid(const std::string& why, std::vector<std::string> arguments = {}) {
+  return failure(Error{"cut-invalid", why, std::move(arguments), {}, {}});
+}
+
+Eigen::Matrix<double, 2, 3> axes_across(const Vector3d& normal) {
+  const Vector3d first = normal.unitOrthogonal();
+  Eigen::Matrix<double, 2, 3> axes;
+  axes << first.transpose(), normal.cross(first).transpose();
+  return axes;
+}
+
+double thin_plate(double squared_mm2) { return squared_mm2 > 0 ? 0.5 * squared_mm2 * std::log(squared_mm2) : 0.0; }
+
+}  // namespace
+
+Result<CutSurface> CutSurface::plane(const Vector3d& point_mm, const Vector3d& normal) {
+  if (!point_mm.allFinite() || !normal.allFinite() || !(normal.norm() > 0)) {
+    return invalid(GLISSON_TEXT("A cutting plane needs a finite point and a normal that is not zero."));
+  }
+  CutSurface surface;
+  surface.point_mm_ = point_mm;
+  surface.normal_ = normal.normalized();
+  surface.plane_ = axes_across(surface.normal_);
+  return surface;
+}
+
+Result<CutSurface> CutSurface::through(const std::vector<Vector3d>& points_mm) {
+  constexpr std::size_t most_points = 2000;  // the system is dense
+  if (points_mm.size() < 3 || points_mm.size() > most_points) {
+    return invalid(GLISSON_TEXT("A cutting sheet needs 3 to {0} points; there are {1}."),
+                   {std::to_string(most_points), std::to_string(points_mm.size())});
+  }
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& point : points_mm) {
+    if (!point.allFinite()) return invalid(GLISSON_TEXT("A point of the cutting sheet is not finite."));
+    mean += point / static_cast<double>(points_mm.size());
+  }
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vector3d& point : points_mm) spread += (point - mean) * (point - mean).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(spread);
+  // A tenth in length: what is narrower does not say which way the sheet goes.
+  if (!(modes.eigenvalues()[1] > 0.01 * modes.eigenvalues()[2])) {
+    return invalid(
+        GLISSON_TEXT("The points of the cutting sheet lie almost on a line, which does not say which way to "
+                     "cut: add points away from it, or give a plane."));
+  }
+  CutSurface surface;
+  surface.point_mm_ = mean;
+  surface.normal_ = modes.eigenvectors().col(0).normalized();
+  surface.plane_ = axes_across(surface.normal_);
+  if (points_mm.size() == 3) return surface;  // they lie in their plane
+
+  const auto count = static_cast<Eigen::Index>(points_mm.size());
+  surface.centers_mm_.resize(2, count);
+  Eigen::VectorXd heights = Eigen::VectorXd::Zero(count + 3);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Vector3d arm = points_mm[static_cast<std::size_t>(i)] - mean;
+    surface.centers_mm_.col(i) = surface.plane_ * arm;
+    heights[i] = arm.dot(surface.normal_);
+  }
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(count + 3, count + 3);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index k = 0; k < i; ++k) {
+      const double squared_mm2 = (surface.centers_mm_.col(i) - surface.centers_mm_.col(k)).squaredNorm();
+      const double rise_mm = heights[i] - heights[k];
+      if (squared_mm2 < 0.01 * rise_mm * rise_mm || squared_mm2 < 1e-12) {  // steeper than 84 degrees, or the same
+        return invalid(
+            GLISSON_TEXT("Points {0} and {1} of the cutting sheet lie above each other: no smooth sheet over "
+                         "their plane passes through both."),
+            {std::to_string(k + 1), std::to_string(i + 1)});
+      }
+      system(i, k) = system(k, i) = thin_plate(squared_mm2);
+    }
+    system.block<1, 3>(i, count) << 1.0, surface.centers_mm_.col(i).transpose();
+    system.block<3, 1>(count, i) = system.block<1, 3>(i, count).transpose();
+  }
+  const Eigen::VectorXd solved = system.partialPivLu().solve(heights);
+  if (!solved.allFinite() || (system * solved - heights).norm() > 1e-6 * (1.0 + heights.norm())) {
+    return invalid(GLISSON_TEXT("No smooth sheet passes through the points of the cut."));
+  }
+  surface.weights_ = solved.head(count);
+  surface.affine_ = solved.tail<3>();
+  return surface;
+}
+
+double CutSurface::height_mm(const Vector3d& position_mm) const {
+  const Vector3d arm = position_mm - point_mm_;
+  double sheet_mm = 0;
+  if (!is_plane()) {
+    const Vector2d at = plane_ * arm;
+    sheet_mm = affine_[0] + affine_[1] * at.x() + affine_[2] * at.y();
+    for (Eigen::Index i = 0; i < centers_mm_.cols(); ++i) {
+      sheet_mm += weights_[i] * thin_plate((at - centers_mm_.col(i)).squaredNorm());
+    }
+  }
+  return arm.dot(normal_) - sheet_mm;
+}
+
+}  // namespace glisson::geometry

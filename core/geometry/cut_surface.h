@@ -1,0 +1,39 @@
+#pragma once
+// A smooth surface that divides space in two: a plane, or a sheet through points that somebody drew.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "base/result.h"
+
+namespace glisson::geometry {
+
+// A sheet is a height over its plane, height = a + b u + c v + sum of w_i r_i^2 log r_i with r_i the distance in the
+// plane from point i: the thin plate, which bends least among all that pass through the points (Duchon 1977; Wahba
+// 1990, Spline Models for Observational Data, 2.4). A plane is a sheet without points.
+class CutSurface {
+ public:
+  // Failure: "cut-invalid" (a number that is not finite, a normal without a length).
+  static Result<CutSurface> plane(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& normal);
+
+  // Through the points exactly, over the plane that fits them best. Failures: "cut-invalid": fewer than three points,
+  // one that is not finite, points that lie almost on a line (a line does not say which way to cut), or that no height
+  // over their plane can pass through (two almost above each other); more than 2000.
+  static Result<CutSurface> through(const std::vector<Eigen::Vector3d>& points_mm);
+
+  // How far above the surface (mm), along the plane's normal: for a plane the signed distance. Zero on the surface.
+  [[nodiscard]] double height_mm(const Eigen::Vector3d& position_mm) const;
+
+  [[nodiscard]] const Eigen::Vector3d& point_mm() const { return point_mm_; }
+  [[nodiscard]] const Eigen::Vector3d& normal() const { return normal_; }
+  [[nodiscard]] bool is_plane() const { return centers_mm_.cols() == 0; }
+
+ private:
+  Eigen::Vector3d point_mm_{0, 0, 0}, normal_{0, 0, 1};
+  Eigen::Matrix<double, 2, 3> plane_;  // rows: two axes of the plane
+  Eigen::Matrix2Xd centers_mm_;
+  Eigen::VectorXd weights_;
+  Eigen::Vector3d affine_{0, 0, 0};  // a, b, c
+};
+
+}  // namespace glisson::geometry
