@@ -162,7 +162,7 @@ def step(body, load):
     large = ", NLGEOM, INC=200" if body.hyperelastic else ""
     lines = [f"*STEP{large}", "*STATIC"]
     if body.hyperelastic:
-        lines += ["0.5, 1., 1e-4, 1."]
+        lines += ["1., 1., 1e-4, 1."]
     lines.append("*CLOAD, OP=NEW")
     for node in np.flatnonzero(np.abs(load.nodes).max(axis=1) > 0):
         lines += [f"{node + 1}, {axis + 1}, {load.nodes[node, axis]:.9g}" for axis in range(3) if load.nodes[node, axis]]
