@@ -50,8 +50,8 @@ def yeoh(scene, rng):
 def ogden(scene, rng):
     shear = scene.youngs_kPa / (2 + 2 * scene.poisson_ratio)
     bulk = scene.youngs_kPa / (3 - 6 * scene.poisson_ratio)
-    alpha = rng.uniform(8, 16)
-    return f"*HYPERELASTIC, OGDEN, N=1\n{shear * 2 / alpha:.8g}, {alpha:.6g}, {2 / bulk:.8g}"
+    alpha = rng.uniform(4, 10)
+    return f"*HYPERELASTIC, OGDEN, N=1\n{shear:.8g}, {alpha:.6g}, {2 / bulk:.8g}"
 
 
 def stiffening(scene, rng):
