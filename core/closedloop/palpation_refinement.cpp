@@ -61,8 +61,7 @@ Eigen::MatrixXd discretisation_error_mm(const PalpationSolver& solver,
   const auto fine = fine_body(solver, loads);
   if (!declared || !fine) return {};
 
-  const Eigen::SparseMatrix<double> lower = mechanics::assemble_stiffness(
-      fine->body.mesh, fine->body.layout, fine->body.materials, fine->body.boundary, fine->body.resolved.foundations);
+  const Eigen::SparseMatrix<double> lower = mechanics::assemble_stiffness(fine->body);
   const auto stiffness = lower.selfadjointView<Eigen::Lower>();
   Eigen::VectorXd is_free(lower.rows());
   for (Eigen::Index i = 0; i < is_free.size(); ++i) {
