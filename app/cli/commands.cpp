@@ -17,9 +17,11 @@ void add_commands(CLI::App& app, Action& chosen) {
   add_export(app, chosen);
   add_calibrate(app, chosen);
   add_stereo(app, chosen);
+  add_sequence(app, chosen);
   add_match(app, chosen);
   add_register(app, chosen);
   add_sirgn(app, chosen);
+  add_review(app, chosen);
   add_platform(app, chosen);
   add_deidentify(app, chosen);
 }

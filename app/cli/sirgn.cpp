@@ -8,23 +8,29 @@
 
 #include "command.h"
 #include "geometry/mesh_file.h"
+#include "quality/quality_file.h"
 #include "quality/sequence_file.h"
+#include "registration/global_alignment.h"
 #include "registration/register.h"
 #include "shared_options.h"
+#include "study/review.h"
 
 namespace glisson::cli {
 namespace {
 
-enum class Method { given, icp, geo };
+enum class Method { given, icp, geo, gnra };
+constexpr const char* method_names[] = {"given", "icp", "geo", "gnra"};
 
 struct SirgnCommand {
   std::string sequence, out;
   Method method = Method::given;
   quality::SirgnOptions options;
+  bool pictures = false;
 };
 
 Result<quality::RegisteredSequence> registered(const quality::SequenceFiles& files, Method method,
                                                const Progress& progress);
+Result<void> align_all(quality::RegisteredSequence& sequence, const Progress& progress);
 Outcome describe(const quality::Quality& quality, const SirgnCommand& command, std::size_t frames, double time_s,
                  double judging_s);
 
@@ -43,14 +49,13 @@ Result<Outcome> run(const SirgnCommand& command, const Progress& progress) {
   if (!quality) return failure(quality.error());
   const double judging_s = seconds_since(judging_start);
 
-  std::error_code problem;
-  std::filesystem::create_directories(command.out, problem);
-  if (problem) {
-    return failure("folder-not-made", GLISSON_TEXT("The folder {0} cannot be made: {1}."),
-                   {command.out, problem.message()});
+  const quality::StoredQuality stored{command.sequence, method_names[static_cast<int>(command.method)],
+                                      command.options.tolerances_mm, *quality};
+  if (auto written = quality::write_quality(command.out, stored); !written) return failure(written.error());
+  if (command.pictures) {
+    const auto drawn = study::write_heat_pictures(stored, std::filesystem::path(command.out) / "frames");
+    if (!drawn) return failure(drawn.error());
   }
-  const auto mesh_file = std::filesystem::path(command.out) / "quality.vtp";
-  if (auto written = geometry::write_surface(mesh_file, quality->mesh); !written) return failure(written.error());
   return describe(*quality, command, sequence->frames.size(), seconds_since(start), judging_s);
 }
 
@@ -70,7 +75,7 @@ Result<quality::RegisteredSequence> registered(const quality::SequenceFiles& fil
                          GLISSON_TEXT("Add \"registered\", or choose --method icp or geo."),
                          {}});
   }
-  if (method != Method::given && !sequence.model) {
+  if ((method == Method::icp || method == Method::geo) && !sequence.model) {
     return failure(Error{"sequence-no-model",
                          GLISSON_TEXT("The sequence names no model to register its clouds to."),
                          {},
@@ -79,6 +84,7 @@ Result<quality::RegisteredSequence> registered(const quality::SequenceFiles& fil
   }
   registration::RegisterOptions options;
   options.method = method == Method::geo ? registration::Method::geo : registration::Method::icp;
+  options.geo.prior = registration::Prior::positions;  // model and frames lie in the camera's space
   const auto frames = static_cast<double>(files.clouds.size());
   for (std::size_t t = 0; t < files.clouds.size(); ++t) {
     auto cloud = quality::read_cloud(files.clouds[t]);
@@ -88,7 +94,7 @@ Result<quality::RegisteredSequence> registered(const quality::SequenceFiles& fil
       auto moved = quality::read_cloud(files.registered[t]);
       if (!moved) return failure(moved.error());
       frame.registered_mm = std::move(moved->points_mm);
-    } else {
+    } else if (method != Method::gnra) {
       const auto part = progress.part(static_cast<double>(t) / frames, static_cast<double>(t + 1) / frames);
       auto moved = registration::register_surfaces(*cloud, *sequence.model, options, part);
       if (!moved) return failure(std::move(moved.error()).in_file(files.clouds[t]));
@@ -98,7 +104,28 @@ Result<quality::RegisteredSequence> registered(const quality::SequenceFiles& fil
     sequence.frames.push_back(std::move(frame));
     if (progress.cancelled()) return cancelled();
   }
+  if (method == Method::gnra) {
+    if (auto aligned = align_all(sequence, progress); !aligned) return failure(aligned.error());
+  }
   return sequence;
+}
+
+// Registered by the benchmark itself: all frames to one model by the landmarks.
+Result<void> align_all(quality::RegisteredSequence& sequence, const Progress& progress) {
+  registration::Sightings sightings;
+  for (const quality::LandmarkTrack& track : sequence.landmarks) sightings.push_back(track.positions_mm);
+  const auto alignment = registration::align_globally(sightings, {}, progress);
+  if (!alignment) return failure(alignment.error());
+  for (std::size_t t = 0; t < sequence.frames.size(); ++t) {
+    if (!alignment->frames[t]) {
+      return failure("sequence-frame-not-aligned", GLISSON_TEXT("Frame {0} shares too few landmarks with the others."),
+                     {std::to_string(t)});
+    }
+    for (const Eigen::Vector3d& point : sequence.frames[t].cloud_mm) {
+      sequence.frames[t].registered_mm.push_back(alignment->frames[t]->warp(point));
+    }
+  }
+  return {};
 }
 
 double mean(const std::vector<double>& values) {
@@ -142,15 +169,17 @@ void add_sirgn(CLI::App& app, Action& chosen) {
   command
       ->add_option(
           "--method", settings->method,
-          "given: the clouds that the sequence names as registered; icp, geo: register them to the model first")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Method>{{"given", Method::given}, {"icp", Method::icp}, {"geo", Method::geo}}))
+          "given: the clouds that the sequence names as registered; icp, geo: register them to the model first; gnra: "
+          "all frames at once, by the landmarks")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Method>{
+          {"given", Method::given}, {"icp", Method::icp}, {"geo", Method::geo}, {"gnra", Method::gnra}}))
       ->required();
   command->add_option("--tolerance-mm", settings->options.tolerances_mm, "Errors from which a triangle is rejected")
       ->delimiter(',')
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_option("--out", settings->out, "Folder for quality.vtp")->required();
+  command->add_flag("--pictures", settings->pictures, "Draw the heat mesh over each frame, into frames/");
+  command->add_option("--out", settings->out, "Folder for quality.vtp and sirgn.json")->required();
   command->callback(
       [&chosen, settings] { chosen = [settings](const Progress& progress) { return run(*settings, progress); }; });
 }

@@ -65,6 +65,11 @@ Result<SequenceFiles> read_sequence(const fs::path& file) {
       sequence.registered.push_back(folder / cloud.get<std::string>());
     }
   }
+  if (json.contains("camera")) {
+    auto camera = vision::camera_from_json(json["camera"].dump());
+    if (!camera) return invalid(file, "camera has no 3 x 3 matrix, or a distortion that is no list of numbers");
+    sequence.camera = std::move(*camera);
+  }
   if (const auto model = text_of(json, "model")) sequence.model = folder / *model;
   for (const auto* list : {&sequence.clouds, &sequence.registered}) {
     for (std::size_t frame = 0; frame < list->size(); ++frame) {

@@ -3,7 +3,7 @@
 // where somebody else registered the clouds, the clouds as registered.
 //
 //   {"frames": [{"image": "f000.png", "cloud": "f000.ply"}, ...], "landmarks": "tracks.csv", "model": "model.ply",
-//    "camera": {...}, "registered": ["r000.ply", ...]}
+//    "camera": {"matrix": [3x3], "distortion": [..]}, "registered": ["r000.ply", ...]}
 //
 // tracks.csv: landmark,frame,x_mm,y_mm,z_mm, frames counted from 0. Paths are relative to the document.
 
@@ -14,6 +14,7 @@
 
 #include "base/result.h"
 #include "quality/sirgn.h"
+#include "vision/calibration.h"
 
 namespace glisson::quality {
 
@@ -22,6 +23,7 @@ struct SequenceFiles {
   std::vector<std::filesystem::path> clouds;      // one a frame
   std::vector<std::filesystem::path> registered;  // one a frame, or none at all
   std::optional<std::filesystem::path> model;
+  std::optional<vision::Camera> camera;  // that took the images; clouds and landmarks are in its space
   std::vector<LandmarkTrack> landmarks;
 };
 

@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "geometry/delaunay.h"
 #include "geometry/nearest.h"
+#include "quality/doubt_internal.h"
 #include "quality/warp_internal.h"
 
 namespace glisson::quality {
@@ -60,6 +61,7 @@ std::vector<std::array<int, 3>> triangulate(const Points& points_mm);
 Points spread(const std::vector<FrameMotion>& frames, int count);
 SharedCentreWarps fit_warps(const std::vector<FrameMotion>& frames, const SirgnOptions& options);
 void rate_triangles(const Landmarks& landmarks, const SharedCentreWarps& warps, std::size_t frames, Quality& quality);
+void place_mesh(const SharedCentreWarps& warps, std::size_t frames, Quality& quality);
 void rate_frames(const RegisteredSequence& sequence, const std::vector<FrameMotion>& frames, const Landmarks& landmarks,
                  Quality& quality);
 void label(const SirgnOptions& options, Quality& quality);
@@ -96,6 +98,8 @@ Result<Quality> sirgn(const RegisteredSequence& sequence, const SirgnOptions& op
   if (progress.cancelled()) return cancelled();
   progress.report(0.7, "triangles");
   rate_triangles(landmarks, warps, frames.size(), quality);
+  place_mesh(warps, frames.size(), quality);
+  quality.doubt_mm = doubt_mm(quality, landmarks.placed_mm);
   rate_frames(sequence, frames, landmarks, quality);
   label(options, quality);
   return quality;
@@ -330,6 +334,17 @@ void rate_triangles(const Landmarks& landmarks, const SharedCentreWarps& warps, 
   }
 }
 
+void place_mesh(const SharedCentreWarps& warps, std::size_t frames, Quality& quality) {
+  const Eigen::MatrixXd displacements = warps.displacements_mm(quality.mesh.points_mm);
+  quality.mesh_in_frames_mm.assign(frames, quality.mesh.points_mm);
+  for (std::size_t t = 0; t < frames; ++t) {
+    for (std::size_t i = 0; i < quality.mesh.points_mm.size(); ++i) {
+      quality.mesh_in_frames_mm[t][i] +=
+          displacements.block<1, 3>(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(3 * t)).transpose();
+    }
+  }
+}
+
 void rate_frames(const RegisteredSequence& sequence, const std::vector<FrameMotion>& frames, const Landmarks& landmarks,
                  Quality& quality) {
   for (std::size_t t = 0; t < frames.size(); ++t) {
@@ -362,6 +377,7 @@ void rate_frames(const RegisteredSequence& sequence, const std::vector<FrameMoti
 void label(const SirgnOptions& options, Quality& quality) {
   geometry::set_field(quality.mesh.cell_fields, {"correlation", 1, quality.correlation});
   geometry::set_field(quality.mesh.cell_fields, {"error_mm", 1, quality.error_mm});
+  geometry::set_field(quality.mesh.cell_fields, {"doubt_mm", 1, quality.doubt_mm});
   geometry::set_field(quality.mesh.cell_fields,
                       {"frames", 1, {quality.frames_seen.begin(), quality.frames_seen.end()}});
   for (const double tolerance_mm : options.tolerances_mm) {

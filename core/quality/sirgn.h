@@ -49,12 +49,22 @@ struct SirgnOptions {
 };
 
 struct Quality {
-  // The correlation mesh: landmarks on the model, triangulated; cell fields correlation, error_mm, frames and
-  // accepted_<E> for each tolerance.
+  // The correlation mesh: landmarks on the model, triangulated; cell fields correlation, error_mm, doubt_mm, frames
+  // and accepted_<E> for each tolerance.
   geometry::Surface mesh;
   std::vector<double> correlation;  // eq. 2.4, -1..1, one a triangle
   std::vector<double> error_mm;     // mean distance of the corners, as registered, from where they are on the model
-  std::vector<int> frames_seen;     // n of eq. 2.4: frames that hold all three corners
+  // Not the dissertation's: (1 - correlation) times the motion that the registration leaves unexplained around the
+  // triangle. That is how far landmarks wander on the model (the median of the triangle's and its neighbours', which
+  // one that jumps does not sway) joined in squares with how far S^-1 is from moving the neighbourhood as one rigid
+  // body. It ranks triangles as correlation does where faults come and go, and better where a fault never changes and
+  // landmarks are dense enough to show its slope. To be compared within one sequence; it is no error in mm.
+  std::vector<double> doubt_mm;
+  std::vector<int> frames_seen;  // n of eq. 2.4: frames that hold all three corners
+
+  // [frame][point of the mesh]: where S^-1 puts the mesh in each frame, that is, where the registration says that the
+  // landmarks' places are: in the frame's space, for drawing over its picture.
+  std::vector<std::vector<Eigen::Vector3d>> mesh_in_frames_mm;
 
   double mean_correlation = 0;            // over the triangles
   std::vector<double> rejected_fraction;  // of the triangles, a tolerance each: error_mm >= it

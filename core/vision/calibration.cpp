@@ -45,18 +45,23 @@ std::optional<std::vector<double>> numbers(const Json& json) {
   return all;
 }
 
-std::optional<Camera> camera_in(const Json& document, const char* eye) {
-  if (!document.contains(eye) || !document[eye].is_object() || !document[eye].contains("matrix")) return std::nullopt;
-  const auto matrix = numbers(document[eye]["matrix"]);
+std::optional<Camera> camera_of(const Json& json) {
+  if (!json.is_object() || !json.contains("matrix")) return std::nullopt;
+  const auto matrix = numbers(json["matrix"]);
   if (!matrix || matrix->size() != 9) return std::nullopt;
   Camera camera;
   camera.matrix = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(matrix->data());
-  if (document[eye].contains("distortion")) {
-    const auto distortion = numbers(document[eye]["distortion"]);
+  if (json.contains("distortion")) {
+    const auto distortion = numbers(json["distortion"]);
     if (!distortion) return std::nullopt;
     camera.distortion = *distortion;
   }
   return camera;
+}
+
+std::optional<Camera> camera_in(const Json& document, const char* eye) {
+  if (!document.is_object() || !document.contains(eye)) return std::nullopt;
+  return camera_of(document[eye]);
 }
 
 Result<StereoCalibration> read_json(const fs::path& file) {
@@ -172,6 +177,14 @@ Result<StereoCalibration> read_stereo_calibration(const fs::path& file) {
   auto good = checked(std::move(*calibration));
   if (!good) return failure(std::move(good.error()).in_file(file));
   return good;
+}
+
+Result<Camera> camera_from_json(const std::string& text) {
+  const auto json = parse_json(text);
+  if (!json) return failure(json.error());
+  const auto camera = camera_of(*json);
+  if (!camera) return invalid("of a camera", "3 x 3 matrix, or a distortion that is no list of numbers");
+  return *camera;
 }
 
 Result<std::pair<Camera, Camera>> read_cameras(const fs::path& folder) {

@@ -40,6 +40,9 @@ Result<StereoCalibration> read_stereo_calibration(const std::filesystem::path& f
 // The two lenses alone, left first, from a folder of text files that need not say where the right eye is.
 Result<std::pair<Camera, Camera>> read_cameras(const std::filesystem::path& folder);
 
+// One camera, {"matrix": [3x3], "distortion": [..]}, as text. Failure: "calibration-invalid".
+Result<Camera> camera_from_json(const std::string& text);
+
 // As the JSON above. Failures: those of write_json_file.
 Result<void> write_stereo_calibration(const std::filesystem::path& file, const StereoCalibration& calibration);
 

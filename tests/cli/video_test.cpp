@@ -6,6 +6,7 @@
 #include "base/files.h"
 #include "support/data.h"
 #include "support/process.h"
+#include "support/stereo_video.h"
 
 namespace glisson::test {
 namespace {
@@ -38,6 +39,42 @@ TEST(StereoCommand, RefusesExchangedPicturesAndLeavesNothingBehind) {
   EXPECT_EQ(finished.exit_code, 1);
   EXPECT_EQ(finished.json().at("error").at("code"), "calibration-not-of-pictures");
   EXPECT_FALSE(std::filesystem::exists(cloud));
+}
+
+// A stereo video with a real picture on breathing tissue; nobody has published a real one with its truth.
+TEST(SequenceCommand, LeadsFromAVideoToTwoRegistrationsSideBySide) {
+  GLISSON_NEEDS_DATA("hamlyn_heart_stereo");
+  const TemporaryFolder folder;
+  const auto at = [&](const char* name) { return (folder.path() / name).string(); };
+  const StereoVideo video(vision::read_frame(heart("f7_dynamic_deint_L_0100.png")).value());
+  std::filesystem::create_directories(at("left"));
+  std::filesystem::create_directories(at("right"));
+  constexpr int frames = 6;
+  for (int t = 0; t < frames; ++t) {
+    const std::string name = std::to_string(t) + ".png";
+    ASSERT_TRUE(vision::write_frame(video.left(2 * t), folder.path() / "left" / name));
+    ASSERT_TRUE(vision::write_frame(video.right(2 * t), folder.path() / "right" / name));
+  }
+  ASSERT_TRUE(vision::write_stereo_calibration(at("camera.json"), StereoVideo::calibration()));
+
+  const Finished sequence = glisson_cli({"sequence", at("left"), at("right"), "--calibration", at("camera.json"),
+                                         "--step", "8", "--out", at("sequence"), "--json", "--quiet"});
+  ASSERT_EQ(sequence.exit_code, 0) << sequence.out << sequence.err;
+  EXPECT_EQ(sequence.json().at("frames"), frames);
+  const std::string document = sequence.json().at("file");
+  for (const char* method : {"icp", "geo", "gnra"}) {
+    const Finished judged =
+        glisson_cli({"sirgn", document, "--method", method, "--pictures", "--out", at(method), "--json", "--quiet"});
+    ASSERT_EQ(judged.exit_code, 0) << method << ": " << judged.out << judged.err;
+    EXPECT_GT(judged.json().at("triangles").get<int>(), 20);
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / method / "frames" / "f005.jpg"));
+  }
+  const Finished review = glisson_cli({"review", at("icp"), at("geo"), "--out", at("review"), "--json", "--quiet"});
+  ASSERT_EQ(review.exit_code, 0) << review.out << review.err;
+  EXPECT_EQ(review.json().at("frames"), frames);
+  for (const char* name : {"review.html", "a000.jpg", "b005.jpg"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "review" / name)) << name;
+  }
 }
 
 TEST(CalibrateCommand, SaysHowFarItIsFromTheKnownLenses) {

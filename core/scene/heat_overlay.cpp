@@ -1,0 +1,101 @@
+#include "scene/heat_overlay.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "vision/draw.h"
+
+namespace glisson::scene {
+namespace {
+
+using vision::Frame;
+using vision::Rgb;
+
+Rgb eight_bit(const Colour& colour) {
+  const auto byte = [](double part) { return static_cast<std::uint8_t>(std::lround(255 * part)); };
+  return {byte(colour.red), byte(colour.green), byte(colour.blue)};
+}
+
+void draw_legend(Frame& frame, const HeatScale& scale);
+
+}  // namespace
+
+HeatScale shared_scale(const std::vector<double>& a, const std::vector<double>& b, HeatScale::Good good,
+                       std::string title) {
+  std::vector<double> all = a;
+  all.insert(all.end(), b.begin(), b.end());
+  HeatScale scale;
+  scale.good = good;
+  scale.title = std::move(title);
+  if (all.empty()) return scale;
+  std::sort(all.begin(), all.end());
+  const std::size_t off = all.size() / 50;
+  scale.range = {all[off], all[all.size() - 1 - off]};
+  if (!(scale.range[1] > scale.range[0])) scale.range[1] = scale.range[0] + 1e-6 + std::abs(scale.range[0]) * 1e-6;
+  return scale;
+}
+
+Colour heat_colour(const HeatScale& scale, double value) {
+  const double fraction = std::clamp((value - scale.range[0]) / (scale.range[1] - scale.range[0]), 0.0, 1.0);
+  return colour_at(ColourMap::viridis, scale.good == HeatScale::Good::low ? fraction : 1 - fraction);
+}
+
+Frame heat_overlay(const Frame& frame, const vision::Camera& camera, const HeatMesh& mesh, const HeatScale& scale) {
+  constexpr Rgb grey{150, 150, 150};
+  const auto pixels = vision::project(camera, mesh.points_mm);
+  std::vector<std::size_t> order(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto depth_mm = [&](std::size_t k) {
+    double sum = 0;
+    for (const int corner : mesh.triangles[k]) sum += mesh.points_mm[static_cast<std::size_t>(corner)].z();
+    return sum;
+  };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return depth_mm(a) > depth_mm(b); });
+  std::vector<vision::FlatTriangle> flat;
+  for (const std::size_t k : order) {
+    vision::FlatTriangle triangle;
+    bool shown = true;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto& pixel = pixels[static_cast<std::size_t>(mesh.triangles[k][c])];
+      shown = shown && pixel.has_value();
+      if (pixel) triangle.corners_px[c] = *pixel;
+    }
+    if (!shown) continue;
+    const bool rejected = k < mesh.rejected.size() && mesh.rejected[k];
+    triangle.colour = rejected ? grey : eight_bit(heat_colour(scale, mesh.values[k]));
+    flat.push_back(triangle);
+  }
+  Frame drawn = frame;
+  vision::draw_triangles(drawn, flat, scale.opacity);
+  draw_legend(drawn, scale);
+  return drawn;
+}
+
+namespace {
+
+void draw_legend(Frame& frame, const HeatScale& scale) {
+  constexpr Rgb black{0, 0, 0}, white{255, 255, 255};
+  const int text_px = std::clamp(frame.height / 40, 8, 24);
+  const int bar_px = text_px, width_px = 6 * text_px;
+  const int left = frame.width - width_px, top = 3 * text_px, height = frame.height - 5 * text_px;
+  if (left < 0 || height < 4 * text_px) return;  // too small a picture for one
+  vision::draw_rectangle(frame, left, 0, width_px, frame.height, black);
+  vision::draw_text(frame, left + text_px / 3, 3 * text_px / 2, 2 * text_px / 3, scale.title, white);
+  const auto [low, high] = scale.range;
+  for (int y = 0; y < height; ++y) {
+    const double value = high - (high - low) * y / (height - 1);
+    vision::draw_rectangle(frame, left + text_px / 2, top + y, bar_px, 1, eight_bit(heat_colour(scale, value)));
+  }
+  for (const double mark : round_marks(low, high, 5)) {
+    if (mark < low || mark > high) continue;
+    const int y = top + static_cast<int>(std::lround((high - mark) / (high - low) * (height - 1)));
+    vision::draw_rectangle(frame, left + text_px / 2 + bar_px, y, text_px / 3, 1, white);
+    vision::draw_text(frame, left + text_px + bar_px, y + text_px / 3, 3 * text_px / 4, fmt::format("{:.3g}", mark),
+                      white);
+  }
+}
+
+}  // namespace
+}  // namespace glisson::scene

@@ -1,0 +1,71 @@
+#include "vision/draw.h"
+
+#include <cmath>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/core/eigen.hpp>
+
+#include "vision/opencv_internal.h"
+
+namespace glisson::vision {
+namespace {
+
+// OpenCV's drawing knows only a picture of three numbers a pixel: ours are red, green, blue.
+cv::Mat pixels_of(Frame& frame) { return {frame.height, frame.width, CV_8UC3, frame.rgb.data()}; }
+cv::Scalar scalar(const Rgb& colour) { return {double(colour[0]), double(colour[1]), double(colour[2])}; }
+
+}  // namespace
+
+std::vector<std::optional<Eigen::Vector2d>> project(const Camera& camera,
+                                                    const std::vector<Eigen::Vector3d>& points_mm) {
+  constexpr double nearest_mm = 1e-6;
+  std::vector<std::optional<Eigen::Vector2d>> seen(points_mm.size());
+  std::vector<cv::Point3d> in_front;
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < points_mm.size(); ++i) {
+    if (!points_mm[i].allFinite() || points_mm[i].z() < nearest_mm) continue;
+    in_front.emplace_back(points_mm[i].x(), points_mm[i].y(), points_mm[i].z());
+    which.push_back(i);
+  }
+  if (in_front.empty()) return seen;
+  cv::Mat matrix;
+  cv::eigen2cv(camera.matrix, matrix);
+  std::vector<cv::Point2d> pixels;
+  cv::projectPoints(in_front, cv::Vec3d(0, 0, 0), cv::Vec3d(0, 0, 0), matrix, cv::Mat(camera.distortion, true), pixels);
+  for (std::size_t i = 0; i < pixels.size(); ++i) seen[which[i]] = Eigen::Vector2d(pixels[i].x, pixels[i].y);
+  return seen;
+}
+
+void draw_triangles(Frame& frame, const std::vector<FlatTriangle>& triangles, double opacity) {
+  constexpr int shift = 4;  // OpenCV's corners in sixteenths of a pixel
+  cv::Mat picture = pixels_of(frame);
+  cv::Mat layer = picture.clone();
+  const auto fixed = [](const Eigen::Vector2d& at) {
+    const auto far = [](double px) { return std::clamp(px, -1e5, 1e5); };
+    return cv::Point(static_cast<int>(std::lround(far(at.x()) * (1 << shift))),
+                     static_cast<int>(std::lround(far(at.y()) * (1 << shift))));
+  };
+  for (const FlatTriangle& triangle : triangles) {
+    const std::array<cv::Point, 3> corners{fixed(triangle.corners_px[0]), fixed(triangle.corners_px[1]),
+                                           fixed(triangle.corners_px[2])};
+    cv::fillConvexPoly(layer, corners.data(), 3, scalar(triangle.colour), cv::LINE_AA, shift);
+    const cv::Point* outline = corners.data();
+    const int count = 3;
+    cv::polylines(layer, &outline, &count, 1, true, 0.6 * scalar(triangle.colour), 1, cv::LINE_AA, shift);
+  }
+  cv::addWeighted(layer, opacity, picture, 1 - opacity, 0, picture);
+}
+
+void draw_rectangle(Frame& frame, int x, int y, int width, int height, Rgb colour) {
+  cv::Mat picture = pixels_of(frame);
+  cv::rectangle(picture, cv::Rect(x, y, width, height), scalar(colour), cv::FILLED);
+}
+
+void draw_text(Frame& frame, int x, int y, int height_px, const std::string& text, Rgb colour) {
+  constexpr int font = cv::FONT_HERSHEY_SIMPLEX;
+  cv::Mat picture = pixels_of(frame);
+  const int thickness = std::max(1, height_px / 9);
+  cv::putText(picture, text, {x, y}, font, cv::getFontScaleFromHeight(font, height_px, thickness), scalar(colour),
+              thickness, cv::LINE_AA);
+}
+
+}  // namespace glisson::vision
