@@ -117,16 +117,15 @@ std::vector<Effect> strain_stiffening() {
   const std::string sentence =
       "The tissue stiffens the further it is strained: pressing twice as hard dents it less "
       "than twice as deep.";
-  return {{palpation::strain_stiffening,
-           palpation::form_exponential,
-           {{"coefficient", 0, 0, 1000, 0, 50, Scale::linear}},
-           sentence,
-           {values({2})}},
-          {palpation::strain_stiffening,
-           palpation::form_linear,
-           {{"coefficient", 0, 0, 200, 0, 10, Scale::linear}},
-           sentence,
-           {values({1})}}};
+  const auto form = [&](const std::string& name, const Parameter& coefficient, double start) {
+    return Effect{palpation::strain_stiffening, name, {coefficient}, sentence, {values({start})}};
+  };
+  // Coefficients that stiffen by a tenth at a tenth of strain are 1 (linear) and 10 (exponential); of Yeoh's law and
+  // Ogden's, those of soft tissue and gels.
+  return {form(palpation::form_exponential, {"coefficient", 0, 0, 1000, 0, 50, Scale::linear}, 2),
+          form(palpation::form_linear, {"coefficient", 0, 0, 200, 0, 10, Scale::linear}, 1),
+          form(palpation::form_yeoh, {"coefficient", 0, 0.01, 100, 0.5, 10, Scale::logarithmic}, 2),
+          form(palpation::form_ogden, {"exponent", 0, 1, 40, 4, 20, Scale::logarithmic}, 6)};
 }
 
 Effect support_compliance(const Sizes& sizes, const SpecimenBody& specimen) {

@@ -40,7 +40,8 @@ inline const std::string anisotropy = "anisotropy";
 inline const std::string capsule = "capsule";
 inline const std::string preload = "preload";
 
-inline const std::string form_exponential = "exponential", form_linear = "linear";
+inline const std::string form_exponential = "exponential", form_linear = "linear", form_yeoh = "yeoh",
+                         form_ogden = "ogden";
 inline const std::string form_prony_1 = "prony-1", form_prony_2 = "prony-2";
 inline const std::string form_fibres = "fibres", form_engineering = "engineering";
 inline const std::string form_gravity = "gravity", form_pressure = "pressure";

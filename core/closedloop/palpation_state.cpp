@@ -4,6 +4,16 @@
 #include "closedloop/palpation_effects.h"
 
 namespace glisson::closedloop {
+namespace {
+
+StiffeningLaw stiffening_law(const std::string& form) {
+  if (form == palpation::form_linear) return StiffeningLaw::linear;
+  if (form == palpation::form_yeoh) return StiffeningLaw::yeoh;
+  if (form == palpation::form_ogden) return StiffeningLaw::ogden;
+  return StiffeningLaw::exponential;
+}
+
+}  // namespace
 
 Structure PalpationState::scaled_structure() const {
   Structure scaled = structure;
@@ -19,8 +29,7 @@ PalpationState state_of(const Settings& settings, double held_from_kPa_per_mm) {
     if (setting.kind == palpation::stiffness_scale) {
       state.stiffness_factor = p[0];
     } else if (setting.kind == palpation::strain_stiffening) {
-      state.stiffening = {setting.form == palpation::form_linear ? StiffeningLaw::linear : StiffeningLaw::exponential,
-                          p[0]};
+      state.stiffening = Stiffening{stiffening_law(setting.form), p[0]};
     } else if (setting.kind == palpation::support_compliance) {
       state.structure.compliance_mm_per_kPa = p[0] >= held_from_kPa_per_mm ? 0.0 : 1.0 / p[0];
     } else if (setting.kind == palpation::stiff_inclusion) {

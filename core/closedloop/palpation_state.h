@@ -13,13 +13,19 @@ namespace glisson::closedloop {
 
 // How Young's modulus of the body grows with q = eps : C eps / E, the square of a strain (of the strain itself, where
 // a bar is pulled): sigma = E g(q) (C / E) eps. The energy E/2 integral of g makes it an elastic law, at small strain.
+//
+// Tissue that stiffens is mostly strained far: two more laws are for large strain, by principal stretches
+// (palpation_stretch.h), under loads that keep the direction and the faces that they have at rest. They hold the
+// geometry's own nonlinearity too, and replace the declared small strain as soon as they are on at all.
 enum class StiffeningLaw {
   exponential,  // g = exp(b q): Fung's
   linear,       // g = 1 + b sqrt(q)
+  yeoh,         // large strain
+  ogden,        // large strain
 };
 struct Stiffening {
   StiffeningLaw law = StiffeningLaw::exponential;
-  double coefficient = 0;  // b
+  double coefficient = 0;  // b, or Ogden's exponent; 0: no stiffening, whatever the law
 };
 
 // J(t) / J(0) = 1 + sum of amplitude (1 - exp(-t / time)).

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "closedloop/palpation_stretch.h"
 
 namespace glisson::closedloop {
 namespace {
@@ -30,6 +31,8 @@ Growth growth(const Stiffening& stiffening, double q) {
   return {std::exp(largest) * (1.0 + exponent - largest), stiffening.coefficient * std::exp(largest)};
 }
 
+bool is_for_large_strain(StiffeningLaw law) { return law == StiffeningLaw::yeoh || law == StiffeningLaw::ogden; }
+
 // One structure with its law: what a displacement meets.
 class StiffeningBody {
  public:
@@ -38,51 +41,87 @@ class StiffeningBody {
         structure_(structure),
         stiffening_(stiffening),
         factors_(modulus_factors(specimen, structure)),
-        tangent_(unit_tangent(specimen, structure)) {}
-
-  [[nodiscard]] Eigen::VectorXd force_mN(const Eigen::Ref<const Eigen::VectorXd>& u_mm) const {
-    const auto stress = [&](std::size_t c, std::size_t p, const Eigen::Matrix3d& gradient) {
-      const Vector9d per_modulus = tangent_ * mechanics::as_vector(gradient);
-      const double q = per_modulus.dot(mechanics::as_vector(gradient));
-      const double modulus_kPa = specimen_.body.youngs_kPa[c] * factors_[p];
-      return (modulus_kPa * growth(stiffening_, q).factor * mechanics::as_matrix(per_modulus)).eval();
-    };
-    return internal_force_mN(specimen_.elements, u_mm, stress) + surface_force_mN(specimen_, structure_, u_mm);
+        tangent_(unit_tangent(specimen, structure)) {
+    if (!large_strain()) return;
+    material_ = stretch_material(stiffening.law == StiffeningLaw::yeoh ? StretchLaw::yeoh : StretchLaw::ogden,
+                                 stiffening.coefficient, specimen.body.options.poisson_ratio);
+    tangent_ -= unit_tangent(specimen, {});  // what is left over is what the anisotropy adds
   }
 
-  // What the tangent needs of a state, at every quadrature point: g and the stress direction with sqrt(2 g').
+  [[nodiscard]] Eigen::VectorXd force_mN(const Eigen::Ref<const Eigen::VectorXd>& u_mm) const {
+    const auto small = [&](std::size_t c, std::size_t p, const Eigen::Matrix3d& gradient) {
+      const Vector9d per_modulus = tangent_ * mechanics::as_vector(gradient);
+      const double q = per_modulus.dot(mechanics::as_vector(gradient));
+      return (modulus_kPa(c, p) * growth(stiffening_, q).factor * mechanics::as_matrix(per_modulus)).eval();
+    };
+    const auto large = [&](std::size_t c, std::size_t p, const Eigen::Matrix3d& gradient) {
+      const Eigen::Matrix3d f = gradient + Eigen::Matrix3d::Identity();
+      return (modulus_kPa(c, p) * (stress_of(principal_state(material_, f)) + added(gradient))).eval();
+    };
+    return surface_force_mN(specimen_, structure_, u_mm) + (large_strain()
+                                                                ? internal_force_mN(specimen_.elements, u_mm, large)
+                                                                : internal_force_mN(specimen_.elements, u_mm, small));
+  }
+
+  // What the tangent needs of a state, at every quadrature point: at small strain g and the stress's direction times
+  // sqrt(2 g'); at large strain the principal frame.
   struct State {
     std::vector<double> factor;
     std::vector<Vector9d> rank_one;
+    std::vector<PrincipalState> principal;
   };
   [[nodiscard]] State state(const Eigen::Ref<const Eigen::VectorXd>& u_mm) const {
-    State state{std::vector<double>(factors_.size()), std::vector<Vector9d>(factors_.size())};
+    State state;
+    if (large_strain()) {
+      state.principal.resize(factors_.size());
+    } else {
+      state.factor.resize(factors_.size());
+      state.rank_one.resize(factors_.size());
+    }
     const auto note = [&](std::size_t c, std::size_t p, const Eigen::Matrix3d& gradient) {
-      const Vector9d per_modulus = tangent_ * mechanics::as_vector(gradient);
-      const Growth at = growth(stiffening_, per_modulus.dot(mechanics::as_vector(gradient)));
-      const double modulus_kPa = specimen_.body.youngs_kPa[c] * factors_[p];
-      state.factor[p] = modulus_kPa * at.factor;
-      state.rank_one[p] = std::sqrt(2.0 * modulus_kPa * at.slope) * per_modulus;
+      if (large_strain()) {
+        state.principal[p] = principal_state(material_, gradient + Eigen::Matrix3d::Identity());
+      } else {
+        const Vector9d per_modulus = tangent_ * mechanics::as_vector(gradient);
+        const Growth at = growth(stiffening_, per_modulus.dot(mechanics::as_vector(gradient)));
+        state.factor[p] = modulus_kPa(c, p) * at.factor;
+        state.rank_one[p] = std::sqrt(2.0 * modulus_kPa(c, p) * at.slope) * per_modulus;
+      }
       return Eigen::Matrix3d::Zero().eval();
     };
     internal_force_mN(specimen_.elements, u_mm, note);
     return state;
   }
   [[nodiscard]] Eigen::VectorXd tangent_times(const State& state, const Eigen::Ref<const Eigen::VectorXd>& d_mm) const {
-    const auto stress = [&](std::size_t, std::size_t p, const Eigen::Matrix3d& gradient) {
+    const auto small = [&](std::size_t, std::size_t p, const Eigen::Matrix3d& gradient) {
       const Vector9d moved = mechanics::as_vector(gradient);
       const Vector9d change = state.factor[p] * (tangent_ * moved) + state.rank_one[p].dot(moved) * state.rank_one[p];
       return mechanics::as_matrix(change);
     };
-    return internal_force_mN(specimen_.elements, d_mm, stress) + surface_force_mN(specimen_, structure_, d_mm);
+    const auto large = [&](std::size_t c, std::size_t p, const Eigen::Matrix3d& gradient) {
+      return (modulus_kPa(c, p) * (stress_change(state.principal[p], gradient) + added(gradient))).eval();
+    };
+    return surface_force_mN(specimen_, structure_, d_mm) + (large_strain()
+                                                                ? internal_force_mN(specimen_.elements, d_mm, large)
+                                                                : internal_force_mN(specimen_.elements, d_mm, small));
   }
 
  private:
+  [[nodiscard]] bool large_strain() const { return is_for_large_strain(stiffening_.law); }
+  [[nodiscard]] double modulus_kPa(std::size_t cell, std::size_t point) const {
+    return specimen_.body.youngs_kPa[cell] * factors_[point];
+  }
+  [[nodiscard]] Eigen::Matrix3d added(const Eigen::Matrix3d& gradient) const {
+    if (!structure_.anisotropy) return Eigen::Matrix3d::Zero();
+    return mechanics::as_matrix(tangent_ * mechanics::as_vector(gradient));
+  }
+
   const SpecimenBody& specimen_;
   const Structure& structure_;
   Stiffening stiffening_;
   std::vector<double> factors_;
   Matrix9d tangent_;
+  StretchMaterial material_;
 };
 
 template <typename OfColumn>
@@ -147,7 +186,12 @@ Descent conjugate_gradients(const StiffeningBody& body, const Preconditioner& pr
       product.col(c) = body.tangent_times(state, direction.col(c));
     });
     for (const Eigen::Index c : going) {
-      const double length = energy[c] / direction.col(c).dot(product.col(c));
+      const double curvature = direction.col(c).dot(product.col(c));
+      if (!(curvature > 0)) {  // beyond what is stable: what was gained so far has to do
+        energy[c] = 0;
+        continue;
+      }
+      const double length = energy[c] / curvature;
       result.u.col(c) += length * direction.col(c);
       residual.col(c) -= length * product.col(c);
     }
@@ -156,6 +200,7 @@ Descent conjugate_gradients(const StiffeningBody& body, const Preconditioner& pr
     for (std::size_t i = 0; i < going.size(); ++i) {
       const Eigen::Index c = going[i];
       const auto column = next.col(static_cast<Eigen::Index>(i));
+      if (energy[c] == 0) continue;
       const double now = residual.col(c).dot(column);
       direction.col(c) = column + now / energy[c] * direction.col(c);
       energy[c] = now;
@@ -202,6 +247,13 @@ Result<Eigen::MatrixXd> stiffened_equilibria(const SpecimenBody& specimen, const
   std::vector<int> all(static_cast<std::size_t>(columns));
   std::iota(all.begin(), all.end(), 0);
   Eigen::MatrixXd residual = residual_of(u_mm, all);
+  // A linear start may turn cells inside out: a part of it does not.
+  for (int halving = 0; halving < most_halvings && !residual.allFinite(); ++halving) {
+    for (Eigen::Index c = 0; c < columns; ++c) {
+      if (!residual.col(c).allFinite()) u_mm.col(c) *= 0.5;
+    }
+    residual = residual_of(u_mm, all);
+  }
   const Eigen::VectorXd scale = precondition.of_the_free(forces_mN).colwise().norm();
   for (int step = 0; step < most_steps; ++step) {
     std::vector<int> going;

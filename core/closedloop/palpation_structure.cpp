@@ -231,6 +231,7 @@ std::optional<SoftSupports> soft_supports(const mechanics::Body& body) {
   std::vector<mechanics::Support> springs;
   std::vector<double> declared;  // compliance of each support
   for (const mechanics::Support& support : body.supports) {
+    if (std::holds_alternative<mechanics::Ligament>(support.how)) return std::nullopt;
     if (const auto* held = std::get_if<mechanics::Held>(&support.how)) {
       if (held->directions != std::array<bool, 3>{true, true, true}) return std::nullopt;
       declared.push_back(0.0);

@@ -75,7 +75,8 @@ struct SoftSupports {
 struct SpecimenBody {
   mechanics::Body body;
   Elements elements;
-  std::optional<SoftSupports> soft;  // none where a held support covers no face, or holds some directions only
+  std::optional<SoftSupports>
+      soft;  // none where a held support covers no face, or holds some directions only, or there are ligaments
 };
 Result<SpecimenBody> specimen_body(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
                                    std::vector<mechanics::Support> supports, double poisson_ratio,

@@ -8,6 +8,7 @@
 #include "closedloop/palpation_bodies.h"
 #include "closedloop/palpation_effects.h"
 #include "closedloop/palpation_refinement.h"
+#include "mechanics/equilibrium.h"
 #include "mechanics/static_model.h"
 
 namespace glisson::closedloop {
@@ -126,6 +127,33 @@ TEST(PalpationModel, ABarStiffensByItsLaw) {
     const double exponential = grown[6 * sample + 2] / 20, linear = straight[6 * sample + 2] / 20;
     EXPECT_NEAR(20 * std::exp(30 * exponential * exponential) * exponential, stress_kPa, 1e-5);
     EXPECT_NEAR(20 * (1 + 5 * linear) * linear, stress_kPa, 1e-5);
+  }
+}
+
+TEST(PalpationModel, AtLargeStrainItFindsTheEquilibriumOfMechanics) {
+  Palpation experiment = pad({.bricks = {4, 4, 2}, .markers = 20, .forces_N = {2.5}, .hold_on = false});
+  experiment.trials.resize(2);
+  const auto model = model_of(experiment);
+  // Ogden's law with the exponent 2 is the Neo-Hookean one, which mechanics has of its own.
+  const Eigen::VectorXd found = model->predict({setting(palpation::strain_stiffening, "ogden", {2})}).value();
+  ASSERT_GT(largest_difference(found, model->predict({}).value()), 0.2);
+
+  const auto body = mechanics::prepare_body(experiment.mesh, experiment.cell_young_kPa, experiment.supports, {},
+                                            mechanics::Holding::required)
+                        .value();
+  std::vector<mechanics::Material> materials;
+  for (const auto& lame : body.materials) materials.emplace_back(mechanics::neo_hookean_from(lame));
+  Eigen::Index row = 0;
+  for (const PalpationTrial& trial : experiment.trials) {
+    const mechanics::ToolLoad tool{trial.tool.center_mm, trial.tool.radius_mm, 2500 * trial.tool.direction};
+    const auto result = mechanics::find_equilibrium(body, materials, mechanics::Loads{tool}).value();
+    ASSERT_TRUE(result.may_be_used());
+    std::vector<Eigen::Vector3d> places;
+    for (const Marker& marker : trial.samples.back().markers) places.push_back(marker.rest_mm);
+    for (const auto& u : mechanics::displacement_at(body, result, mechanics::locate_points(body.mesh, places))) {
+      EXPECT_LT((found.segment<3>(row) - u).norm(), 1e-4);  // of 4 mm; mechanics stops at 1e-6 of the load
+      row += 3;
+    }
   }
 }
 
