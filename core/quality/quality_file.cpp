@@ -72,6 +72,9 @@ Result<StoredQuality> read_quality(const fs::path& folder) {
     if (field == nullptr || field->values.size() != mesh->triangles.size()) return invalid(folder);
     *values = field->values;
   }
+  const geometry::Field* seen = geometry::find_field(mesh->cell_fields, "frames");
+  if (seen == nullptr || seen->values.size() != mesh->triangles.size()) return invalid(folder);
+  for (const double count : seen->values) stored.quality.frames_seen.push_back(static_cast<int>(count));
   for (std::size_t t = 0; t < frames; ++t) {
     const geometry::Field* field = geometry::find_field(mesh->point_fields, frame_field(t));
     if (field == nullptr || field->values.size() != 3 * mesh->points_mm.size()) return invalid(folder);

@@ -15,7 +15,7 @@ struct StoredQuality {
   std::filesystem::path sequence;  // the document that was judged
   std::string method;              // "icp", "geo", "gnra", "given"
   std::vector<double> tolerances_mm;
-  Quality quality;  // mesh, correlation, error_mm, mesh_in_frames_mm, rmse_mm, tre_mm and mean_correlation
+  Quality quality;  // mesh, correlation, error_mm, frames_seen, mesh_in_frames_mm, rmse_mm, tre_mm and mean_correlation
 };
 
 // The folder is made where there is none. Failures: "folder-not-made", those of write_surface and write_json_file.

@@ -18,8 +18,6 @@ namespace {
 using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
 
-constexpr int fewest_frames = 3;  // fewer have no correlation
-
 // A frame's finite point pairs, asked which way its points went.
 class FrameMotion {
  public:

@@ -23,6 +23,8 @@
 
 namespace glisson::quality {
 
+constexpr int fewest_frames = 3;  // fewer have no correlation
+
 // One frame: what was seen, and where a registration put it in the model's space, point for point.
 struct RegisteredFrame {
   std::vector<Eigen::Vector3d> cloud_mm;

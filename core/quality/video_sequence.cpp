@@ -6,6 +6,7 @@
 #include "base/json.h"
 #include "geometry/manifold.h"
 #include "geometry/mesh_file.h"
+#include "quality/sirgn.h"
 #include "registration/global_alignment.h"
 #include "vision/picture_check.h"
 
@@ -130,13 +131,11 @@ Result<void> Recording::add(const vision::Frame& left, const vision::Frame& righ
 }
 
 Result<VideoSequence> Recording::finish(const Progress& progress) {
-  constexpr std::size_t fewest_frames = 3;
-  if (frames_.size() < fewest_frames) {
+  if (sequence_.frames = static_cast<int>(frames_.size()); sequence_.frames < fewest_frames) {
     return failure("sequence-too-few-frames", GLISSON_TEXT("{0} frames show something; {1} are needed."),
-                   {std::to_string(frames_.size()), std::to_string(fewest_frames)});
+                   {std::to_string(sequence_.frames), std::to_string(fewest_frames)});
   }
   const auto frames = static_cast<double>(frames_.size());
-  sequence_.frames = static_cast<int>(frames_.size());
   sequence_.mean_points /= frames;
   sequence_.mean_valid_fraction /= frames;
   const auto tracks = tracker_.tracks();

@@ -18,7 +18,7 @@ Rgb eight_bit(const Colour& colour) {
   return {byte(colour.red), byte(colour.green), byte(colour.blue)};
 }
 
-void draw_legend(Frame& frame, const HeatScale& scale);
+Frame with_legend(const Frame& picture, const HeatScale& scale);
 
 }  // namespace
 
@@ -55,6 +55,7 @@ Frame heat_overlay(const Frame& frame, const vision::Camera& camera, const HeatM
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return depth_mm(a) > depth_mm(b); });
   std::vector<vision::FlatTriangle> flat;
   for (const std::size_t k : order) {
+    if (mesh.verdicts[k] == HeatMesh::Verdict::none) continue;
     vision::FlatTriangle triangle;
     bool shown = true;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -63,25 +64,25 @@ Frame heat_overlay(const Frame& frame, const vision::Camera& camera, const HeatM
       if (pixel) triangle.corners_px[c] = *pixel;
     }
     if (!shown) continue;
-    const bool rejected = k < mesh.rejected.size() && mesh.rejected[k];
-    triangle.colour = rejected ? grey : eight_bit(heat_colour(scale, mesh.values[k]));
+    triangle.colour =
+        mesh.verdicts[k] == HeatMesh::Verdict::rejected ? grey : eight_bit(heat_colour(scale, mesh.values[k]));
     flat.push_back(triangle);
   }
   Frame drawn = frame;
   vision::draw_triangles(drawn, flat, scale.opacity);
-  draw_legend(drawn, scale);
-  return drawn;
+  return with_legend(drawn, scale);
 }
 
 namespace {
 
-void draw_legend(Frame& frame, const HeatScale& scale) {
-  constexpr Rgb black{0, 0, 0}, white{255, 255, 255};
-  const int text_px = std::clamp(frame.height / 40, 8, 24);
-  const int bar_px = text_px, width_px = 6 * text_px;
-  const int left = frame.width - width_px, top = 3 * text_px, height = frame.height - 5 * text_px;
-  if (left < 0 || height < 4 * text_px) return;  // too small a picture for one
-  vision::draw_rectangle(frame, left, 0, width_px, frame.height, black);
+Frame with_legend(const Frame& picture, const HeatScale& scale) {
+  constexpr Rgb white{255, 255, 255};
+  const int text_px = std::clamp(picture.height / 40, 8, 24);
+  const int bar_px = text_px, left = picture.width, top = 3 * text_px, height = picture.height - 5 * text_px;
+  Frame frame{picture.width + 6 * text_px, picture.height, {}};
+  frame.rgb.resize(3 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
+  for (int y = 0; y < picture.height; ++y) std::copy_n(picture.at(0, y), 3 * picture.width, frame.at(0, y));
+  if (height < 4 * text_px) return frame;  // too small a picture for a bar
   vision::draw_text(frame, left + text_px / 3, 3 * text_px / 2, 2 * text_px / 3, scale.title, white);
   const auto [low, high] = scale.range;
   for (int y = 0; y < height; ++y) {
@@ -95,6 +96,7 @@ void draw_legend(Frame& frame, const HeatScale& scale) {
     vision::draw_text(frame, left + text_px + bar_px, y + text_px / 3, 3 * text_px / 4, fmt::format("{:.3g}", mark),
                       white);
   }
+  return frame;
 }
 
 }  // namespace

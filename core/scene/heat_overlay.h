@@ -27,15 +27,17 @@ HeatScale shared_scale(const std::vector<double>& a, const std::vector<double>& 
 
 Colour heat_colour(const HeatScale& scale, double value);
 
-// What is drawn: triangles between points in the camera's space (mm); rejected ones are grey.
+// What is drawn: triangles between points in the camera's space (mm). Rejected ones are grey, and ones that could not
+// be judged are left out.
 struct HeatMesh {
+  enum class Verdict { accepted, rejected, none };
   std::vector<Eigen::Vector3d> points_mm;
   std::vector<std::array<int, 3>> triangles;
-  std::vector<double> values;  // one a triangle
-  std::vector<bool> rejected;  // one a triangle, or none at all
+  std::vector<double> values;     // one a triangle
+  std::vector<Verdict> verdicts;  // one a triangle
 };
 
-// The frame with the mesh over it, the farthest triangles first, and a legend along its right edge.
+// The frame with the mesh over it, the farthest triangles first, and a legend to its right, which makes it wider.
 vision::Frame heat_overlay(const vision::Frame& frame, const vision::Camera& camera, const HeatMesh& mesh,
                            const HeatScale& scale);
 

@@ -19,8 +19,14 @@ Result<void> make_folder(const fs::path& folder);
 Result<void> draw_all(const StoredQuality& judged, const quality::SequenceFiles& files, const HeatScale& scale,
                       double tolerance_mm, const fs::path& folder, const std::string& prefix, const Progress& progress);
 
-const std::vector<double>& values_of(const StoredQuality& judged, ReviewedValue value) {
-  return value == ReviewedValue::correlation ? judged.quality.correlation : judged.quality.error_mm;
+// Of the triangles that could be judged.
+std::vector<double> values_of(const StoredQuality& judged, ReviewedValue value) {
+  std::vector<double> values;
+  for (std::size_t k = 0; k < judged.quality.frames_seen.size(); ++k) {
+    if (judged.quality.frames_seen[k] < quality::fewest_frames) continue;
+    values.push_back(value == ReviewedValue::correlation ? judged.quality.correlation[k] : judged.quality.error_mm[k]);
+  }
+  return values;
 }
 
 }  // namespace
@@ -112,7 +118,12 @@ Result<void> draw_all(const StoredQuality& judged, const quality::SequenceFiles&
   scene::HeatMesh mesh;
   mesh.triangles = judged.quality.mesh.triangles;
   mesh.values = scale.good == HeatScale::Good::low ? judged.quality.error_mm : judged.quality.correlation;
-  for (const double error_mm : judged.quality.error_mm) mesh.rejected.push_back(error_mm >= tolerance_mm);
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+    using Verdict = scene::HeatMesh::Verdict;
+    mesh.verdicts.push_back(judged.quality.frames_seen[k] < quality::fewest_frames ? Verdict::none
+                            : judged.quality.error_mm[k] >= tolerance_mm           ? Verdict::rejected
+                                                                                   : Verdict::accepted);
+  }
   const std::size_t frames = judged.quality.mesh_in_frames_mm.size();
   for (std::size_t t = 0; t < frames; ++t) {
     if (progress.cancelled()) return cancelled();

@@ -29,7 +29,10 @@ struct TrackOptions {
   double fastest_mm = 15;           // from frame to frame, or since it was last seen
   double unlike_neighbours_mm = 4;  // from the median motion of the eight nearest matches, at most
   int longest_gap = 15;             // frames that a track may be unseen: half a second of video
-  int shortest_track = 5;           // frames; shorter ones are not answered
+  // Shorter tracks are not answered: frames, and the share of all frames. What lies between landmarks is judged in the
+  // frames that show them all, and short tracks hardly ever meet.
+  int shortest_track = 5;
+  double least_share = 0.4;
 };
 
 struct Track {

@@ -22,6 +22,7 @@ HeatMesh square() {
   mesh.points_mm = {{-20, -20, 100}, {20, -20, 100}, {20, 20, 100}, {-20, 20, 100}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   mesh.values = {1, 0};
+  mesh.verdicts = {HeatMesh::Verdict::accepted, HeatMesh::Verdict::accepted};
   return mesh;
 }
 
@@ -38,12 +39,16 @@ TEST(HeatOverlay, ShowsGoodTrianglesBlueBadOnesYellowAndRejectedOnesGrey) {
   EXPECT_EQ(drawn.at(110, 100)[1], 0);  // beside it nothing
 
   HeatMesh mesh = square();
-  mesh.rejected = {false, true};
+  mesh.verdicts[1] = HeatMesh::Verdict::rejected;
   drawn = heat_overlay(black(), camera(), mesh, scale);
   bad = drawn.at(140, 140);
   EXPECT_EQ(bad[0], bad[1]);
   EXPECT_EQ(bad[1], bad[2]);
   EXPECT_GT(bad[0], 100);
+
+  mesh.verdicts[1] = HeatMesh::Verdict::none;
+  drawn = heat_overlay(black(), camera(), mesh, scale);
+  EXPECT_EQ(*drawn.at(140, 140), 0);
 }
 
 TEST(HeatOverlay, BendsAsTheLensDoes) {
