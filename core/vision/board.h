@@ -26,7 +26,8 @@ struct Board {
   [[nodiscard]] int points() const { return columns * rows; }
   // Of point i = column + columns * row, on the board (z = 0).
   [[nodiscard]] Eigen::Vector3d position_mm(int point) const {
-    return {spacing_mm * (point % columns), spacing_mm * (point / columns), 0};
+    const int row = point / columns;
+    return {spacing_mm * (point % columns), spacing_mm * row, 0};
   }
 };
 

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 // How the camera's pictures become rectified ones.
 struct Rectification {
-  cv::Mat left_map[2], right_map[2];
+  std::array<cv::Mat, 2> left_map, right_map;
   cv::Mat to_depth;         // Q of OpenCV: pixel and disparity to rectified left-camera mm
   Eigen::Matrix3d to_left;  // rectified left camera to left camera
 };

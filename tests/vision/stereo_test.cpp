@@ -1,12 +1,14 @@
 #include "vision/stereo.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "base/files.h"
 #include "base/json.h"
 #include "support/data.h"
+#include "support/stereo_video.h"
 #include "vision/picture_check.h"
 
 namespace glisson::vision {
@@ -45,6 +47,8 @@ void write_pair(const std::filesystem::path& folder, int px_above, int px_below,
   write("right.pgm", [&](int y) { return y < height / 2 ? px_above : px_below; });
 }
 
+std::filesystem::path heart(const char* file) { return glisson::test::shared_data() / "hamlyn_heart_stereo" / file; }
+
 class StereoSize : public ::testing::TestWithParam<MatchingSize> {};
 INSTANTIATE_TEST_SUITE_P(Sizes, StereoSize, ::testing::Values(MatchingSize::full, MatchingSize::half));
 
@@ -79,8 +83,6 @@ TEST(Stereo, LeavesHighlightsOut) {
   for (std::size_t i = 0; i < cloud.points_mm.size(); ++i) EXPECT_LT(cloud.colour[i][0], 240);
 }
 
-std::filesystem::path heart(const char* file) { return glisson::test::shared_data() / "hamlyn_heart_stereo" / file; }
-
 TEST(Stereo, SeesASiliconeHeart) {
   GLISSON_NEEDS_DATA("hamlyn_heart_stereo");
   const StereoCalibration calibration = read_stereo_calibration(heart("")).value();  // a folder of text files
@@ -99,6 +101,33 @@ TEST(Stereo, SeesASiliconeHeart) {
   RecordProperty("median_depth_mm", std::to_string(depths_mm[depths_mm.size() / 2]));
   EXPECT_GT(depths_mm[depths_mm.size() / 2], 40);
   EXPECT_LT(depths_mm[depths_mm.size() / 2], 150);
+}
+
+// Against the truth, with a real picture of tissue on a surface that is known. A pixel of disparity is 2.2 mm of depth.
+TEST(Stereo, MeasuresTissueWhoseDepthIsKnown) {
+  GLISSON_NEEDS_DATA("hamlyn_heart_stereo");
+  using glisson::test::StereoVideo;
+  const StereoVideo video(read_frame(heart("f7_dynamic_deint_L_0100.png")).value());
+  constexpr int frame = 3;
+  StereoOptions options;
+  options.size = MatchingSize::full;
+  auto matcher =
+      StereoMatcher::prepare(StereoVideo::calibration(), StereoVideo::width, StereoVideo::height, options).value();
+  const StereoCloud cloud = matcher.cloud(video.left(frame), video.right(frame)).value();
+  EXPECT_GT(cloud.valid_fraction, 0.5);
+  std::vector<double> off_mm;
+  for (const auto& point : cloud.points_mm) {
+    const Eigen::Vector2d rest_mm = StereoVideo::rest_mm(point, frame);
+    off_mm.push_back(std::abs(point.z() - StereoVideo::place_mm(rest_mm.x(), rest_mm.y(), frame).z()));
+  }
+  std::sort(off_mm.begin(), off_mm.end());
+  RecordProperty("median_mm", std::to_string(off_mm[off_mm.size() / 2]));
+  RecordProperty("p95_mm", std::to_string(off_mm[off_mm.size() * 95 / 100]));
+  EXPECT_LT(off_mm[off_mm.size() / 2], 0.5);
+  EXPECT_LT(off_mm[off_mm.size() * 95 / 100], 2.2);
+  // Another size than was prepared for.
+  const Frame small{320, 240, std::vector<std::uint8_t>(3 * 320 * 240)};
+  EXPECT_EQ(matcher.cloud(small, small).error().code, "stereo-image-sizes");
 }
 
 TEST(Stereo, RefusesACalibrationOfAnotherSize) {
