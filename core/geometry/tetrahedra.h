@@ -45,4 +45,7 @@ struct TetQuality {
 // or negative volume (the first is named), parts that do not hang together by faces (their number and sizes are named).
 Result<void> check_tetrahedra(const TetMesh& mesh);
 
+// The same, but that parts may hang apart: a body that was cut.
+Result<void> check_cells(const TetMesh& mesh);
+
 }  // namespace glisson::geometry

@@ -1,6 +1,7 @@
 #include "mechanics/body.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,12 +12,16 @@ namespace {
 
 Result<void> check_size(const geometry::TetMesh& mesh);
 Result<void> check_material(const std::vector<double>& youngs_kPa, std::size_t cells, const StaticOptions& options);
+std::string free_motion_of_any_part(const Body& body);
 
 }  // namespace
 
 Result<Body> prepare_body(geometry::TetMesh mesh, std::vector<double> youngs_kPa, std::vector<Support> supports,
                           const StaticOptions& options, Holding holding) {
-  if (auto checked = geometry::check_tetrahedra(mesh); !checked) return failure(std::move(checked.error()));
+  const bool may_hang_apart = options.parts == StaticOptions::Parts::several;
+  if (auto checked = may_hang_apart ? geometry::check_cells(mesh) : geometry::check_tetrahedra(mesh); !checked) {
+    return failure(std::move(checked.error()));
+  }
   if (auto checked = check_size(mesh); !checked) return failure(std::move(checked.error()));
   if (auto checked = check_material(youngs_kPa, mesh.cells.size(), options); !checked) {
     return failure(std::move(checked.error()));
@@ -32,8 +37,7 @@ Result<Body> prepare_body(geometry::TetMesh mesh, std::vector<double> youngs_kPa
   auto resolved = resolve_supports(body.mesh, body.layout, body.boundary, body.supports);
   if (!resolved) return failure(std::move(resolved.error()));
   body.resolved = std::move(*resolved);
-  const std::string free =
-      holding == Holding::required ? free_motion(body.layout, body.boundary, body.resolved) : std::string();
+  const std::string free = holding == Holding::required ? free_motion_of_any_part(body) : std::string();
   if (!free.empty()) {
     return failure(Error{"body-free",
                          GLISSON_TEXT("The supports do not hold the body: it {0}, so no equilibrium exists."),
@@ -147,6 +151,29 @@ Result<void> check_material(const std::vector<double>& youngs_kPa, std::size_t c
                          {std::to_string(c), fmt::format("{}", youngs_kPa[c])},
                          GLISSON_TEXT("Fill the cells without data before simulating."),
                          {}});
+  }
+  return {};
+}
+
+// Each part is held by what holds it alone.
+std::string free_motion_of_any_part(const Body& body) {
+  if (body.options.parts == StaticOptions::Parts::one) return free_motion(body.layout, body.boundary, body.resolved);
+  const std::vector<int> part_of_cell = geometry::parts_by_faces(body.mesh);
+  std::vector<int> part_of_node(static_cast<std::size_t>(body.layout.nodes()), -1);
+  for (std::size_t c = 0; c < part_of_cell.size(); ++c) {
+    for (int i = 0; i < body.layout.nodes_per_cell(); ++i) part_of_node[body.layout.cells[c][i]] = part_of_cell[c];
+  }
+  const int parts = *std::max_element(part_of_cell.begin(), part_of_cell.end()) + 1;
+  for (int part = 0; part < parts; ++part) {
+    ResolvedSupports own = body.resolved;
+    for (std::size_t i = 0; i < own.held.size(); ++i) {
+      if (part_of_node[i / 3] != part) own.held[i] = 0;
+    }
+    std::erase_if(own.foundations, [&](const FoundationFace& spring) {
+      return part_of_node[body.boundary[spring.face].nodes[0]] != part;
+    });
+    std::string free = free_motion(body.layout, body.boundary, own);
+    if (!free.empty()) return fmt::format("in its part {} of {} {}", part + 1, parts, free);
   }
   return {};
 }

@@ -60,6 +60,18 @@ Material material_of(const Lame& lame, MaterialLaw law, double strain_stiffening
   GLISSON_ASSERT(false);
 }
 
+Matrix9d warped_stiffness_kPa(const Lame& lame, const Eigen::Matrix3d& f) {
+  const Eigen::Matrix3d rotation = polar_decomposition(f).rotation;
+  Matrix9d stiffness;
+  for (int i = 0; i < 9; ++i) {
+    Vector9d unit = Vector9d::Zero();
+    unit[i] = 1.0;
+    const Eigen::Matrix3d strain = small_strain(rotation.transpose() * as_matrix(unit));
+    stiffness.col(i) = as_vector(rotation * stress_kPa(lame, strain));
+  }
+  return stiffness;
+}
+
 }  // namespace
 
 std::vector<Material> materials_of(const Body& body, MaterialLaw law, double strain_stiffening) {
@@ -105,8 +117,13 @@ Eigen::SparseMatrix<double> tangent_stiffness(const Body& body, const std::vecto
   std::vector<Matrix9d> tangents(body.layout.cells.size() * sampling.points());
   visit_samples(body, sampling, u_mm,
                 [&](std::size_t c, std::size_t q, const TetGradients&, const Eigen::Matrix3d& f, double volume_mm3) {
-                  const Matrix9d tangent = volume_mm3 * tangent_kPa(materials[c], f);
-                  tangents[c * sampling.points() + q] = which == Tangent::exact ? tangent : positive_part(tangent);
+                  Matrix9d& tangent = tangents[c * sampling.points() + q];
+                  if (which == Tangent::warped) {
+                    tangent = volume_mm3 * warped_stiffness_kPa(body.materials[c], f);
+                    return;
+                  }
+                  tangent = volume_mm3 * tangent_kPa(materials[c], f);
+                  if (which == Tangent::positive) tangent = positive_part(tangent);
                 });
 
   const auto column_of_cell = [&](std::size_t cell, int b) {

@@ -26,7 +26,9 @@ namespace glisson::mechanics {
 
 // `exact` is the slope of the force, and may not be positive definite; `positive` drops the negative curvature of
 // each material point, which leaves a direction of descent (Teran et al. 2005, Robust Quasistatic Finite Elements).
-enum class Tangent { exact, positive };
+// `warped` is the small-strain stiffness turned with each point, R C R^T, as in corotational.h: it leaves out what
+// stress adds, which a step in time that is solved once would take for a brake on turning.
+enum class Tangent { exact, positive, warped };
 
 // Lower triangle (mN/mm), with what is around the body (surroundings.h): the gas at `pressure_kPa`.
 [[nodiscard]] Eigen::SparseMatrix<double> tangent_stiffness(const Body& body, const std::vector<Material>& materials,

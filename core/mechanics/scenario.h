@@ -12,11 +12,22 @@
 
 #include "base/units.h"
 #include "geometry/surface.h"
+#include "mechanics/meshfree_options.h"
+#include "mechanics/plane_cut.h"
 
 namespace glisson::mechanics {
 
 enum class Engine { fem, meshfree };
 enum class MaterialLaw { linear, corotational, neo_hookean, veronda_westmann };
+
+// A law with what it needs besides the elastic constants.
+struct ChosenLaw {
+  MaterialLaw law = MaterialLaw::linear;
+  double strain_stiffening = 0;  // Veronda and Westmann's c2 (isochoric.h), read by that law alone
+
+  // NOLINTNEXTLINE(google-explicit-constructor): a law that needs nothing else is a choice
+  ChosenLaw(MaterialLaw chosen, double stiffening = 0) : law(chosen), strain_stiffening(stiffening) {}
+};
 
 // Which points of a mesh are meant: those where a point array is not zero, or those inside a ball or a box.
 struct NamedPoints {
@@ -113,6 +124,8 @@ struct Scenario {
   Loads loads;
   std::optional<Motion> motion;
   std::vector<Landmark> landmarks;
+  std::vector<PlaneCut> cuts;  // opened in the body before anything acts on it
+  MeshfreeOptions meshfree;    // read where the engine is meshfree
 };
 
 }  // namespace glisson::mechanics

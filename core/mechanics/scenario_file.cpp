@@ -32,8 +32,11 @@ Vector3d gravity_of_patient_from(const Json& json, const std::string& where);
 Capsule capsule_from(const Json& json, const std::string& where);
 Landmark landmark_from(const Json& json, const std::string& where);
 Motion motion_from(const Json& json, const std::string& where);
+PlaneCut cut_from(const Json& json, const std::string& where);
+MeshfreeOptions meshfree_from(const Json& json, const std::string& where);
 Json json_of(const Support& support);
 Json json_of(const Load& load);
+Json json_of(const PlaneCut& cut);
 
 }  // namespace
 
@@ -82,6 +85,12 @@ std::string scenario_text(const Scenario& scenario) {
   for (const Landmark& landmark : scenario.landmarks) {
     const Vector3d& p = landmark.position_mm;
     json["landmarks"].push_back({{"id", landmark.id}, {"position_mm", {p.x(), p.y(), p.z()}}});
+  }
+  for (const PlaneCut& cut : scenario.cuts) json["cuts"].push_back(json_of(cut));
+  if (scenario.engine == Engine::meshfree) {
+    if (scenario.meshfree.nodes > 0) json["meshfree"]["nodes"] = scenario.meshfree.nodes;
+    json["meshfree"]["stiffness"] =
+        scenario.meshfree.stiffness == MeshfreeOptions::Stiffness::of_cells ? "cells" : "nodes";
   }
   return json.dump(2) + "\n";
 }
@@ -158,7 +167,7 @@ std::vector<Value> list_of(const Json& json, const char* key, const char* each,
 Scenario scenario_from(const Json& json) {
   known_keys(json,
              {"engine", "material", "strain_stiffening", "poisson_ratio", "density_kg_m3", "youngs_modulus_kPa",
-              "tissue", "supports", "capsule", "loads", "motion", "landmarks"},
+              "tissue", "supports", "capsule", "loads", "motion", "landmarks", "cuts", "meshfree"},
              "The scenario");
   Scenario scenario;
   if (json.contains("engine")) {
@@ -206,6 +215,8 @@ Scenario scenario_from(const Json& json) {
   scenario.supports = list_of<Support>(json, "supports", "support", support_from);
   scenario.loads = list_of<Load>(json, "loads", "load", load_from);
   scenario.landmarks = list_of<Landmark>(json, "landmarks", "landmark", landmark_from);
+  scenario.cuts = list_of<PlaneCut>(json, "cuts", "cut", cut_from);
+  if (json.contains("meshfree")) scenario.meshfree = meshfree_from(json["meshfree"], "meshfree");
   if (json.contains("motion")) scenario.motion = motion_from(json["motion"], "motion");
   for (std::size_t i = 0; i < scenario.landmarks.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
@@ -346,6 +357,35 @@ Motion motion_from(const Json& json, const std::string& where) {
   return motion;
 }
 
+PlaneCut cut_from(const Json& json, const std::string& where) {
+  known_keys(json, {"center_mm", "normal", "radius_mm"}, where);
+  PlaneCut cut;
+  cut.center_mm = vector(required(json, "center_mm", where), where + ", center_mm");
+  cut.normal = vector(required(json, "normal", where), where + ", normal");
+  if (cut.normal.norm() < 1e-9) refuse(where, GLISSON_TEXT("The normal of {0} must not be zero."));
+  cut.normal.normalize();
+  if (json.contains("radius_mm")) cut.radius_mm = positive_number(json["radius_mm"], where + ", radius_mm");
+  return cut;
+}
+
+MeshfreeOptions meshfree_from(const Json& json, const std::string& where) {
+  known_keys(json, {"nodes", "stiffness"}, where);
+  MeshfreeOptions options;
+  if (json.contains("nodes")) {
+    const Json& nodes = json["nodes"];
+    if (!nodes.is_number_integer() || nodes.get<double>() < 1 || nodes.get<double>() > 1e6) {
+      refuse(where, GLISSON_TEXT("The nodes of {0} must be a whole number from 1 to 1000000."));
+    }
+    options.nodes = nodes.get<int>();
+  }
+  if (json.contains("stiffness")) {
+    using Stiffness = MeshfreeOptions::Stiffness;
+    options.stiffness = one_of<Stiffness>(json["stiffness"], where + ", stiffness",
+                                          {{"cells", Stiffness::of_cells}, {"nodes", Stiffness::of_nodes}});
+  }
+  return options;
+}
+
 // --- and back
 
 Json json_of(const Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
@@ -372,6 +412,12 @@ Json json_of(const Support& support) {
       if (held[d]) json["directions"].push_back(std::string(1, "xyz"[d]));
     }
   }
+  return json;
+}
+
+Json json_of(const PlaneCut& cut) {
+  Json json{{"center_mm", json_of(cut.center_mm)}, {"normal", json_of(cut.normal)}};
+  if (std::isfinite(cut.radius_mm)) json["radius_mm"] = cut.radius_mm;
   return json;
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 // A scenario on a mesh, from question to answer: what `glisson-cli simulate` runs.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
 #include "base/result.h"
 #include "geometry/tetrahedra.h"
+#include "mechanics/material_data.h"
 #include "mechanics/motion.h"
 #include "mechanics/point_location.h"
 #include "mechanics/scenario.h"
@@ -38,6 +40,10 @@ struct MotionStep {
 struct SimulationOptions {
   // A landmark farther than this from the body is refused: it is in another frame, or of another patient.
   double landmark_tolerance_mm = 10.0;
+
+  // Measured strain and stress in place of the scenario's material and modulus (data_driven.h): an equilibrium by
+  // finite elements.
+  std::optional<MaterialData> data = std::nullopt;
 };
 
 struct Simulation {
@@ -50,7 +56,8 @@ struct Simulation {
 };
 
 // Failures: those of StaticModel; "landmark-outside"; "modulus-missing" (no such cell field, or one of the wrong
-// size; the fields there are named); "not-available".
+// size; the fields there are named); "not-available" (data in motion, in the meshfree engine, in a capsule or on a
+// foundation).
 Result<Simulation> simulate(const geometry::TetMesh& mesh, const Scenario& scenario,
                             const SimulationOptions& options = {}, const Progress& progress = {});
 

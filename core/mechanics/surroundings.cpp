@@ -119,7 +119,7 @@ void add_surroundings_tangent(const Body& body, double pressure_kPa, const Vecto
     if (has_capsule(body, face)) {
       for (const SkinPoint& skin : skin_points(body, face, points)) {
         Matrix6d tangent = membrane_tangent(*body.options.capsule, x * skin.gradients);
-        if (which == Tangent::positive) tangent = positive_part(tangent);
+        if (which != Tangent::exact) tangent = positive_part(tangent);
         for (int a = 0; a < count; ++a) {
           for (int b = 0; b < count; ++b) {
             Matrix3d block = Matrix3d::Zero();

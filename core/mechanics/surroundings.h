@@ -19,7 +19,8 @@ namespace glisson::mechanics {
 // Minus the slope of the energy: what the surroundings push with.
 [[nodiscard]] Eigen::VectorXd surroundings_force_mN(const Body& body, double pressure_kPa, const Eigen::VectorXd& u_mm);
 
-// Adds the slope of minus the force (mN/mm). The positive one leaves out the gas and what of the capsule curves down.
+// Adds the slope of minus the force (mN/mm). All but the exact one leave out the gas and what of the capsule curves
+// down.
 void add_surroundings_tangent(const Body& body, double pressure_kPa, const Eigen::VectorXd& u_mm, Tangent which,
                               const BlockSink& sink);
 

@@ -6,7 +6,7 @@
 
 #include "geometry/mesh_file.h"
 #include "meshing/mesh_labels.h"
-#include "meshing/voronoi_nodes.h"
+#include "mechanics/voronoi_nodes.h"
 #include "segmentation/rasterise.h"
 #include "support/data.h"
 
@@ -52,7 +52,7 @@ void spread_nodes(benchmark::State& state) {
   const imaging::Mask liver = patient_liver();
   if (liver.values.empty()) return state.SkipWithError("no patient's liver: set GLISSON_SHARED_DATA");
   for (auto _ : state) {
-    const auto nodes = meshing::voronoi_nodes(liver, {.nodes = static_cast<int>(state.range(0))});
+    const auto nodes = mechanics::voronoi_nodes(liver, {.nodes = static_cast<int>(state.range(0))});
     if (!nodes) return state.SkipWithError(nodes.error().message().c_str());
     state.counters["rounds"] = static_cast<double>(nodes->energies_mm5.size() - 1);
   }

@@ -73,11 +73,6 @@ TEST_F(Simulating, TakesTheModulusFromACellArray) {
   EXPECT_THAT(refusal(), HasSubstr("cell 3"));
 }
 
-TEST_F(Simulating, RefusesWhatItCannotComputeYet) {
-  scenario.engine = Engine::meshfree;
-  EXPECT_THAT(refusal(), HasSubstr("not-available: The meshfree engine is not available yet"));
-}
-
 TEST_F(Simulating, AMotionOfAnyMaterialTracksTheLandmarksAndEndsWithTheLoadsCarried) {
   scenario.poisson_ratio = 0.3;
   scenario.loads = {ToolLoad{{15, 15, 30}, 8, {30, 0, 0}}};

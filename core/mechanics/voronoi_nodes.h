@@ -17,7 +17,7 @@
 #include "base/result.h"
 #include "imaging/image.h"
 
-namespace glisson::meshing {
+namespace glisson::mechanics {
 
 struct VoronoiOptions {
   int nodes = 1000;
@@ -44,4 +44,4 @@ struct VoronoiNodes {
 Result<VoronoiNodes> voronoi_nodes(const imaging::Mask& body, const VoronoiOptions& options,
                                    const Progress& progress = {});
 
-}  // namespace glisson::meshing
+}  // namespace glisson::mechanics

@@ -1,4 +1,4 @@
-#include "meshing/voronoi_nodes.h"
+#include "mechanics/voronoi_nodes.h"
 
 #include <algorithm>
 #include <numeric>
@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "geometry/nearest.h"
 
-namespace glisson::meshing {
+namespace glisson::mechanics {
 namespace {
 
 using Eigen::Vector3d;
@@ -182,4 +182,4 @@ std::vector<Vector3d> centroids(const Voxels& voxels, const Assignment& assignme
 }
 
 }  // namespace
-}  // namespace glisson::meshing
+}  // namespace glisson::mechanics

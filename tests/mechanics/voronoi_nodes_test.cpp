@@ -1,16 +1,16 @@
 // Voronoi nodes of known shapes and of a real liver.
 
-#include "meshing/voronoi_nodes.h"
+#include "mechanics/voronoi_nodes.h"
 
 #include <gtest/gtest.h>
 #include <chrono>
 #include <numeric>
 
 #include "imaging/volume_file.h"
-#include "labelled_shapes.h"
+#include "meshing/labelled_shapes.h"
 #include "support/data.h"
 
-namespace glisson::meshing {
+namespace glisson::mechanics {
 namespace {
 
 using Eigen::Vector3d;
@@ -128,4 +128,4 @@ TEST(VoronoiNodes, TenThousandInARealLiverTakeSeconds) {
 }
 
 }  // namespace
-}  // namespace glisson::meshing
+}  // namespace glisson::mechanics

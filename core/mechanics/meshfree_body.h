@@ -1,0 +1,46 @@
+#pragma once
+// A body made ready for the meshfree engine, offline: nodes, shape functions, and the stiffness at rest over frames
+// (frame_matrix.h). Equilibrium and motion both start from one.
+//
+// What is held is held by springs, because no unknown stands at a held point: each held direction of a place has one,
+// `hold_factor` times as stiff as the body itself is there. Held points then give way by about that part of a cell's
+// deformation, and results say by how much.
+
+#include <memory>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "mechanics/body.h"
+#include "mechanics/frame_matrix.h"
+#include "mechanics/large_deformation.h"
+#include "mechanics/meshfree_nodes.h"
+
+namespace glisson::mechanics {
+
+struct MeshfreeBody {
+  Body body;  // laid out with quadratic cells
+  MaterialLaw law = MaterialLaw::linear;
+  ShapeFunctions shape;
+  FrameBasis basis;
+  std::vector<Material> materials;  // one a cell
+  std::vector<double> hold;         // springs (mN/mm), 3 a place; 0 where free
+  FrameMatrix rest_stiffness;       // of the body, its foundations, its capsule and `hold`
+  double setup_s = 0;
+
+  static constexpr double hold_factor = 1e3;
+
+  // What the springs of held points push with (mN, 3 a place) where the places have moved by u.
+  [[nodiscard]] Eigen::VectorXd holding_force_mN(const Eigen::VectorXd& u_mm) const;
+  // The tangent at u, with what holds and surrounds the body, the gas at `pressure_kPa`.
+  [[nodiscard]] FrameMatrix tangent(const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa = 0) const;
+};
+
+// `mesh` is open along the cuts (open_cut). Failures: those of prepare_body and of shape_functions_of.
+Result<MeshfreeBody> prepare_meshfree_body(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
+                                           const std::vector<Support>& supports, const ChosenLaw& chosen,
+                                           StaticOptions options, const MeshfreeOptions& meshfree,
+                                           const std::vector<PlaneCut>& cuts, Holding holding,
+                                           const Progress& progress = {});
+
+}  // namespace glisson::mechanics

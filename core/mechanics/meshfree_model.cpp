@@ -1,0 +1,205 @@
+#include "mechanics/meshfree_model.h"
+
+#include <fmt/format.h>
+#include <cmath>
+
+#include "mechanics/frame_solver.h"
+#include "mechanics/load_vector.h"
+#include "mechanics/meshfree_body.h"
+#include "mechanics/newton.h"
+#include "mechanics/stopwatch.h"
+#include "mechanics/strain.h"
+#include "mechanics/surroundings.h"
+
+namespace glisson::mechanics {
+
+struct MeshfreeModel::Parts {
+  MeshfreeBody frames;
+  FramePreconditioner preconditioner;
+  double setup_s;
+};
+
+namespace {
+
+// Conjugate gradients go this far where they go without a factor; 200, the dissertation's limit, is for steps in time.
+constexpr int most_iterations = 5000;
+
+// One body under one load, as a function of the frames.
+class FrameBalance : public Landscape {
+ public:
+  FrameBalance(const MeshfreeBody& frames, const AppliedLoads& loads, double part)
+      : frames_(frames), dead_mN_(frames.basis.reduce(part * loads.dead_mN)), gas_kPa_(part * loads.gas_kPa) {}
+
+  [[nodiscard]] double energy_uJ(const Eigen::VectorXd& q_mm) const override {
+    const Eigen::VectorXd u_mm = frames_.basis.displacement(q_mm);
+    return strain_energy_uJ(frames_.body, frames_.materials, u_mm) +
+           surroundings_energy_uJ(frames_.body, gas_kPa_, u_mm) - 0.5 * u_mm.dot(frames_.holding_force_mN(u_mm)) -
+           dead_mN_.dot(q_mm);
+  }
+  [[nodiscard]] Eigen::VectorXd force_mN(const Eigen::VectorXd& q_mm) const override {
+    const Eigen::VectorXd u_mm = frames_.basis.displacement(q_mm);
+    return dead_mN_ +
+           frames_.basis.reduce(surroundings_force_mN(frames_.body, gas_kPa_, u_mm) + frames_.holding_force_mN(u_mm) -
+                                internal_force_mN(frames_.body, frames_.materials, u_mm));
+  }
+  [[nodiscard]] Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& q_mm, Tangent which) const override {
+    return positive_definite(frames_.tangent(frames_.basis.displacement(q_mm), which, gas_kPa_).lower());
+  }
+  [[nodiscard]] double energy_scale_uJ(const Eigen::VectorXd& q_mm) const override {
+    return std::abs(dead_mN_.dot(q_mm)) + std::abs(gas_kPa_) * geometry::volume_mm3(frames_.body.mesh);
+  }
+  // What the loads are over frames: at rest nothing else pushes but the gas.
+  [[nodiscard]] double scale_mN() const { return force_mN(Eigen::VectorXd::Zero(dead_mN_.size())).norm(); }
+
+ private:
+  const MeshfreeBody& frames_;
+  Eigen::VectorXd dead_mN_;
+  double gas_kPa_;
+};
+
+struct CarriedLoad {
+  Eigen::VectorXd q_mm;
+  double share = 0;
+  double relative_residual = 0;
+  int steps = 0;
+};
+Result<CarriedLoad> carry(const MeshfreeBody& frames, const AppliedLoads& loads, const NewtonOptions& options,
+                          const Progress& progress);
+StaticResult result_of(const MeshfreeBody& frames, const Eigen::VectorXd& q_mm, const AppliedLoads& loads);
+
+}  // namespace
+
+Result<MeshfreeModel> MeshfreeModel::create(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
+                                            const std::vector<Support>& supports, const ChosenLaw& law,
+                                            const StaticOptions& options, const MeshfreeOptions& meshfree,
+                                            const std::vector<PlaneCut>& cuts, const Progress& progress) {
+  const Stopwatch watch;
+  auto frames = prepare_meshfree_body(mesh, youngs_kPa, supports, law, options, meshfree, cuts, Holding::required,
+                                      progress.part(0.0, 0.8));
+  if (!frames) return failure(std::move(frames.error()));
+  progress.report(0.8, "Factorising");
+  if (progress.cancelled()) return cancelled();
+  auto preconditioner = FramePreconditioner::factorised(frames->rest_stiffness, options.memory_limit_bytes);
+  return MeshfreeModel(
+      std::make_shared<const Parts>(Parts{std::move(*frames), std::move(preconditioner), watch.seconds()}));
+}
+
+Result<StaticResult> MeshfreeModel::solve(const Loads& loads, const NewtonOptions& options,
+                                          const Progress& progress) const {
+  const MeshfreeBody& frames = parts_->frames;
+  return applied_loads(frames.body, loads, gas_on(frames.materials)).and_then([&](const AppliedLoads& applied) {
+    return solve(applied, options, progress);
+  });
+}
+
+Result<StaticResult> MeshfreeModel::solve(const AppliedLoads& loads, const NewtonOptions& options,
+                                          const Progress& progress) const {
+  const Stopwatch watch;
+  const MeshfreeBody& frames = parts_->frames;
+  GLISSON_ASSERT(loads.dead_mN.size() == 3 * frames.body.layout.nodes());
+  StaticResult result;
+  if (frames.law == MaterialLaw::linear && frames.body.resolved.ligaments.empty()) {
+    const double tolerance = frames.body.options.relative_tolerance;
+    const Eigen::VectorXd force_mN = frames.basis.reduce(loads.dead_mN);
+    const FrameSolution solution =
+        conjugate_gradients(frames.rest_stiffness, parts_->preconditioner, force_mN,
+                            Eigen::VectorXd::Zero(force_mN.size()), tolerance, most_iterations);
+    result = result_of(frames, solution.x, loads);
+    result.external_work_uJ *= 0.5;
+    result.status = solution.converged ? SolveStatus::converged : SolveStatus::not_converged;
+    result.relative_residual = solution.relative_residual;
+    result.iterations = solution.iterations;
+    result.why_stopped = fmt::format(
+        "The relative residual {:.1e} is {} the tolerance {:.1e} after {} conjugate gradients.",
+        solution.relative_residual, solution.converged ? "within" : "above", tolerance, solution.iterations);
+  } else {
+    const auto carried = carry(frames, loads, options, progress);
+    if (!carried) return failure(carried.error());
+    const double share = carried->share;
+    result = result_of(frames, carried->q_mm, {share * loads.dead_mN, share * loads.gas_kPa});
+    result.status = share == 1.0 ? SolveStatus::converged : SolveStatus::not_converged;
+    result.relative_residual = carried->relative_residual;
+    result.iterations = carried->steps;
+    result.why_stopped =
+        fmt::format("{:.1f} % of the load are carried, to a relative residual of {:.1e} (tolerance {:.1e}).",
+                    100.0 * share, carried->relative_residual, options.relative_tolerance);
+  }
+  result.setup_s = parts_->setup_s;
+  result.step_ms = 1e3 * watch.seconds();
+  return result;
+}
+
+const geometry::TetMesh& MeshfreeModel::mesh() const { return parts_->frames.body.mesh; }
+const NodeLayout& MeshfreeModel::places() const { return parts_->frames.body.layout; }
+const ShapeFunctions& MeshfreeModel::shape_functions() const { return parts_->frames.shape; }
+const std::vector<double>& MeshfreeModel::youngs_kPa() const { return parts_->frames.body.youngs_kPa; }
+
+std::vector<Eigen::Vector3d> MeshfreeModel::displacement_at(const StaticResult& result,
+                                                            const std::vector<PointInMesh>& places) const {
+  return mechanics::displacement_at(parts_->frames.body, result, places);
+}
+
+std::vector<double> MeshfreeModel::von_mises_kPa(const StaticResult& result) const {
+  const Body& body = parts_->frames.body;
+  const Eigen::VectorXd u_mm = nodal_displacements(body, result);
+  return parts_->frames.law == MaterialLaw::linear ? von_mises_of_cells(body.mesh, body.layout, body.materials, u_mm)
+                                                   : von_mises_of_cells(body, parts_->frames.materials, u_mm);
+}
+
+MeshfreeModel::Cost MeshfreeModel::cost() const {
+  const FrameMatrix& matrix = parts_->frames.rest_stiffness;
+  return {parts_->setup_s, static_cast<std::size_t>(parts_->frames.basis.unknowns()),
+          matrix.blocks().size() * sizeof(FrameBlock), parts_->preconditioner.bytes()};
+}
+
+namespace {
+
+// All of the load at once, or in smaller parts where that does not converge (as in equilibrium.cpp).
+Result<CarriedLoad> carry(const MeshfreeBody& frames, const AppliedLoads& loads, const NewtonOptions& options,
+                          const Progress& progress) {
+  const DescentOptions descent_options{options.relative_tolerance, options.max_steps,
+                                       frames.body.options.memory_limit_bytes};
+  const std::vector<std::uint8_t> nothing_held(static_cast<std::size_t>(frames.basis.unknowns()), 0);
+  CarriedLoad carried;
+  carried.q_mm.setZero(frames.basis.unknowns());
+  double part = 1.0;
+  for (int halvings = 0; carried.share < 1.0 && halvings <= options.max_halvings;) {
+    progress.report(carried.share, "Looking for the equilibrium");
+    const double next = std::min(1.0, carried.share + part);
+    const FrameBalance balance(frames, loads, next);
+    auto descent = descend(balance, nothing_held, balance.scale_mN(), carried.q_mm, descent_options, progress);
+    if (!descent) return failure(std::move(descent.error()));
+    carried.steps += descent->steps;
+    carried.relative_residual = descent->relative_residual;
+    if (descent->converged) {
+      carried.q_mm = std::move(descent->u_mm);
+      carried.share = next;
+    } else {
+      part *= 0.5;
+      ++halvings;
+    }
+  }
+  return carried;
+}
+
+StaticResult result_of(const MeshfreeBody& frames, const Eigen::VectorXd& q_mm, const AppliedLoads& loads) {
+  const Eigen::VectorXd u_mm = frames.basis.displacement(q_mm);
+  StaticResult result = state_of(frames.body, frames.materials, u_mm, loads, Eigen::VectorXd::Zero(u_mm.size()));
+  result.held_reaction_mN = sum_of(frames.holding_force_mN(u_mm));
+  if (frames.law == MaterialLaw::linear && result.inverted_cells == 0 && result.largest_strain > 0.2) {
+    result.notes.push_back(
+        fmt::format("The largest strain is {:.0f} %: linear elasticity at small strain is an extrapolation there.",
+                    100.0 * result.largest_strain));
+  }
+  double slip_mm = 0;
+  for (std::size_t i = 0; i < frames.hold.size(); ++i) {
+    if (frames.hold[i] > 0) slip_mm = std::max(slip_mm, std::abs(u_mm[static_cast<Eigen::Index>(i)]));
+  }
+  if (slip_mm > 0.01 * result.max_displacement_mm && slip_mm > 1e-6) {
+    result.notes.push_back(fmt::format("What is held gives way by up to {:.2g} mm.", slip_mm));
+  }
+  return result;
+}
+
+}  // namespace
+}  // namespace glisson::mechanics

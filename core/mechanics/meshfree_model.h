@@ -1,0 +1,62 @@
+#pragma once
+// Equilibrium by the meshfree engine: one body, prepared once, solved for as many loads as one likes. The counterpart
+// of static_model.h (law linear) and equilibrium.h (the others), with far fewer unknowns: what a few hundred frames
+// cannot follow of a deformation is missing, and the body is that much too stiff, never too soft, but for the springs
+// that hold it (meshfree_body.h).
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "mechanics/equilibrium.h"
+#include "mechanics/meshfree_nodes.h"
+#include "mechanics/point_location.h"
+#include "mechanics/scenario.h"
+#include "mechanics/static_model.h"
+#include "mechanics/static_result.h"
+
+namespace glisson::mechanics {
+
+struct MeshfreeBody;
+
+class MeshfreeModel {
+ public:
+  // `mesh` is open along the cuts (open_cut). `options.order` is not read. Failures: those of prepare_meshfree_body.
+  static Result<MeshfreeModel> create(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
+                                      const std::vector<Support>& supports, const ChosenLaw& law,
+                                      const StaticOptions& options = {}, const MeshfreeOptions& meshfree = {},
+                                      const std::vector<PlaneCut>& cuts = {}, const Progress& progress = {});
+
+  // `iterations` are conjugate gradients' with law
+  // linear and no ligament, Newton's otherwise. Failures: those of load_vector; "cancelled".
+  [[nodiscard]] Result<StaticResult> solve(const Loads& loads, const NewtonOptions& options = {},
+                                           const Progress& progress = {}) const;
+  // The same under given loads on the places of the quadratic layout.
+  [[nodiscard]] Result<StaticResult> solve(const AppliedLoads& loads, const NewtonOptions& options = {},
+                                           const Progress& progress = {}) const;
+
+  [[nodiscard]] const geometry::TetMesh& mesh() const;
+  [[nodiscard]] const NodeLayout& places() const;
+  [[nodiscard]] const ShapeFunctions& shape_functions() const;
+  [[nodiscard]] const std::vector<double>& youngs_kPa() const;
+  [[nodiscard]] std::vector<Eigen::Vector3d> displacement_at(const StaticResult& result,
+                                                             const std::vector<PointInMesh>& places) const;
+  [[nodiscard]] std::vector<double> von_mises_kPa(const StaticResult& result) const;
+
+  struct Cost {
+    double setup_s = 0;
+    std::size_t unknowns = 0;
+    std::uint64_t matrix_bytes = 0;
+    std::uint64_t factor_bytes = 0;  // 0: the factor did not fit, and conjugate gradients go without it
+  };
+  [[nodiscard]] Cost cost() const;
+
+ private:
+  struct Parts;
+  explicit MeshfreeModel(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+  std::shared_ptr<const Parts> parts_;  // immutable and shared
+};
+
+}  // namespace glisson::mechanics

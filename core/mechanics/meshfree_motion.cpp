@@ -1,0 +1,163 @@
+#include "mechanics/meshfree_motion.h"
+
+#include <cmath>
+#include <Eigen/LU>
+
+#include "mechanics/frame_solver.h"
+#include "mechanics/mass_matrix.h"
+#include "mechanics/stopwatch.h"
+#include "mechanics/strain.h"
+#include "mechanics/surroundings.h"
+
+namespace glisson::mechanics {
+
+struct MeshfreeMotion::Parts {
+  MeshfreeBody frames;
+  MotionOptions options;
+  FrameMatrix mass;       // kg
+  FrameMatrix stiffness;  // of the present shape, supports included (mN/mm)
+  FrameMatrix system;     // A
+  FramePreconditioner preconditioner;
+  Eigen::VectorXd q_mm, v_mm_s, last_dv_mm_s;
+
+  Parts(MeshfreeBody given, const MotionOptions& given_options)
+      : frames(std::move(given)),
+        options(given_options),
+        mass(reduced(consistent_mass_kg(frames.body), frames.basis)),
+        stiffness(frames.rest_stiffness),
+        system(system_of(stiffness)),
+        preconditioner(FramePreconditioner::factorised(system, frames.body.options.memory_limit_bytes)),
+        q_mm(Eigen::VectorXd::Zero(frames.basis.unknowns())),
+        v_mm_s(q_mm),
+        last_dv_mm_s(q_mm) {}
+
+  [[nodiscard]] FrameMatrix system_of(const FrameMatrix& k) const {
+    const double h = options.step_s;
+    return FrameMatrix::sum(1.0 + h * options.mass_damping_per_s, mass, h * (h + options.stiffness_damping_s), k);
+  }
+  [[nodiscard]] bool is_linear() const {
+    return frames.law == MaterialLaw::linear && frames.body.resolved.ligaments.empty();
+  }
+
+  // What all but the dead loads pushes with at q, over frames.
+  [[nodiscard]] Eigen::VectorXd force_mN(double gas_kPa) const {
+    if (is_linear()) return -(stiffness * q_mm);
+    const Eigen::VectorXd u_mm = frames.basis.displacement(q_mm);
+    return frames.basis.reduce(surroundings_force_mN(frames.body, gas_kPa, u_mm) + frames.holding_force_mN(u_mm) -
+                               internal_force_mN(frames.body, frames.materials, u_mm));
+  }
+
+  [[nodiscard]] FrameSolution solve(const Eigen::VectorXd& b);
+};
+
+namespace {
+
+Result<void> check(const MotionOptions& options);
+int cells_turned_inside_out(const Body& body, const Eigen::VectorXd& u_mm);
+
+}  // namespace
+
+Result<MeshfreeMotion> MeshfreeMotion::create(MeshfreeBody frames, const MotionOptions& options) {
+  if (auto checked = check(options); !checked) return failure(std::move(checked.error()));
+  return MeshfreeMotion(std::make_unique<Parts>(std::move(frames), options));
+}
+
+StepReport MeshfreeMotion::step(const AppliedLoads& loads) {
+  const Stopwatch watch;
+  Parts& parts = *parts_;
+  const MotionOptions& options = parts.options;
+  const double h = options.step_s;
+  if (!parts.is_linear()) {
+    parts.stiffness = parts.frames.tangent(parts.frames.basis.displacement(parts.q_mm), Tangent::warped, loads.gas_kPa);
+    parts.system = parts.system_of(parts.stiffness);
+  }
+  const Eigen::VectorXd b = h * (parts.frames.basis.reduce(loads.dead_mN) + parts.force_mN(loads.gas_kPa) -
+                                 (h + options.stiffness_damping_s) * (parts.stiffness * parts.v_mm_s) -
+                                 options.mass_damping_per_s * (parts.mass * parts.v_mm_s));
+  const FrameSolution solution = parts.solve(b);
+
+  StepReport report;
+  report.iterations = solution.iterations;
+  report.relative_residual = solution.relative_residual;
+  report.converged = solution.converged;
+  if (report.converged) {
+    parts.last_dv_mm_s = solution.x;
+    parts.v_mm_s += solution.x;
+    parts.q_mm += h * parts.v_mm_s;
+  }
+  const Eigen::VectorXd u_mm = parts.frames.basis.displacement(parts.q_mm);
+  report.inverted_cells = cells_turned_inside_out(parts.frames.body, u_mm);
+  report.strain_energy_uJ = strain_energy_uJ(parts.frames.body, parts.frames.materials, u_mm);
+  report.kinetic_energy_uJ = 0.5 * parts.v_mm_s.dot(parts.mass * parts.v_mm_s);
+  report.step_ms = 1e3 * watch.seconds();
+  return report;
+}
+
+// With the factor there is; where that has aged, with a fresh one.
+FrameSolution MeshfreeMotion::Parts::solve(const Eigen::VectorXd& b) {
+  const auto attempt = [&](int most) {
+    return conjugate_gradients(system, preconditioner, b, last_dv_mm_s, options.relative_tolerance, most);
+  };
+  FrameSolution solution = attempt(is_linear() ? options.max_iterations : std::min(30, options.max_iterations));
+  if (solution.converged || is_linear()) return solution;
+  const int spent = solution.iterations;
+  preconditioner = FramePreconditioner::factorised(system, frames.body.options.memory_limit_bytes);
+  solution = attempt(options.max_iterations);
+  solution.iterations += spent;
+  return solution;
+}
+
+MeshfreeMotion::MeshfreeMotion(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+MeshfreeMotion::MeshfreeMotion(MeshfreeMotion&&) noexcept = default;
+MeshfreeMotion& MeshfreeMotion::operator=(MeshfreeMotion&&) noexcept = default;
+MeshfreeMotion::~MeshfreeMotion() = default;
+
+Eigen::VectorXd MeshfreeMotion::displacement_mm() const { return parts_->frames.basis.displacement(parts_->q_mm); }
+Eigen::VectorXd MeshfreeMotion::velocity_mm_s() const { return parts_->frames.basis.displacement(parts_->v_mm_s); }
+const Body& MeshfreeMotion::body() const { return parts_->frames.body; }
+
+void MeshfreeMotion::set_rigid_velocity(const Eigen::Vector3d& velocity_mm_s, const Eigen::Vector3d& spin_per_s) {
+  const auto field = [&](const Eigen::Vector3d& place_mm) {
+    return (velocity_mm_s + spin_per_s.cross(place_mm)).eval();
+  };
+  parts_->v_mm_s = affine_frames(parts_->frames.shape, field);
+}
+
+Eigen::Vector3d MeshfreeMotion::held_reaction_mN() const {
+  return sum_of(parts_->frames.holding_force_mN(displacement_mm()));
+}
+
+Eigen::Vector3d MeshfreeMotion::momentum_kg_mm_s() const {
+  const Eigen::VectorXd momenta = parts_->mass * parts_->v_mm_s;
+  // A uniform unit velocity is 1 in every frame's translation.
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (Eigen::Index frame = 0; frame < momenta.size() / frame_size; ++frame) {
+    sum += momenta.segment<3>(frame_size * frame);
+  }
+  return sum;
+}
+
+namespace {
+
+Result<void> check(const MotionOptions& options) {
+  const auto at_least_zero = [](double value) { return std::isfinite(value) && value >= 0; };
+  if (!std::isfinite(options.step_s) || options.step_s <= 0 || !at_least_zero(options.mass_damping_per_s) ||
+      !at_least_zero(options.stiffness_damping_s) || !(options.relative_tolerance > 0) || options.max_iterations < 1) {
+    return failure("step-invalid",
+                   GLISSON_TEXT("A motion needs a step and a tolerance above zero, and damping not below it."));
+  }
+  return {};
+}
+
+int cells_turned_inside_out(const Body& body, const Eigen::VectorXd& u_mm) {
+  int cells = 0;
+  for (std::size_t c = 0; c < body.mesh.cells.size(); ++c) {
+    const Eigen::Matrix3d f = Eigen::Matrix3d::Identity() +
+                              displacement_gradient(body.mesh, body.layout, c, Eigen::Vector4d::Constant(0.25), u_mm);
+    cells += f.determinant() <= 0 ? 1 : 0;
+  }
+  return cells;
+}
+
+}  // namespace
+}  // namespace glisson::mechanics

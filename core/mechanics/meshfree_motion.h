@@ -1,0 +1,47 @@
+#pragma once
+// The meshfree engine in motion: implicit Euler over frames (eq. 4.3 of the dissertation; motion.h says how), conjugate
+// gradients in double precision (eqs. 4.7-4.10). With law linear, mass, stiffness and damping are constant: A is
+// assembled and factorised once, offline, and steps need one or two iterations. With the others the stiffness is
+// assembled anew each step (warped, see large_deformation.h), and the factor of an older step serves until it costs
+// more than 30 iterations.
+
+#include <memory>
+
+#include "mechanics/load_vector.h"
+#include "mechanics/meshfree_body.h"
+#include "mechanics/motion.h"
+
+namespace glisson::mechanics {
+
+class MeshfreeMotion {
+ public:
+  // At rest and still. Failures: "step-invalid" (a number of the options is out of range).
+  static Result<MeshfreeMotion> create(MeshfreeBody frames, const MotionOptions& options);
+  MeshfreeMotion(MeshfreeMotion&&) noexcept;
+  MeshfreeMotion& operator=(MeshfreeMotion&&) noexcept;
+  ~MeshfreeMotion();
+
+  // One step under loads on the places of the quadratic layout. A step that does not converge moves nothing. The
+  // report's residual is that of the frames' equations.
+  StepReport step(const AppliedLoads& loads);
+
+  // Of the places, 3 each.
+  [[nodiscard]] Eigen::VectorXd displacement_mm() const;
+  [[nodiscard]] Eigen::VectorXd velocity_mm_s() const;
+  // Gives every frame the motion of a rigid body: velocity and spin (per second) about the origin.
+  void set_rigid_velocity(const Eigen::Vector3d& velocity_mm_s, const Eigen::Vector3d& spin_per_s);
+
+  // What the held points push back with, summed.
+  [[nodiscard]] Eigen::Vector3d held_reaction_mN() const;
+  // Of the whole body.
+  [[nodiscard]] Eigen::Vector3d momentum_kg_mm_s() const;
+
+  [[nodiscard]] const Body& body() const;
+
+ private:
+  struct Parts;
+  explicit MeshfreeMotion(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,28 @@
+#pragma once
+// What the engines answer a scenario with, whichever it was. Inside of this room.
+
+#include <vector>
+
+#include "mechanics/simulation.h"
+#include "mechanics/static_model.h"
+
+namespace glisson::mechanics {
+
+struct Answer {
+  StaticResult result;
+  std::vector<Eigen::Vector3d> landmark_displacements_mm;
+  std::vector<double> von_mises_kPa;  // one a cell
+  std::vector<MotionStep> steps;
+};
+using Places = std::vector<PointInMesh>;
+
+[[nodiscard]] bool has_ligaments(const Scenario& scenario);
+[[nodiscard]] StaticOptions options_of(const Scenario& scenario);
+
+// From rest, under loads that are there from the first moment.
+Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa, const Scenario& scenario,
+                             const Places& places, const Progress& progress);
+Result<Answer> end_of_meshfree_motion(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                      const Scenario& scenario, const Places& places, const Progress& progress);
+
+}  // namespace glisson::mechanics

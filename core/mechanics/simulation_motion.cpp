@@ -1,0 +1,158 @@
+// A scenario's motion, by whichever engine moves it.
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <functional>
+
+#include "mechanics/body.h"
+#include "mechanics/equilibrium.h"
+#include "mechanics/large_deformation.h"
+#include "mechanics/meshfree_motion.h"
+#include "mechanics/newton_motion.h"
+#include "mechanics/simulation_internal.h"
+#include "mechanics/stopwatch.h"
+
+namespace glisson::mechanics {
+namespace {
+
+// One step solve moves what it can; Newton the rest.
+bool moves_by_one_solve(const Scenario& scenario) {
+  const bool gas = std::any_of(scenario.loads.begin(), scenario.loads.end(),
+                               [](const Load& load) { return std::holds_alternative<PressureLoad>(load); });
+  return !has_ligaments(scenario) && !scenario.capsule &&
+         (scenario.material == MaterialLaw::linear || (scenario.material == MaterialLaw::corotational && !gas));
+}
+
+// A body that can be moved on, of either engine.
+struct Mover {
+  std::function<Result<StepReport>()> step;
+  std::function<Eigen::VectorXd()> displacement_mm, velocity_mm_s;
+  std::function<Eigen::Vector3d()> held_reaction_mN;  // none: what is left unbalanced at what is held
+};
+
+Result<Answer> follow(const Mover& mover, const Body& body, const std::vector<Material>& materials,
+                      const AppliedLoads& loads, const Scenario& scenario, double setup_s, const Places& places,
+                      const Progress& progress);
+MotionOptions options_of(const Motion& motion);
+
+}  // namespace
+
+Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa, const Scenario& scenario,
+                             const Places& places, const Progress& progress) {
+  const Stopwatch setting_up;
+  StaticOptions options = options_of(scenario);
+  options.order = ElementOrder::linear;  // the cells that both movers move
+  const auto body = prepare_body(mesh, std::move(youngs_kPa), scenario.supports, options, Holding::optional);
+  if (!body) return failure(body.error());
+  const std::vector<Material> materials = materials_of(*body, scenario.material, scenario.strain_stiffening);
+  const auto loads = applied_loads(*body, scenario.loads, gas_on(materials));
+  if (!loads) return failure(loads.error());
+  MotionOptions motion_options = options_of(*scenario.motion);
+  std::optional<MovingBody> moving;
+  std::optional<NewtonMotion> newton;
+  Mover mover;
+  if (moves_by_one_solve(scenario)) {
+    motion_options.max_iterations = 5000;  // nobody waits for a frame here: stiff bodies get theirs
+    auto created = MovingBody::create(*body, scenario.material, motion_options);
+    if (!created) return failure(std::move(created.error()));
+    moving = std::move(*created);
+    mover = {[&]() -> Result<StepReport> { return moving->step(loads->dead_mN); },
+             [&] { return moving->displacement_mm(); },
+             [&] { return moving->velocity_mm_s(); },
+             {}};
+  } else {
+    motion_options.max_iterations = 40;  // Newton steps: see NewtonOptions
+    auto created = NewtonMotion::create(*body, materials, *loads, motion_options);
+    if (!created) return failure(std::move(created.error()));
+    newton = std::move(*created);
+    mover = {[&] { return newton->step(progress); },
+             [&] { return newton->displacement_mm(); },
+             [&] { return newton->velocity_mm_s(); },
+             {}};
+  }
+  return follow(mover, *body, materials, *loads, scenario, setting_up.seconds(), places, progress);
+}
+
+Result<Answer> end_of_meshfree_motion(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                      const Scenario& scenario, const Places& places, const Progress& progress) {
+  const Stopwatch setting_up;
+  auto frames =
+      prepare_meshfree_body(mesh, youngs_kPa, scenario.supports, {scenario.material, scenario.strain_stiffening},
+                            options_of(scenario), scenario.meshfree, scenario.cuts, Holding::optional, progress);
+  if (!frames) return failure(std::move(frames.error()));
+  const std::vector<Material> materials = frames->materials;
+  const auto loads = applied_loads(frames->body, scenario.loads, gas_on(materials));
+  if (!loads) return failure(loads.error());
+  MotionOptions motion_options = options_of(*scenario.motion);
+  motion_options.max_iterations = 5000;
+  auto moving = MeshfreeMotion::create(std::move(*frames), motion_options);
+  if (!moving) return failure(std::move(moving.error()));
+  const Mover mover{[&]() -> Result<StepReport> { return moving->step(*loads); },
+                    [&] { return moving->displacement_mm(); }, [&] { return moving->velocity_mm_s(); },
+                    [&] { return moving->held_reaction_mN(); }};
+  return follow(mover, moving->body(), materials, *loads, scenario, setting_up.seconds(), places, progress);
+}
+
+namespace {
+
+MotionOptions options_of(const Motion& motion) {
+  return {.step_s = motion.step_s,
+          .mass_damping_per_s = motion.mass_damping_per_s,
+          .stiffness_damping_s = motion.stiffness_damping_s};
+}
+
+Result<Answer> follow(const Mover& mover, const Body& body, const std::vector<Material>& materials,
+                      const AppliedLoads& loads, const Scenario& scenario, double setup_s, const Places& places,
+                      const Progress& progress) {
+  const Motion& motion = *scenario.motion;
+  // What the damping pushes with: its stiffness' part is the slope of the forces along the velocity.
+  const auto damping_mN = [&](const Eigen::VectorXd& u_mm, const Eigen::VectorXd& v_mm_s) -> Eigen::VectorXd {
+    const double speed = v_mm_s.cwiseAbs().maxCoeff();
+    if (motion.stiffness_damping_s == 0 || speed == 0) return Eigen::VectorXd::Zero(u_mm.size());
+    const double ahead_s = 1e-6 / speed;
+    return motion.stiffness_damping_s / ahead_s *
+           (internal_force_mN(body, materials, u_mm) - internal_force_mN(body, materials, u_mm + ahead_s * v_mm_s));
+  };
+
+  Answer answer;
+  SolveStatus status = SolveStatus::converged;
+  double relative_residual = 0;
+  int iterations = 0, done = 0;
+  StaticResult state;
+  const Stopwatch stepping;
+  for (; done < motion.steps && status == SolveStatus::converged; ++done) {
+    progress.report(double(done) / motion.steps, "Moving");
+    if (progress.cancelled()) return cancelled();
+    auto report = mover.step();
+    if (!report) return failure(std::move(report.error()));
+    iterations += report->iterations;
+    relative_residual = std::max(relative_residual, report->relative_residual);
+    if (!report->converged) status = SolveStatus::not_converged;
+    const Eigen::VectorXd u_mm = mover.displacement_mm();
+    state = state_of(body, materials, u_mm, loads, damping_mN(u_mm, mover.velocity_mm_s()));
+    if (mover.held_reaction_mN) state.held_reaction_mN = mover.held_reaction_mN();
+    MotionStep step{(done + 1) * motion.step_s,   displacement_at(body, state, places), state.held_reaction_mN,
+                    state.foundation_reaction_mN, state.ligament_reaction_mN,           *report};
+    for (std::size_t l = 0; l < places.size(); ++l) step.landmarks_mm[l] += scenario.landmarks[l].position_mm;
+    answer.steps.push_back(std::move(step));
+  }
+
+  StaticResult& result = answer.result;
+  result = std::move(state);
+  result.status = status;
+  result.relative_residual = relative_residual;
+  result.iterations = iterations;
+  result.setup_s = setup_s;
+  result.step_ms = 1e3 * stepping.seconds() / done;
+  result.why_stopped = result.status == SolveStatus::converged
+                           ? fmt::format("All {} steps converged, the worst to a relative residual of {:.1e}.", done,
+                                         result.relative_residual)
+                           : fmt::format("Step {} of {} stayed at a relative residual of {:.1e}.", done, motion.steps,
+                                         result.relative_residual);
+  answer.landmark_displacements_mm = displacement_at(body, result, places);
+  answer.von_mises_kPa = von_mises_of_cells(body, materials, mover.displacement_mm());
+  return answer;
+}
+
+}  // namespace
+}  // namespace glisson::mechanics
