@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "closedloop/material_model.h"
 #include "closedloop/palpation_model.h"
 
 namespace glisson::closedloop {
@@ -72,6 +74,7 @@ Result<std::unique_ptr<ForwardModel>> forward_model(Experiment experiment, const
       return error.file.empty() ? std::move(error).in_file(experiment.file) : error;
     });
   }
+  if (auto* material = std::get_if<Material>(&experiment.setup)) return material_model(std::move(*material));
   return failure(Error{"not-available",
                        GLISSON_TEXT("Experiments such as \"{0}\" cannot be predicted by this version."),
                        {experiment.title},

@@ -37,6 +37,7 @@ const std::vector<ThirdParty> third_parties = {
     {"OpenCV", std::regex("opencv.*"), {"vision"}},
     {"CHOLMOD", std::regex("cholmod.*|suitesparse/.*|Eigen/CholmodSupport"), {"mechanics"}},
     {"spdlog", std::regex("spdlog/.*"), {"base"}},
+    {"Ceres", std::regex("ceres/.*"), {"closedloop"}},
     {"CLI11", std::regex("CLI/.*"), {"cli"}},
 };
 const std::regex allowed_in_any_public_header("Eigen/.*|tl/expected\\.hpp|[a-z_]+|[a-z_]+\\.h");

@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "base/parallel.h"
+#include "closedloop/search_internal.h"
+
+namespace glisson::closedloop {
+namespace {
+
+Settings without_kind(Settings settings, const std::string& kind) {
+  std::erase_if(settings, [&](const Setting& setting) { return setting.kind == kind; });
+  return settings;
+}
+
+bool has_kind(const Settings& settings, const std::string& kind) {
+  return std::any_of(settings.begin(), settings.end(), [&](const Setting& setting) { return setting.kind == kind; });
+}
+
+double chi2_of(const Candidate& candidate) {
+  return candidate.fitted() ? candidate.fit.chi2 : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+Search::Search(const ForwardModel& model, const TraceOptions& options, const Progress& progress)
+    : model_(model),
+      options_(options),
+      progress_(progress),
+      whitening_(model.observations().noise, model.systematic_uncertainty(), all_rows(model.observations())),
+      folds_(model) {}
+
+double Search::bic_of(const Candidate& candidate) const {
+  return bic(candidate.fit.chi2, candidate.fit.white.size(), parameter_count(candidate.fit.settings), correlation_);
+}
+
+Candidate Search::judged(Fit fit) const {
+  LeftOut left_out = leave_out(model_, fit, folds_);
+  return {{}, {}, std::move(fit), std::move(left_out), {}};
+}
+
+Result<Candidate> Search::declared() const {
+  auto fit = without_fitting(model_, {}, whitening_);
+  if (!fit) return failure(std::move(fit.error()));
+  return judged(std::move(*fit));
+}
+
+std::vector<const Effect*> Search::additions(const Settings& active) const {
+  std::vector<const Effect*> effects;
+  for (const Effect& effect : model_.catalogue()) {
+    const bool is_active = std::any_of(active.begin(), active.end(), [&](const Setting& setting) {
+      return setting.kind == effect.kind && setting.form == effect.form;
+    });
+    const bool has_room = active.size() < options_.most_effects || has_kind(active, effect.kind);
+    if (!is_active && has_room) effects.push_back(&effect);
+  }
+  return effects;
+}
+
+Candidate Search::fit_one(const Settings& active, const Effect& effect, const Eigen::VectorXd& residual) const {
+  constexpr std::size_t most_searches = 3;
+  const Settings others = without_kind(active, effect.kind);
+  std::vector<std::pair<double, Settings>> starts;
+  std::string problem;
+  const auto values = model_.starts(effect, others, residual);
+  for (const Eigen::VectorXd& value : values) {
+    Settings start = others;
+    start.push_back({effect.kind, effect.form, value});
+    double chi2 = 0;
+    if (values.size() > most_searches) {
+      const auto predicted = model_.predict(start);
+      if (!predicted) {
+        problem = predicted.error().message();
+        continue;
+      }
+      chi2 = whitening_.whiten(model_.observations().measured - *predicted).squaredNorm();
+    }
+    starts.emplace_back(chi2, std::move(start));
+  }
+  std::stable_sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  if (starts.size() > most_searches) starts.resize(most_searches);
+
+  std::optional<Fit> best;
+  for (const auto& [chi2, start] : starts) {
+    auto fitted = fit(model_, start, whitening_, {}, progress_);
+    if (!fitted) {
+      problem = fitted.error().message();
+    } else if (!best || fitted->chi2 < best->chi2) {
+      best = std::move(*fitted);
+    }
+  }
+  Candidate candidate = best ? judged(std::move(*best)) : Candidate{};
+  candidate.kind = effect.kind;
+  candidate.form = effect.form;
+  if (!best) candidate.removed = problem.empty() ? "there is nowhere to begin" : problem;
+  return candidate;
+}
+
+Result<std::vector<Candidate>> Search::fit_each(const Settings& active, const std::vector<const Effect*>& effects,
+                                                const Progress& progress) const {
+  const auto predicted = model_.predict(active);
+  if (!predicted) return failure(predicted.error());
+  const Eigen::VectorXd residual = model_.observations().measured - *predicted;
+  std::vector<Candidate> candidates(effects.size());
+  std::atomic<std::size_t> done = 0;
+  parallel_for(effects.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !progress_.cancelled(); ++i) {
+      candidates[i] = fit_one(active, *effects[i], residual);
+      progress.report(static_cast<double>(++done) / static_cast<double>(effects.size()), "trying effects");
+    }
+  });
+  if (progress_.cancelled()) return cancelled();
+  return candidates;
+}
+
+bool Search::predicts_better(const Candidate& candidate, const Candidate& current) const {
+  if (!folds_.any()) return true;
+  constexpr double by_more_than_luck = 5;  // of chi-squared, in units of what the fit leaves
+  constexpr double no_worse = 1.02;
+  const double variance = std::max(1.0, candidate.fit.chi2 / static_cast<double>(candidate.fit.white.size()));
+  return candidate.left_out.chi2 < current.left_out.chi2 - by_more_than_luck * variance * correlation_ &&
+         candidate.left_out.largest_load_chi2 <= no_worse * current.left_out.largest_load_chi2;
+}
+
+Result<Candidate> Search::select(const Candidate& declared, std::vector<Candidate>& singles) {
+  Candidate current = declared;
+  for (std::size_t step = 0; step < 2 * options_.most_effects; ++step) {
+    const double begin = std::min(0.9, 0.3 * static_cast<double>(step));
+    auto candidates = fit_each(current.fit.settings, additions(current.fit.settings),
+                               progress_.part(begin, std::min(0.95, begin + 0.3)));
+    if (!candidates) return failure(std::move(candidates.error()));
+    if (step == 0) singles = *candidates;
+    std::erase_if(*candidates, [](const Candidate& candidate) { return !candidate.fitted(); });
+    if (candidates->empty()) return current;
+    const auto closest = std::min_element(candidates->begin(), candidates->end(),
+                                          [](const auto& a, const auto& b) { return chi2_of(a) < chi2_of(b); });
+    correlation_ = correlation_length(model_.observations(), closest->fit.white);
+    std::stable_sort(candidates->begin(), candidates->end(),
+                     [this](const auto& a, const auto& b) { return bic_of(a) < bic_of(b); });
+    const auto next = std::find_if(candidates->begin(), candidates->end(), [&](const Candidate& candidate) {
+      return bic_of(candidate) < bic_of(current) - options_.entry_bic && predicts_better(candidate, current);
+    });
+    if (next == candidates->end()) return current;
+    auto checked = backward(std::move(*next));
+    if (!checked) return checked;
+    current = std::move(*checked);
+    if (judge(model_.observations(), current.fit.white, current.fit.predicted).is_noise) return current;
+  }
+  return current;
+}
+
+Result<Candidate> Search::without(const Candidate& chosen, std::size_t which) const {
+  Settings settings = chosen.fit.settings;
+  settings.erase(settings.begin() + static_cast<std::ptrdiff_t>(which));
+  auto fitted = fit(model_, settings, whitening_, {}, progress_);
+  if (!fitted) return failure(std::move(fitted.error()));
+  return judged(std::move(*fitted));
+}
+
+// Effects that do not pay any more, now that others are there, leave.
+Result<Candidate> Search::backward(Candidate chosen) const {
+  for (std::size_t which = 0; which < chosen.fit.settings.size() && chosen.fit.settings.size() > 1;) {
+    auto smaller = without(chosen, which);
+    if (!smaller) {
+      if (progress_.cancelled()) return cancelled();
+      ++which;
+    } else if (bic_of(*smaller) < bic_of(chosen) + options_.entry_bic / 2) {
+      chosen = std::move(*smaller);
+      which = 0;
+    } else {
+      ++which;
+    }
+  }
+  return chosen;
+}
+
+Result<std::vector<Candidate>> Search::in_place_of(const Candidate& chosen, std::size_t which) const {
+  Settings others = chosen.fit.settings;
+  const Setting replaced = others[which];
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(which));
+  std::vector<const Effect*> effects;
+  for (const Effect& effect : model_.catalogue()) {
+    const bool same = effect.kind == replaced.kind && effect.form == replaced.form;
+    if (!same && !has_kind(others, effect.kind)) effects.push_back(&effect);
+  }
+  auto candidates = fit_each(others, effects, {});
+  if (candidates) {
+    std::erase_if(*candidates, [](const Candidate& candidate) { return !candidate.fitted(); });
+  }
+  return candidates;
+}
+
+}  // namespace glisson::closedloop

@@ -1,0 +1,60 @@
+#pragma once
+// The search for effects: candidates fitted, judged by evidence, and let in or sent away. trace.cpp tells its outcome.
+
+#include <string>
+#include <vector>
+
+#include "closedloop/evidence.h"
+#include "closedloop/trace.h"
+
+namespace glisson::closedloop {
+
+// A set of effects, fitted.
+struct Candidate {
+  std::string kind;  // the effect that it tries, on top of what is active
+  std::string form;
+  Fit fit;
+  LeftOut left_out;
+  std::string removed;  // why it is out; empty where it is fitted
+  [[nodiscard]] bool fitted() const { return removed.empty(); }
+};
+
+class Search {
+ public:
+  Search(const ForwardModel& model, const TraceOptions& options, const Progress& progress);
+
+  Result<Candidate> declared() const;
+
+  // Forward steps with backward checks from the declared model; leaves the first step's candidates in `singles`.
+  Result<Candidate> select(const Candidate& declared, std::vector<Candidate>& singles);
+
+  // The best candidate of each other kind in place of setting `which` of `chosen`, and the other forms of its own.
+  Result<std::vector<Candidate>> in_place_of(const Candidate& chosen, std::size_t which) const;
+
+  // `chosen` without setting `which`, fitted again.
+  Result<Candidate> without(const Candidate& chosen, std::size_t which) const;
+
+  [[nodiscard]] double bic_of(const Candidate& candidate) const;
+  [[nodiscard]] const Folds& folds() const { return folds_; }
+  [[nodiscard]] const Whitening& whitening() const { return whitening_; }
+  [[nodiscard]] double correlation() const { return correlation_; }
+
+ private:
+  [[nodiscard]] std::vector<const Effect*> additions(const Settings& active) const;
+  [[nodiscard]] Result<std::vector<Candidate>> fit_each(const Settings& active,
+                                                        const std::vector<const Effect*>& effects,
+                                                        const Progress& progress) const;
+  [[nodiscard]] Candidate fit_one(const Settings& active, const Effect& effect, const Eigen::VectorXd& residual) const;
+  [[nodiscard]] Candidate judged(Fit fit) const;
+  [[nodiscard]] bool predicts_better(const Candidate& candidate, const Candidate& current) const;
+  Result<Candidate> backward(Candidate chosen) const;
+
+  const ForwardModel& model_;
+  const TraceOptions& options_;
+  const Progress& progress_;
+  Whitening whitening_;
+  Folds folds_;
+  double correlation_ = 1;  // of what the best candidate so far leaves
+};
+
+}  // namespace glisson::closedloop

@@ -1,0 +1,300 @@
+#include "closedloop/trace.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "closedloop/search_internal.h"
+
+namespace glisson::closedloop {
+namespace {
+
+struct Rival {
+  std::string kind;
+  Settings settings;
+};
+
+class Tracing {
+ public:
+  Tracing(const ForwardModel& model, const TraceOptions& options, const Progress& progress)
+      : model_(model), options_(options), progress_(progress), search_(model, options, progress) {}
+
+  Result<Explanation> run();
+
+ private:
+  Result<Candidate> with_swaps(Candidate chosen);
+  Result<void> describe_effects(const Candidate& declared, const Candidate& chosen);
+  void describe_parameters(const Candidate& chosen, std::vector<FoundEffect>& effects);
+  void rank(const Candidate& declared, const std::vector<Candidate>& singles);
+  void decide(const Candidate& declared, Candidate& chosen);
+  void find_next_measurement(const Candidate& chosen);
+  [[nodiscard]] const Observations& all() const { return model_.observations(); }
+
+  const ForwardModel& model_;
+  const TraceOptions& options_;
+  const Progress& progress_;
+  Search search_;
+  Explanation explanation_;
+  std::vector<std::vector<Candidate>> in_place_;  // for each effect that was chosen
+  std::vector<Rival> rivals_;
+};
+
+}  // namespace
+
+Result<Explanation> trace(const ForwardModel& model, const TraceOptions& options, const Progress& progress) {
+  if (!model.observations().measured.allFinite())
+    return failure("experiment-invalid",
+                   GLISSON_TEXT("Only an experiment whose trials are measured can be explained."));
+  return Tracing(model, options, progress).run();
+}
+
+namespace {
+
+Result<Explanation> Tracing::run() {
+  progress_.report(0, "predicting with the declared model");
+  const auto declared = search_.declared();
+  if (!declared) return failure(declared.error());
+  Explanation& e = explanation_;
+  e.predicted_before = declared->fit.predicted;
+  e.before = error_figures(all(), e.predicted_before);
+  e.judgement_before = judge(all(), declared->fit.white, e.predicted_before);
+  if (search_.folds().any()) e.held_out_before = held_out_error(all(), e.predicted_before);
+  Candidate chosen = *declared;
+  std::vector<Candidate> singles;
+  if (!e.judgement_before.is_noise) {
+    auto selected = search_.select(*declared, singles);
+    if (!selected) return failure(std::move(selected.error()));
+    selected = with_swaps(std::move(*selected));
+    if (!selected) return failure(std::move(selected.error()));
+    chosen = std::move(*selected);
+  }
+  progress_.report(0.95, "weighing the evidence");
+  rank(*declared, singles);
+  decide(*declared, chosen);
+  if (auto described = describe_effects(*declared, chosen); !described) return failure(std::move(described.error()));
+  find_next_measurement(chosen);
+  if (!search_.folds().any())
+    e.notes.emplace_back("There is only one trial, so nothing could be predicted that was not fitted.");
+  progress_.report(1, "done");
+  return std::move(e);
+}
+
+// Each effect against every other kind in its place; a better one takes it.
+Result<Candidate> Tracing::with_swaps(Candidate chosen) {
+  constexpr int most_rounds = 3;
+  constexpr double clearly = 2;
+  for (int round = 0; round < most_rounds; ++round) {
+    in_place_.clear();
+    bool swapped = false;
+    for (std::size_t which = 0; which < chosen.fit.settings.size() && !swapped; ++which) {
+      auto others = search_.in_place_of(chosen, which);
+      if (!others) return failure(std::move(others.error()));
+      std::stable_sort(others->begin(), others->end(),
+                       [&](const auto& a, const auto& b) { return search_.bic_of(a) < search_.bic_of(b); });
+      if (!others->empty() && search_.bic_of(others->front()) < search_.bic_of(chosen) - clearly &&
+          others->front().left_out.chi2 <= chosen.left_out.chi2) {
+        chosen = others->front();
+        swapped = true;
+      }
+      in_place_.push_back(std::move(*others));
+    }
+    if (!swapped) return chosen;
+  }
+  // Still swapping: the last choice stands, and its rivals are found once more.
+  in_place_.clear();
+  for (std::size_t which = 0; which < chosen.fit.settings.size(); ++which) {
+    auto others = search_.in_place_of(chosen, which);
+    if (!others) return failure(std::move(others.error()));
+    in_place_.push_back(std::move(*others));
+  }
+  return chosen;
+}
+
+void Tracing::rank(const Candidate& declared, const std::vector<Candidate>& singles) {
+  auto& ranking = explanation_.ranking;
+  for (const Candidate& single : singles) {
+    Suspect suspect{single.kind, single.form, single.fit.settings, 0, {}, 0, {}, single.removed};
+    if (single.fitted()) {
+      suspect.rms = error_figures(all(), single.fit.predicted).rms;
+      suspect.delta_bic = search_.bic_of(single) - search_.bic_of(declared);
+      if (search_.folds().any()) suspect.held_out_rms = error_figures(all(), single.left_out.predicted).rms;
+    }
+    const auto same =
+        std::find_if(ranking.begin(), ranking.end(), [&](const auto& s) { return s.kind == single.kind; });
+    if (same == ranking.end()) {
+      ranking.push_back(std::move(suspect));
+    } else if (suspect.removed.empty() && (!same->removed.empty() || suspect.delta_bic < same->delta_bic)) {
+      *same = std::move(suspect);
+    }
+  }
+  std::stable_sort(ranking.begin(), ranking.end(), [](const Suspect& a, const Suspect& b) {
+    return std::pair(!a.removed.empty(), a.delta_bic) < std::pair(!b.removed.empty(), b.delta_bic);
+  });
+  for (Suspect& suspect : ranking) {
+    for (const Suspect& other : ranking) {
+      if (&other != &suspect && suspect.removed.empty() && other.removed.empty() &&
+          std::abs(other.delta_bic - suspect.delta_bic) < options_.alike_bic)
+        suspect.alike.push_back(other.kind);
+    }
+    if (!suspect.removed.empty())
+      explanation_.notes.push_back(fmt::format("{} was left out: {}", suspect.kind, suspect.removed));
+  }
+}
+
+void Tracing::decide(const Candidate& declared, Candidate& chosen) {
+  Explanation& e = explanation_;
+  constexpr double worth_naming = 0.8;  // a partial explanation is kept where it predicts this much better
+  constexpr double noise_uncertainty = 1.05;
+  const auto rows = static_cast<double>(chosen.fit.white.size());
+  const auto rms_in_noise = [&](const Candidate& candidate) { return std::sqrt(candidate.fit.chi2 / rows); };
+  e.judgement_after = judge(all(), chosen.fit.white, chosen.fit.predicted);
+  if (chosen.fit.settings.empty()) {
+    const bool small = rms_in_noise(chosen) <= noise_uncertainty;
+    e.verdict = e.judgement_after.is_noise || small ? Verdict::nothing_missing : Verdict::unexplained;
+    if (!e.judgement_after.is_noise && small)
+      e.notes.emplace_back("The residual is not quite random, but no larger than the noise can be trusted to be.");
+  } else {
+    e.verdict = e.judgement_after.is_noise || rms_in_noise(chosen) <= options_.near_noise_rms ? Verdict::explained
+                                                                                              : Verdict::unexplained;
+  }
+  if (e.verdict == Verdict::unexplained && !chosen.fit.settings.empty() &&
+      std::sqrt(chosen.left_out.chi2) > worth_naming * std::sqrt(declared.left_out.chi2) && search_.folds().any()) {
+    chosen = declared;
+    in_place_.clear();
+    e.judgement_after = e.judgement_before;
+  }
+  if (e.verdict == Verdict::unexplained) {
+    const auto smooth = fit_smooth_correction(all(), all().measured - chosen.fit.predicted, progress_);
+    if (smooth) {
+      e.smooth_correction = smooth->smooth;
+      e.held_out_corrected = held_out_error(all(), chosen.left_out.predicted + smooth->held_out);
+    }
+  }
+  e.settings = chosen.fit.settings;
+  e.predicted_after = chosen.fit.predicted;
+  e.after = error_figures(all(), e.predicted_after);
+}
+
+Result<void> Tracing::describe_effects(const Candidate& declared, const Candidate& chosen) {
+  Explanation& e = explanation_;
+  if (!search_.folds().any() && chosen.fit.settings.empty()) return {};
+  std::optional<double> held_out_rms;
+  if (search_.folds().any()) {
+    auto refitted = leave_out_with_refits(model_, chosen.fit, search_.folds(), progress_);
+    if (!refitted && progress_.cancelled()) return failure(std::move(refitted.error()));
+    e.held_out = held_out_error(all(), refitted ? refitted->predicted : chosen.left_out.predicted);
+    held_out_rms = e.held_out->rms;
+  }
+  std::vector<FoundEffect> effects;
+  for (std::size_t which = 0; which < chosen.fit.settings.size(); ++which) {
+    const Setting& setting = chosen.fit.settings[which];
+    const auto smaller = chosen.fit.settings.size() == 1 ? Result<Candidate>(declared) : search_.without(chosen, which);
+    if (!smaller) return failure(smaller.error());
+    FoundEffect effect;
+    effect.kind = setting.kind;
+    effect.form = setting.form;
+    effect.sentence = effect_of(model_, setting)->sentence;
+    effect.delta_bic = search_.bic_of(chosen) - search_.bic_of(*smaller);
+    effect.held_out_rms = held_out_rms;
+    if (search_.folds().any()) effect.held_out_rms_without = error_figures(all(), smaller->left_out.predicted).rms;
+    effect.removed_rms = error_figures(all(), smaller->fit.predicted).rms - e.after.rms;
+    for (const Candidate& other : in_place_[which]) {
+      const bool known =
+          other.kind == setting.kind || std::count(effect.alike.begin(), effect.alike.end(), other.kind) > 0;
+      if (!known && search_.bic_of(other) < search_.bic_of(chosen) + options_.alike_bic) {
+        effect.alike.push_back(other.kind);
+        rivals_.push_back({other.kind, other.fit.settings});
+      }
+    }
+    effects.push_back(std::move(effect));
+  }
+  describe_parameters(chosen, effects);
+  std::stable_sort(effects.begin(), effects.end(),
+                   [](const auto& a, const auto& b) { return a.removed_rms > b.removed_rms; });
+  e.effects = std::move(effects);
+  return {};
+}
+
+void Tracing::describe_parameters(const Candidate& chosen, std::vector<FoundEffect>& effects) {
+  if (parameter_count(chosen.fit.settings) == 0) return;
+  constexpr int enough_trials = 4;  // for resampling to say something
+  constexpr double strongly = 0.95;
+  const ParameterRanges ranges = ranges_of(model_, chosen.fit.settings);
+  const double excess = std::max(1.0, chosen.fit.chi2 / double(chosen.fit.white.size())) * search_.correlation();
+  const Eigen::MatrixXd covariance_of_noise =
+      covariance(search_.whitening().whiten(chosen.fit.derivatives) / std::sqrt(excess), ranges.prior_width);
+  const Eigen::MatrixXd samples = bootstrapped_parameters(model_, chosen.fit, search_.whitening());
+  const Eigen::VectorXd values = values_of(chosen.fit.settings);
+  std::vector<std::size_t> effect_of_parameter;
+  Eigen::Index at = 0;
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    const Effect& effect = *effect_of(model_, chosen.fit.settings[i]);
+    for (const Parameter& parameter : effect.parameters) {
+      FoundParameter found{parameter, values[at], std::sqrt(covariance_of_noise(at, at)), 0, 0, true};
+      const double mean = samples.row(at).mean();
+      const double resampled = std::sqrt((samples.row(at).array() - mean).square().mean());
+      found.low = found.value - 1.96 * found.std;
+      found.high = found.value + 1.96 * found.std;
+      if (all().trial_count() >= enough_trials && resampled > found.std) {
+        found.std = resampled;
+        std::vector<double> sorted(samples.row(at).begin(), samples.row(at).end());
+        std::sort(sorted.begin(), sorted.end());
+        found.low = sorted[sorted.size() / 40];
+        found.high = sorted[sorted.size() - 1 - sorted.size() / 40];
+      }
+      found.low = std::max(found.low, parameter.lower);
+      found.high = std::min(found.high, parameter.upper);
+      found.determined = found.std < 0.5 * ranges.prior_width[at];
+      if (!found.determined)
+        explanation_.notes.push_back(
+            fmt::format("These data do not determine {} of {}.", parameter.name, effects[i].kind));
+      effects[i].parameters.push_back(std::move(found));
+      effect_of_parameter.push_back(i);
+      ++at;
+    }
+  }
+  std::set<std::pair<std::size_t, std::size_t>> told;
+  for (Eigen::Index a = 0; a < at; ++a) {
+    for (Eigen::Index b = 0; b < a; ++b) {
+      const std::size_t one = effect_of_parameter[static_cast<std::size_t>(b)];
+      const std::size_t other = effect_of_parameter[static_cast<std::size_t>(a)];
+      const double correlation =
+          covariance_of_noise(a, b) / std::sqrt(covariance_of_noise(a, a) * covariance_of_noise(b, b));
+      if (one != other && std::abs(correlation) > strongly && told.insert({one, other}).second)
+        explanation_.notes.push_back(fmt::format("{} and {} can hardly be told apart in size (correlation {:.2f}).",
+                                                 effects[one].kind, effects[other].kind, correlation));
+    }
+  }
+}
+
+// The trial for which the leading rival is expected to differ most from what was chosen: for two models with normal
+// noise the expected log Bayes factor is half the square of their distance.
+void Tracing::find_next_measurement(const Candidate& chosen) {
+  const std::vector<std::string> sentences = model_.further_trials();
+  if (rivals_.empty() || sentences.empty()) return;
+  NextMeasurement next;
+  for (std::size_t trial = 0; trial < sentences.size(); ++trial) {
+    const auto expected = model_.predict_further(trial, chosen.fit.settings);
+    if (!expected || !expected->allFinite()) continue;
+    std::vector<std::string> separated;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Rival& rival : rivals_) {
+      const auto otherwise = model_.predict_further(trial, rival.settings);
+      if (!otherwise || !otherwise->allFinite()) continue;
+      const double separation = (*expected - *otherwise).norm();
+      constexpr double clear = 4;
+      if (separation < clear) continue;
+      least = std::min(least, separation);
+      if (std::count(separated.begin(), separated.end(), rival.kind) == 0) separated.push_back(rival.kind);
+    }
+    if (separated.empty()) continue;
+    if (std::pair(separated.size(), least) > std::pair(next.rivals.size(), next.expected_separation))
+      next = {sentences[trial], separated, least};
+  }
+  if (!next.rivals.empty()) explanation_.next = std::move(next);
+}
+
+}  // namespace
+}  // namespace glisson::closedloop
