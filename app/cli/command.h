@@ -40,6 +40,8 @@ void add_sirgn(CLI::App& app, Action& chosen);
 void add_review(CLI::App& app, Action& chosen);
 void add_platform(CLI::App& app, Action& chosen);
 void add_deidentify(CLI::App& app, Action& chosen);
+void add_explain(CLI::App& app, Action& chosen);
+void add_predict(CLI::App& app, Action& chosen);
 void add_demo(CLI::App& app, Action& chosen);
 
 // All of them, in the order in which --help lists them.

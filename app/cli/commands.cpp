@@ -23,6 +23,8 @@ void add_commands(CLI::App& app, Action& chosen) {
   add_sirgn(app, chosen);
   add_review(app, chosen);
   add_platform(app, chosen);
+  add_explain(app, chosen);
+  add_predict(app, chosen);
   add_deidentify(app, chosen);
 }
 

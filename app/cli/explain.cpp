@@ -1,0 +1,84 @@
+// glisson-cli explain: what does a model lack that measurements show?
+
+#include <fmt/format.h>
+
+#include "base/files.h"
+#include "closedloop/explanation_file.h"
+#include "closedloop/trace.h"
+#include "command.h"
+#include "report/explanation_page.h"
+#include "report/html.h"
+#include "shared_options.h"
+
+namespace glisson::cli {
+namespace {
+
+struct ExplainCommand {
+  std::string experiment;
+  std::string out;
+};
+
+std::string in_words(const closedloop::Explanation& explanation, const closedloop::Observations& observations);
+
+Result<Outcome> run(const ExplainCommand& command, const Progress& progress) {
+  auto experiment = closedloop::read_experiment(command.experiment);
+  if (!experiment) return failure(std::move(experiment.error()));
+  const auto model = closedloop::forward_model(*experiment, progress.part(0, 0.1));
+  if (!model) return failure(model.error());
+  const auto explanation = closedloop::trace(**model, {}, progress.part(0.1, 1));
+  if (!explanation) return failure(explanation.error());
+
+  const std::filesystem::path out(command.out);
+  std::error_code problem;
+  std::filesystem::create_directories(out, problem);
+  if (problem)
+    return failure("file-not-writable", GLISSON_TEXT("The folder {0} cannot be made: {1}."),
+                   {command.out, problem.message()});
+  const auto& observations = (*model)->observations();
+  const std::string report = closedloop::report_text(*explanation, observations);
+  if (auto written = write_text_file(out / "report.json", report); !written) return failure(written.error());
+  const std::string better = closedloop::model_text(*explanation, **model, *experiment);
+  if (auto written = write_text_file(out / "model.json", better); !written) return failure(written.error());
+  const auto page = report::explanation_page(*explanation, observations, experiment->title);
+  if (auto written = report::write_html(out / "report.html", page); !written) return failure(written.error());
+
+  auto document = parse_json(report);
+  if (!document) return failure(std::move(document.error()));
+  (*document)["files"] = {(out / "report.json").string(), (out / "report.html").string(),
+                          (out / "model.json").string()};
+  return Outcome{std::move(*document), in_words(*explanation, observations)};
+}
+
+std::string in_words(const closedloop::Explanation& explanation, const closedloop::Observations& observations) {
+  const std::string unit = observations.unit == "noise" ? "times the noise" : observations.unit;
+  std::string text =
+      fmt::format("{}: error {:.3g} {} before, {:.3g} after (noise {:.3g})\n", closedloop::name_of(explanation.verdict),
+                  explanation.before.rms, unit, explanation.after.rms, explanation.after.noise);
+  if (explanation.held_out)
+    text +=
+        fmt::format("  on trials left out: {:.3g} {} before, {:.3g} after\n", explanation.held_out_before->rms, unit,
+                    explanation.held_out_corrected ? explanation.held_out_corrected->rms : explanation.held_out->rms);
+  for (const auto& effect : explanation.effects) {
+    text += "  " + effect.kind + (effect.form.empty() ? "" : " (" + effect.form + ")") + ":";
+    for (const auto& found : effect.parameters)
+      text += fmt::format(" {} {:.4g} +- {:.2g}", found.parameter.name, found.value, found.std);
+    for (const auto& kind : effect.alike) text += "; alike " + kind;
+    text += "\n";
+  }
+  if (explanation.smooth_correction) text += "  smooth-correction, which claims no cause\n";
+  if (explanation.next) text += "  next: " + explanation.next->sentence + "\n";
+  return text + bullet_list(explanation.notes);
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand("explain", "Close the loop: find what a model lacks that measurements show");
+  auto settings = std::make_shared<ExplainCommand>();
+  command->add_option("experiment", settings->experiment, "Experiment (JSON, glisson-experiment/1)")->required();
+  command->add_option("--out", settings->out, "Folder for report.json, report.html and model.json")->required();
+  command->callback(
+      [&chosen, settings] { chosen = [settings](const Progress& progress) { return run(*settings, progress); }; });
+}
+
+}  // namespace glisson::cli

@@ -1,0 +1,301 @@
+#include "closedloop/explanation_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/json.h"
+
+namespace glisson::closedloop {
+namespace {
+
+constexpr const char* model_format = "glisson-closedloop-model/1";
+
+// "rms" -> "rms_mm" where the unit is a length; elsewhere the report's "unit" says it.
+class Names {
+ public:
+  explicit Names(const Observations& observations) : suffix_(observations.unit == "mm" ? "_mm" : "") {}
+  [[nodiscard]] std::string operator()(const std::string& name) const { return name + suffix_; }
+
+ private:
+  std::string suffix_;
+};
+
+Json json_of(const ErrorFigures& figures, const Observations& observations);
+Json json_of(const Judgement& judgement);
+Json json_of(const FoundEffect& effect, const Names& named);
+Json json_of(const Suspect& suspect, const Names& named);
+Json parameters_json(const std::vector<FoundParameter>& parameters);
+Json numbers(const Eigen::VectorXd& values);
+
+}  // namespace
+
+std::string name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::nothing_missing: return "nothing-missing";
+    case Verdict::explained: return "explained";
+    default: return "unexplained";
+  }
+}
+
+std::string kind_of(const Experiment& experiment) {
+  return experiment.setup.index() == 0 ? "palpation" : experiment.setup.index() == 1 ? "material" : "platform";
+}
+
+std::string report_text(const Explanation& explanation, const Observations& observations) {
+  const Names named(observations);
+  Json json{{"verdict", name_of(explanation.verdict)}, {"unit", observations.unit}};
+  json["before"] = json_of(explanation.before, observations);
+  json["after"] = json_of(explanation.after, observations);
+  if (explanation.held_out_before) {
+    json["before"][named("held_out_rms")] = explanation.held_out_before->rms;
+    json["before"][named("held_out_interval")] = {explanation.held_out_before->low, explanation.held_out_before->high};
+  }
+  const auto& held_out = explanation.held_out_corrected ? explanation.held_out_corrected : explanation.held_out;
+  if (held_out) {
+    json["after"][named("held_out_rms")] = held_out->rms;
+    json["after"][named("held_out_mean")] = held_out->mean;
+    json["after"][named("held_out_p95")] = held_out->p95;
+    json["after"][named("held_out_interval")] = {held_out->low, held_out->high};
+  } else {
+    json["after"]["held_out"] = "one trial cannot be left out";
+  }
+  json["effects"] = Json::array();
+  for (const FoundEffect& effect : explanation.effects) {
+    json["effects"].push_back(json_of(effect, named));
+    json["effects"].back()["confident"] = explanation.verdict == Verdict::explained;
+  }
+  if (explanation.smooth_correction) {
+    Json smooth{{"kind", "smooth-correction"},
+                {"parameters", {{"length_scale", {{"value", explanation.smooth_correction->length_scale}}}}},
+                {"sentence", "A smooth correction over load and place: it predicts better, and claims no cause."},
+                {"confident", false},
+                {"alike", Json::array()}};
+    if (explanation.held_out_corrected)
+      smooth["evidence"] = {{named("held_out_rms"), explanation.held_out_corrected->rms}};
+    if (explanation.held_out) smooth["evidence"][named("held_out_rms_without")] = explanation.held_out->rms;
+    json["effects"].push_back(std::move(smooth));
+  }
+  json["ranking"] = Json::array();
+  for (const Suspect& suspect : explanation.ranking) json["ranking"].push_back(json_of(suspect, named));
+  json["residual"] = {{"before", json_of(explanation.judgement_before)},
+                      {"after", json_of(explanation.judgement_after)}};
+  json["next_measurement"] = nullptr;
+  if (explanation.next) {
+    std::string rivals;
+    for (const std::string& rival : explanation.next->rivals) rivals += (rivals.empty() ? "" : ", ") + rival;
+    json["next_measurement"] = explanation.next->sentence + " It would tell what was found from: " + rivals + ".";
+  }
+  json["notes"] = explanation.notes;
+  return json.dump(2) + "\n";
+}
+
+std::string model_text(const Explanation& explanation, const ForwardModel& model, const Experiment& experiment) {
+  Json json{{"format", model_format},
+            {"kind", kind_of(experiment)},
+            {"verdict", name_of(explanation.verdict)},
+            {"learnt_from", experiment.file.filename().string()},
+            {"effects", Json::array()}};
+  for (const FoundEffect& effect : explanation.effects) {
+    Json one{{"kind", effect.kind}};
+    if (!effect.form.empty()) one["law"] = effect.form;
+    one["parameters"] = Json::object();
+    for (const FoundParameter& found : effect.parameters) {
+      Json& value = one["parameters"][found.parameter.name];
+      if (value.is_null()) {
+        value = found.value;
+      } else if (value.is_array()) {
+        value.push_back(found.value);
+      } else {
+        value = Json::array({value, found.value});
+      }
+    }
+    one["sentence"] = effect.sentence;
+    json["effects"].push_back(std::move(one));
+  }
+  if (const auto& smooth = explanation.smooth_correction) {
+    Json rows = Json::array();
+    for (Eigen::Index row = 0; row < smooth->features.rows(); ++row) rows.push_back(numbers(smooth->features.row(row)));
+    json["smooth_correction"] = {{"directions", model.observations().directions},
+                                 {"center", numbers(smooth->center)},
+                                 {"spread", numbers(smooth->spread)},
+                                 {"length_scale", smooth->length_scale},
+                                 {"features", std::move(rows)},
+                                 {"direction", smooth->directions},
+                                 {"weights", numbers(smooth->weights)}};
+  }
+  return json.dump(2) + "\n";
+}
+
+namespace {
+
+struct Misfit {
+  Error error;
+};
+
+[[noreturn]] void refuse_model(std::string text, std::vector<std::string> arguments) {
+  throw Misfit{{"model-invalid",
+                std::move(text),
+                std::move(arguments),
+                GLISSON_TEXT("Use the model.json that glisson-cli explain wrote for an experiment of this kind."),
+                {}}};
+}
+
+Setting setting_from(const Json& json, const ForwardModel& model);
+SmoothCorrection smooth_from(const Json& json, const Observations& observations);
+
+}  // namespace
+
+Result<BetterModel> read_model(const std::filesystem::path& file, const ForwardModel& model,
+                               const Experiment& experiment) {
+  const auto document = read_json_file(file);
+  if (!document) return failure(document.error());
+  try {
+    if (!document->is_object() || document->value("format", Json()) != model_format)
+      refuse_model(GLISSON_TEXT("{0} is not a model of the format {1}."), {file.filename().string(), model_format});
+    if (document->value("kind", Json()) != kind_of(experiment))
+      refuse_model(GLISSON_TEXT("{0} was not learnt from an experiment of the kind {1}."),
+                   {file.filename().string(), kind_of(experiment)});
+    BetterModel better;
+    for (const Json& effect : document->at("effects")) better.settings.push_back(setting_from(effect, model));
+    if (document->contains("smooth_correction"))
+      better.smooth_correction = smooth_from(document->at("smooth_correction"), model.observations());
+    return better;
+  } catch (Misfit& misfit) {
+    return failure(std::move(misfit.error).in_file(file));
+  } catch (const Json::exception&) {
+    return failure(
+        Error{"model-invalid", GLISSON_TEXT("{0} is not a complete model."), {file.filename().string()}, {}, file});
+  }
+}
+
+Result<Eigen::VectorXd> predict_with(const ForwardModel& model, const BetterModel& better) {
+  auto predicted = model.predict(better.settings);
+  if (predicted && better.smooth_correction) *predicted += correction(*better.smooth_correction, model.observations());
+  return predicted;
+}
+
+namespace {
+
+Setting setting_from(const Json& json, const ForwardModel& model) {
+  const auto kind = json.at("kind").get<std::string>();
+  const std::string form = json.value("law", std::string());
+  const auto& catalogue = model.catalogue();
+  const auto effect = std::find_if(catalogue.begin(), catalogue.end(),
+                                   [&](const Effect& known) { return known.kind == kind && known.form == form; });
+  if (effect == catalogue.end())
+    refuse_model(GLISSON_TEXT("The effect {0} is unknown to this experiment."),
+                 {kind + (form.empty() ? "" : " " + form)});
+  Setting setting{kind, form, Eigen::VectorXd(effect->size())};
+  const Json& parameters = json.at("parameters");
+  std::string last;
+  std::size_t component = 0;
+  for (Eigen::Index p = 0; p < effect->size(); ++p) {
+    const std::string& name = effect->parameters[static_cast<std::size_t>(p)].name;
+    component = name == last ? component + 1 : 0;
+    last = name;
+    const Json& value = parameters.at(name);
+    setting.parameters[p] = (value.is_array() ? value.at(component) : value).get<double>();
+    if (!std::isfinite(setting.parameters[p])) refuse_model(GLISSON_TEXT("{0} of {1} is no number."), {name, kind});
+  }
+  return setting;
+}
+
+Eigen::VectorXd vector_from(const Json& json) {
+  const auto values = json.get<std::vector<double>>();
+  return Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+SmoothCorrection smooth_from(const Json& json, const Observations& observations) {
+  SmoothCorrection smooth;
+  const Eigen::Index columns = features_of(observations).cols();
+  smooth.center = vector_from(json.at("center")).transpose();
+  smooth.spread = vector_from(json.at("spread")).transpose();
+  smooth.length_scale = json.at("length_scale").get<double>();
+  smooth.directions = json.at("direction").get<std::vector<int>>();
+  smooth.weights = vector_from(json.at("weights"));
+  const Json& rows = json.at("features");
+  smooth.features.resize(static_cast<Eigen::Index>(rows.size()), columns);
+  if (json.at("directions").get<std::vector<std::string>>() != observations.directions ||
+      smooth.center.size() != columns || smooth.spread.size() != columns ||
+      smooth.weights.size() != smooth.features.rows() || smooth.directions.size() != rows.size() ||
+      !(smooth.length_scale > 0))
+    refuse_model(GLISSON_TEXT("The smooth correction was made for other quantities than this experiment has."), {});
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const Eigen::VectorXd features = vector_from(rows[row]);
+    if (features.size() != columns) refuse_model(GLISSON_TEXT("The smooth correction is not complete."), {});
+    smooth.features.row(static_cast<Eigen::Index>(row)) = features.transpose();
+  }
+  return smooth;
+}
+
+Json numbers(const Eigen::VectorXd& values) { return std::vector<double>(values.begin(), values.end()); }
+
+Json json_of(const ErrorFigures& figures, const Observations& observations) {
+  const Names named(observations);
+  Json json{{named("rms"), figures.rms}, {named("mean"), figures.mean},   {named("p95"), figures.p95},
+            {named("max"), figures.max}, {named("noise"), figures.noise}, {"reduced_chi2", figures.reduced_chi2}};
+  for (std::size_t d = 0; d < figures.rms_of_direction.size(); ++d)
+    json["rms_" + observations.directions[d]] = figures.rms_of_direction[d];
+  return json;
+}
+
+Json json_of(const Judgement& judgement) {
+  Json json{{"is_noise", judgement.is_noise}, {"smallest_p", judgement.smallest_p}, {"shape", judgement.shape()}};
+  for (const NoiseTest& test : judgement.tests)
+    json["tests"].push_back({{"name", test.name}, {"statistic", test.statistic}, {"p_value", test.p_value}});
+  return json;
+}
+
+// Consecutive parameters of one name become one entry with lists.
+Json parameters_json(const std::vector<FoundParameter>& parameters) {
+  Json json = Json::object();
+  for (std::size_t first = 0; first < parameters.size();) {
+    const std::string& name = parameters[first].parameter.name;
+    std::size_t end = first;
+    while (end < parameters.size() && parameters[end].parameter.name == name) ++end;
+    const auto each = [&](auto&& of) {
+      if (end == first + 1) return Json(of(parameters[first]));
+      Json list = Json::array();
+      for (std::size_t i = first; i < end; ++i) list.push_back(of(parameters[i]));
+      return list;
+    };
+    json[name] = {{"value", each([](const FoundParameter& p) { return p.value; })},
+                  {"std", each([](const FoundParameter& p) { return p.std; })},
+                  {"interval", each([](const FoundParameter& p) {
+                     return std::vector<double>{p.low, p.high};
+                   })},
+                  {"determined", each([](const FoundParameter& p) { return p.determined; })}};
+    first = end;
+  }
+  return json;
+}
+
+Json json_of(const FoundEffect& effect, const Names& named) {
+  Json json{{"kind", effect.kind}};
+  json["parameters"] = parameters_json(effect.parameters);
+  if (!effect.form.empty()) json["parameters"]["law"] = effect.form;
+  json["evidence"] = {{"delta_bic", effect.delta_bic}, {named("removed_rms"), effect.removed_rms}};
+  if (effect.held_out_rms) json["evidence"][named("held_out_rms")] = *effect.held_out_rms;
+  if (effect.held_out_rms_without) json["evidence"][named("held_out_rms_without")] = *effect.held_out_rms_without;
+  json["alike"] = effect.alike;
+  json["sentence"] = effect.sentence;
+  return json;
+}
+
+Json json_of(const Suspect& suspect, const Names& named) {
+  Json json{{"kind", suspect.kind}};
+  if (!suspect.form.empty()) json["law"] = suspect.form;
+  if (!suspect.removed.empty()) {
+    json["removed"] = suspect.removed;
+    return json;
+  }
+  json[named("rms")] = suspect.rms;
+  if (suspect.held_out_rms) json[named("held_out_rms")] = *suspect.held_out_rms;
+  json["delta_bic"] = suspect.delta_bic;
+  json["alike"] = suspect.alike;
+  return json;
+}
+
+}  // namespace
+}  // namespace glisson::closedloop

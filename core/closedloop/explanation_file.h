@@ -1,0 +1,40 @@
+#pragma once
+// An explanation in files: report.json as the contract has it, and model.json, the better model, which predict and a
+// rehearsal take up again.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/result.h"
+#include "closedloop/explanation.h"
+#include "closedloop/forward_model.h"
+
+namespace glisson::closedloop {
+
+// What was learnt, apart from the experiment that it was learnt from.
+struct BetterModel {
+  Settings settings;
+  std::optional<SmoothCorrection> smooth_correction;
+};
+
+[[nodiscard]] std::string name_of(Verdict verdict);  // "nothing-missing", "explained", "unexplained"
+
+// The contract's report as JSON text; figures carry "_mm" for palpation and stand without it elsewhere.
+[[nodiscard]] std::string report_text(const Explanation& explanation, const Observations& observations);
+
+// Needs the model for the names of parameters.
+[[nodiscard]] std::string model_text(const Explanation& explanation, const ForwardModel& model,
+                                     const Experiment& experiment);
+
+// For the experiment of `model`. Refused ("model-invalid"): another format, another kind of experiment, effects or
+// parameters that this experiment's catalogue does not know.
+Result<BetterModel> read_model(const std::filesystem::path& file, const ForwardModel& model,
+                               const Experiment& experiment);
+
+// What the better model predicts for the experiment of `model`, smooth correction included.
+Result<Eigen::VectorXd> predict_with(const ForwardModel& model, const BetterModel& better);
+
+[[nodiscard]] std::string kind_of(const Experiment& experiment);  // "palpation", "material", "platform"
+
+}  // namespace glisson::closedloop

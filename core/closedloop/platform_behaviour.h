@@ -1,0 +1,53 @@
+#pragma once
+// How a worn computer and its battery answer what is asked of them: section 6's constant-energy battery and simple
+// thermal model, and what may act on them. Every member stands at "does not act" until an effect
+// (platform_effects.h) changes it.
+//
+//   demand   P0 = idle + full load x load, or idle + V I where no load is recorded
+//   power    P = ((P0 + static) (1 + c (T - T_ambient))) / efficiency, no more than keeps T at the limit
+//   battery  V = V_nominal + curve(d) - I R until the capacity is spent, then 0; d: depth of discharge
+//            charge counts as I (I / I_rated)^(k - 1) (Peukert), I_rated emptying the battery in the rated hours
+//   heat     tau dT/dt = T_ambient + R_th P - T; without a time constant T follows P at once
+// The temperature that power depends on is the measured one where there is one, and so is the power that heats.
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "closedloop/experiment.h"
+
+namespace glisson::closedloop {
+
+struct PlatformBehaviour {
+  double idle_W = 0;
+  double full_load_W = 0;
+  double nominal_voltage_V = 0;
+  double capacity_Ah = 0;  // 0: never spent
+  double thermal_resistance_C_per_W = 0;
+  double time_constant_s = 0;
+
+  double static_W = 0;
+  double power_per_C = 0;
+  double efficiency = 1;
+  std::optional<double> limit_C;
+  double resistance_ohm = 0;
+  double rate_exponent = 1;
+  double rated_hours = 5;
+  double capacity_per_C = 0;          // of the capacity, against 25 C
+  Eigen::VectorXd discharge_curve_V;  // curve(d) = sum of c_i d^i, i from 0; empty: none
+};
+
+[[nodiscard]] PlatformBehaviour declared_behaviour(const Platform& platform);
+
+// At each time of the trial; empty where the declared model says nothing about the quantity.
+struct PlatformReadings {
+  Eigen::VectorXd voltage_V;
+  Eigen::VectorXd temperature_C;
+  Eigen::VectorXd power_W;
+};
+[[nodiscard]] PlatformReadings readings(const PlatformBehaviour& behaviour, const Platform& platform,
+                                        const PlatformTrial& trial);
+
+// Charge drawn since the trial began (Ah); zero where no current is recorded.
+[[nodiscard]] Eigen::VectorXd charge_drawn_Ah(const PlatformTrial& trial);
+
+}  // namespace glisson::closedloop

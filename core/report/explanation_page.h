@@ -1,0 +1,15 @@
+#pragma once
+// What closing the loop found, as a report for a person: the residual before, the suspects with their evidence, the
+// residual after, the parameters with their uncertainty, and what to measure next.
+
+#include <string>
+
+#include "closedloop/explanation.h"
+#include "report/page.h"
+
+namespace glisson::report {
+
+[[nodiscard]] Page explanation_page(const closedloop::Explanation& explanation,
+                                    const closedloop::Observations& observations, const std::string& title);
+
+}  // namespace glisson::report
