@@ -274,7 +274,7 @@ Json parameters_json(const std::vector<FoundParameter>& parameters) {
 Json json_of(const FoundEffect& effect, const Names& named) {
   Json json{{"kind", effect.kind}};
   json["parameters"] = parameters_json(effect.parameters);
-  if (!effect.form.empty()) json["parameters"]["law"] = effect.form;
+  if (!effect.form.empty()) json["parameters"]["law"] = {{"value", effect.form}};
   json["evidence"] = {{"delta_bic", effect.delta_bic}, {named("removed_rms"), effect.removed_rms}};
   if (effect.held_out_rms) json["evidence"][named("held_out_rms")] = *effect.held_out_rms;
   if (effect.held_out_rms_without) json["evidence"][named("held_out_rms_without")] = *effect.held_out_rms_without;

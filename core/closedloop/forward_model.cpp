@@ -6,6 +6,7 @@
 
 #include "closedloop/material_model.h"
 #include "closedloop/palpation_model.h"
+#include "closedloop/platform_model.h"
 
 namespace glisson::closedloop {
 namespace {
@@ -75,11 +76,9 @@ Result<std::unique_ptr<ForwardModel>> forward_model(Experiment experiment, const
     });
   }
   if (auto* material = std::get_if<Material>(&experiment.setup)) return material_model(std::move(*material));
-  return failure(Error{"not-available",
-                       GLISSON_TEXT("Experiments such as \"{0}\" cannot be predicted by this version."),
-                       {experiment.title},
-                       {},
-                       experiment.file});
+  return platform_model(std::move(std::get<Platform>(experiment.setup))).map_error([&](Error error) {
+    return std::move(error).in_file(experiment.file);
+  });
 }
 
 }  // namespace glisson::closedloop

@@ -85,6 +85,13 @@ class Slider {
     return at_;
   }
 
+  double approach(double strain) {
+    const double limit = strain > strain_ ? 1 : -1;
+    at_ = limit - (limit - at_) * std::exp(-std::abs(strain - strain_) / slip_strain_);
+    strain_ = strain;
+    return at_;
+  }
+
  private:
   double slip_strain_;
   double at_;
@@ -126,6 +133,7 @@ Eigen::VectorXd reading_kPa(const MaterialBehaviour& behaviour, const Eigen::Vec
     if (behaviour.hysteresis == HysteresisLaw::proportional)
       elastic *= 1 - behaviour.loss * (1 - of_size.follow(std::abs(strain))) / 2;
     if (behaviour.hysteresis == HysteresisLaw::friction) elastic += behaviour.friction_kPa * of_strain.follow(strain);
+    if (behaviour.hysteresis == HysteresisLaw::dahl) elastic += behaviour.friction_kPa * of_strain.approach(strain);
 
     double stress = elastic;
     const double passed_s = i == 0 ? 0 : time_s[i] - time_s[i - 1];

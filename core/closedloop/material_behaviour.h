@@ -33,7 +33,8 @@ enum class SofteningLaw { none, drop, approach, ogden_roxburgh };
 
 // A slider follows the strain within `slip_strain`, f from -1 (unloading) to 1 (loading):
 //   proportional    the stress times 1 - loss (1 - f) / 2     friction     the stress plus `friction_kPa` times f
-enum class HysteresisLaw { none, proportional, friction };
+//   dahl            as friction, f approaching its limits exponentially over the slip strain (Dahl 1968)
+enum class HysteresisLaw { none, proportional, friction, dahl };
 
 struct MaterialBehaviour {
   Mode mode = Mode::compression;

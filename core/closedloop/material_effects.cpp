@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/units.h"
 
@@ -188,7 +189,7 @@ void add_dissipation(const Reach& reach, Effects& effects) {
                          if (p.size() > 1) behaviour.softening_energy_kPa = p[1];
                        }});
   };
-  const Parameter amplitude{"amplitude", 0, -0.5, 0.95, 0, 0.6};
+  const Parameter amplitude{"amplitude", 0, 0, 0.95, 0, 0.6};
   const double energy = reach.largest_stress_kPa * reach.largest_strain / 2;
   softening("drop", SofteningLaw::drop, {amplitude}, vector({0.1}));
   softening("approach", SofteningLaw::approach, {amplitude}, vector({0.1}));
@@ -205,7 +206,7 @@ void add_dissipation(const Reach& reach, Effects& effects) {
   const double begin = 0.05 * reach.largest_strain;
   effects.push_back({{"hysteresis",
                       "proportional",
-                      {{"loss", 0, -0.5, 0.98, 0, 0.6}, slip},
+                      {{"loss", 0, 0, 0.98, 0, 0.6}, slip},
                       hysteresis_sentence,
                       {vector({0.1, begin})}},
                      [](const Eigen::VectorXd& p, MaterialBehaviour& behaviour) {
@@ -214,16 +215,19 @@ void add_dissipation(const Reach& reach, Effects& effects) {
                        behaviour.slip_strain = p[1];
                      }});
   const double stress = reach.largest_stress_kPa;
-  effects.push_back({{"hysteresis",
-                      "friction",
-                      {{"friction_kPa", 0, -stress, stress, 0, 0.3 * stress}, slip},
-                      hysteresis_sentence,
-                      {vector({0.05 * stress, begin})}},
-                     [](const Eigen::VectorXd& p, MaterialBehaviour& behaviour) {
-                       behaviour.hysteresis = HysteresisLaw::friction;
-                       behaviour.friction_kPa = p[0];
-                       behaviour.slip_strain = p[1];
-                     }});
+  for (const auto& [form, law] :
+       {std::pair("friction", HysteresisLaw::friction), std::pair("dahl", HysteresisLaw::dahl)}) {
+    effects.push_back({{"hysteresis",
+                        form,
+                        {{"friction_kPa", 0, 0, stress, 0, 0.3 * stress}, slip},
+                        hysteresis_sentence,
+                        {vector({0.05 * stress, begin})}},
+                       [law = law](const Eigen::VectorXd& p, MaterialBehaviour& behaviour) {
+                         behaviour.hysteresis = law;
+                         behaviour.friction_kPa = p[0];
+                         behaviour.slip_strain = p[1];
+                       }});
+  }
 }
 
 void add_load_cell(const Material& material, const Reach& reach, Effects& effects) {

@@ -11,7 +11,8 @@ constexpr double reference_C = 25;
 
 double curve_V(const PlatformBehaviour& behaviour, double depth) {
   double sum = 0;
-  for (Eigen::Index i = behaviour.discharge_curve_V.size(); i-- > 0;) sum = sum * depth + behaviour.discharge_curve_V[i];
+  for (Eigen::Index i = behaviour.discharge_curve_V.size(); i-- > 0;)
+    sum = sum * depth + behaviour.discharge_curve_V[i];
   return sum;
 }
 
@@ -46,14 +47,15 @@ Eigen::VectorXd voltage_V(const PlatformBehaviour& behaviour, const PlatformTria
   Eigen::VectorXd voltage(depth.size());
   for (Eigen::Index i = 0; i < depth.size(); ++i) {
     const double current = trial.current_A.size() > 0 ? trial.current_A[i] : 0;
-    voltage[i] = share_left(depth, i) * (behaviour.nominal_voltage_V + curve_V(behaviour, depth[i]) -
-                                         current * behaviour.resistance_ohm);
+    voltage[i] = share_left(depth, i) *
+                 (behaviour.nominal_voltage_V + curve_V(behaviour, depth[i]) - current * behaviour.resistance_ohm);
   }
   return voltage;
 }
 
 // What the work asks for before anything is lost or saved.
-Eigen::VectorXd demand_W(const PlatformBehaviour& behaviour, const PlatformTrial& trial, const Eigen::VectorXd& voltage) {
+Eigen::VectorXd demand_W(const PlatformBehaviour& behaviour, const PlatformTrial& trial,
+                         const Eigen::VectorXd& voltage) {
   const Eigen::Index size = trial.time_s.size();
   if (trial.load.size() > 0) return behaviour.idle_W + behaviour.full_load_W * trial.load.array();
   if (trial.current_A.size() == 0) return Eigen::VectorXd::Constant(size, behaviour.idle_W);
@@ -75,7 +77,28 @@ PlatformBehaviour declared_behaviour(const Platform& platform) {
   return behaviour;
 }
 
-PlatformReadings readings(const PlatformBehaviour& behaviour, const Platform& platform, const PlatformTrial& trial) {
+namespace {
+
+// A recording that begins in a room's temperature begins there, whatever the first reading's noise.
+double first_temperature_C(const Platform& platform, const PlatformTrial& trial) {
+  constexpr double clearly = 4;
+  if (trial.temperature_C.size() == 0) return trial.ambient_C;
+  const double first = trial.temperature_C[0];
+  return std::abs(first - trial.ambient_C) < clearly * platform.noise_C.value_or(0) ? trial.ambient_C : first;
+}
+
+double between_samples(const Eigen::VectorXd& heating, Eigen::Index i, double now, Hold hold) {
+  switch (hold) {
+    case Hold::sample_before: return heating[i - 1];
+    case Hold::sample_after: return now;
+    default: return (heating[i - 1] + now) / 2;
+  }
+}
+
+}  // namespace
+
+PlatformReadings readings(const PlatformBehaviour& behaviour, const Platform& platform, const PlatformTrial& trial,
+                          Hold hold) {
   PlatformReadings all;
   all.voltage_V = voltage_V(behaviour, trial);
   const Eigen::VectorXd demand = demand_W(behaviour, trial, all.voltage_V);
@@ -85,29 +108,34 @@ PlatformReadings readings(const PlatformBehaviour& behaviour, const Platform& pl
   if (demand.size() > 0) all.power_W.resize(size);
   const bool power_known = demand.size() > 0 || trial.power_W.size() > 0;
   if (heats && power_known) all.temperature_C.resize(size);
-  double temperature = trial.temperature_C.size() > 0 ? trial.temperature_C[0] : trial.ambient_C;
+  double temperature = first_temperature_C(platform, trial);
+  Eigen::VectorXd heating(size);
   for (Eigen::Index i = 0; i < size; ++i) {
     double power = 0;
     if (demand.size() > 0) {
       const double hot = trial.temperature_C.size() > 0 ? trial.temperature_C[i] : temperature;
       power = (demand[i] + behaviour.static_W) * (1 + behaviour.power_per_C * (hot - trial.ambient_C)) /
               behaviour.efficiency;
-      if (behaviour.limit_C && heats && (behaviour.time_constant_s <= 0 || hot >= *behaviour.limit_C))
-        power = std::min(power, std::max(0.0, *behaviour.limit_C - trial.ambient_C) / to_air);
-      all.power_W[i] = power;
     }
-    if (all.temperature_C.size() == 0) continue;
-    const bool limited = behaviour.limit_C.has_value();
-    const double heating = trial.power_W.size() > 0 && !limited ? trial.power_W[i] : power;
-    const double steady = trial.ambient_C + to_air * heating;
-    if (behaviour.time_constant_s <= 0) {
-      temperature = steady;
-    } else if (i > 0) {
-      temperature = steady + (temperature - steady) *
-                                 std::exp(-(trial.time_s[i] - trial.time_s[i - 1]) / behaviour.time_constant_s);
+    if (heats) {
+      heating[i] = demand.size() == 0 && trial.power_W.size() > 0 ? trial.power_W[i] : power;
+      if (behaviour.heats_by_loss && trial.current_A.size() > 0)
+        heating[i] = trial.current_A[i] * trial.current_A[i] * behaviour.resistance_ohm;
+      if (behaviour.time_constant_s <= 0) {
+        temperature = trial.ambient_C + to_air * heating[i];
+      } else if (i > 0) {
+        const double steady = trial.ambient_C + to_air * between_samples(heating, i, heating[i], hold);
+        const double passed_s = trial.time_s[i] - trial.time_s[i - 1];
+        temperature = steady + (temperature - steady) * std::exp(-passed_s / behaviour.time_constant_s);
+      }
+      if (behaviour.limit_C && temperature > *behaviour.limit_C) {
+        temperature = std::max(*behaviour.limit_C, trial.ambient_C);
+        power = std::min(power, (temperature - trial.ambient_C) / to_air);
+        heating[i] = std::min(heating[i], power);
+      }
     }
-    if (limited) temperature = std::min(temperature, std::max(*behaviour.limit_C, trial.ambient_C));
-    all.temperature_C[i] = temperature;
+    if (all.power_W.size() > 0) all.power_W[i] = power;
+    if (all.temperature_C.size() > 0) all.temperature_C[i] = temperature;
   }
   return all;
 }

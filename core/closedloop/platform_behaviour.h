@@ -4,11 +4,13 @@
 // (platform_effects.h) changes it.
 //
 //   demand   P0 = idle + full load x load, or idle + V I where no load is recorded
-//   power    P = ((P0 + static) (1 + c (T - T_ambient))) / efficiency, no more than keeps T at the limit
+//   power    P = ((P0 + static) (1 + c (T - T_ambient))) / efficiency
 //   battery  V = V_nominal + curve(d) - I R until the capacity is spent, then 0; d: depth of discharge
 //            charge counts as I (I / I_rated)^(k - 1) (Peukert), I_rated emptying the battery in the rated hours
 //   heat     tau dT/dt = T_ambient + R_th P - T; without a time constant T follows P at once
-// The temperature that power depends on is the measured one where there is one, and so is the power that heats.
+// At the temperature limit the power is what keeps it there.
+// The temperature that power depends on is the measured one where there is one; what heats is the power predicted, or
+// the one measured where none is. Between samples power is as `hold` says.
 
 #include <Eigen/Core>
 #include <optional>
@@ -30,6 +32,7 @@ struct PlatformBehaviour {
   double efficiency = 1;
   std::optional<double> limit_C;
   double resistance_ohm = 0;
+  bool heats_by_loss = false;  // I^2 R heats, not what is drawn: a cell by itself
   double rate_exponent = 1;
   double rated_hours = 5;
   double capacity_per_C = 0;          // of the capacity, against 25 C
@@ -44,8 +47,9 @@ struct PlatformReadings {
   Eigen::VectorXd temperature_C;
   Eigen::VectorXd power_W;
 };
+enum class Hold { mean_of_both, sample_before, sample_after };
 [[nodiscard]] PlatformReadings readings(const PlatformBehaviour& behaviour, const Platform& platform,
-                                        const PlatformTrial& trial);
+                                        const PlatformTrial& trial, Hold hold = Hold::mean_of_both);
 
 // Charge drawn since the trial began (Ah); zero where no current is recorded.
 [[nodiscard]] Eigen::VectorXd charge_drawn_Ah(const PlatformTrial& trial);

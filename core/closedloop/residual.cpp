@@ -78,7 +78,9 @@ ErrorFigures error_figures(const Observations& observations, const Eigen::Vector
 Judgement judge(const Observations& observations, const Eigen::VectorXd& white, const Eigen::VectorXd& predicted) {
   GLISSON_ASSERT(white.size() == observations.rows());
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(white.size());
-  const auto& load = observations.load;
+  const auto about_the_mean = [](const Eigen::VectorXd& values) {
+    return Eigen::VectorXd(values.array() - values.mean());
+  };
   Judgement judgement;
   auto& tests = judgement.tests;
   tests.push_back(size_test(white));
@@ -86,17 +88,18 @@ Judgement judge(const Observations& observations, const Eigen::VectorXd& white, 
                                             : time_neighbours_test(observations, white));
   tests.push_back(
       score_test("scale", GLISSON_TEXT("it is proportional to the prediction"), predicted, observations, white));
-  tests.push_back(score_test("load", GLISSON_TEXT("it changes with the load"), by_direction(observations, load),
-                             observations, white));
+  tests.push_back(score_test("load", GLISSON_TEXT("it changes with the load"),
+                             by_direction(observations, about_the_mean(observations.load)), observations, white));
   tests.push_back(score_test("time", GLISSON_TEXT("it changes with time"),
-                             by_direction(observations, observations.time_s), observations, white));
+                             by_direction(observations, about_the_mean(observations.time_s)), observations, white));
   tests.push_back(score_test("direction", GLISSON_TEXT("it has a mean in some direction"),
                              by_direction(observations, ones), observations, white));
   if (observations.has_places()) {
     const Eigen::RowVectorXd middle = observations.place_mm.colwise().mean();
     const Eigen::MatrixXd places = observations.place_mm.rowwise() - middle;
     tests.push_back(score_test("place", GLISSON_TEXT("it changes across the specimen"),
-                               by_direction(observations, load.asDiagonal() * places), observations, white));
+                               by_direction(observations, observations.load.asDiagonal() * places), observations,
+                               white));
   }
   if (observations.trial_count() > 1)
     tests.push_back(score_test("trials", GLISSON_TEXT("it differs from trial to trial"), by_trial(observations),

@@ -124,6 +124,24 @@ bool Search::predicts_better(const Candidate& candidate, const Candidate& curren
          candidate.left_out.largest_load_chi2 <= no_worse * current.left_out.largest_load_chi2;
 }
 
+// The size of an effect, its first parameter, at the end of its range: the search wanted something that the effect
+// cannot be. (An end that means no effect does not pay by BIC.)
+bool Search::ran_out_of_range(const Candidate& candidate) const {
+  const Effect* effect = nullptr;
+  double size = 0;
+  for (const Setting& setting : candidate.fit.settings) {
+    if (setting.kind != candidate.kind || setting.parameters.size() == 0) continue;
+    effect = effect_of(model_, setting);
+    size = setting.parameters[0];
+  }
+  if (effect == nullptr) return false;
+  const Parameter& parameter = effect->parameters.front();
+  constexpr double close = 1e-6;
+  const double margin = close * (parameter.upper - parameter.lower);
+  return size < parameter.lower * (1 + close) + margin * (parameter.scale == Scale::linear) ||
+         size > parameter.upper - margin;
+}
+
 Result<Candidate> Search::select(const Candidate& declared, std::vector<Candidate>& singles) {
   Candidate current = declared;
   for (std::size_t step = 0; step < 2 * options_.most_effects; ++step) {
@@ -137,12 +155,18 @@ Result<Candidate> Search::select(const Candidate& declared, std::vector<Candidat
     const auto closest = std::min_element(candidates->begin(), candidates->end(),
                                           [](const auto& a, const auto& b) { return chi2_of(a) < chi2_of(b); });
     correlation_ = correlation_length(model_.observations(), closest->fit.white);
-    std::stable_sort(candidates->begin(), candidates->end(),
-                     [this](const auto& a, const auto& b) { return bic_of(a) < bic_of(b); });
-    const auto next = std::find_if(candidates->begin(), candidates->end(), [&](const Candidate& candidate) {
-      return bic_of(candidate) < bic_of(current) - options_.entry_bic && predicts_better(candidate, current);
+    std::erase_if(*candidates, [&](const Candidate& candidate) {
+      return bic_of(candidate) >= bic_of(current) - options_.entry_bic || ran_out_of_range(candidate) ||
+             !predicts_better(candidate, current);
     });
-    if (next == candidates->end()) return current;
+    if (candidates->empty()) return current;
+    // The search's rounding decides nothing: of equals the first of the catalogue is taken.
+    constexpr double rounding = 0.5;
+    const auto least = std::min_element(candidates->begin(), candidates->end(),
+                                        [this](const auto& a, const auto& b) { return bic_of(a) < bic_of(b); });
+    const double within = bic_of(*least) + rounding;
+    const auto next = std::find_if(candidates->begin(), candidates->end(),
+                                   [&](const Candidate& candidate) { return bic_of(candidate) <= within; });
     auto checked = backward(std::move(*next));
     if (!checked) return checked;
     current = std::move(*checked);

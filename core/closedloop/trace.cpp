@@ -156,8 +156,8 @@ void Tracing::decide(const Candidate& declared, Candidate& chosen) {
     if (!e.judgement_after.is_noise && small)
       e.notes.emplace_back("The residual is not quite random, but no larger than the noise can be trusted to be.");
   } else {
-    e.verdict = e.judgement_after.is_noise || rms_in_noise(chosen) <= options_.near_noise_rms ? Verdict::explained
-                                                                                              : Verdict::unexplained;
+    const double near = 1 + options_.near_noise_excess / static_cast<double>(chosen.fit.settings.size());
+    e.verdict = e.judgement_after.is_noise || rms_in_noise(chosen) <= near ? Verdict::explained : Verdict::unexplained;
   }
   if (e.verdict == Verdict::unexplained && !chosen.fit.settings.empty() &&
       std::sqrt(chosen.left_out.chi2) > worth_naming * std::sqrt(declared.left_out.chi2) && search_.folds().any()) {

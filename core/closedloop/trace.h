@@ -19,7 +19,8 @@ struct TraceOptions {
   double alike_bic = 10;  // what less than that cannot tell apart
   std::size_t most_effects = 4;
   // With effects, a rest this much above the stated noise is still called explained: noise is seldom known better.
-  double near_noise_rms = 1.15;
+  // Shared among them: the more effects, the closer they must come.
+  double near_noise_excess = 0.15;
 };
 
 // Fails where the declared model cannot be solved, and when cancelled. A candidate whose solve fails is left out, with

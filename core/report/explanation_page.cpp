@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "report/explanation_pictures.h"
+
 namespace glisson::report {
 namespace {
 
@@ -44,6 +46,7 @@ Page explanation_page(const Explanation& explanation, const Observations& observ
   page.blocks.push_back(errors_table(explanation, observations));
   page.blocks.push_back(Heading{"Before"});
   page.blocks.push_back(Paragraph{shape_sentence(explanation.judgement_before)});
+  page.blocks.push_back(DrawingRow{explanation_pictures(explanation, observations)});
   if (!explanation.effects.empty()) {
     page.blocks.push_back(Heading{"What was found"});
     for (const auto& effect : explanation.effects)

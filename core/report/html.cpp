@@ -89,6 +89,12 @@ struct BlockWriter {
     }
     return html + "</div>\n";
   }
+  Result<std::string> operator()(const DrawingRow& row) const {
+    std::string html = "<div class=\"figures\">";
+    for (const Drawing& drawing : row.drawings)
+      html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", drawing.svg, escaped(drawing.caption));
+    return html + "</div>\n";
+  }
 };
 
 }  // namespace

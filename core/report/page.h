@@ -34,11 +34,22 @@ struct FigureRow {
   std::vector<Figure> figures;
 };
 
+// Made by us, never from outside: SVG (drawing.h) that goes into the page as it is.
+struct Drawing {
+  std::string svg;
+  std::string caption;
+};
+
+// Drawings side by side.
+struct DrawingRow {
+  std::vector<Drawing> drawings;
+};
+
 struct Heading {
   std::string text;
 };
 
-using Block = std::variant<Heading, Paragraph, Table, FigureRow>;
+using Block = std::variant<Heading, Paragraph, Table, FigureRow, DrawingRow>;
 
 struct Page {
   std::string title;

@@ -1,0 +1,169 @@
+#include "report/explanation_pictures.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "report/drawing.h"
+
+namespace glisson::report {
+namespace {
+
+using closedloop::Explanation;
+using closedloop::Observations;
+
+// A moment of a trial, and what it left before.
+struct Moment {
+  int trial = 0;
+  int sample = 0;
+};
+
+std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Observations& observations);
+std::vector<Drawing> as_curves(const Explanation& explanation, const Observations& observations);
+
+}  // namespace
+
+std::vector<Drawing> explanation_pictures(const Explanation& explanation, const Observations& observations) {
+  return observations.has_places() ? on_the_specimen(explanation, observations) : as_curves(explanation, observations);
+}
+
+namespace {
+
+Moment worst_moment(const Explanation& explanation, const Observations& observations) {
+  std::map<std::pair<int, int>, double> squares;
+  for (Eigen::Index row = 0; row < observations.rows(); ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    const double residual = observations.measured[row] - explanation.predicted_before[row];
+    squares[{observations.trial[i], observations.sample[i]}] += residual * residual;
+  }
+  const auto worst = std::max_element(squares.begin(), squares.end(),
+                                      [](const auto& a, const auto& b) { return a.second < b.second; });
+  return {worst->first.first, worst->first.second};
+}
+
+// The two axes along which the places spread most.
+std::array<int, 2> widest_axes(const Observations& observations) {
+  const Eigen::RowVector3d extent =
+      observations.place_mm.colwise().maxCoeff() - observations.place_mm.colwise().minCoeff();
+  int narrowest = 0;
+  extent.minCoeff(&narrowest);
+  return {narrowest == 0 ? 1 : 0, narrowest == 2 ? 1 : 2};
+}
+
+struct Vector {
+  Eigen::Vector3d place_mm;
+  Eigen::Vector3d residual_mm{0, 0, 0};
+};
+
+std::vector<Vector> vectors_at(const Moment& moment, const Eigen::VectorXd& predicted,
+                               const Observations& observations) {
+  std::map<int, Vector> vectors;
+  for (Eigen::Index row = 0; row < observations.rows(); ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    if (observations.trial[i] != moment.trial || observations.sample[i] != moment.sample) continue;
+    Vector& vector = vectors[observations.point[i]];
+    vector.place_mm = observations.place_mm.row(row).transpose();
+    vector.residual_mm[observations.direction[i]] = observations.measured[row] - predicted[row];
+  }
+  std::vector<Vector> list;
+  for (const auto& [point, vector] : vectors) list.push_back(vector);
+  return list;
+}
+
+Drawing errors_by_load(const Explanation& explanation, const Observations& observations) {
+  struct Sums {
+    double load = 0, before = 0, after = 0, count = 0;
+  };
+  std::map<std::pair<int, int>, Sums> moments;
+  for (Eigen::Index row = 0; row < observations.rows(); ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    Sums& sums = moments[{observations.trial[i], observations.sample[i]}];
+    sums.load = observations.load[row];
+    sums.before += std::pow(observations.measured[row] - explanation.predicted_before[row], 2);
+    sums.after += std::pow(observations.measured[row] - explanation.predicted_after[row], 2);
+    sums.count += 1;
+  }
+  std::map<int, std::array<Curve, 2>> curves_of_trial;
+  for (const auto& [key, sums] : moments) {
+    auto& [before, after] = curves_of_trial[key.first];
+    before.ink = Ink::before;
+    after.ink = Ink::after;
+    before.points.emplace_back(sums.load, std::sqrt(sums.before / sums.count));
+    after.points.emplace_back(sums.load, std::sqrt(sums.after / sums.count));
+  }
+  std::vector<Curve> curves;
+  for (auto& [trial, both] : curves_of_trial) curves.insert(curves.end(), both.begin(), both.end());
+  return {curves_svg(curves, "force (N)", fmt::format("error ({})", observations.unit)),
+          "Error by load, a line a trial: broken before, whole after"};
+}
+
+std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Observations& observations) {
+  const Moment moment = worst_moment(explanation, observations);
+  const auto [across, up] = widest_axes(observations);
+  const auto before = vectors_at(moment, explanation.predicted_before, observations);
+  const auto after = vectors_at(moment, explanation.predicted_after, observations);
+  double longest = 0;
+  for (const Vector& vector : before) longest = std::max(longest, vector.residual_mm.norm());
+  const Eigen::RowVector3d extent =
+      observations.place_mm.colwise().maxCoeff() - observations.place_mm.colwise().minCoeff();
+  const double magnification = longest > 0 ? 0.15 * std::max(extent[across], extent[up]) / longest : 1;
+  const auto drawn = [&, a = across, u = up](const std::vector<Vector>& vectors, const std::string& when) {
+    std::vector<Arrow> arrows;
+    for (const Vector& v : vectors)
+      arrows.push_back({v.place_mm[a], v.place_mm[u], magnification * v.residual_mm[a],
+                        magnification * v.residual_mm[u], v.residual_mm.norm()});
+    constexpr const char* axes = "xyz";
+    return Drawing{
+        arrows_svg(arrows, longest, fmt::format("{} (mm)", axes[a]), fmt::format("{} (mm)", axes[u])),
+        fmt::format("Residual {}, trial {} at its worst: arrows {:.3g} times as long, red at {:.3g} mm", when,
+                    observations.trials[static_cast<std::size_t>(moment.trial)], magnification, longest)};
+  };
+  return {drawn(before, "before"), drawn(after, "after"), errors_by_load(explanation, observations)};
+}
+
+std::vector<Drawing> as_curves(const Explanation& explanation, const Observations& observations) {
+  constexpr std::size_t most_points = 150;  // a trial and line
+  const bool material = observations.unit != "noise";
+  std::vector<Drawing> drawings;
+  for (std::size_t direction = 0; direction < observations.directions.size(); ++direction) {
+    std::map<int, std::vector<Eigen::Index>> rows_of_trial;
+    for (Eigen::Index row = 0; row < observations.rows(); ++row) {
+      const auto i = static_cast<std::size_t>(row);
+      if (observations.direction[i] == static_cast<int>(direction)) rows_of_trial[observations.trial[i]].push_back(row);
+    }
+    if (rows_of_trial.empty()) continue;
+    const auto pictured = [&](bool against_load, bool residual) {
+      std::vector<Curve> curves;
+      for (const auto& [trial, rows] : rows_of_trial) {
+        Curve measured{{}, Ink::measured};
+        Curve before{{}, Ink::before};
+        Curve after{{}, Ink::after};
+        for (std::size_t i = 0; i < rows.size(); i += 1 + rows.size() / most_points) {
+          const Eigen::Index row = rows[i];
+          const double x = against_load ? observations.load[row] : observations.time_s[row];
+          const double from = residual ? observations.measured[row] : 0;
+          const double sign = residual ? -1 : 1;
+          if (!residual) measured.points.emplace_back(x, observations.measured[row]);
+          before.points.emplace_back(x, sign * (explanation.predicted_before[row] - from));
+          after.points.emplace_back(x, sign * (explanation.predicted_after[row] - from));
+        }
+        for (Curve* curve : {&measured, &before, &after}) {
+          if (!curve->points.empty()) curves.push_back(std::move(*curve));
+        }
+      }
+      return curves;
+    };
+    const std::string name = material ? "stress (kPa)" : observations.directions[direction];
+    drawings.push_back({curves_svg(pictured(material, false), material ? "strain" : "time (s)", name),
+                        "Measured (dots), before (broken), after (line)"});
+    drawings.push_back({curves_svg(pictured(false, true), "time (s)", "residual of " + name),
+                        "What was left before (broken) and after (line)"});
+  }
+  return drawings;
+}
+
+}  // namespace
+}  // namespace glisson::report

@@ -1,0 +1,15 @@
+#pragma once
+// The residual as pictures: vectors and heat on the specimen where there are places, curves elsewhere.
+
+#include <vector>
+
+#include "closedloop/explanation.h"
+#include "report/page.h"
+
+namespace glisson::report {
+
+// Measured against predicted before and after, or residuals on the specimen before and after with the error by load.
+[[nodiscard]] std::vector<Drawing> explanation_pictures(const closedloop::Explanation& explanation,
+                                                        const closedloop::Observations& observations);
+
+}  // namespace glisson::report

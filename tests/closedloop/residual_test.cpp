@@ -1,0 +1,111 @@
+// The tests of a residual alarm on structure, and leave noise alone.
+
+#include "closedloop/residual.h"
+
+#include <gmock/gmock.h>
+#include <Eigen/Eigenvalues>
+#include <random>
+
+#include "closedloop/whitening.h"
+
+namespace glisson::closedloop {
+namespace {
+
+// Markers on a pad, pressed with growing force in some trials.
+Observations pad(int trials, int samples, int side) {
+  Observations all;
+  all.unit = "mm";
+  all.directions = {"x", "y", "z"};
+  const int rows = trials * samples * side * side * 3;
+  all.measured = Eigen::VectorXd::Zero(rows);
+  all.noise = Eigen::VectorXd::Constant(rows, 0.1);
+  all.time_s.resize(rows);
+  all.load.resize(rows);
+  all.place_mm.resize(rows, 3);
+  all.conditions.resize(rows, 0);
+  Eigen::Index row = 0;
+  for (int t = 0; t < trials; ++t) {
+    all.trials.push_back(std::to_string(t));
+    for (int s = 0; s < samples; ++s) {
+      for (int m = 0; m < side * side; ++m) {
+        for (int d = 0; d < 3; ++d, ++row) {
+          all.trial.push_back(t);
+          all.sample.push_back(s);
+          all.direction.push_back(d);
+          all.point.push_back(static_cast<int>(row) / 3);
+          all.time_s[row] = s;
+          all.load[row] = 1 + s;
+          all.place_mm.row(row) << 5 * (m % side), 5 * (m / side), 0;
+        }
+      }
+    }
+  }
+  return all;
+}
+
+Eigen::VectorXd white_noise(Eigen::Index size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  return Eigen::VectorXd::NullaryExpr(size, [&] { return normal(random); });
+}
+
+TEST(Residual, NoiseIsCalledNoise) {
+  const Observations all = pad(3, 3, 6);
+  int alarms = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    alarms += judge(all, white_noise(all.rows(), seed), Eigen::VectorXd::Zero(all.rows())).is_noise ? 0 : 1;
+  }
+  EXPECT_LE(alarms, 2);  // one in a thousand is expected
+}
+
+TEST(Residual, StructureFarBelowTheNoiseOfAPointIsFound) {
+  const Observations all = pad(3, 3, 6);
+  const Eigen::VectorXd noise = white_noise(all.rows(), 7);
+  const auto said = [&](const Eigen::VectorXd& structure) {
+    const Judgement judgement = judge(all, noise + structure, Eigen::VectorXd::Zero(all.rows()));
+    return judgement.is_noise ? "noise" : judgement.shape().front();
+  };
+  EXPECT_EQ(said(0.3 * (all.load.array() - 2).matrix()), "it changes with the load");
+  // A bump: neither trend nor mean, but neighbours agree.
+  const Eigen::VectorXd bump = Eigen::VectorXd::NullaryExpr(all.rows(), [&](Eigen::Index row) {
+    const auto i = static_cast<std::size_t>(row);
+    return std::sin(all.place_mm(row, 0) / 8 + all.trial[i]) * std::cos(all.place_mm(row, 1) / 8 + all.sample[i]);
+  });
+  EXPECT_EQ(said(bump), "neighbours are off in the same way");
+}
+
+TEST(Residual, FiguresAreOverCoordinatesAndOverMarkers) {
+  Observations all = pad(1, 1, 1);
+  all.measured << 3, 0, 4;
+  const ErrorFigures figures = error_figures(all, Eigen::VectorXd::Zero(3));
+  EXPECT_DOUBLE_EQ(figures.rms, 5 / std::sqrt(3.0));
+  EXPECT_DOUBLE_EQ(figures.mean, 5);
+  EXPECT_DOUBLE_EQ(figures.noise, 0.1);
+}
+
+TEST(Residual, NeighboursInTimeThatRepeatEachOtherCountLess) {
+  Observations all = pad(1, 1, 40);
+  all.directions = {"x"};
+  std::fill(all.direction.begin(), all.direction.end(), 0);
+  Eigen::VectorXd series = white_noise(all.rows(), 3);
+  EXPECT_NEAR(correlation_length(all, series), 1, 0.2);
+  constexpr double memory = 0.9;
+  for (Eigen::Index i = 1; i < series.size(); ++i) series[i] += memory * series[i - 1];
+  EXPECT_NEAR(correlation_length(all, series), (1 + memory) / (1 - memory), 7);  // of a first-order process: 19
+}
+
+// r^T C^-1 r with C = N^2 + U U^T formed and inverted whole.
+TEST(Whitening, IsASquareRootOfTheInverseCovariance) {
+  const Eigen::VectorXd noise = Eigen::VectorXd::LinSpaced(12, 0.5, 2);
+  const Eigen::MatrixXd systematic = Eigen::MatrixXd::Random(12, 2) * 3;
+  const Eigen::VectorXd residual = Eigen::VectorXd::Random(12);
+  const std::vector<Eigen::Index> rows{0, 2, 3, 5, 7, 8, 11};
+  const Eigen::VectorXd white = Whitening(noise, systematic, rows).whiten(residual);
+  Eigen::MatrixXd covariance = systematic(rows, Eigen::all) * systematic(rows, Eigen::all).transpose();
+  covariance.diagonal() += Eigen::VectorXd(noise(rows).array().square());
+  const Eigen::VectorXd r = residual(rows);
+  EXPECT_NEAR(white.squaredNorm(), r.dot(covariance.inverse() * r), 1e-10);
+}
+
+}  // namespace
+}  // namespace glisson::closedloop
