@@ -66,6 +66,13 @@ struct Quantised {
 template <typename Word>
 Quantised<Word> quantise(const MatchingProblem& problem);
 
+// Helpers wait longest while a pass's labelling is read and polished, a tenth of a pass; half a pass is waited for, and
+// a little more where passes are short. A cost takes about 0.02 ns in vectors.
+std::chrono::microseconds patience(const MatchingProblem& problem) {
+  const double costs = std::pow(problem.nodes(), 2) * std::pow(problem.labels(), 2);
+  return std::chrono::microseconds(2000 + std::llround(0.5 * 2e-5 * costs));
+}
+
 template <typename Word>
 class Trwls {
  public:
@@ -79,7 +86,7 @@ class Trwls {
         energy_(problem),
         nodes_(problem.nodes()),
         stride_(static_cast<std::size_t>(field_.slices.stride)),
-        schedule_(nodes_, 2 * options.passes),
+        schedule_(nodes_, 2 * options.passes, patience(problem)),
         messages_(count() * messages_to_one_node()),
         scaled_beliefs_(count() * stride_),
         totals_(count() * stride_) {
@@ -173,8 +180,9 @@ MatchingSolution Trwls<Word>::run(const Progress& progress) {
 template <typename Word>
 void Trwls<Word>::help() {
   AlignedVector<Word> scratch(2 * stride_);
-  for (auto claim = schedule_.claim(); claim.sweep < schedule_.sweeps(); claim = schedule_.claim()) {
-    if (!send(claim, scratch)) return;
+  while (schedule_.helpers_stay()) {
+    const auto claim = schedule_.claim();
+    if (claim.sweep >= schedule_.sweeps() || !send(claim, scratch)) return;
   }
 }
 

@@ -7,9 +7,14 @@
 // next node's belief is gathered while the rest of this node's messages are still on their way: nobody waits long.
 // Sweeps follow one another without a gap. Every wait is for a chunk claimed earlier, hence there is no deadlock, even
 // with a single thread.
+//
+// On a busy machine a thread that holds a chunk may be off the processor for longer than the whole work takes, and that
+// again and again. Once anybody has waited so long that this must be so, the helpers claim no more and one thread goes
+// on.
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <thread>
 #include <vector>
@@ -24,8 +29,9 @@ struct Chunk {
 
 class Schedule {
  public:
-  Schedule(int nodes, int sweeps)
-      : nodes_(nodes), sweeps_(sweeps), done_(count()), head_done_(count()), gathered_(count()) {
+  // patience: longer than any wait lasts while all threads run.
+  Schedule(int nodes, int sweeps, std::chrono::microseconds patience)
+      : nodes_(nodes), sweeps_(sweeps), patience_(patience), done_(count()), head_done_(count()), gathered_(count()) {
     for (int p = 0; p < nodes; ++p) {
       first_chunk_.push_back(chunks_.size());
       int size = head_size;
@@ -59,9 +65,15 @@ class Schedule {
   // gather(sweep, position). False when everything was called off.
   template <typename Gather>
   bool wait_for_belief(int sweep, int position, const Gather& gather) {
+    constexpr int turns_before_yielding = 200;
+    std::chrono::steady_clock::time_point since;
     for (int turn = 0; gathered_[static_cast<std::size_t>(position)].load(std::memory_order_acquire) <= sweep; ++turn) {
       if (called_off_.load(std::memory_order_relaxed)) return false;
-      if (!gather_next(gather) && turn > 200) std::this_thread::yield();
+      if (gather_next(gather) || turn < turns_before_yielding) continue;
+      const auto now = std::chrono::steady_clock::now();
+      if (since == std::chrono::steady_clock::time_point()) since = now;
+      if (now - since > patience_) helpers_stay_.store(false, std::memory_order_relaxed);
+      std::this_thread::yield();
     }
     return true;
   }
@@ -81,6 +93,8 @@ class Schedule {
 
   // The sweep back overwrites the messages that a pass's labelling is read from: it begins only when they were read.
   void labelling_was_read(int passes) { passes_read_.store(passes, std::memory_order_release); }
+  // Whether helpers should claim more.
+  [[nodiscard]] bool helpers_stay() const { return helpers_stay_.load(std::memory_order_relaxed); }
   void call_off() { called_off_.store(true, std::memory_order_relaxed); }
 
  private:
@@ -111,6 +125,7 @@ class Schedule {
 
   int nodes_;
   int sweeps_;
+  std::chrono::microseconds patience_;
   std::vector<Chunk> chunks_;
   std::vector<std::size_t> first_chunk_;
   alignas(64) std::atomic<std::uint64_t> next_chunk_{0};
@@ -120,6 +135,7 @@ class Schedule {
   std::vector<std::atomic<int>> gathered_;        // in this many sweeps
   std::atomic<int> passes_read_{0};
   std::atomic<bool> called_off_{false};
+  std::atomic<bool> helpers_stay_{true};
 };
 
 }  // namespace glisson::registration

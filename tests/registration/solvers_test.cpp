@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include "base/parallel.h"
 #include "problems.h"
@@ -132,7 +134,7 @@ TEST(Trwls, IsTrwsInDoublePrecision) {
 // that no message waits for.
 TEST(Trwls, BeginsNoSweepBeforeTheLastBeliefOfTheOneBeforeIsGathered) {
   constexpr int nodes = 3;
-  Schedule schedule(nodes, 2);
+  Schedule schedule(nodes, 2, std::chrono::seconds(1));
   bool began_early = false;
   const auto gather = [&](int sweep, int position) {
     if (sweep != 0 || position != nodes - 1) return;
@@ -146,6 +148,25 @@ TEST(Trwls, BeginsNoSweepBeforeTheLastBeliefOfTheOneBeforeIsGathered) {
   ASSERT_TRUE(schedule.wait_for_belief(0, nodes - 1, gather));
   EXPECT_FALSE(began_early);
   EXPECT_TRUE(schedule.gather_next(gather));
+}
+
+// A helper that claims a chunk and is then kept off its processor: who waits for it finds out and goes on alone.
+TEST(Trwls, SendsHelpersAwayOnceOneIsKeptOffItsProcessor) {
+  Schedule schedule(8, 1, std::chrono::milliseconds(1));
+  const auto gather = [](int, int) {};
+  const Schedule::Claim held = schedule.claim();  // by the helper, which sleeps
+  ASSERT_TRUE(schedule.helpers_stay());
+  std::thread late([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    schedule.wait_for_belief(held.sweep, schedule.chunk(held.chunk).position, gather);
+    schedule.finished(held);
+  });
+  for (auto claim = schedule.claim(); claim.sweep == 0; claim = schedule.claim()) {
+    EXPECT_TRUE(schedule.wait_for_belief(claim.sweep, schedule.chunk(claim.chunk).position, gather));
+    schedule.finished(claim);
+  }
+  late.join();
+  EXPECT_FALSE(schedule.helpers_stay());
 }
 
 // Every instruction set that this machine has, against portable code; with label counts that leave parts of vectors
