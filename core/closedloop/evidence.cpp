@@ -30,25 +30,20 @@ Eigen::VectorXd first_order_prediction(const ForwardModel& model, const Fit& fit
   return fit.predicted(fold.left_out.rows()) + fit.derivatives(fold.left_out.rows(), Eigen::all) * (moved - values);
 }
 
+double chi2_of(const ForwardModel& model, const Fit& fit, const Folds::Fold& fold, const Eigen::VectorXd& predicted) {
+  Eigen::VectorXd all = fit.predicted;
+  all(fold.left_out.rows()) = predicted;
+  return fold.left_out.whiten(model.observations().measured - all).squaredNorm();
+}
+
 template <typename Predict>
 Result<LeftOut> over_folds(const ForwardModel& model, const Fit& fit, const Folds& folds, Predict&& predict) {
-  const Eigen::VectorXd& measured = model.observations().measured;
-  LeftOut result{fit.predicted, 0, 0};
-  const auto chi2_of = [&](const Folds::Fold& fold, const Eigen::VectorXd& predicted) {
-    Eigen::VectorXd all = fit.predicted;
-    all(fold.left_out.rows()) = predicted;
-    return fold.left_out.whiten(measured - all).squaredNorm();
-  };
+  LeftOut result{fit.predicted, 0};
   for (const Folds::Fold& fold : folds.trials()) {
     Result<Eigen::VectorXd> predicted = predict(fold);
     if (!predicted) return failure(std::move(predicted.error()));
     result.predicted(fold.left_out.rows()) = *predicted;
-    result.chi2 += chi2_of(fold, *predicted);
-  }
-  if (const auto& fold = folds.largest_load()) {
-    Result<Eigen::VectorXd> predicted = predict(*fold);
-    if (!predicted) return failure(std::move(predicted.error()));
-    result.largest_load_chi2 = chi2_of(*fold, *predicted);
+    result.chi2 += chi2_of(model, fit, fold, *predicted);
   }
   return result;
 }
@@ -99,6 +94,15 @@ Result<LeftOut> leave_out_with_refits(const ForwardModel& model, const Fit& fit,
     if (!refitted) return failure(std::move(refitted.error()));
     return Eigen::VectorXd(refitted->predicted(fold.left_out.rows()));
   });
+}
+
+std::optional<double> largest_load_chi2(const ForwardModel& model, const Fit& fit, const Folds& folds,
+                                        const Progress& progress) {
+  const auto& fold = folds.largest_load();
+  if (!fold) return std::nullopt;
+  const auto refitted = closedloop::fit(model, fit.settings, fold->kept, {}, progress);
+  if (!refitted) return std::nullopt;
+  return fold->left_out.whiten(model.observations().measured - refitted->predicted).squaredNorm();
 }
 
 HeldOut held_out_error(const Observations& observations, const Eigen::VectorXd& predicted) {

@@ -38,15 +38,19 @@ class Folds {
 
 // What the trials say that were left out, each predicted from the others: to first order about the fit to all of them.
 struct LeftOut {
-  Eigen::VectorXd predicted;     // of each row by the model that did not see its trial; the fit's own for one trial
-  double chi2 = 0;               // whitened trial by trial
-  double largest_load_chi2 = 0;  // of the trials under the largest load, predicted from the others
+  Eigen::VectorXd predicted;  // of each row by the model that did not see its trial; the fit's own for one trial
+  double chi2 = 0;            // whitened trial by trial
 };
 [[nodiscard]] LeftOut leave_out(const ForwardModel& model, const Fit& fit, const Folds& folds);
 
 // The same with a new fit for each trial.
 Result<LeftOut> leave_out_with_refits(const ForwardModel& model, const Fit& fit, const Folds& folds,
                                       const Progress& progress = {});
+
+// Chi-squared of the trials under the largest load, predicted by a fit to the others that begins at `fit`; nothing
+// where all trials go about as far, or where that fit fails.
+[[nodiscard]] std::optional<double> largest_load_chi2(const ForwardModel& model, const Fit& fit, const Folds& folds,
+                                                      const Progress& progress = {});
 
 // Error with a 95 % interval from 1000 resamplings of the trials.
 [[nodiscard]] HeldOut held_out_error(const Observations& observations, const Eigen::VectorXd& predicted);

@@ -46,17 +46,14 @@ class WhiteResidual : public ceres::CostFunction {
 
   bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
     const Eigen::VectorXd values = space_.outward(parameters[0]);
-    const Settings here = with_values(settings_, values);
     const Eigen::VectorXd& measured = model_.observations().measured;
     const auto rows = static_cast<Eigen::Index>(whitening_.rows().size());
+    const Linearisation* linear = at(values);
+    if (linear == nullptr) return false;
     if (jacobians == nullptr || jacobians[0] == nullptr) {
-      const auto predicted = model_.predict(here);
-      if (!predicted) return false;
-      Eigen::Map<Eigen::VectorXd>(residuals, rows) = whitening_.whiten(*predicted - measured);
+      Eigen::Map<Eigen::VectorXd>(residuals, rows) = whitening_.whiten(linear->predicted - measured);
       return Eigen::Map<Eigen::VectorXd>(residuals, rows).allFinite();
     }
-    const auto linear = model_.linearise(here);
-    if (!linear) return false;
     Eigen::Map<Eigen::VectorXd>(residuals, rows) = whitening_.whiten(linear->predicted - measured);
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     Eigen::Map<RowMajor> jacobian(jacobians[0], rows, values.size());
@@ -65,7 +62,20 @@ class WhiteResidual : public ceres::CostFunction {
     return jacobian.allFinite() && Eigen::Map<Eigen::VectorXd>(residuals, rows).allFinite();
   }
 
+  // The search asks for the residual where it steps, and mostly for the derivatives there next: both are kept.
+  const Linearisation* at(const Eigen::VectorXd& values) const {
+    if (values_.size() != values.size() || values_ != values) {
+      auto linear = model_.linearise(with_values(settings_, values));
+      if (!linear) return nullptr;
+      values_ = values;
+      linear_ = std::move(*linear);
+    }
+    return &linear_;
+  }
+
  private:
+  mutable Eigen::VectorXd values_;
+  mutable Linearisation linear_;
   const ForwardModel& model_;
   const Settings& settings_;
   const Whitening& whitening_;
@@ -101,7 +111,8 @@ Result<Fit> fit(const ForwardModel& model, const Settings& start, const Whitenin
   const Eigen::VectorXd begin = values_of(start);
   std::vector<double> x(static_cast<std::size_t>(begin.size()));
   ceres::Problem problem;
-  problem.AddResidualBlock(new WhiteResidual(model, start, whitening, space), nullptr, x.data());
+  auto* const residual = new WhiteResidual(model, start, whitening, space);  // the problem's from here
+  problem.AddResidualBlock(residual, nullptr, x.data());
   for (Eigen::Index p = 0; p < begin.size(); ++p) {
     const auto i = static_cast<int>(p);
     x[static_cast<std::size_t>(p)] =
@@ -122,8 +133,18 @@ Result<Fit> fit(const ForwardModel& model, const Settings& start, const Whitenin
   if (progress.cancelled()) return cancelled();
   if (!summary.IsSolutionUsable())
     return failure("fit-failed", GLISSON_TEXT("The search for parameters failed: {0}."), {summary.message});
-  auto found = without_fitting(model, with_values(start, space.outward(x.data())), whitening);
-  if (found) found->converged = summary.termination_type == ceres::CONVERGENCE;
+  const Eigen::VectorXd values = space.outward(x.data());
+  const Linearisation* linear = residual->at(values);
+  if (linear == nullptr)
+    return failure("fit-failed", GLISSON_TEXT("The model has no solution where the search ended."));
+  Fit found{with_values(start, values),
+            linear->predicted,
+            linear->derivatives,
+            {},
+            0,
+            summary.termination_type == ceres::CONVERGENCE};
+  found.white = whitening.whiten(model.observations().measured - found.predicted);
+  found.chi2 = found.white.squaredNorm();
   return found;
 }
 

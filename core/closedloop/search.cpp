@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -10,6 +11,10 @@
 namespace glisson::closedloop {
 namespace {
 
+// All candidates get so many steps; those that are then near the best are fitted to the end. A solve can take seconds.
+constexpr int first_iterations = 5;
+constexpr double near_the_best = 4;  // in chi-squared
+
 Settings without_kind(Settings settings, const std::string& kind) {
   std::erase_if(settings, [&](const Setting& setting) { return setting.kind == kind; });
   return settings;
@@ -18,6 +23,9 @@ Settings without_kind(Settings settings, const std::string& kind) {
 bool has_kind(const Settings& settings, const std::string& kind) {
   return std::any_of(settings.begin(), settings.end(), [&](const Setting& setting) { return setting.kind == kind; });
 }
+
+// The search's rounding decides nothing: of equals the first of the catalogue is taken.
+double rounded(double bic) { return std::round(bic); }
 
 double chi2_of(const Candidate& candidate) {
   return candidate.fitted() ? candidate.fit.chi2 : std::numeric_limits<double>::infinity();
@@ -60,7 +68,7 @@ std::vector<const Effect*> Search::additions(const Settings& active) const {
 }
 
 Candidate Search::fit_one(const Settings& active, const Effect& effect, const Eigen::VectorXd& residual) const {
-  constexpr std::size_t most_searches = 3;
+  constexpr std::size_t most_searches = 2;
   const Settings others = without_kind(active, effect.kind);
   std::vector<std::pair<double, Settings>> starts;
   std::string problem;
@@ -84,7 +92,7 @@ Candidate Search::fit_one(const Settings& active, const Effect& effect, const Ei
 
   std::optional<Fit> best;
   for (const auto& [chi2, start] : starts) {
-    auto fitted = fit(model_, start, whitening_, {}, progress_);
+    auto fitted = fit(model_, start, whitening_, {.most_iterations = first_iterations}, progress_);
     if (!fitted) {
       problem = fitted.error().message();
     } else if (!best || fitted->chi2 < best->chi2) {
@@ -112,16 +120,38 @@ Result<std::vector<Candidate>> Search::fit_each(const Settings& active, const st
     }
   });
   if (progress_.cancelled()) return cancelled();
+  double best = std::numeric_limits<double>::infinity();
+  for (const Candidate& candidate : candidates) best = std::min(best, chi2_of(candidate));
+  parallel_for(candidates.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !progress_.cancelled(); ++i) {
+      Candidate& candidate = candidates[i];
+      if (!candidate.fitted() || candidate.fit.converged || candidate.fit.chi2 > near_the_best * best) continue;
+      auto finished = fit(model_, candidate.fit.settings, whitening_, {}, progress_);
+      if (!finished) continue;
+      Candidate better = judged(std::move(*finished));
+      better.kind = candidate.kind;
+      better.form = candidate.form;
+      candidate = std::move(better);
+    }
+  });
+  if (progress_.cancelled()) return cancelled();
   return candidates;
 }
 
+// On trials left out one by one.
 bool Search::predicts_better(const Candidate& candidate, const Candidate& current) const {
   if (!folds_.any()) return true;
   constexpr double by_more_than_luck = 5;  // of chi-squared, in units of what the fit leaves
-  constexpr double no_worse = 1.02;
   const double variance = std::max(1.0, candidate.fit.chi2 / static_cast<double>(candidate.fit.white.size()));
-  return candidate.left_out.chi2 < current.left_out.chi2 - by_more_than_luck * variance * correlation_ &&
-         candidate.left_out.largest_load_chi2 <= no_worse * current.left_out.largest_load_chi2;
+  return candidate.left_out.chi2 < current.left_out.chi2 - by_more_than_luck * variance * correlation_;
+}
+
+// On them and on those under the largest load, together: while other effects are still missing, one alone may reach
+// less far than none, and yet be right.
+bool Search::pays_beyond(const Candidate& candidate, const Candidate& current) const {
+  const auto with = largest_load_chi2(model_, candidate.fit, folds_, progress_);
+  const auto without = largest_load_chi2(model_, current.fit, folds_, progress_);
+  return !with || !without || candidate.left_out.chi2 + *with < current.left_out.chi2 + *without;
 }
 
 // The size of an effect, its first parameter, at the end of its range: the search wanted something that the effect
@@ -159,14 +189,11 @@ Result<Candidate> Search::select(const Candidate& declared, std::vector<Candidat
       return bic_of(candidate) >= bic_of(current) - options_.entry_bic || ran_out_of_range(candidate) ||
              !predicts_better(candidate, current);
     });
-    if (candidates->empty()) return current;
-    // The search's rounding decides nothing: of equals the first of the catalogue is taken.
-    constexpr double rounding = 0.5;
-    const auto least = std::min_element(candidates->begin(), candidates->end(),
-                                        [this](const auto& a, const auto& b) { return bic_of(a) < bic_of(b); });
-    const double within = bic_of(*least) + rounding;
+    std::stable_sort(candidates->begin(), candidates->end(),
+                     [this](const auto& a, const auto& b) { return rounded(bic_of(a)) < rounded(bic_of(b)); });
     const auto next = std::find_if(candidates->begin(), candidates->end(),
-                                   [&](const Candidate& candidate) { return bic_of(candidate) <= within; });
+                                   [&](const Candidate& candidate) { return pays_beyond(candidate, current); });
+    if (next == candidates->end()) return current;
     auto checked = backward(std::move(*next));
     if (!checked) return checked;
     current = std::move(*checked);

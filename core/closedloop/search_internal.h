@@ -47,6 +47,7 @@ class Search {
   [[nodiscard]] Candidate fit_one(const Settings& active, const Effect& effect, const Eigen::VectorXd& residual) const;
   [[nodiscard]] Candidate judged(Fit fit) const;
   [[nodiscard]] bool predicts_better(const Candidate& candidate, const Candidate& current) const;
+  [[nodiscard]] bool pays_beyond(const Candidate& candidate, const Candidate& current) const;
   [[nodiscard]] bool ran_out_of_range(const Candidate& candidate) const;
   Result<Candidate> backward(Candidate chosen) const;
 

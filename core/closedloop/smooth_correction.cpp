@@ -103,7 +103,7 @@ Eigen::VectorXd correction(const SmoothCorrection& smooth, const Observations& o
 
 std::optional<CorrectionFit> fit_smooth_correction(const Observations& observations, const Eigen::VectorXd& residual,
                                                    const Progress& progress) {
-  if (observations.trial_count() < 2) return std::nullopt;
+  if (observations.trial_count() < 3) return std::nullopt;
   const Eigen::MatrixXd features = features_of(observations);
   const auto sum_of_squares = [&](const Eigen::VectorXd& values) {
     return values.cwiseQuotient(observations.noise).squaredNorm();
@@ -112,6 +112,7 @@ std::optional<CorrectionFit> fit_smooth_correction(const Observations& observati
   double least = worth_having * sum_of_squares(residual);
   for (const double length_scale : {0.3, 0.6, 1.2, 2.5, 5.0}) {
     Eigen::VectorXd held_out(observations.rows());
+    int improved = 0;
     for (int trial = 0; trial < observations.trial_count(); ++trial) {
       if (progress.cancelled()) return std::nullopt;
       std::vector<Eigen::Index> left_out;
@@ -123,8 +124,13 @@ std::optional<CorrectionFit> fit_smooth_correction(const Observations& observati
       }
       const SmoothCorrection without = trained(observations, features, residual, length_scale, trial);
       held_out(left_out) = correction_at(without, features(left_out, Eigen::all), directions);
+      const Eigen::VectorXd noise = observations.noise(left_out);
+      const Eigen::VectorXd alone = residual(left_out);
+      const Eigen::VectorXd corrected = alone - Eigen::VectorXd(held_out(left_out));
+      if (corrected.cwiseQuotient(noise).squaredNorm() < alone.cwiseQuotient(noise).squaredNorm()) ++improved;
     }
-    if (const double sum = sum_of_squares(residual - held_out); sum < least) {
+    const bool mostly = 3 * improved >= 2 * observations.trial_count();
+    if (const double sum = sum_of_squares(residual - held_out); mostly && sum < least) {
       least = sum;
       best = CorrectionFit{trained(observations, features, residual, length_scale, -1), std::move(held_out)};
     }

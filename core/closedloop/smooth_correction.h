@@ -35,8 +35,9 @@ struct CorrectionFit {
   Eigen::VectorXd held_out;  // the correction of each row from the other trials alone
 };
 
-// Fitted to `residual` (measured - predicted). Nothing where there are fewer than two trials, or where no length scale
-// makes the sum of squares over left-out trials, in units of the noise, at least a tenth smaller.
+// Fitted to `residual` (measured - predicted). Nothing where there are fewer than three trials, or where no length
+// scale makes the sum of squares over left-out trials, in units of the noise, at least a tenth smaller in all and
+// smaller in two trials of three.
 [[nodiscard]] std::optional<CorrectionFit> fit_smooth_correction(const Observations& observations,
                                                                  const Eigen::VectorXd& residual,
                                                                  const Progress& progress = {});

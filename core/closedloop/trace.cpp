@@ -24,7 +24,9 @@ class Tracing {
   Result<Explanation> run();
 
  private:
-  Result<Candidate> with_swaps(Candidate chosen);
+  Result<Candidate> with_swaps(Candidate chosen, const std::vector<Candidate>& singles);
+  Result<std::vector<Candidate>> in_place_of(const Candidate& chosen, std::size_t which,
+                                             const std::vector<Candidate>& singles) const;
   Result<void> describe_effects(const Candidate& declared, const Candidate& chosen);
   void describe_parameters(const Candidate& chosen, std::vector<FoundEffect>& effects);
   void rank(const Candidate& declared, const std::vector<Candidate>& singles);
@@ -66,7 +68,7 @@ Result<Explanation> Tracing::run() {
   if (!e.judgement_before.is_noise) {
     auto selected = search_.select(*declared, singles);
     if (!selected) return failure(std::move(selected.error()));
-    selected = with_swaps(std::move(*selected));
+    selected = with_swaps(std::move(*selected), singles);
     if (!selected) return failure(std::move(selected.error()));
     chosen = std::move(*selected);
   }
@@ -81,15 +83,27 @@ Result<Explanation> Tracing::run() {
   return std::move(e);
 }
 
+// What could stand in the place of a single effect was fitted in the search's first step.
+Result<std::vector<Candidate>> Tracing::in_place_of(const Candidate& chosen, std::size_t which,
+                                                    const std::vector<Candidate>& singles) const {
+  if (chosen.fit.settings.size() != 1) return search_.in_place_of(chosen, which);
+  std::vector<Candidate> others = singles;
+  const Setting& own = chosen.fit.settings.front();
+  std::erase_if(others, [&](const Candidate& other) {
+    return !other.fitted() || (other.kind == own.kind && other.form == own.form);
+  });
+  return others;
+}
+
 // Each effect against every other kind in its place; a better one takes it.
-Result<Candidate> Tracing::with_swaps(Candidate chosen) {
+Result<Candidate> Tracing::with_swaps(Candidate chosen, const std::vector<Candidate>& singles) {
   constexpr int most_rounds = 3;
   constexpr double clearly = 2;
   for (int round = 0; round < most_rounds; ++round) {
     in_place_.clear();
     bool swapped = false;
     for (std::size_t which = 0; which < chosen.fit.settings.size() && !swapped; ++which) {
-      auto others = search_.in_place_of(chosen, which);
+      auto others = in_place_of(chosen, which, singles);
       if (!others) return failure(std::move(others.error()));
       std::stable_sort(others->begin(), others->end(),
                        [&](const auto& a, const auto& b) { return search_.bic_of(a) < search_.bic_of(b); });
@@ -105,7 +119,7 @@ Result<Candidate> Tracing::with_swaps(Candidate chosen) {
   // Still swapping: the last choice stands, and its rivals are found once more.
   in_place_.clear();
   for (std::size_t which = 0; which < chosen.fit.settings.size(); ++which) {
-    auto others = search_.in_place_of(chosen, which);
+    auto others = in_place_of(chosen, which, singles);
     if (!others) return failure(std::move(others.error()));
     in_place_.push_back(std::move(*others));
   }

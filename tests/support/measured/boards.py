@@ -2,11 +2,10 @@
 """Power of boards at work as platform experiments: boards.py OUT [--data DIR]
 
 Makes OUT/xavier and OUT/odroid from mlperf_edge_power and OUT/tx2 from jetson_tx2_rail_power of the shared data (their
-SOURCE.txt say what was measured). The load is images a second (0 outside the run), for the TX2 1 while it plays and 0
-idle. Declared is a board that draws nothing at rest and, for each image, the energy that the first fitted run took
-above its own idle; noise is the scatter of power within a run. Xavier: mode 0 fitted with the library armnn, mode 3
-with it held out and used against tflite; odroid: two libraries fitted, the third held out; TX2: three videos in 4k
-fitted, two held out.
+SOURCE.txt say what was measured). The load is 1 while the board works and 0 while it rests. Declared is a board that
+draws nothing at rest and, at work, what the fitted runs took above their own rest on average; noise is the scatter of
+power within a run. Xavier: mode 0 with two libraries and mode 3 with one fitted, mode 3 with the other held out; odroid:
+two libraries fitted, the third held out; TX2: three videos in 1080p fitted, two held out.
 """
 
 import argparse
@@ -29,13 +28,12 @@ def moment(text):
 
 
 def recorded(folder, every=5):
-    """Seconds, watts, images a second, over the run and what was recorded around it."""
+    """Seconds, watts, whether it works, over the run and what was recorded around it."""
     folder = folder / "resnet50" / "singlestream"
     rows = [line.split(",") for line in (folder / "spl.txt").read_text().splitlines() if line.startswith("Time")]
     time, watts = np.array([(moment(r[1]), float(r[3])) for r in rows]).T
     detail = (folder / "mlperf_log_detail.txt").read_text()
     begin, end = (moment(re.search(rf'"power_{k}", "value": "([^"]+)"', detail)[1]) for k in ("begin", "end"))
-    rate = float(re.search(r"QPS w/o loadgen overhead\s*:\s*([\d.]+)", (folder / "mlperf_log_summary.txt").read_text())[1])
     # The clocks of analyser and board differ by whole hours in some logs; where the run is not inside, it is the
     # stretch of high power that is as long.
     if not (time[0] - 5 < begin and end < time[-1] + 5):
@@ -48,7 +46,7 @@ def recorded(folder, every=5):
     inside = (time > begin + 3) & (time < end - 3)
     edge = ((np.abs(time - begin) < 4) | (np.abs(time - end) < 4))
     keep = good & ~edge
-    time, watts, load = time[keep], watts[keep], np.where(inside[keep], rate, 0.0)
+    time, watts, load = time[keep], watts[keep], np.where(inside[keep], 1.0, 0.0)
     if keep.sum() > 400:
         busy, idle = np.flatnonzero(load > 0)[::every], np.flatnonzero(load == 0)
         kept = np.sort(np.concatenate([busy, idle]))
@@ -63,12 +61,13 @@ def playing(folder, title):
     return sum(np.atleast_1d(r)[:shortest] for r in rails)
 
 
-def write(out, title, trials, fitted, declared_W_per_load):
+def write(out, title, trials, fitted):
     """`trials` by name: seconds, watts, load."""
+    declared_W_per_load = float(np.mean([above_rest(trials[name]) for name in fitted]))
     out.mkdir(parents=True, exist_ok=True)
     busy = [np.std(w[x > 0]) for n in fitted for _, w, x in [trials[n]] if (x > 0).sum() > 5]
     noise = float(np.sqrt(np.mean(np.square(busy))))
-    print(f"{title}: {declared_W_per_load:.3f} W at load 1, power scatters by {noise:.3f} W within a run")
+    print(f"{title}: {declared_W_per_load:.3f} W at work, power scatters by {noise:.3f} W within a run")
     for name, (time, watts, load) in trials.items():
         rows = "\n".join(f"{t:.2f},{w:.5f},{x:.5f}" for t, w, x in zip(time, watts, load))
         (out / f"{name}.csv").write_text("time_s,power_W,load\n" + rows + "\n")
@@ -81,9 +80,9 @@ def write(out, title, trials, fitted, declared_W_per_load):
             "trials": [{"id": n, "file": f"{n}.csv", "columns": columns} for n in names]}, indent=1) + "\n")
 
 
-def above_idle_per_load(trial):
+def above_rest(trial):
     _, watts, load = trial
-    return float((watts[load > 0].mean() - watts[load == 0].mean()) / load[load > 0].mean())
+    return float(watts[load > 0].mean() - watts[load == 0].mean())
 
 
 def main():
@@ -95,12 +94,10 @@ def main():
     if mlperf.is_dir():
         runs = {f"mode{m}-{lib.split('-')[0]}": recorded(mlperf / XAVIER.format(f"{m}-fan.cool-{lib}"))
                 for m in (0, 3) for lib in ("armnn-v21.05-neon", "tflite-v2.5.0-ruy")}
-        write(asked.out / "xavier", "Jetson AGX Xavier, wall power", runs, ["mode0-armnn", "mode0-tflite", "mode3-tflite"],
-              above_idle_per_load(runs["mode0-armnn"]))
+        write(asked.out / "xavier", "Jetson AGX Xavier, wall power", runs, ["mode0-armnn", "mode0-tflite", "mode3-tflite"])
         runs = {name: recorded(mlperf / ODROID.format(name))
                 for name in ("armnn-v21.11-neon", "armnn-v21.11-opencl", "tflite-v2.7.1-ruy")}
-        write(asked.out / "odroid", "Odroid N2+, wall power", runs, ["armnn-v21.11-neon", "tflite-v2.7.1-ruy"],
-              above_idle_per_load(runs["armnn-v21.11-neon"]))
+        write(asked.out / "odroid", "Odroid N2+, wall power", runs, ["armnn-v21.11-neon", "tflite-v2.7.1-ruy"])
     if tx2.is_dir():
         idle = playing(tx2 / "idle", "idle")
         trials = {}
@@ -110,8 +107,7 @@ def main():
             both = np.concatenate([rest, watts])
             load = np.concatenate([np.zeros(len(rest)), np.ones(len(watts))])
             trials[title] = (np.arange(len(both), dtype=float), both, load)
-        write(asked.out / "tx2", "Jetson TX2, power of its rails", trials, ["roller", "rhino", "nyc"],
-              above_idle_per_load(trials["roller"]))
+        write(asked.out / "tx2", "Jetson TX2, power of its rails", trials, ["roller", "rhino", "nyc"])
 
 
 if __name__ == "__main__":
