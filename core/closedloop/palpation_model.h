@@ -11,7 +11,8 @@
 // have acted since long before the first sample, and do not creep; markers move with the specimen's material and have
 // no size.
 //
-// Observations are displacements, measured position minus rest (mm): three rows a marker and moment. Exact derivatives.
+// Observations are displacements, measured position minus rest (mm): three rows a marker and moment. Derivatives are
+// exact, with strain-stiffening to 1e-3 of themselves.
 // The systematic uncertainty is the discretisation error (palpation_refinement.h).
 
 #include <memory>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 #include <mutex>
+#include <numeric>
 
 #include "base/parallel.h"
 #include "closedloop/palpation_stiffening.h"
@@ -40,6 +41,57 @@ bool same_settings(const Settings& a, const Settings& b) {
   return same_effects(a, b) && std::equal(a.begin(), a.end(), b.begin(), [](const Setting& x, const Setting& y) {
            return x.parameters == y.parameters;
          });
+}
+
+// The loads of one direction follow each other by size: the largest smaller one, or none.
+std::vector<Eigen::Index> smaller_loads(const Eigen::MatrixXd& amounts) {
+  std::vector<Eigen::Index> before(static_cast<std::size_t>(amounts.cols()), -1);
+  const Eigen::VectorXd size = amounts.colwise().norm();
+  for (Eigen::Index c = 0; c < amounts.cols(); ++c) {
+    for (Eigen::Index other = 0; other < amounts.cols(); ++other) {
+      const bool smaller = size[other] > 0 && size[other] < (1 - 1e-9) * size[c];
+      const bool along = amounts.col(c).dot(amounts.col(other)) > (1 - 1e-12) * size[c] * size[other];
+      auto& best = before[static_cast<std::size_t>(c)];
+      if (smaller && along && (best < 0 || size[other] > size[best])) best = other;
+    }
+  }
+  return before;
+}
+
+// Equilibria begun from nothing: small loads from the linear solution, larger ones from where smaller ones lead.
+Result<Eigen::MatrixXd> along_the_load(const SpecimenBody& specimen, const PalpationSolver::Solution& linear,
+                                       const Stiffening& stiffening, const Eigen::MatrixXd& amounts,
+                                       const Eigen::MatrixXd& forces_mN, const Eigen::MatrixXd& linear_mm) {
+  const std::vector<Eigen::Index> before = smaller_loads(amounts);
+  const Eigen::VectorXd size = amounts.colwise().norm();
+  Eigen::MatrixXd u_mm = linear_mm;
+  std::vector<int> left(static_cast<std::size_t>(amounts.cols()));
+  std::iota(left.begin(), left.end(), 0);
+  std::vector<bool> done(left.size(), false);
+  while (!left.empty()) {
+    std::vector<int> now, later;
+    for (const int c : left) {
+      const Eigen::Index one = before[static_cast<std::size_t>(c)];
+      (one < 0 || done[static_cast<std::size_t>(one)] ? now : later).push_back(c);
+    }
+    for (const int c : now) {
+      const Eigen::Index one = before[static_cast<std::size_t>(c)];
+      if (one < 0) continue;
+      // Displacement by load, on a line through the last two loads (the linear response where there is but one).
+      const Eigen::Index two = before[static_cast<std::size_t>(one)];
+      const Eigen::VectorXd by_load = u_mm.col(one) / size[one];
+      const Eigen::VectorXd earlier =
+          two < 0 ? Eigen::VectorXd(linear_mm.col(c) / size[c]) : Eigen::VectorXd(u_mm.col(two) / size[two]);
+      const double share = (size[c] - size[one]) / (size[one] - (two < 0 ? 0.0 : size[two]));
+      u_mm.col(c) = size[c] * (by_load + std::min(share, 1.0) * (by_load - earlier));
+    }
+    auto found = stiffened_equilibria(specimen, linear, stiffening, forces_mN(Eigen::all, now), u_mm(Eigen::all, now));
+    if (!found) return found;
+    u_mm(Eigen::all, now) = *found;
+    for (const int c : now) done[static_cast<std::size_t>(c)] = true;
+    left = std::move(later);
+  }
+  return u_mm;
 }
 
 }  // namespace
@@ -126,9 +178,6 @@ Result<std::shared_ptr<const StiffenedResponse::Nodal>> StiffenedResponse::equil
     return std::shared_ptr<const Nodal>(std::move(solved));
   }
   const Eigen::MatrixXd forces_mN = solver_.loads_mN() * solved->loads.amounts;
-  const auto from = [&](const Eigen::MatrixXd& start_mm) {
-    return stiffened_equilibria(solver_.specimen(), **linear, *at.stiffening, forces_mN, start_mm);
-  };
   Result<Eigen::MatrixXd> found = failure("stiffening-diverged", "");
   if (last && last->loads.which == solved->loads.which) {
     Eigen::MatrixXd start_mm = last->u_mm;
@@ -137,9 +186,11 @@ Result<std::shared_ptr<const StiffenedResponse::Nodal>> StiffenedResponse::equil
       const Eigen::VectorXd step = settings[s].parameters - last->settings[s].parameters;
       for (Eigen::Index p = 0; p < step.size(); ++p) start_mm += step[p] * last->by_parameter[column++];
     }
-    found = from(start_mm);
+    found = stiffened_equilibria(solver_.specimen(), **linear, *at.stiffening, forces_mN, start_mm);
   }
-  if (!found) found = from(linear_mm);
+  if (!found) {
+    found = along_the_load(solver_.specimen(), **linear, *at.stiffening, solved->loads.amounts, forces_mN, linear_mm);
+  }
   if (!found) return failure(std::move(found.error()));
   solved->u_mm = std::move(*found);
   const std::lock_guard lock(memory_->guard);
@@ -188,7 +239,7 @@ Result<std::vector<Eigen::MatrixXd>> StiffenedResponse::derivatives_at_markers(c
       for (Eigen::Index l = 0; l < loads; ++l) load_of_column.push_back(l);
     }
   }
-  constexpr double tolerance = 1e-5;  // a search needs no more of its slopes
+  constexpr double tolerance = 1e-3;  // a search needs no more of its slopes
   auto slopes = solve_tangent(solver_.specimen(), **linear, *here.acting.state.stiffening, here.u_mm, forces_mN,
                               load_of_column, tolerance);
   if (!slopes) return failure(std::move(slopes.error()));

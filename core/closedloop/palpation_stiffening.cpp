@@ -230,7 +230,7 @@ Eigen::VectorXd resisting_force_mN(const SpecimenBody& specimen, const Structure
 Result<Eigen::MatrixXd> stiffened_equilibria(const SpecimenBody& specimen, const PalpationSolver::Solution& linear,
                                              const Stiffening& stiffening, const Eigen::MatrixXd& forces_mN,
                                              const Eigen::MatrixXd& start_mm) {
-  constexpr double tolerance = 1e-7;  // of the load: 1e-6 mm or less
+  constexpr double tolerance = 1e-6;  // of the load: some 1e-5 mm
   constexpr int most_steps = 40, most_halvings = 12;
   const StiffeningBody body(specimen, linear.structure, stiffening);
   const Preconditioner precondition(specimen, linear);
@@ -305,13 +305,28 @@ Result<Eigen::MatrixXd> solve_tangent(const SpecimenBody& specimen, const Palpat
                                       const Eigen::MatrixXd& forces_mN,
                                       const std::vector<Eigen::Index>& state_of_column, double relative_tolerance) {
   const StiffeningBody body(specimen, linear.structure, stiffening);
-  std::vector<StiffeningBody::State> states(static_cast<std::size_t>(equilibria_mm.cols()));
-  for_each_column(equilibria_mm.cols(),
-                  [&](Eigen::Index c) { states[static_cast<std::size_t>(c)] = body.state(equilibria_mm.col(c)); });
-  auto solved = conjugate_gradients(body, Preconditioner(specimen, linear), states, state_of_column, forces_mN,
-                                    relative_tolerance, 300);
-  if (!solved.u.allFinite() || solved.worst > 1e2 * relative_tolerance) return diverged();
-  return std::move(solved.u);
+  const Preconditioner precondition(specimen, linear);
+  Eigen::MatrixXd u_mm(forces_mN.rows(), forces_mN.cols());
+  constexpr Eigen::Index at_once = 16;  // what a state remembers at every quadrature point is large
+  for (Eigen::Index first = 0; first < equilibria_mm.cols(); first += at_once) {
+    std::vector<StiffeningBody::State> states(
+        static_cast<std::size_t>(std::min(at_once, equilibria_mm.cols() - first)));
+    for_each_column(static_cast<Eigen::Index>(states.size()), [&](Eigen::Index c) {
+      states[static_cast<std::size_t>(c)] = body.state(equilibria_mm.col(first + c));
+    });
+    std::vector<Eigen::Index> columns, state_of;
+    for (Eigen::Index c = 0; c < forces_mN.cols(); ++c) {
+      const Eigen::Index state = state_of_column[static_cast<std::size_t>(c)] - first;
+      if (state < 0 || state >= static_cast<Eigen::Index>(states.size())) continue;
+      columns.push_back(c);
+      state_of.push_back(state);
+    }
+    const auto solved = conjugate_gradients(body, precondition, states, state_of, forces_mN(Eigen::all, columns),
+                                            relative_tolerance, 300);
+    if (!solved.u.allFinite() || solved.worst > 1e2 * relative_tolerance) return diverged();
+    u_mm(Eigen::all, columns) = solved.u;
+  }
+  return u_mm;
 }
 
 }  // namespace glisson::closedloop

@@ -68,18 +68,18 @@ TEST(PalpationEffects, AtItsDefaultNoneChangesAnything) {
 }
 
 // Central differences of the whole prediction are the slow judge. They err by about 1e-6 of the largest derivative, the
-// solver's rounding over the step; with stiffening by 1e-3, for an equilibrium is found to 1e-7 of its load
-// and its slope to 1e-5 of itself.
+// solver's rounding over the step; with stiffening by 1e-2, for equilibria are found to 1e-6 of their load and slopes
+// to 1e-3 of themselves, which is all that a search needs.
 void expect_exact_derivatives(const ForwardModel& model, const Settings& settings, const std::string& name) {
   const bool iterates = std::any_of(settings.begin(), settings.end(),
                                     [](const Setting& one) { return one.kind == palpation::strain_stiffening; });
-  const double tolerance = iterates ? 3e-3 : 1e-5;
+  const double tolerance = iterates ? 1e-2 : 1e-5;
   const auto linear = model.linearise(settings).value();
   EXPECT_LT((linear.predicted - model.predict(settings).value()).cwiseAbs().maxCoeff(), 1e-9) << name;
   Eigen::Index column = 0;
   for (std::size_t s = 0; s < settings.size(); ++s) {
     for (Eigen::Index p = 0; p < settings[s].parameters.size(); ++p, ++column) {
-      const double step = 1e-4 * std::max(0.1, std::abs(settings[s].parameters[p]));
+      const double step = (iterates ? 1e-2 : 1e-4) * std::max(0.1, std::abs(settings[s].parameters[p]));
       Settings ahead = settings, behind = settings;
       ahead[s].parameters[p] += step;
       behind[s].parameters[p] -= step;
