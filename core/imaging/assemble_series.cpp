@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "imaging/motion_encoding.h"
 #include "imaging/place_slices.h"
 #include "imaging/roles.h"
 #include "imaging/stacks.h"
@@ -86,6 +87,18 @@ Series assemble_stack(const Images& images, const Stack& stack) {
   }
   lay_out(images, volumes, placed.slices, series);
   find_role_and_unit(images, stack, series);
+  if (series.role == Role::mre_magnitude || series.role == Role::mre_phase || series.role == Role::mre_wave) {
+    for (const std::vector<PictureRef>& slices : volumes.of_volume) {
+      const PictureRef first = slices.front();
+      MotionEncoding motion = motion_encoding_of(images[first.image], picture_of(images, first));
+      for (const PictureRef& slice : slices) {
+        const auto time_ms = picture_of(images, slice).time_in_volume_ms;
+        if (time_ms) motion.slice_times_s.push_back(1e-3 * *time_ms);
+      }
+      if (motion.slice_times_s.size() != static_cast<std::size_t>(series.grid.size[2])) motion.slice_times_s.clear();
+      series.motion.push_back(std::move(motion));
+    }
+  }
   append(series.problems, image.problems);
   return series;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <Eigen/Core>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,7 @@ struct Picture {
   double trigger_time_ms = 0;
   double b_value = 0;
   double slice_thickness_mm = 0;
+  std::optional<double> time_in_volume_ms;  // when it was acquired, after the first slice of its volume
 };
 
 struct DicomImage {

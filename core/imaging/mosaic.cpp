@@ -63,9 +63,7 @@ std::optional<std::vector<double>> take_csa_values(Cursor& cursor, std::uint32_t
   return values;
 }
 
-}  // namespace
-
-std::optional<MosaicFacts> mosaic_facts(DcmItem& data_set) {
+std::optional<MosaicFacts> counted_tiles(DcmItem& data_set) {
   if (const auto csa = private_key(data_set, 0x0029, "SIEMENS CSA HEADER", 0x10)) {
     if (const auto facts = mosaic_facts_in_csa_header(private_bytes(data_set, *csa))) return facts;
   }
@@ -74,6 +72,17 @@ std::optional<MosaicFacts> mosaic_facts(DcmItem& data_set) {
   MosaicFacts facts;
   facts.tiles = whole_number_of(data_set, *count, 0);
   if (facts.tiles < 1 || facts.tiles > most_tiles) return std::nullopt;
+  return facts;
+}
+
+}  // namespace
+
+std::optional<MosaicFacts> mosaic_facts(DcmItem& data_set) {
+  std::optional<MosaicFacts> facts = counted_tiles(data_set);
+  const auto times = private_key(data_set, 0x0019, "SIEMENS MR HEADER", 0x29);
+  if (!facts || !times) return facts;
+  const std::vector<double> times_ms = numbers_of(data_set, *times);
+  if (times_ms.size() == static_cast<std::size_t>(facts->tiles)) facts->times_ms = times_ms;
   return facts;
 }
 
@@ -120,6 +129,7 @@ std::optional<std::vector<Picture>> unpack_mosaic(const Picture& mosaic, const M
   for (int k = 0; k < facts.tiles; ++k) {
     tile.left = k % across * tile.columns;
     tile.top = k / across * tile.rows;
+    if (!facts.times_ms.empty()) tile.time_in_volume_ms = facts.times_ms[static_cast<std::size_t>(k)];
     tile.position_mm = mosaic.position_mm + inwards + normal * (slice_spacing_mm * k);
     tiles.push_back(tile);
   }

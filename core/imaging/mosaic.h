@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "imaging/dicom_image.h"
 
@@ -14,10 +15,11 @@ namespace glisson::imaging {
 struct MosaicFacts {
   int tiles = 0;
   std::optional<Eigen::Vector3d> normal;  // from the first tile to the last
+  std::vector<double> times_ms;           // when each tile was acquired, after the first; empty where not given
 };
 
 // Reads the CSA image header (private (0029,xx10), format "SV10"): NumberOfImagesInMosaic and SliceNormalVector; and,
-// without it, (0019,xx0a). Nothing when they say nothing.
+// without it, (0019,xx0a). The times are (0019,xx29), MosaicRefAcqTimes. Nothing when they say nothing.
 [[nodiscard]] std::optional<MosaicFacts> mosaic_facts(DcmItem& data_set);
 [[nodiscard]] std::optional<MosaicFacts> mosaic_facts_in_csa_header(std::string_view csa_header);
 

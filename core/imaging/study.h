@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,17 @@ enum class Role {
 // The name used in files and on the command line: "mre_stiffness".
 [[nodiscard]] std::string_view role_name(Role role);
 
+// For which motion the images of an elastography volume were encoded, as far as the header says.
+struct MotionEncoding {
+  std::optional<double> frequency_Hz;    // of the vibration
+  std::optional<int> direction;          // which of the encoded directions, from 0
+  std::optional<Eigen::Vector3d> along;  // that direction: a unit vector, patient LPS
+  std::optional<int> offset;             // which of the instants that are spread over one period, from 0
+  // When each slice of the volume was acquired, after the first one of them. Unless the scanner waits for the
+  // vibration, the slices show it at other instants by as much. Empty where the header gives none.
+  std::vector<double> slice_times_s = {};
+};
+
 // How the voxels of a series lie in its files; only read_series looks inside.
 struct VoxelLayout;
 
@@ -53,6 +65,7 @@ struct Series {
   std::vector<std::filesystem::path> files;  // volume after volume, by position along the normal in each
   int volumes = 1;                           // how many complete volumes there are (24: 3 directions x 8 offsets)
   std::vector<std::string> volume_labels;    // what tells the volumes apart ("echo 2", "acquisition 17"); may be empty
+  std::vector<MotionEncoding> motion;        // one a volume; empty for what is no elastography
   std::vector<std::string> problems;         // one sentence each, in English
   std::shared_ptr<const VoxelLayout> layout;
 };

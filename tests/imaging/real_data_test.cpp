@@ -7,6 +7,7 @@
 #include <itkGDCMImageIO.h>
 #include <itkImageSeriesReader.h>
 #include <algorithm>
+#include <numbers>
 
 #include "imaging/read_series.h"
 #include "imaging/stiffness_map.h"
@@ -140,6 +141,29 @@ TEST(RealData, SiemensMosaicsAreTakenApartAsGdcmDoes) {
   bool inverted = false;
   ASSERT_TRUE(split.ComputeMOSAICSliceNormal(normal, inverted));
   EXPECT_GT(grid.direction.col(2).dot(Eigen::Vector3d(normal[0], normal[1], normal[2])), 0.999999);
+}
+
+// Three directions by eight instants, and which is which only ImageComments say. The directions that they name are the
+// axes of the images to within the rounding of the angles to whole degrees.
+TEST(RealData, AnElastographySeriesSaysWhichMotionEachVolumeWasEncodedFor) {
+  GLISSON_NEEDS_DATA("mre_brain_ir_charite");
+  const Result<Study> study = scan(test::shared_data() / "mre_brain_ir_charite" / "volunteer_A");
+  ASSERT_TRUE(study.has_value() && study->series.size() == 4);
+  const Series& phase = study->series[1];
+  ASSERT_EQ(phase.motion.size(), 24U);
+  const Eigen::Matrix3d& axes = phase.grid.direction;
+  const std::array<Eigen::Vector3d, 3> directions{-axes.col(2), -axes.col(1), axes.col(0)};
+  for (std::size_t v = 0; v < 24; ++v) {
+    const MotionEncoding& motion = phase.motion[v];
+    EXPECT_EQ(motion.frequency_Hz, 20.0);
+    EXPECT_EQ(motion.direction, static_cast<int>(v / 8));
+    EXPECT_EQ(motion.offset, static_cast<int>(v % 8));
+    ASSERT_TRUE(motion.along.has_value());
+    EXPECT_GT(motion.along->dot(directions[v / 8]), std::cos(std::numbers::pi / 180));
+    ASSERT_EQ(motion.slice_times_s.size(), 5U);
+    EXPECT_NEAR(motion.slice_times_s[1], 11.94, 1e-6);  // the slices are interleaved
+    EXPECT_NEAR(motion.slice_times_s[2], 3.98, 1e-6);
+  }
 }
 
 TEST(RealData, MeasuredPhaseFillsTheWholeCircle) {
