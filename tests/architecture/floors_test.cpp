@@ -36,6 +36,7 @@ const std::vector<ThirdParty> third_parties = {
     {"CGAL", std::regex("CGAL/.*"), {"geometry", "meshing"}},
     {"OpenCV", std::regex("opencv.*"), {"vision"}},
     {"CHOLMOD", std::regex("cholmod.*|suitesparse/.*|Eigen/CholmodSupport"), {"mechanics"}},
+    {"FFTW", std::regex("fftw3\\.h"), {"elastography"}},
     {"spdlog", std::regex("spdlog/.*"), {"base"}},
     {"Ceres", std::regex("ceres/.*"), {"closedloop"}},
     {"CLI11", std::regex("CLI/.*"), {"cli"}},
