@@ -31,6 +31,7 @@ th { font-weight: 600; }
 .good { color: var(--good); }
 .figures { display: flex; flex-wrap: wrap; gap: 1rem; margin: 1rem 0; }
 figure { flex: 1 1 20rem; margin: 0; }
+.plot { max-width: 46rem; margin: 1.5rem 0; }
 img { width: 100%; height: auto; display: block; border-radius: .4rem; }
 figcaption { font-size: .9rem; margin-top: .4rem; }
 footer { margin-top: 3rem; border-top: 1px solid var(--line); padding-top: 1rem; font-size: .85rem; }
@@ -79,6 +80,10 @@ struct BlockWriter {
       html += "</tr>\n";
     }
     return html + "</tbody></table>\n";
+  }
+  Result<std::string> operator()(const Plot& plot) const {
+    return fmt::format("<figure class=\"plot\">{}<figcaption>{}</figcaption></figure>\n", svg_of(plot),
+                       escaped(plot.caption));
   }
   Result<std::string> operator()(const FigureRow& row) const {
     std::string html = "<div class=\"figures\">";

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "report/plot.h"
+
 namespace glisson::report {
 
 struct Paragraph {
@@ -49,7 +51,7 @@ struct Heading {
   std::string text;
 };
 
-using Block = std::variant<Heading, Paragraph, Table, FigureRow, DrawingRow>;
+using Block = std::variant<Heading, Paragraph, Table, FigureRow, DrawingRow, Plot>;
 
 struct Page {
   std::string title;

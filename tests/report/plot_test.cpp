@@ -1,0 +1,60 @@
+// Plots draw what they are given, inside their frame, and nothing that is no number.
+
+#include "report/plot.h"
+
+#include <gmock/gmock.h>
+#include <limits>
+#include <regex>
+
+namespace glisson::report {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::size_t count(const std::string& text, const std::string& word) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
+  return found;
+}
+
+TEST(Plot, DrawsEachBarPointBoxAndRuleInsideItsFrame) {
+  Plot plot;
+  plot.caption = "a <b> & c";
+  plot.histogram = Histogram{{0, 1, 2, 3}, {5, 2, 7}};
+  plot.curves = {{"dots", {{0.5, 1}, {2.5, 6}}, PlotCurve::Style::dots},
+                 {"line", {{0, 0}, {3, 7}}, PlotCurve::Style::line}};
+  plot.rules = {{Rule::Along::y, 4, "four"}};
+  const std::string svg = svg_of(plot);
+  EXPECT_EQ(count(svg, "<circle"), 2u);
+  EXPECT_EQ(count(svg, "<path"), 1u);
+  EXPECT_EQ(count(svg, "<rect"), 3u + 2u);  // bars, and a patch in the legend for each curve
+  EXPECT_THAT(svg, HasSubstr("a &lt;b&gt; &amp; c"));
+  EXPECT_THAT(svg, HasSubstr(">four<"));
+  const std::regex centre("c([xy])=\"([-0-9.]+)\"");
+  for (std::sregex_iterator match(svg.begin(), svg.end(), centre), end; match != end; ++match) {
+    const double px = std::stod((*match)[2]);
+    EXPECT_GE(px, 0);
+    EXPECT_LE(px, (*match)[1] == "x" ? 640 : 400);
+  }
+}
+
+TEST(Plot, BoxesStandInTheirOrder) {
+  Plot plot;
+  plot.boxes = {{"soft", 1, 2, 3, 4, 5}, {"stiff", 2, 4, 6, 8, 10}};
+  const std::string svg = svg_of(plot);
+  EXPECT_LT(svg.find(">soft<"), svg.find(">stiff<"));
+  EXPECT_EQ(count(svg, "<rect"), 2u);
+}
+
+TEST(Plot, LeavesOutWhatIsNoNumberAndBearsNothingAtAll) {
+  Plot plot;
+  EXPECT_THAT(svg_of(plot), Not(HasSubstr("nan")));
+  plot.curves = {{"", {{1, std::numeric_limits<double>::quiet_NaN()}, {2, 3}}, PlotCurve::Style::dots}};
+  const std::string svg = svg_of(plot);
+  EXPECT_EQ(count(svg, "<circle"), 1u);
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+}
+
+}  // namespace
+}  // namespace glisson::report
