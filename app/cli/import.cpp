@@ -56,7 +56,10 @@ void add_import(CLI::App& app, Action& chosen) {
   command->add_option("--anatomy", options->choice.anatomy_uid, "Series that shows the anatomy");
   command->add_option("--stiffness", options->choice.stiffness_uid, "Series with the stiffness map");
   command->add_option("--magnitude", options->choice.magnitude_uid, "Series with the MRE magnitude");
-  command->add_option("--phase", options->choice.phase_uid, "Series with the MRE phase");
+  command
+      ->add_option("--phase", options->choice.phase_uids,
+                   "Series with the MRE phase; once for each where directions or frequencies are series of their own")
+      ->allow_extra_args(false);
   command->callback(
       [&chosen, options] { chosen = [options](const Progress& progress) { return import_path(*options, progress); }; });
 }

@@ -48,7 +48,9 @@ void add_render(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("render", "Draw one scene of a case or a result, with no window");
   auto options = std::make_shared<Options>();
   command->add_option("folder", options->folder, "A case, or a result's folder")->required();
-  command->add_option("--scene", options->scene, "Case: anatomy, liver, stiffness, model; result: displacement")
+  command
+      ->add_option("--scene", options->scene,
+                   "Case: anatomy, liver, stiffness, model, waves, confidence; result: displacement")
       ->required();
   command->add_option("--size", options->size, "WxH in pixels")->capture_default_str();
   command->add_option("--out", options->out, "The picture to write (.png)")->required();

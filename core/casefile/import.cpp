@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "base/files.h"
+#include "casefile/motion_options.h"
 #include "imaging/dicom_seg.h"
 #include "imaging/read_series.h"
 #include "imaging/stiffness_map.h"
@@ -24,6 +25,7 @@ struct Chosen {
   Role role;
   std::string id;
   const Series* series;
+  std::optional<int> number_before = {};  // of the last volume of that role, where several series hold them
 };
 
 Result<std::vector<Chosen>> choose(const Study& study, const ImportChoice& choice);
@@ -117,6 +119,23 @@ Result<const Series*> series_for(const Study& study, Role role, const std::optio
   return candidates.empty() ? nullptr : candidates.front();
 }
 
+// The second and later phase series that were named; all of them are then numbered through.
+Result<void> add_further_phases(const Study& study, const ImportChoice& choice, std::vector<Chosen>& chosen) {
+  if (choice.phase_uids.size() < 2) return {};
+  const auto first =
+      std::find_if(chosen.begin(), chosen.end(), [](const Chosen& one) { return one.role == Role::mre_phase; });
+  GLISSON_ASSERT(first != chosen.end());
+  first->number_before = 0;
+  int volumes = first->series->volumes;
+  for (std::size_t n = 1; n < choice.phase_uids.size(); ++n) {
+    const auto series = series_for(study, Role::mre_phase, choice.phase_uids[n], "--phase");
+    if (!series) return failure(series.error());
+    chosen.push_back({Role::mre_phase, "volumes/phase", *series, volumes});
+    volumes += (*series)->volumes;
+  }
+  return {};
+}
+
 Result<std::vector<Chosen>> choose(const Study& study, const ImportChoice& choice) {
   struct Wanted {
     Role role;
@@ -125,11 +144,13 @@ Result<std::vector<Chosen>> choose(const Study& study, const ImportChoice& choic
     const char* option;
   };
   const std::optional<std::string> unnamed;
+  std::optional<std::string> one_phase_uid;
+  if (!choice.phase_uids.empty()) one_phase_uid = choice.phase_uids.front();
   const Wanted wanted[] = {
       {Role::anatomy, "volumes/anatomy", choice.anatomy_uid, "--anatomy"},
       {Role::mre_stiffness, "volumes/stiffness", choice.stiffness_uid, "--stiffness"},
       {Role::mre_magnitude, "volumes/magnitude", choice.magnitude_uid, "--magnitude"},
-      {Role::mre_phase, "volumes/phase", choice.phase_uid, "--phase"},
+      {Role::mre_phase, "volumes/phase", one_phase_uid, "--phase"},
       {Role::mre_wave, "volumes/wave", unnamed, ""},
       {Role::mre_confidence, "volumes/confidence", unnamed, ""},
   };
@@ -140,6 +161,12 @@ Result<std::vector<Chosen>> choose(const Study& study, const ImportChoice& choic
     if (!series && *want.option == '\0') continue;
     if (!series) return failure(series.error());
     if (*series) chosen.push_back({want.role, want.id, *series});
+  }
+  if (auto more = add_further_phases(study, choice, chosen); !more) return failure(more.error());
+  const auto magnitude =
+      std::find_if(chosen.begin(), chosen.end(), [](const Chosen& one) { return one.role == Role::mre_magnitude; });
+  if (chosen.front().role != Role::anatomy && magnitude != chosen.end()) {
+    chosen.insert(chosen.begin(), {Role::anatomy, "volumes/anatomy", magnitude->series});
   }
   if (chosen.empty() || chosen.front().role != Role::anatomy) {
     // One unlabelled volume is the anatomy; of several, the person must say which.
@@ -169,9 +196,34 @@ Made made_from(const Series& series) {
   return made;
 }
 
+// The magnitude images of all directions and instants show the same anatomy; their mean shows it with the least noise.
+Result<void> import_mean_as_anatomy(Case& patient, const Chosen& chosen, std::vector<ImportedVolume>& imported,
+                                    const Progress& progress) {
+  const Series& series = *chosen.series;
+  imaging::Volume mean;
+  for (int index = 0; index < series.volumes; ++index) {
+    if (progress.cancelled()) return cancelled();
+    const double count = series.volumes;
+    auto volume = imaging::read_series(series, index, progress.part(index / count, (index + 1) / count));
+    if (!volume) return failure(volume.error());
+    if (index == 0) mean = imaging::Volume{{volume->grid, std::vector<float>(volume->values.size(), 0)}, volume->unit};
+    for (std::size_t v = 0; v < mean.values.size(); ++v) {
+      mean.values[v] += volume->values[v] / static_cast<float>(count);
+    }
+  }
+  Made made = made_from(series);
+  made.notes.emplace_back("The mean of the elastography's magnitude images serves as the anatomy.");
+  imported.push_back({chosen.id, chosen.role, mean.grid, made.notes});
+  return patient.add(chosen.id, ".nrrd", std::move(made),
+                     [&](const auto& file) { return imaging::write_volume_file(file, mean); });
+}
+
 Result<void> import_series(Case& patient, const Chosen& chosen, std::vector<ImportedVolume>& imported,
                            const Progress& progress) {
   const Series& series = *chosen.series;
+  if (chosen.role == Role::anatomy && series.role == Role::mre_magnitude) {
+    return import_mean_as_anatomy(patient, chosen, imported, progress);
+  }
   const Made source = made_from(series);
   for (int index = 0; index < series.volumes; ++index) {
     if (progress.cancelled()) return cancelled();
@@ -187,7 +239,10 @@ Result<void> import_series(Case& patient, const Chosen& chosen, std::vector<Impo
       made.notes.push_back(stiffness->evidence);
       volume = std::move(stiffness->shear_kPa);
     }
-    const std::string id = series.volumes == 1 ? chosen.id : fmt::format("{}-{:02}", chosen.id, index + 1);
+    if (!series.motion.empty()) put_motion(series.motion[static_cast<std::size_t>(index)], made.options);
+    const bool alone = series.volumes == 1 && !chosen.number_before;
+    const std::string id =
+        alone ? chosen.id : fmt::format("{}-{:02}", chosen.id, chosen.number_before.value_or(0) + index + 1);
     auto added =
         patient.add(id, ".nrrd", made, [&](const auto& file) { return imaging::write_volume_file(file, *volume); });
     if (!added) return added;

@@ -18,7 +18,7 @@ struct ImportChoice {
   std::optional<std::string> anatomy_uid;
   std::optional<std::string> stiffness_uid;
   std::optional<std::string> magnitude_uid;
-  std::optional<std::string> phase_uid;
+  std::vector<std::string> phase_uids;  // several where each direction or frequency is a series of its own
 };
 
 struct ImportedVolume {
@@ -29,9 +29,10 @@ struct ImportedVolume {
 };
 
 // The entries that an import makes. A series of several volumes (phase offsets) is kept as ID-01, ID-02, ...
-//   volumes/anatomy          as rescaled
+//   volumes/anatomy          as rescaled; where the study has none, the mean of the elastography's magnitude images
 //   volumes/stiffness        shear modulus in kPa
-//   volumes/confidence, volumes/magnitude, volumes/phase, volumes/wave      where the study has them
+//   volumes/confidence, volumes/magnitude, volumes/phase, volumes/wave      where the study has them; waves with what
+//                            they were encoded for, as far as the headers say
 //   labels/NAME              each segment of a DICOM SEG, on the grid of the anatomy
 //
 // Fails with "import-no-anatomy", "import-ambiguous", "import-unknown-uid", or as reading fails. What the case held

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "casefile/model.h"
 #include "casefile/result_folder.h"
@@ -26,6 +27,8 @@ constexpr Colour tool_blue{0.35, 0.75, 1.0};
 Result<Scene> anatomy_scene(const casefile::Case& patient);
 Result<Scene> liver_scene(const casefile::Case& patient);
 Result<Scene> stiffness_scene(const casefile::Case& patient);
+Result<Scene> waves_scene(const casefile::Case& patient);
+Result<Scene> confidence_scene(const casefile::Case& patient);
 Result<Scene> model_scene(const casefile::Case& patient);
 
 // A result with what its case adds to the picture.
@@ -46,16 +49,24 @@ const std::vector<std::string>& case_scene_names() {
   return names;
 }
 
+const std::vector<std::string>& wave_scene_names() {
+  static const std::vector<std::string> names{"waves", "confidence"};
+  return names;
+}
+
 Result<Scene> case_scene(const casefile::Case& patient, const std::string& name) {
-  Result<Scene> scene = failure(Error{"scene-unknown",
-                                      GLISSON_TEXT("A case has no scene named {0}; it has {1}."),
-                                      {name, fmt::format("{}", fmt::join(case_scene_names(), ", "))},
-                                      {},
-                                      {}});
+  Result<Scene> scene = failure(
+      Error{"scene-unknown",
+            GLISSON_TEXT("A case has no scene named {0}; it has {1}."),
+            {name, fmt::format("{}, {}", fmt::join(case_scene_names(), ", "), fmt::join(wave_scene_names(), ", "))},
+            {},
+            {}});
   if (name == "anatomy") scene = anatomy_scene(patient);
   if (name == "liver") scene = liver_scene(patient);
   if (name == "stiffness") scene = stiffness_scene(patient);
   if (name == "model") scene = model_scene(patient);
+  if (name == "waves") scene = waves_scene(patient);
+  if (name == "confidence") scene = confidence_scene(patient);
   if (scene) scene->furniture.warning = warning_of(patient);
   return scene;
 }
@@ -180,8 +191,11 @@ Result<Scene> anatomy_scene(const casefile::Case& patient) {
   return scene;
 }
 
-Result<Scene> stiffness_scene(const casefile::Case& patient) {
-  auto map = read_volume(patient, "volumes/stiffness");
+// A map in the slice through the middle of the liver, in the anatomy's frame. What the caller sets of the slice is how
+// the map is coloured.
+Result<Scene> map_scene(const casefile::Case& patient, const std::string& id, const std::string& title,
+                        const std::function<void(SliceItem&)>& colour) {
+  auto map = read_volume(patient, id);
   if (!map) return failure(map.error());
   const auto anatomy = read_volume(patient, "volumes/anatomy");
   auto structures = casefile::read_structures(patient);
@@ -189,16 +203,46 @@ Result<Scene> stiffness_scene(const casefile::Case& patient) {
 
   SliceItem slice;
   slice.center_mm = middle(*map, *structures);
-  slice.window_center = 4.0;  // 0 to 8 kPa: the scale that clinical liver elastograms are shown on
-  slice.window_width = 8.0;
-  slice.map = ColourMap::viridis;
-  slice.legend_title = "Shear stiffness (kPa)";
   const imaging::Grid framed = anatomy ? anatomy->grid : map->grid;
   slice.volume = std::make_shared<const imaging::Volume>(std::move(*map));
+  colour(slice);
   add_outlines(slice, *structures);
   Scene scene = slice_scene(std::move(slice), framed);
-  scene.furniture.title = "Stiffness from MR elastography";
+  scene.furniture.title = title;
   return scene;
+}
+
+Result<Scene> stiffness_scene(const casefile::Case& patient) {
+  return map_scene(patient, "volumes/stiffness", "Stiffness from MR elastography", [](SliceItem& slice) {
+    slice.window_center = 4.0;  // 0 to 8 kPa: the scale that clinical liver elastograms are shown on
+    slice.window_width = 8.0;
+    slice.map = ColourMap::viridis;
+    slice.legend_title = "Shear stiffness (kPa)";
+  });
+}
+
+Result<Scene> waves_scene(const casefile::Case& patient) {
+  return map_scene(patient, "volumes/shear-wave", "Shear waves", [](SliceItem& slice) {
+    set_window(slice);
+    // Rest is the middle grey.
+    const double swing = std::max(std::abs(slice.window_center - 0.5 * slice.window_width),
+                                  std::abs(slice.window_center + 0.5 * slice.window_width));
+    slice.window_center = 0;
+    slice.window_width = 2 * round_up(swing);
+    slice.legend_title = "Motion (rad)";
+  });
+}
+
+Result<Scene> confidence_scene(const casefile::Case& patient) {
+  return map_scene(patient, "volumes/confidence", "Confidence of the stiffness", [](SliceItem& slice) {
+    const auto& values = slice.volume->values;
+    // A scanner's own map may be a percentage or count to 999.
+    const float largest = *std::max_element(values.begin(), values.end());
+    slice.window_width = largest > 1 ? round_up(static_cast<double>(largest)) : 1.0;
+    slice.window_center = 0.5 * slice.window_width;
+    slice.map = ColourMap::cividis;
+    slice.legend_title = "Confidence";
+  });
 }
 
 SurfaceItem surface_item(const std::string& name, geometry::Surface surface) {

@@ -17,9 +17,13 @@ namespace glisson::scene {
 //   liver        the liver as glass, with the tumours and vessels inside it, from the surgeon's side
 //   stiffness    the measured shear stiffness in the same slice, with the liver's outline
 //   model        the liver's surface coloured by the Young's modulus of the cells behind it
+// Of a case whose waves were inverted, besides:
+//   waves        the shear waves in that slice at one instant
+//   confidence   how far the stiffness map is to be believed, 0 to 1
 // Of a result (a folder with result.vtu, inside a case's results/ or anywhere):
 //   displacement the moved liver coloured by how far each point moved, with the tool's force and the landmarks
-[[nodiscard]] const std::vector<std::string>& case_scene_names();
+[[nodiscard]] const std::vector<std::string>& case_scene_names();  // those that every finished case has
+[[nodiscard]] const std::vector<std::string>& wave_scene_names();
 
 // Fails with "scene-unknown" (the names are listed), or where the case lacks what the scene shows.
 Result<Scene> case_scene(const casefile::Case& patient, const std::string& name);

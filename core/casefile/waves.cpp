@@ -1,0 +1,120 @@
+#include "casefile/waves.h"
+
+#include <fmt/format.h>
+#include <map>
+
+#include "casefile/motion_options.h"
+#include "imaging/volume_file.h"
+
+namespace glisson::casefile {
+namespace fs = std::filesystem;
+namespace {
+
+// "volumes/phase", "volumes/phase-07": an entry of that kind.
+bool is_of(const Entry& entry, const std::string& kind) { return entry.id == kind || entry.id.starts_with(kind + "-"); }
+
+std::vector<const Entry*> entries_of(const Case& patient, const std::string& kind) {
+  std::vector<const Entry*> found;
+  for (const Entry& entry : patient.entries()) {
+    if (is_of(entry, kind)) found.push_back(&entry);
+  }
+  return found;
+}
+
+Result<std::vector<float>> mean_magnitude(const Case& patient, const imaging::Grid& grid) {
+  std::vector<float> mean;
+  const auto entries = entries_of(patient, "volumes/magnitude");
+  for (const Entry* entry : entries) {
+    const auto volume = imaging::read_volume_file(patient.folder() / entry->file);
+    if (!volume) return failure(volume.error());
+    if (!imaging::same_grid(volume->grid, grid, 0.1)) {
+      return failure("waves-grids-differ", GLISSON_TEXT("The magnitude images do not lie on the grid of the waves."));
+    }
+    mean.resize(volume->values.size(), 0);
+    for (std::size_t v = 0; v < mean.size(); ++v) mean[v] += volume->values[v] / static_cast<float>(entries.size());
+  }
+  return mean;
+}
+
+Result<void> accept(Case& patient, const elastography::ModulusMap& map, const Made& made) {
+  const auto save = [&](const char* id, const imaging::Volume& volume) {
+    return patient.add(id, ".nrrd", made,
+                       [&](const fs::path& file) { return imaging::write_volume_file(file, volume); });
+  };
+  if (auto saved = save("volumes/shear-wave", map.wave_rad); !saved) return saved;
+  for (const auto& [id, volume] : {std::pair{"volumes/storage", &map.storage_kPa}, {"volumes/loss", &map.loss_kPa}}) {
+    Result<void> done;
+    if (*volume) {
+      done = save(id, **volume);
+    } else if (patient.find(id) != nullptr) {
+      done = patient.remove(id);  // that of an earlier inversion would not belong to this map
+    }
+    if (!done) return done;
+  }
+  if (auto saved = save("volumes/confidence", map.confidence); !saved) return saved;
+  return save("volumes/stiffness", map.magnitude_kPa);
+}
+
+}  // namespace
+
+Result<elastography::SortedWaves> read_waves(const Case& patient, const elastography::AskedFor& asked) {
+  std::vector<const Entry*> entries = entries_of(patient, "volumes/phase");
+  const bool wrapped = !entries.empty();
+  if (!wrapped) entries = entries_of(patient, "volumes/wave");
+  if (entries.empty()) {
+    return failure(Error{"waves-none",
+                         GLISSON_TEXT("{0} holds no wave or phase images."),
+                         {patient.folder().string()},
+                         GLISSON_TEXT("Import the phase series of an elastography scan (glisson-cli import --phase)."),
+                         patient.folder()});
+  }
+  std::vector<elastography::PhaseImage> images;
+  std::map<std::string, int> number_of_series;
+  for (const Entry* entry : entries) {
+    auto volume = imaging::read_volume_file(patient.folder() / entry->file);
+    if (!volume) return failure(volume.error());
+    const auto series = entry->made.options.find("series");
+    const std::string uid = series == entry->made.options.end() ? std::string() : series->second;
+    const int number = number_of_series.try_emplace(uid, static_cast<int>(number_of_series.size())).first->second;
+    images.push_back({std::move(*volume), motion_from(entry->made.options), number, wrapped});
+  }
+  const imaging::Grid grid = images.front().volume.grid;
+  auto sorted = elastography::sort_waves(std::move(images), asked);
+  if (!sorted) return sorted;
+  auto magnitude = mean_magnitude(patient, grid);
+  if (!magnitude) return failure(magnitude.error());
+  for (elastography::WaveImages& waves : sorted->frequencies) waves.magnitude = *magnitude;
+  return sorted;
+}
+
+Result<elastography::ModulusMap> invert_waves(Case& patient, const elastography::AskedFor& asked,
+                                              const elastography::InversionOptions& options, const Progress& progress) {
+  progress.report(0, "Reading the waves");
+  const auto sorted = read_waves(patient, asked);
+  if (!sorted) return failure(sorted.error());
+  Made made{"invert", {{"method", std::string(elastography::method_name(options.method))}}, {}, {}, {}};
+  for (const char* kind : {"volumes/phase", "volumes/wave", "volumes/magnitude"}) {
+    for (const Entry* entry : entries_of(patient, kind)) made.from.push_back(entry->id);
+  }
+  std::optional<imaging::Mask> organ;
+  if (patient.find("labels/liver") != nullptr) {
+    auto liver =
+        patient.file_of("labels/liver").and_then([](const fs::path& file) { return imaging::read_mask_file(file); });
+    if (!liver) return failure(liver.error());
+    organ = std::move(liver->mask);
+    made.from.emplace_back("labels/liver");
+  }
+  auto map = elastography::invert(sorted->frequencies, organ, options, progress.part(0.1, 0.9));
+  if (!map) return map;
+  map->notes.insert(map->notes.begin(), sorted->notes.begin(), sorted->notes.end());
+  made.notes = map->notes;
+  for (std::size_t f = 0; f < map->frequencies_Hz.size(); ++f) {
+    const std::string name = f == 0 ? "frequency_Hz" : fmt::format("frequency_Hz-{}", f + 1);
+    made.options[name] = fmt::format("{:g}", map->frequencies_Hz[f]);
+  }
+  progress.report(0.9, "Saving the maps");
+  if (auto saved = accept(patient, *map, made); !saved) return failure(saved.error());
+  return map;
+}
+
+}  // namespace glisson::casefile

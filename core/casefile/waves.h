@@ -1,0 +1,24 @@
+#pragma once
+// The raw waves of a case, and what their inversion gives back to it.
+
+#include "base/progress.h"
+#include "casefile/case.h"
+#include "elastography/inversion.h"
+
+namespace glisson::casefile {
+
+// The phase images of a case as they were imported (volumes/phase...; where there are none, the vendor's
+// volumes/wave...) with the mean of volumes/magnitude.... Fails with "waves-none", or as elastography::sort_waves does.
+Result<elastography::SortedWaves> read_waves(const Case& patient, const elastography::AskedFor& asked = {});
+
+// Inverts them and takes the outcome into the case, inside labels/liver where that exists:
+//   volumes/stiffness    |G*| in kPa (for lfe density times squared wave speed): what `stiffness` and every later stage
+//                        read. A map from the scanner, if there was one, gives way.
+//   volumes/confidence   0 to 1
+//   volumes/storage, volumes/loss    kPa; direct method only
+//   volumes/shear-wave   the strongest component of the waves at one instant, in rad
+Result<elastography::ModulusMap> invert_waves(Case& patient, const elastography::AskedFor& asked = {},
+                                              const elastography::InversionOptions& options = {},
+                                              const Progress& progress = {});
+
+}  // namespace glisson::casefile
