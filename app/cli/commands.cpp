@@ -9,6 +9,7 @@ void add_commands(CLI::App& app, Action& chosen) {
   add_scan(app, chosen);
   add_import(app, chosen);
   add_segment(app, chosen);
+  add_invert(app, chosen);
   add_mesh(app, chosen);
   add_stiffness(app, chosen);
   add_simulate(app, chosen);
@@ -22,6 +23,7 @@ void add_commands(CLI::App& app, Action& chosen) {
   add_register(app, chosen);
   add_sirgn(app, chosen);
   add_review(app, chosen);
+  add_study(app, chosen);
   add_platform(app, chosen);
   add_explain(app, chosen);
   add_predict(app, chosen);

@@ -140,8 +140,9 @@ Waves without_swaying(Waves waves) {
   const auto width = static_cast<std::size_t>(grid.size[0]);
   const std::size_t slice = width * static_cast<std::size_t>(grid.size[1]);
   const auto plane_at = [&](std::size_t v) {
-    return Eigen::Vector3d(1, static_cast<double>(v % width) / grid.size[0],
-                           static_cast<double>(v % slice / width) / grid.size[1]);
+    const std::size_t i = v % width;
+    const std::size_t j = v % slice / width;
+    return Eigen::Vector3d(1, static_cast<double>(i) / grid.size[0], static_cast<double>(j) / grid.size[1]);
   };
   for (ComplexField& u : waves.components) {
     for (std::size_t begin = 0; begin < u.size(); begin += slice) {

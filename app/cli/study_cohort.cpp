@@ -1,0 +1,90 @@
+// glisson-cli study cohort FOLDER --out DIR: how stiffness varies between and within the patients of a cohort.
+
+#include <fmt/format.h>
+#include <filesystem>
+
+#include "study/cohort.h"
+#include "study_commands.h"
+
+namespace glisson::cli {
+namespace fs = std::filesystem;
+namespace {
+
+struct Options {
+  std::string folder;
+  std::string out;
+  int simulated = 0;
+  unsigned seed = 1;
+  bool list = false;
+  study::CohortOptions cohort;
+};
+
+Outcome describe(const study::CohortSummary& summary) {
+  std::string text = fmt::format(
+      "{} patients ({} from an earlier run), {} could not be used\n"
+      "Mean shear stiffness {:.2f} kPa (median {:.2f}, sd {:.2f}); 95 % lie between {:.2f} and {:.2f} kPa\n"
+      "{:.0f} % lie within the atlas's width of the median, {:.0f} % in the atlas's own interval; the upper limit is "
+      "{:.1f} times the atlas's\n"
+      "Rank correlation of the spread within a patient with the mean: {:.2f}\n",
+      summary.patients, summary.reused, summary.failed, summary.mean_kPa, summary.median_kPa, summary.sd_kPa,
+      summary.low_kPa, summary.high_kPa, 100 * summary.like_atlas_fraction, 100 * summary.in_atlas_fraction,
+      summary.upper_limit_ratio, summary.rank_correlation);
+  Outcome outcome{parse_json(study::summary_text(summary)).value(), std::move(text)};
+  outcome.document["rows"] = Json::array();
+  for (const study::BatchRow& row : summary.rows) {
+    Json json{{"patient", row.id}};
+    for (const auto& [name, value] : row.values) json[name] = value;
+    if (!row.error.empty()) {
+      json["error"] = row.error;
+      outcome.text += fmt::format("  {}: {}\n", row.id, row.error);
+    }
+    outcome.document["rows"].push_back(std::move(json));
+  }
+  return outcome;
+}
+
+Outcome list_of(const std::vector<std::string>& ids) {
+  Outcome outcome{{{"ids", ids}}, {}};
+  for (const std::string& id : ids) outcome.text += id + "\n";
+  return outcome;
+}
+
+Result<Outcome> run(Options options, const Progress& progress) {
+  if (options.simulated > 0) {
+    options.folder = (fs::path(options.out) / "simulated").string();
+    options.cohort.warning = "SIMULATED cohort, drawn to the distributions of the dissertation; nobody was measured";
+    if (auto made = study::write_simulated_cohort(options.folder, options.simulated, options.seed); !made) {
+      return failure(made.error());
+    }
+  }
+  if (options.folder.empty()) {
+    return failure("cohort-no-folder", GLISSON_TEXT("Name the cohort's folder, or ask for a simulated one with "
+                                                    "--simulated N."));
+  }
+  if (options.list) return study::cohort_patients(options.folder).map(list_of);
+  return study::run_cohort(options.folder, options.out, options.cohort, progress).map(describe);
+}
+
+}  // namespace
+
+void add_study_cohort(CLI::App& study, Action& chosen) {
+  CLI::App* command = study.add_subcommand(
+      "cohort", "Stiffness between and within patients, against the atlas (section 4.3); run again, it goes on");
+  auto options = std::make_shared<Options>();
+  CLI::Option* folder =
+      command->add_option("folder", options->folder, "Folder with stiffness maps or cases (NAME.glisson)");
+  command->add_option("--out", options->out, "Folder for the rows, the table, the summary and the report")->required();
+  command->add_option("--simulated", options->simulated, "Instead of a folder: a SIMULATED cohort of so many patients")
+      ->check(CLI::Range(1, 100000))
+      ->excludes(folder);
+  command->add_option("--seed", options->seed, "Of the simulated cohort")->capture_default_str();
+  command->add_option("--patient", options->cohort.only, "Compute this patient alone: one job of many");
+  command->add_flag("--list", options->list, "Compute nothing: name the patients");
+  command->add_option("--atlas-kPa", options->cohort.atlas_kPa, "Mean shear stiffness of the atlas")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 1000.0));
+  command->callback(
+      [&chosen, options] { chosen = [options](const Progress& progress) { return run(*options, progress); }; });
+}
+
+}  // namespace glisson::cli

@@ -1,0 +1,12 @@
+#pragma once
+// The parts of glisson-cli study.
+
+#include "command.h"
+
+namespace glisson::cli {
+
+void add_study_cohort(CLI::App& study, Action& chosen);
+void add_study_palpation(CLI::App& study, Action& chosen);
+void add_study_validate_stiffness(CLI::App& study, Action& chosen);
+
+}  // namespace glisson::cli

@@ -1,0 +1,92 @@
+// The dissertation's studies through glisson-cli.
+
+#include <gmock/gmock.h>
+#include <filesystem>
+
+#include "base/files.h"
+#include "support/process.h"
+
+namespace glisson::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+Json answer(std::vector<std::string> arguments) {
+  arguments.insert(arguments.end(), {"--json", "--quiet"});
+  const Finished finished = glisson_cli(arguments);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err << finished.out;
+  return finished.exit_code == 0 ? finished.json() : Json::object();
+}
+
+TEST(Study, ACohortIsRunOneJobAPatientAndThenAsAWhole) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  answer({"study", "cohort", "--simulated", "12", "--out", out});
+  const std::string maps = (fs::path(out) / "simulated").string();
+  const std::string jobs = (folder.path() / "jobs").string();
+  const Json one = answer({"study", "cohort", maps, "--out", jobs, "--patient", "simulated-003-stiffness"});
+  EXPECT_EQ(one.at("patients"), 1);
+  const Json all = answer({"study", "cohort", maps, "--out", jobs});
+  EXPECT_EQ(all.at("patients"), 12);
+  EXPECT_EQ(all.at("reused"), 1);
+  EXPECT_EQ(all.at("rows").size(), 12u);
+  EXPECT_TRUE(fs::exists(fs::path(jobs) / "report.html"));
+}
+
+// The workflow that clusters run, with the cores of this machine: two jobs at once, killed and taken up again.
+TEST(Study, ACohortRunsInAWorkflowThatIsKilledAndTakenUpAgain) {
+  const fs::path snakemake = "/usr/bin/snakemake";
+  if (!fs::exists(snakemake)) GTEST_SKIP() << "snakemake is not installed";
+  const TemporaryFolder folder;
+  const std::string maker = (folder.path() / "maker").string();
+  answer({"study", "cohort", "--simulated", "16", "--out", maker});
+  const std::string maps = (fs::path(maker) / "simulated").string();
+  const fs::path out = folder.path() / "out";
+  const std::vector<std::string> workflow{snakemake.string(),
+                                          "--snakefile",
+                                          std::string(GLISSON_SOURCE_DIR) + "/packaging/cohort/Snakefile",
+                                          "--directory",
+                                          folder.path().string(),
+                                          "--cores",
+                                          "2",
+                                          "--nolock",
+                                          "--rerun-incomplete",
+                                          "--config",
+                                          "folder=" + maps,
+                                          "out=" + out.string(),
+                                          std::string("glisson_cli=") + GLISSON_BINARY_DIR + "/bin/glisson-cli"};
+  const auto rows = [&] {
+    std::error_code problem;
+    const fs::directory_iterator files(out / "patients", problem);
+    return problem ? 0 : std::distance(begin(files), end(files));
+  };
+  // Killed again and again, a little later each time, until it was killed in the middle.
+  std::ptrdiff_t done = 0;
+  for (int seconds = 3; seconds <= 30 && done == 0; seconds += 2) {
+    std::vector<std::string> arguments{"-s", "KILL", std::to_string(seconds)};
+    arguments.insert(arguments.end(), workflow.begin(), workflow.end());
+    run("/usr/bin/timeout", arguments);
+    done = rows();
+  }
+  ASSERT_GT(done, 0);
+  EXPECT_FALSE(fs::exists(out / "summary.json") && done < 16);
+  const Finished finished = run(snakemake, {workflow.begin() + 1, workflow.end()});
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(rows(), 16);
+  EXPECT_TRUE(fs::exists(out / "report.html"));
+  const Json whole = answer({"study", "cohort", maps, "--out", maker});
+  EXPECT_EQ(parse_json(read_text_file(out / "summary.json").value()).value().at("mean_kPa"), whole.at("mean_kPa"));
+}
+
+TEST(Study, ValidatingStiffnessWithoutFilesUsesTheDissertationsFigures) {
+  const TemporaryFolder folder;
+  const Json validation = answer({"study", "validate-stiffness", "--out", folder.path().string()});
+  EXPECT_EQ(validation.at("materials").size(), 2u);
+  EXPECT_LT(validation.at("largest_difference_percent").get<double>(), 60);
+  EXPECT_EQ(validation.at("notes").size(), 1u);
+}
+
+TEST(Study, NamesItsSubcommands) { EXPECT_EQ(glisson_cli({"study", "--quiet"}).exit_code, 2); }
+
+}  // namespace
+}  // namespace glisson::test
