@@ -29,6 +29,8 @@ void add_mesh(CLI::App& app, Action& chosen);
 void add_stiffness(CLI::App& app, Action& chosen);
 void add_invert(CLI::App& app, Action& chosen);
 void add_simulate(CLI::App& app, Action& chosen);
+void add_resect(CLI::App& app, Action& chosen);
+void add_session(CLI::App& app, Action& chosen);
 void add_compare(CLI::App& app, Action& chosen);
 void add_export(CLI::App& app, Action& chosen);
 void add_render(CLI::App& app, Action& chosen);

@@ -13,6 +13,8 @@ void add_commands(CLI::App& app, Action& chosen) {
   add_mesh(app, chosen);
   add_stiffness(app, chosen);
   add_simulate(app, chosen);
+  add_resect(app, chosen);
+  add_session(app, chosen);
   add_compare(app, chosen);
   add_render(app, chosen);
   add_export(app, chosen);

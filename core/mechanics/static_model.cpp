@@ -73,6 +73,18 @@ Result<StaticResult> StaticModel::solve_nodal(const NodalLoad& load) const {
   return std::move(parts_->solve(load.force_mN, load.held_displacement_mm).front());
 }
 
+StaticModel::Responses StaticModel::respond(const Eigen::MatrixXd& force_mN) const {
+  const auto solutions =
+      parts_->system->solve(force_mN, {}, {.tolerance = parts_->options.relative_tolerance, .max_refinements = 0});
+  Responses responses{Eigen::MatrixXd(force_mN.rows(), force_mN.cols()), 0.0, true};
+  for (std::size_t i = 0; i < solutions.size(); ++i) {
+    responses.displacement_mm.col(static_cast<Eigen::Index>(i)) = solutions[i].u;
+    responses.relative_residual = std::max(responses.relative_residual, solutions[i].relative_residual);
+    responses.converged &= solutions[i].converged;
+  }
+  return responses;
+}
+
 std::vector<StaticResult> StaticModel::Parts::solve(const Eigen::MatrixXd& force_mN,
                                                     const Eigen::MatrixXd& held_mm) const {
   const Stopwatch watch;

@@ -67,6 +67,15 @@ class StaticModel {
   [[nodiscard]] Result<std::vector<StaticResult>> solve_each(const std::vector<Loads>& cases) const;
   [[nodiscard]] Result<StaticResult> solve_nodal(const NodalLoad& load) const;
 
+  // The displacements of all nodes (mm, 3 a node) under each column of forces (mN), held nodes still: for callers that
+  // ask often and sum up. Solved once, unrefined; what that left is in `relative_residual`, the worst of the columns.
+  struct Responses {
+    Eigen::MatrixXd displacement_mm;
+    double relative_residual = 0;
+    bool converged = false;  // within the options' tolerance, all of them
+  };
+  [[nodiscard]] Responses respond(const Eigen::MatrixXd& force_mN) const;
+
   [[nodiscard]] const geometry::TetMesh& mesh() const;
   [[nodiscard]] const std::vector<double>& youngs_kPa() const;
   [[nodiscard]] const NodeLayout& nodes() const;

@@ -1,0 +1,132 @@
+// glisson-cli session CASE --commands FILE.json [--out FILE.json]: a rehearsal with tools in contact, step by step;
+// what was recorded before is compared bit for bit.
+
+#include <fmt/format.h>
+
+#include "base/files.h"
+#include "casefile/model.h"
+#include "command.h"
+#include "geometry/mesh_file.h"
+#include "rehearsal/session.h"
+#include "shared_options.h"
+
+namespace glisson::cli {
+namespace {
+
+struct Options {
+  std::string case_folder;
+  std::string commands_file;
+  std::optional<std::string> out;
+};
+
+Json json_of(const rehearsal::SessionStep& step) {
+  Json tools = Json::array();
+  for (const auto& tool : step.tools) {
+    tools.push_back({{"id", tool.id},
+                     {"force_N", three(tool.force_mN * 1e-3)},
+                     {"contacts", tool.contacts},
+                     {"advance_mm", tool.advance_mm},
+                     {"penetration_mm", tool.penetration_mm}});
+  }
+  return {{"converged", step.report.converged},
+          {"relative_residual", step.report.relative_residual},
+          {"iterations", step.report.rounds},
+          {"energy_uJ", step.report.energy_uJ},
+          {"inverted_cells", step.report.inverted_cells},
+          {"penetration_mm", step.report.penetration_mm},
+          {"solve_ms", step.report.solve_ms},
+          {"tools", std::move(tools)}};
+}
+
+Json json_of(const rehearsal::SessionFrame& frame) {
+  Json json{{"number", frame.number},
+            {"patient", json_of(frame.patient_step)},
+            {"max_displacement_mm", frame.patient.max_displacement_mm},
+            {"max_difference_mm", frame.max_difference_mm},
+            {"step_ms", frame.step_ms},
+            {"digest", frame.digest},
+            {"landmarks", Json::array()}};
+  if (!frame.refused.empty()) json["refused"] = frame.refused;
+  if (frame.atlas_step) json["atlas"] = json_of(*frame.atlas_step);
+  for (std::size_t l = 0; l < frame.patient.landmarks.size(); ++l) {
+    const auto& landmark = frame.patient.landmarks[l];
+    Json entry{{"id", landmark.id},
+               {"position_mm", three(landmark.displaced_mm)},
+               {"displacement_mm", landmark.displacement_mm}};
+    if (l < frame.differences.size()) {
+      entry["difference_mm"] = frame.differences[l].difference_mm;
+      entry["significant"] = frame.differences[l].significant();
+    }
+    json["landmarks"].push_back(std::move(entry));
+  }
+  return json;
+}
+
+Result<Outcome> run(const Options& options, const Progress& progress) {
+  const auto text = read_text_file(options.commands_file, std::uint64_t{64} << 20);
+  if (!text) return failure(text.error());
+  auto commands = rehearsal::parse_recording(*text, options.commands_file);
+  if (!commands) return failure(std::move(commands.error()));
+  progress.report(0.0, "Reading the model");
+  auto model = casefile::Case::open(options.case_folder).and_then([](const casefile::Case& patient) {
+    return casefile::read_model(patient);
+  });
+  if (!model) return failure(model.error());
+  rehearsal::RehearsalSetup setup;
+  setup.mesh = std::move(model->mesh);
+  setup.patient_youngs_kPa = std::move(model->youngs_kPa);
+  setup.atlas_youngs_kPa = model->atlas_youngs_kPa;
+  setup.supports = std::move(model->supports);
+  setup.landmarks = std::move(model->landmarks);
+  auto engine = rehearsal::SessionEngine::create(std::move(setup), progress.part(0.0, 0.7));
+  if (!engine) return failure(std::move(engine.error()));
+
+  Outcome outcome{{{"steps", Json::array()}}, ""};
+  rehearsal::Recording recording;
+  std::optional<std::size_t> first_other;
+  for (std::size_t i = 0; i < commands->size(); ++i) {
+    progress.report(0.7 + 0.3 * double(i) / double(commands->size()), "Moving the tools");
+    if (progress.cancelled()) return cancelled();
+    const auto& [command, recorded] = (*commands)[i];
+    const rehearsal::SessionFrame& frame = engine->step(command);
+    if (!recorded.empty() && recorded != frame.digest && !first_other) first_other = i;
+    recording.emplace_back(command, frame.digest);
+    outcome.document["steps"].push_back(json_of(frame));
+    outcome.text += fmt::format("{:3}  moved by {:6.2f} mm, atlas apart by {:5.2f} mm, in {:6.1f} ms{}\n", frame.number,
+                                frame.patient.max_displacement_mm, frame.max_difference_mm, frame.step_ms,
+                                frame.refused.empty() ? "" : "  REFUSED: " + frame.refused);
+  }
+  if (first_other) {
+    return failure(Error{"replay-differs",
+                         GLISSON_TEXT("Command {0} led to another state than was recorded."),
+                         {std::to_string(*first_other + 1)},
+                         GLISSON_TEXT("Replay with the case and the version that it was recorded with."),
+                         options.commands_file});
+  }
+  if (options.out) {
+    if (auto written = write_text_file(*options.out, rehearsal::recording_text(recording)); !written) {
+      return failure(std::move(written.error()));
+    }
+    outcome.document["out"] = *options.out;
+  }
+  return outcome;
+}
+
+}  // namespace
+
+void add_session(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand(
+      "session", "Rehearse with tools in contact, command by command; replay a recording to the bit");
+  auto options = std::make_shared<Options>();
+  command->add_option("case", options->case_folder, "The case")->required();
+  command
+      ->add_option(
+          "--commands", options->commands_file,
+          "\"glisson-session/1\" (JSON): hold, release and undo; a digest that stands there must come out again")
+      ->required();
+  command->add_option("--out", options->out, "The same commands with each frame's digest");
+  command->callback(
+      [&chosen, options] { chosen = [options](const Progress& progress) { return run(*options, progress); }; });
+}
+
+}  // namespace glisson::cli

@@ -1,0 +1,103 @@
+// The thread of a live session: commands wait in a queue, frames are handed over whole.
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+#include "rehearsal/session.h"
+
+namespace glisson::rehearsal {
+namespace {
+
+// Does the later command make the earlier one pointless? A tool that is moved again before it was moved.
+bool replaces(const SessionCommand& later, const SessionCommand& earlier) {
+  const auto* now = std::get_if<HoldTool>(&later);
+  const auto* before = std::get_if<HoldTool>(&earlier);
+  return now != nullptr && before != nullptr && now->tool.id == before->tool.id &&
+         now->tool.what.index() == before->tool.what.index();
+}
+
+}  // namespace
+
+struct LiveSession::Parts {
+  mutable std::mutex mutex;
+  std::condition_variable changed;
+  std::deque<SessionCommand> waiting;
+  bool is_stepping = false;
+  std::shared_ptr<const SessionFrame> latest;
+  std::optional<Error> error;
+  Recording recording;
+  std::jthread thread;
+
+  void run(const std::stop_token& closing, RehearsalSetup setup);
+};
+
+LiveSession::LiveSession(RehearsalSetup setup) : parts_(std::make_unique<Parts>()) {
+  parts_->thread = std::jthread([parts = parts_.get(), given = std::move(setup)](
+                                    const std::stop_token& closing) mutable { parts->run(closing, std::move(given)); });
+}
+
+LiveSession::~LiveSession() {
+  parts_->thread.request_stop();
+  {
+    const std::lock_guard lock(parts_->mutex);  // it waits, or will look before it does
+  }
+  parts_->changed.notify_all();
+}
+
+void LiveSession::Parts::run(const std::stop_token& closing, RehearsalSetup setup) {
+  auto engine = SessionEngine::create(std::move(setup), Progress({}, closing));
+  std::unique_lock lock(mutex);
+  if (!engine) {
+    error = std::move(engine.error());
+    return;
+  }
+  latest = engine->shared_frame();
+  for (;;) {
+    changed.wait(lock, [&] { return closing.stop_requested() || !waiting.empty(); });
+    if (closing.stop_requested()) return;
+    SessionCommand command = std::move(waiting.front());
+    waiting.pop_front();
+    is_stepping = true;
+    lock.unlock();
+    engine->step(command);
+    lock.lock();
+    is_stepping = false;
+    latest = engine->shared_frame();
+    recording.emplace_back(std::move(command), latest->digest);
+  }
+}
+
+void LiveSession::post(SessionCommand command) {
+  {
+    const std::lock_guard lock(parts_->mutex);
+    if (!parts_->waiting.empty() && replaces(command, parts_->waiting.back())) parts_->waiting.pop_back();
+    parts_->waiting.push_back(std::move(command));
+  }
+  parts_->changed.notify_all();
+}
+
+SessionState LiveSession::state() const {
+  const std::lock_guard lock(parts_->mutex);
+  if (parts_->error) return SessionState::failed;
+  if (!parts_->latest) return SessionState::preparing;
+  return parts_->is_stepping || !parts_->waiting.empty() ? SessionState::stepping : SessionState::ready;
+}
+
+std::shared_ptr<const SessionFrame> LiveSession::latest() const {
+  const std::lock_guard lock(parts_->mutex);
+  return parts_->latest;
+}
+
+std::optional<Error> LiveSession::error() const {
+  const std::lock_guard lock(parts_->mutex);
+  return parts_->error;
+}
+
+Recording LiveSession::recording() const {
+  const std::lock_guard lock(parts_->mutex);
+  return parts_->recording;
+}
+
+}  // namespace glisson::rehearsal

@@ -1,0 +1,271 @@
+#include "rehearsal/session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <future>
+
+#include "base/files.h"
+
+namespace glisson::rehearsal {
+namespace {
+
+using Eigen::Vector3d;
+using mechanics::ContactBody;
+using mechanics::ContactState;
+using mechanics::Grasp;
+using mechanics::HandTool;
+using mechanics::TouchingTool;
+using Clock = std::chrono::steady_clock;
+using Tools = std::vector<HandTool>;
+
+// All that a command starts from, and undo goes back to.
+struct Moment {
+  Tools tools;
+  ContactState patient;
+  std::optional<ContactState> atlas;
+};
+
+// Between two sets of tools: those of the same id go in a straight line, the others are there at once.
+Tools between(const Tools& from, const Tools& to, double part);
+double farthest_move_mm(const Tools& from, const Tools& to);
+
+std::string digest_of(const Moment& moment);
+
+}  // namespace
+
+struct SessionEngine::Parts {
+  std::optional<ContactBody> patient, atlas;
+  std::vector<mechanics::Landmark> landmarks;
+  std::vector<mechanics::PointInMesh> landmark_places;
+  std::vector<geometry::Surface> structures;
+  std::vector<Moment> moments;  // the first untouched, the last the present
+  std::uint64_t commands = 0;
+  std::shared_ptr<const SessionFrame> latest;
+
+  [[nodiscard]] Result<Moment> moved(const Moment& from, const Tools& tools) const;
+  [[nodiscard]] RehearsalBody shown(const ContactBody& body, const ContactState& state) const;
+  [[nodiscard]] SessionFrame frame_of(const Moment& moment) const;
+};
+
+Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress& progress) {
+  auto parts = std::make_shared<Parts>();
+  auto places = mechanics::locate_landmarks(setup.mesh, setup.landmarks, setup.landmark_tolerance_mm);
+  if (!places) return failure(std::move(places.error()));
+  std::vector<mechanics::PointInMesh> watched = *places;
+  parts->landmark_places = std::move(*places);
+  parts->landmarks = std::move(setup.landmarks);
+  for (geometry::Surface& structure : setup.structures) {
+    if (auto checked = geometry::check_surface(structure); !checked) return failure(std::move(checked.error()));
+    const auto in_mesh = mechanics::locate_points(setup.mesh, structure.points_mm);
+    watched.insert(watched.end(), in_mesh.begin(), in_mesh.end());
+    parts->structures.push_back(std::move(structure));
+  }
+  const auto body_of = [&](std::vector<double> youngs_kPa, const Progress& part) {
+    return mechanics::StaticModel::create(setup.mesh, std::move(youngs_kPa), setup.supports, setup.options, part)
+        .and_then([&](mechanics::StaticModel model) {
+          return ContactBody::create(std::move(model), setup.standing_loads, watched);
+        });
+  };
+  auto patient = body_of(std::move(setup.patient_youngs_kPa), progress.part(0.0, setup.atlas_youngs_kPa ? 0.5 : 1.0));
+  if (!patient) return failure(std::move(patient.error()));
+  parts->patient = std::move(*patient);
+  Moment untouched{{}, parts->patient->untouched(), {}};
+  if (setup.atlas_youngs_kPa) {
+    auto atlas =
+        body_of(std::vector<double>(setup.mesh.cells.size(), *setup.atlas_youngs_kPa), progress.part(0.5, 1.0));
+    if (!atlas) return failure(std::move(atlas.error()));
+    parts->atlas = std::move(*atlas);
+    untouched.atlas = parts->atlas->untouched();
+  }
+  parts->moments.push_back(std::move(untouched));
+  parts->latest = std::make_shared<SessionFrame>(parts->frame_of(parts->moments.back()));
+  return SessionEngine(std::move(parts));
+}
+
+const SessionFrame& SessionEngine::step(const SessionCommand& command) {
+  const auto start = Clock::now();
+  Parts& parts = *parts_;
+  ++parts.commands;
+  std::string refused;
+  Tools tools = parts.moments.back().tools;
+  const auto of_id = [&](const std::string& id) {
+    return std::find_if(tools.begin(), tools.end(), [&](const HandTool& tool) { return tool.id == id; });
+  };
+  if (const auto* hold = std::get_if<HoldTool>(&command)) {
+    const auto held = of_id(hold->tool.id);
+    if (held == tools.end()) {
+      tools.push_back(hold->tool);
+    } else {
+      *held = hold->tool;
+    }
+  } else if (const auto* release = std::get_if<ReleaseTool>(&command)) {
+    const auto held = of_id(release->id);
+    if (held == tools.end()) {
+      refused = "There is no tool " + release->id + " to let go.";
+    } else {
+      tools.erase(held);
+    }
+  } else if (parts.moments.size() > 1) {
+    parts.moments.pop_back();
+  } else {
+    refused = "There is nothing to undo.";
+  }
+  if (refused.empty() && !std::holds_alternative<Undo>(command)) {
+    auto moment = parts.moved(parts.moments.back(), tools);
+    if (moment) {
+      parts.moments.push_back(std::move(*moment));
+    } else {
+      refused = moment.error().message();
+    }
+  }
+  SessionFrame frame = parts.frame_of(parts.moments.back());
+  frame.number = parts.commands;
+  frame.refused = std::move(refused);
+  frame.step_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  parts.latest = std::make_shared<SessionFrame>(std::move(frame));
+  return *parts.latest;
+}
+
+// The twin is moved beside the patient, on a thread of its own.
+Result<Moment> SessionEngine::Parts::moved(const Moment& from, const Tools& tools) const {
+  const mechanics::ContactOptions options;
+  constexpr int most_steps = 200;
+  const int steps = std::clamp(
+      static_cast<int>(std::ceil(farthest_move_mm(from.tools, tools) / options.largest_move_mm)), 1, most_steps);
+  const auto all_steps = [&](const ContactBody& body, ContactState state) -> Result<ContactState> {
+    for (int step = 1; step <= steps; ++step) {
+      auto next = body.solve(state, between(from.tools, tools, double(step) / steps), options);
+      if (!next) return next;
+      if (!next->report.converged) {
+        return failure("not-converged",
+                       GLISSON_TEXT("The step did not converge: after {0} rounds a tool still reaches {1} mm into the "
+                                    "surface, which still moves by {2} mm."),
+                       {std::to_string(next->report.rounds), std::to_string(next->report.penetration_mm),
+                        std::to_string(next->report.movement_mm)});
+      }
+      state = std::move(*next);
+    }
+    return state;
+  };
+  std::future<Result<ContactState>> beside;
+  if (atlas) beside = std::async(std::launch::async, [&] { return all_steps(*atlas, *from.atlas); });
+  auto patient_state = all_steps(*patient, from.patient);
+  Moment moment{tools, {}, {}};
+  if (atlas) {
+    auto atlas_state = beside.get();
+    if (!atlas_state) return failure(std::move(atlas_state.error()));
+    moment.atlas = std::move(*atlas_state);
+  }
+  if (!patient_state) return failure(std::move(patient_state.error()));
+  moment.patient = std::move(*patient_state);
+  return moment;
+}
+
+RehearsalBody SessionEngine::Parts::shown(const ContactBody& body, const ContactState& state) const {
+  RehearsalBody shown;
+  const auto& rest_mm = body.surface().points_mm;
+  for (std::size_t p = 0; p < rest_mm.size(); ++p) {
+    shown.surface_mm.push_back(rest_mm[p] + state.surface_mm[p]);
+    shown.max_displacement_mm = std::max(shown.max_displacement_mm, state.surface_mm[p].norm());
+  }
+  auto next = state.watched_mm.begin();
+  const auto after_landmarks = next + static_cast<std::ptrdiff_t>(landmarks.size());
+  shown.landmarks = mechanics::displaced_landmarks(landmarks, landmark_places, {next, after_landmarks});
+  next = after_landmarks;
+  for (const geometry::Surface& structure : structures) {
+    std::vector<Vector3d> points_mm;
+    for (const Vector3d& point : structure.points_mm) points_mm.push_back(point + *next++);
+    shown.structures_mm.push_back(std::move(points_mm));
+  }
+  return shown;
+}
+
+SessionFrame SessionEngine::Parts::frame_of(const Moment& moment) const {
+  SessionFrame frame;
+  frame.tools = moment.tools;
+  frame.patient = shown(*patient, moment.patient);
+  frame.patient_step = {moment.patient.report, moment.patient.tools};
+  if (moment.atlas) {
+    frame.atlas = shown(*atlas, *moment.atlas);
+    frame.atlas_step = SessionStep{moment.atlas->report, moment.atlas->tools};
+    frame.differences = differences_between(frame.patient.landmarks, frame.atlas->landmarks);
+    for (std::size_t p = 0; p < frame.patient.surface_mm.size(); ++p) {
+      frame.max_difference_mm =
+          std::max(frame.max_difference_mm, (frame.patient.surface_mm[p] - frame.atlas->surface_mm[p]).norm());
+    }
+  }
+  frame.digest = digest_of(moment);
+  return frame;
+}
+
+const SessionFrame& SessionEngine::frame() const { return *parts_->latest; }
+std::shared_ptr<const SessionFrame> SessionEngine::shared_frame() const { return parts_->latest; }
+const geometry::Surface& SessionEngine::surface() const { return parts_->patient->surface(); }
+Result<mechanics::StaticResult> SessionEngine::whole_result() const {
+  return parts_->patient->whole_result(parts_->moments.back().patient);
+}
+
+std::optional<std::size_t> replay(SessionEngine& engine, const Recording& recording) {
+  std::optional<std::size_t> first_other;
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    const SessionFrame& frame = engine.step(recording[i].first);
+    if (!first_other && !recording[i].second.empty() && frame.digest != recording[i].second) first_other = i;
+  }
+  return first_other;
+}
+
+namespace {
+
+Tools between(const Tools& from, const Tools& to, double part) {
+  Tools tools = to;
+  for (HandTool& tool : tools) {
+    const auto before = std::find_if(from.begin(), from.end(), [&](const HandTool& old) { return old.id == tool.id; });
+    if (auto* touching = std::get_if<TouchingTool>(&tool.what)) {
+      const auto* old = before == from.end() ? nullptr : std::get_if<TouchingTool>(&before->what);
+      if (old == nullptr) continue;
+      touching->pose.position_mm = (1.0 - part) * old->pose.position_mm + part * touching->pose.position_mm;
+      if (touching->push_mN && old->push_mN)
+        *touching->push_mN = (1.0 - part) * *old->push_mN + part * *touching->push_mN;
+    } else {
+      auto& grasp = std::get<Grasp>(tool.what);
+      const auto* old_grasp = before == from.end() ? nullptr : std::get_if<Grasp>(&before->what);
+      auto* drawn_mm = std::get_if<Vector3d>(&grasp.drawn);
+      if (drawn_mm == nullptr) continue;
+      const Vector3d* old_mm = old_grasp == nullptr ? nullptr : std::get_if<Vector3d>(&old_grasp->drawn);
+      *drawn_mm = (1.0 - part) * (old_mm == nullptr ? Vector3d(0, 0, 0) : *old_mm) + part * *drawn_mm;
+    }
+  }
+  return tools;
+}
+
+double farthest_move_mm(const Tools& from, const Tools& to) {
+  const Tools begin = between(from, to, 0.0);
+  double farthest_mm = 0;
+  for (std::size_t t = 0; t < to.size(); ++t) {
+    if (const auto* touching = std::get_if<TouchingTool>(&to[t].what)) {
+      const auto& old = std::get<TouchingTool>(begin[t].what);
+      farthest_mm = std::max(farthest_mm, (touching->pose.position_mm - old.pose.position_mm).norm());
+    } else if (const auto* drawn_mm = std::get_if<Vector3d>(&std::get<Grasp>(to[t].what).drawn)) {
+      farthest_mm =
+          std::max(farthest_mm, (*drawn_mm - std::get<Vector3d>(std::get<Grasp>(begin[t].what).drawn)).norm());
+    }
+  }
+  return farthest_mm;
+}
+
+std::string digest_of(const Moment& moment) {
+  std::string bits;
+  const auto add = [&](const Vector3d& v) { bits.append(reinterpret_cast<const char*>(v.data()), 3 * sizeof(double)); };
+  const auto add_state = [&](const ContactState& state) {
+    for (const Vector3d& u : state.surface_mm) add(u);
+    for (const Vector3d& u : state.watched_mm) add(u);
+    for (const auto& [point, force] : state.force_mN) add(force);
+  };
+  add_state(moment.patient);
+  if (moment.atlas) add_state(*moment.atlas);
+  return sha256_of_text(bits);
+}
+
+}  // namespace
+}  // namespace glisson::rehearsal

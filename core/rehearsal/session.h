@@ -1,0 +1,112 @@
+#pragma once
+// A rehearsal with tools in the hand: the patient's liver and its atlas twin under the same tools, step by step.
+//
+// SessionEngine is the rehearsal itself, without a clock: a command and what was before give the next frame, always the
+// same to the bit. LiveSession runs one on a thread of its own and never keeps its caller waiting.
+//
+// The states, and what can be asked in each: a session is `preparing` (nothing to show yet), `ready` (the latest frame
+// is of all that was asked), `stepping` (it is of what came before) or `failed` (it never came to be, and says why). A
+// force without a tool, a tool without a pose or a frame before the model cannot be said.
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "mechanics/contact.h"
+#include "rehearsal/static_rehearsal.h"
+
+namespace glisson::rehearsal {
+
+// Takes a tool, or moves, turns, pushes the one of that id.
+struct HoldTool {
+  mechanics::HandTool tool;
+};
+struct ReleaseTool {
+  std::string id;
+};
+// Back to before the last command that was not undone. What was undone is gone.
+struct Undo {};
+using SessionCommand = std::variant<HoldTool, ReleaseTool, Undo>;
+
+struct SessionStep {
+  mechanics::ContactReport report;
+  std::vector<mechanics::ToolContact> tools;
+};
+
+struct SessionFrame {
+  std::uint64_t number = 0;  // of the commands that led here
+  std::vector<mechanics::HandTool> tools;
+  RehearsalBody patient;
+  std::optional<RehearsalBody> atlas;
+  SessionStep patient_step;
+  std::optional<SessionStep> atlas_step;
+  std::vector<LandmarkDifference> differences;  // those of 5 mm and more are significant()
+  double max_difference_mm = 0;                 // over the surface
+  // Empty where the last command was carried out. Otherwise why it was not: the frame then shows what was before it,
+  // and says so here; a shape that did not converge is never shown.
+  std::string refused;
+  double step_ms = 0;
+  std::string digest;  // SHA-256 of every displacement and force: two frames of the same digest are the same bits
+};
+
+class SessionEngine {
+ public:
+  // Failures: those of StaticRehearsal::create.
+  static Result<SessionEngine> create(RehearsalSetup setup, const Progress& progress = {});
+
+  // One step. Large moves are made in small ones, which only the last shows.
+  const SessionFrame& step(const SessionCommand& command);
+
+  [[nodiscard]] const SessionFrame& frame() const;
+  [[nodiscard]] std::shared_ptr<const SessionFrame> shared_frame() const;
+  [[nodiscard]] const geometry::Surface& surface() const;
+  // Every mesh point's displacement in the present frame, by a solve of its own.
+  [[nodiscard]] Result<mechanics::StaticResult> whole_result() const;
+
+ private:
+  struct Parts;
+  explicit SessionEngine(std::shared_ptr<Parts> parts) : parts_(std::move(parts)) {}
+  std::shared_ptr<Parts> parts_;
+};
+
+enum class SessionState { preparing, ready, stepping, failed };
+
+class LiveSession {
+ public:
+  // Returns at once; the model is built on the session's thread.
+  explicit LiveSession(RehearsalSetup setup);
+  LiveSession(const LiveSession&) = delete;
+  LiveSession& operator=(const LiveSession&) = delete;
+  ~LiveSession();  // stops the preparing, or waits for the step under way
+
+  // Returns at once. Of several waiting moves of one tool only the last is made.
+  void post(SessionCommand command);
+
+  [[nodiscard]] SessionState state() const;
+  [[nodiscard]] std::shared_ptr<const SessionFrame> latest() const;  // nullptr until there is one
+  [[nodiscard]] std::optional<Error> error() const;                  // why it failed
+
+  // What was carried out, with each frame's digest: enough to see it again.
+  [[nodiscard]] std::vector<std::pair<SessionCommand, std::string>> recording() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+// A recording as JSON, "glisson-session/1": {"commands": [{"hold": {...}} | {"release": id} | {"undo": true}], each
+// with "digest" where it was recorded}. Failures of reading: "session-invalid" (which command, and what about it).
+using Recording = std::vector<std::pair<SessionCommand, std::string>>;
+[[nodiscard]] std::string recording_text(const Recording& recording);
+Result<Recording> parse_recording(std::string_view json, const std::filesystem::path& file = {});
+
+// Steps through all commands. The first whose frame is not the one recorded, from 0; nothing where all are.
+[[nodiscard]] std::optional<std::size_t> replay(SessionEngine& engine, const Recording& recording);
+
+}  // namespace glisson::rehearsal

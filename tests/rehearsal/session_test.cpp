@@ -1,0 +1,162 @@
+// A session: the same commands give the same bits, undo goes back to them, and nobody waits.
+
+#include "rehearsal/session.h"
+
+#include <gmock/gmock.h>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "mechanics/bodies.h"
+
+namespace glisson::rehearsal {
+namespace {
+
+using Eigen::Vector3d;
+using mechanics::Grasp;
+using mechanics::HandTool;
+using mechanics::TouchingTool;
+using testing::HasSubstr;
+
+RehearsalSetup block() {
+  RehearsalSetup setup;
+  setup.mesh = mechanics::test::box(6, 6, 3, {80, 80, 40});
+  mechanics::test::name_points(setup.mesh, "ground", [](const Vector3d& p) { return p.z() == 0; });
+  for (std::size_t c = 0; c < setup.mesh.cells.size(); ++c) {
+    setup.patient_youngs_kPa.push_back(geometry::cell_centroid_mm(setup.mesh, c).x() < 40 ? 4 : 12);
+  }
+  setup.atlas_youngs_kPa = 6;
+  setup.supports = {mechanics::test::held("ground")};
+  setup.landmarks = {{"tumour-1", {35, 40, 34}}, {"tumour-2", {70, 70, 20}}};
+  geometry::Surface triangle;
+  triangle.points_mm = {{30, 30, 30}, {50, 30, 30}, {40, 50, 30}};
+  triangle.triangles = {{0, 1, 2}};
+  setup.structures = {triangle};
+  return setup;
+}
+
+HandTool probe(const Vector3d& center_mm, std::optional<double> push_mN = {}) {
+  return {"probe",
+          TouchingTool{mechanics::palpation_probe(8), mechanics::pose_towards(center_mm, {0, 0, -1}), push_mN}};
+}
+HandTool jaws(const Vector3d& drawn_mm) { return {"grasper", Grasp{{66, 40, 40}, 15, drawn_mm, {0, 0, 1}}}; }
+
+TEST(Session, FollowsLandmarksAndStructuresAndComparesWithTheTwin) {
+  auto engine = SessionEngine::create(block()).value();
+  EXPECT_EQ(engine.frame().patient.max_displacement_mm, 0);
+  const SessionFrame& frame = engine.step(HoldTool{probe({35, 40, 40})});
+  EXPECT_EQ(frame.refused, "");
+  EXPECT_TRUE(frame.patient_step.report.converged);
+  EXPECT_LE(frame.patient_step.report.penetration_mm, 0.1);
+  EXPECT_EQ(frame.patient_step.report.inverted_cells, 0);
+  EXPECT_GT(frame.patient_step.report.energy_uJ, 0);
+  EXPECT_LT(frame.patient_step.report.relative_residual, 1e-8);
+  EXPECT_GT(frame.patient.landmarks[0].displacement_mm, 2);
+  EXPECT_LT(frame.patient.landmarks[1].displacement_mm, 1);
+  EXPECT_LT(frame.patient.structures_mm[0][0].z(), 30);
+  // The tool is placed alike in both; the force that this takes is not.
+  EXPECT_GT(std::abs(frame.patient_step.tools[0].force_mN.z() - frame.atlas_step->tools[0].force_mN.z()), 30);
+  // Under the same force they give way differently.
+  const SessionFrame& pushed = engine.step(HoldTool{probe({35, 40, 60}, 600.0)});
+  EXPECT_EQ(pushed.refused, "");
+  EXPECT_NEAR(pushed.patient_step.tools[0].force_mN.z(), -600, 1);
+  EXPECT_GT(std::abs(pushed.patient_step.tools[0].advance_mm - pushed.atlas_step->tools[0].advance_mm), 0.1);
+  EXPECT_EQ(pushed.differences[0].significant(), pushed.differences[0].difference_mm >= 5);
+  // What is shown is what a whole solve under the same forces finds.
+  const auto whole = engine.whole_result().value();
+  const auto& mesh_point = engine.surface().point_fields[0].values;
+  for (std::size_t p = 0; p < mesh_point.size(); ++p) {
+    const Vector3d shown = pushed.patient.surface_mm[p] - engine.surface().points_mm[p];
+    EXPECT_LT((shown - whole.displacement_mm[static_cast<std::size_t>(mesh_point[p])]).norm(), 1e-6);
+  }
+}
+
+TEST(Session, UndoGoesBackToTheSameBits) {
+  auto engine = SessionEngine::create(block()).value();
+  const std::string untouched = engine.frame().digest;
+  const std::string one = engine.step(HoldTool{probe({35, 40, 44})}).digest;
+  const std::string two = engine.step(HoldTool{jaws({0, 0, 4})}).digest;
+  EXPECT_NE(one, two);
+  EXPECT_EQ(engine.step(Undo{}).digest, one);
+  EXPECT_EQ(engine.step(HoldTool{jaws({0, 0, 4})}).digest, two);
+  engine.step(Undo{});
+  EXPECT_EQ(engine.step(Undo{}).digest, untouched);
+  EXPECT_THAT(engine.step(Undo{}).refused, HasSubstr("nothing to undo"));
+  EXPECT_EQ(engine.frame().digest, untouched);
+}
+
+TEST(Session, ARecordingReplaysToTheBitThroughItsFile) {
+  auto engine = SessionEngine::create(block()).value();
+  Recording recording;
+  const std::vector<SessionCommand> commands{HoldTool{probe({35.1, 40, 45})},
+                                             HoldTool{probe({37.7, 41.3, 42})},
+                                             HoldTool{jaws({1, 0.3, 5})},
+                                             HoldTool{probe({40, 40, 60}, 120.0)},
+                                             Undo{},
+                                             ReleaseTool{"probe"},
+                                             ReleaseTool{"nothing such"}};
+  for (const SessionCommand& command : commands) recording.emplace_back(command, engine.step(command).digest);
+  EXPECT_THAT(engine.frame().refused, HasSubstr("no tool nothing such"));
+
+  const auto read = parse_recording(recording_text(recording)).value();
+  auto again = SessionEngine::create(block()).value();
+  EXPECT_FALSE(replay(again, read).has_value());
+  auto altered = read;
+  std::get<TouchingTool>(std::get<HoldTool>(altered[1].first).tool.what).pose.position_mm.x() += 1e-9;
+  auto other = SessionEngine::create(block()).value();
+  EXPECT_EQ(replay(other, altered), std::optional<std::size_t>(1));
+}
+
+TEST(Session, ACommandThatCannotBeCarriedOutLeavesWhatWasAndSaysWhy) {
+  auto engine = SessionEngine::create(block()).value();
+  const std::string before = engine.step(HoldTool{probe({35, 40, 44})}).digest;
+  HandTool lost = probe({35, 40, -60}, 100.0);  // under the ground, going away
+  lost.id = "lost";
+  const SessionFrame& refused = engine.step(HoldTool{lost});
+  EXPECT_THAT(refused.refused, HasSubstr("meets no surface"));
+  EXPECT_EQ(refused.digest, before);
+  EXPECT_THAT(parse_recording("{}").error().message(), HasSubstr("glisson-session/1"));
+  EXPECT_THAT(parse_recording(R"({"format": "glisson-session/1", "commands": [{"hold": {"id": "a", "rod": []}}]})")
+                  .error()
+                  .message(),
+              HasSubstr("Command 1 of the session cannot be read: it has an unknown key \"rod\""));
+}
+
+void wait_for(const LiveSession& session, SessionState state) {
+  for (int i = 0; i < 3000 && session.state() != state; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_EQ(session.state(), state);
+}
+
+TEST(LiveSession, NeverKeepsItsCallerWaitingAndRecordsWhatItDid) {
+  LiveSession session(block());
+  // A drag: many moves, posted faster than they can be made.
+  double longest_ms = 0;
+  for (int i = 0; i < 200; ++i) {
+    const auto before = std::chrono::steady_clock::now();
+    session.post(HoldTool{probe({30 + 0.1 * i, 40, 45})});
+    longest_ms = std::max(longest_ms,
+                          std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
+  }
+  EXPECT_LT(longest_ms, 200);  // nothing against a step of this machine at its busiest; a blocked caller waits seconds
+  wait_for(session, SessionState::ready);
+  const auto recording = session.recording();
+  ASSERT_FALSE(recording.empty());
+  EXPECT_LT(recording.size(), 200u);  // of moves that waited only the last was made
+  ASSERT_EQ(session.latest()->digest, recording.back().second);
+  const auto& last = std::get<TouchingTool>(session.latest()->tools[0].what);
+  EXPECT_EQ(last.pose.position_mm.x(), 30 + 0.1 * 199);
+  auto engine = SessionEngine::create(block()).value();
+  EXPECT_FALSE(replay(engine, recording).has_value());
+}
+
+TEST(LiveSession, ASessionThatCannotBeIsFailedAndSaysWhy) {
+  RehearsalSetup setup = block();
+  setup.supports.clear();
+  const LiveSession session(std::move(setup));
+  wait_for(session, SessionState::failed);
+  EXPECT_EQ(session.error()->code, "body-free");
+  EXPECT_FALSE(session.latest());
+}
+
+}  // namespace
+}  // namespace glisson::rehearsal
