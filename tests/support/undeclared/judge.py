@@ -15,6 +15,7 @@ import argparse
 import json
 import math
 import pathlib
+import resource
 import subprocess
 import sys
 import time
@@ -45,9 +46,9 @@ def judge(folder, asked):
     truth = json.loads((folder / "truth.json").read_text())
     out = asked.out / folder.name
     result = {"case": folder.name, "truth": truth["kinds"], "outside": truth["outside"], "size": truth["size"]}
-    started = time.monotonic()
+    started, worked = time.monotonic(), processor_seconds()
     report, problem = cli(asked, ["explain", folder / "experiment.json", "--out", out])
-    result["seconds"] = time.monotonic() - started
+    result["seconds"], result["processor_seconds"] = time.monotonic() - started, processor_seconds() - worked
     if problem:
         return {**result, "verdict": "failed", "named": [], "right": False, "problem": problem}
     result["verdict"] = report["verdict"]
@@ -61,7 +62,8 @@ def judge(folder, asked):
     result["right"] = matches(truth, result, alike)
     result["wrong_confident"] = result["verdict"] == "explained" and not result["right"]
     result["alike"] = {k: sorted(alike[k]) for k in result["named"] if alike[k]}
-    result["parameters"] = {e["kind"]: {k: v.get("value") for k, v in e["parameters"].items()} for e in causes}
+    result["parameters"] = {e["kind"]: {k: v.get("value") if isinstance(v, dict) else v
+                                        for k, v in e["parameters"].items()} for e in causes}
     noises = noise_units(folder, report)
     result["fitted_before"], result["fitted_after"] = (rms(report[k]) / noises for k in ("before", "after"))
     for name, extra in (("unseen_before", []), ("unseen_after", ["--with", out / "model.json"])):
@@ -94,6 +96,11 @@ def noise_units(folder, report):
     return {"palpation": experiment.get("noise_mm"), "material": experiment.get("noise_kPa")}.get(experiment["kind"], 1.0)
 
 
+def processor_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 def rms(document):
     return next((document[k] for k in ("rms_mm", "rms") if k in document), math.nan)
 
@@ -118,7 +125,7 @@ def line(r):
     mark = "ok   " if r["right"] else "WRONG"
     return (f"{mark} {r['case']:44s} {r['size']:5.1f}x {r['verdict']:16s} {'+'.join(r['named']) or '-':36s}"
             f" fitted {number(r.get('fitted_before'))} ->{number(r.get('fitted_after'))}"
-            f" unseen {number(r.get('unseen_before'))} ->{number(r.get('unseen_after'))}  {r['seconds']:5.1f} s"
+            f" unseen {number(r.get('unseen_before'))} ->{number(r.get('unseen_after'))}  {r['seconds']:5.1f} s, {r['processor_seconds']:5.1f} s of processor"
             f"{'  ' + r['problem'] if 'problem' in r else ''}")
 
 
@@ -140,7 +147,8 @@ def summary(results):
     if close:
         parts.append(f"unseen trials after, in noises: median {sorted(close)[len(close) // 2]:.2f}; within 1.3 in"
                      f" {sum(c <= 1.3 for c in close)} of {len(inside)}")
-    parts.append(f"time: {max(r['seconds'] for r in results):.1f} s at most")
+    parts.append(f"time: {max(r['seconds'] for r in results):.1f} s at most,"
+                 f" {max(r['processor_seconds'] for r in results):.1f} s of processor")
     parts.append("\nsmallest size found in 90 % of the cases of that size and larger:")
     for kind in sorted({r["truth"][0] for r in singles}):
         of_kind = sorted((r for r in singles if r["truth"] == [kind]), key=lambda r: r["size"])

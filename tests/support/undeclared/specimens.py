@@ -103,8 +103,9 @@ def nested_mesh(specimen, times=2):
 
 
 def brick_mesh(specimen, cells):
-    """C3D20 of the smooth shape: of a block, the same body in another grid."""
+    """C3D20 of the smooth shape: of a block, the same body in another grid, with thin cells under the tools."""
     unit, corners = grid(cells)
+    unit[:, 2] = 1 - (1 - unit[:, 2]) ** 1.5
     corners = corners[:, [0, 1, 3, 2, 4, 5, 7, 6]]
     _, unit, elements = with_mid_sides(unit, unit, corners, BRICK_EDGES)
     return with_boundary(specimen, "C3D20", specimen.to_mm(unit), elements, unit)
