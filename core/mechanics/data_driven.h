@@ -7,7 +7,8 @@
 //   global   of all compatible strains and balanced stresses, those nearest to the data's states: two solves with the
 //            stiffness of the energy norm's metric, which is factorised once.
 //
-// Small strain, quadratic tetrahedra, one material. The metric only weighs; a law enters nowhere.
+// Small strain, quadratic tetrahedra, one material. The metric only weighs and says where to start; a law enters
+// nowhere.
 
 #include "base/progress.h"
 #include "base/result.h"
@@ -18,8 +19,11 @@ namespace glisson::mechanics {
 
 struct DataDrivenOptions {
   double relative_tolerance = 1e-5;  // of the displacements' change from one round to the next
-  int max_rounds = 500;              // they gain a factor of 2 a round where the data have the metric's slope, less
-                                     // where they are much stiffer or softer
+  // Nor does a state look farther when all of them lie this near to the data (of their size, in the energy norm): noisy
+  // measurements lie apart by more.
+  double close_enough = 1e-3;
+  int max_rounds = 1000;  // they gain a factor of 2 a round where the data have the metric's slope, less where they are
+                          // much stiffer or softer
 };
 
 struct DataDrivenResult {

@@ -5,8 +5,8 @@
 #include <benchmark/benchmark.h>
 
 #include "geometry/mesh_file.h"
-#include "meshing/mesh_labels.h"
 #include "mechanics/voronoi_nodes.h"
+#include "meshing/mesh_labels.h"
 #include "segmentation/rasterise.h"
 #include "support/data.h"
 
