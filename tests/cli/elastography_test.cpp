@@ -28,7 +28,8 @@ class MeasuredBrain : public testing::Test {
     GLISSON_NEEDS_DATA("mre_brain_ir_charite");
     const std::string data = (shared_data() / "mre_brain_ir_charite" / "volunteer_A").string();
     std::vector<std::string> uids;
-    for (const Json& series : answer({"scan", data}).at("series")) uids.push_back(series.at("uid"));
+    const Json scan = answer({"scan", data});
+    for (const Json& series : scan.at("series")) uids.push_back(series.at("uid"));
     const Json imported = answer({"import", data, "--case", case_, "--magnitude", uids.at(0), "--phase", uids.at(1)});
     EXPECT_EQ(imported.at("volumes").size(), 1u + 24 + 24);
   }
@@ -60,11 +61,13 @@ TEST_F(MeasuredBrain, ComesOutAsStiffAsBrainsAreAndGoesIntoTheCase) {
   EXPECT_FALSE(fs::exists(fs::path(case_) / "volumes" / "loss.nrrd"));  // which this method does not know
 }
 
+// A wrong one brings the slices, which were acquired one after the other, to the wrong instants: the waves then do not
+// go on from slice to slice, and the confidence says so.
 TEST_F(MeasuredBrain, TheFrequencyCanBeGivenAgainstTheHeaders) {
   const Json header = answer({"invert", case_});
   const Json asked = answer({"invert", case_, "--frequency-Hz", "40"});
   EXPECT_EQ(asked.at("frequency_Hz"), 40);
-  EXPECT_GT(asked.at("mean_kPa").get<double>(), header.at("mean_kPa").get<double>());
+  EXPECT_LT(asked.at("confident_fraction").get<double>(), 0.1 * header.at("confident_fraction").get<double>());
 }
 
 TEST(Invert, ACaseWithoutWavesSaysWhatIsMissing) {
