@@ -11,7 +11,6 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QSurfaceFormat>
 #include <QTimer>
 #include <QTreeWidget>
 #include <QtTest>
@@ -22,7 +21,7 @@
 #include "imaging/dicom_uid.h"
 #include "imaging/dicom_write.h"
 #include "main_window.h"
-#include "theme.h"
+#include "run_test.h"
 
 namespace glisson::widgets {
 namespace {
@@ -195,16 +194,6 @@ class StudyTest : public QObject {
 }  // namespace
 }  // namespace glisson::widgets
 
-int main(int argc, char** argv) {
-  QSurfaceFormat format;
-  format.setVersion(3, 2);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  QSurfaceFormat::setDefaultFormat(format);
-  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-  QApplication application(argc, argv);
-  glisson::widgets::apply_dark_theme(application);
-  glisson::widgets::StudyTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return glisson::widgets::run_test<glisson::widgets::StudyTest>(argc, argv); }
 
 #include "study_test.moc"

@@ -7,12 +7,11 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
-#include <QSurfaceFormat>
 #include <QtTest>
 
 #include "main_window.h"
+#include "run_test.h"
 #include "support/shapes.h"
-#include "theme.h"
 
 namespace glisson::widgets {
 namespace {
@@ -230,15 +229,6 @@ class WindowTest : public QObject {
 }  // namespace
 }  // namespace glisson::widgets
 
-int main(int argc, char** argv) {
-  QSurfaceFormat format;
-  format.setVersion(3, 2);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  QSurfaceFormat::setDefaultFormat(format);
-  QApplication application(argc, argv);
-  glisson::widgets::apply_dark_theme(application);
-  glisson::widgets::WindowTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return glisson::widgets::run_test<glisson::widgets::WindowTest>(argc, argv); }
 
 #include "window_test.moc"
