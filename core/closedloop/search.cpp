@@ -172,7 +172,16 @@ bool Search::ran_out_of_range(const Candidate& candidate) const {
          size > parameter.upper - margin;
 }
 
+// While effects are still missing, what is left is no noise and says nothing of how noise repeats itself; so the steps
+// forward take the stated noise at its word. What they leave shows it, and then each effect must still pay.
 Result<Candidate> Search::select(const Candidate& declared, std::vector<Candidate>& singles) {
+  auto chosen = forward(declared, singles);
+  if (!chosen) return chosen;
+  correlation_ = correlation_length(model_.observations(), chosen->fit.white);
+  return backward(std::move(*chosen));
+}
+
+Result<Candidate> Search::forward(const Candidate& declared, std::vector<Candidate>& singles) {
   Candidate current = declared;
   for (std::size_t step = 0; step < 2 * options_.most_effects; ++step) {
     const double begin = std::min(0.9, 0.3 * static_cast<double>(step));
@@ -182,9 +191,6 @@ Result<Candidate> Search::select(const Candidate& declared, std::vector<Candidat
     if (step == 0) singles = *candidates;
     std::erase_if(*candidates, [](const Candidate& candidate) { return !candidate.fitted(); });
     if (candidates->empty()) return current;
-    const auto closest = std::min_element(candidates->begin(), candidates->end(),
-                                          [](const auto& a, const auto& b) { return chi2_of(a) < chi2_of(b); });
-    correlation_ = correlation_length(model_.observations(), closest->fit.white);
     std::erase_if(*candidates, [&](const Candidate& candidate) {
       return bic_of(candidate) >= bic_of(current) - options_.entry_bic || ran_out_of_range(candidate) ||
              !predicts_better(candidate, current);
@@ -212,7 +218,7 @@ Result<Candidate> Search::without(const Candidate& chosen, std::size_t which) co
 
 // Effects that do not pay any more, now that others are there, leave.
 Result<Candidate> Search::backward(Candidate chosen) const {
-  for (std::size_t which = 0; which < chosen.fit.settings.size() && chosen.fit.settings.size() > 1;) {
+  for (std::size_t which = 0; which < chosen.fit.settings.size();) {
     auto smaller = without(chosen, which);
     if (!smaller) {
       if (progress_.cancelled()) return cancelled();

@@ -40,6 +40,7 @@ class Search {
   [[nodiscard]] double correlation() const { return correlation_; }
 
  private:
+  Result<Candidate> forward(const Candidate& declared, std::vector<Candidate>& singles);
   [[nodiscard]] std::vector<const Effect*> additions(const Settings& active) const;
   [[nodiscard]] Result<std::vector<Candidate>> fit_each(const Settings& active,
                                                         const std::vector<const Effect*>& effects,

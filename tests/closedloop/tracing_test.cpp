@@ -100,6 +100,20 @@ TEST(Tracing, ParametersComeWithAnUncertaintyThatHoldsTheTruth) {
   EXPECT_GE(inside, 16);  // 19 of 20 are expected
 }
 
+TEST(Tracing, TwoEffectsThatActTogetherAreBothNamed) {
+  const Explanation e = explained(test::compression_tests(
+      [](const auto& trial) {
+        const Eigen::ArrayXd strain = trial.stretch.array() - 1;
+        return test::relaxing(20 * strain * (1 + 8 * strain.square()), trial.time_s, 0.35, 10);
+      },
+      0.08));
+  EXPECT_EQ(e.verdict, Verdict::explained);
+  EXPECT_TRUE(names(e, "strain-stiffening"));
+  EXPECT_TRUE(names(e, "viscoelastic-creep"));
+  ASSERT_EQ(e.effects.size(), 2u);
+  EXPECT_GE(e.effects[0].removed_rms, e.effects[1].removed_rms);
+}
+
 TEST(Tracing, WhatTheseDataCannotTellApartIsNamedTogether) {
   const Explanation e = explained(test::compression_tests(
       [](const auto& trial) { return Eigen::VectorXd(1.2 * test::straight_line(trial)); }, 0.1));
