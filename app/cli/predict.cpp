@@ -64,7 +64,7 @@ Outcome describe(const closedloop::Observations& observations, const Eigen::Vect
     json["max" + suffix] = figures.max;
     json["reduced_chi2"] = figures.reduced_chi2;
     for (std::size_t d = 0; d < figures.rms_of_direction.size(); ++d)
-      json["rms_" + observations.directions[d]] = figures.rms_of_direction[d];
+      if (figures.rms_of_direction[d]) json["rms_" + observations.directions[d]] = *figures.rms_of_direction[d];
   };
   bool measured = false;
   for (int trial = 0; trial < observations.trial_count(); ++trial) {

@@ -236,7 +236,7 @@ Json json_of(const ErrorFigures& figures, const Observations& observations) {
   Json json{{named("rms"), figures.rms}, {named("mean"), figures.mean},   {named("p95"), figures.p95},
             {named("max"), figures.max}, {named("noise"), figures.noise}, {"reduced_chi2", figures.reduced_chi2}};
   for (std::size_t d = 0; d < figures.rms_of_direction.size(); ++d)
-    json["rms_" + observations.directions[d]] = figures.rms_of_direction[d];
+    if (figures.rms_of_direction[d]) json["rms_" + observations.directions[d]] = *figures.rms_of_direction[d];
   return json;
 }
 

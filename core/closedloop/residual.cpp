@@ -70,7 +70,8 @@ ErrorFigures error_figures(const Observations& observations, const Eigen::Vector
   figures.max = lengths.back();
   if (observations.unit == "noise") {
     for (std::size_t d = 0; d < directions; ++d)
-      figures.rms_of_direction.push_back(counts_of[d] > 0 ? std::sqrt(squares_of[d] / counts_of[d]) : 0);
+      figures.rms_of_direction.push_back(counts_of[d] > 0 ? std::optional(std::sqrt(squares_of[d] / counts_of[d]))
+                                                          : std::nullopt);
   }
   return figures;
 }

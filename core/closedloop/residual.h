@@ -3,6 +3,7 @@
 // probability; all assume that the noise is normal and known to within a twentieth.
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct ErrorFigures {
   double max = 0;
   double noise = 0;  // root mean square of the stated noise
   double reduced_chi2 = 0;
-  std::vector<double> rms_of_direction;  // in that direction's own unit; only where `unit` is "noise"
+  // In each direction's own unit; only where `unit` is "noise", and there nothing for a direction without rows.
+  std::vector<std::optional<double>> rms_of_direction;
 };
 
 // Rows whose measurement is NaN are left out.
