@@ -165,7 +165,7 @@ Result<std::vector<Chosen>> choose(const Study& study, const ImportChoice& choic
   if (auto more = add_further_phases(study, choice, chosen); !more) return failure(more.error());
   const auto magnitude =
       std::find_if(chosen.begin(), chosen.end(), [](const Chosen& one) { return one.role == Role::mre_magnitude; });
-  if (chosen.front().role != Role::anatomy && magnitude != chosen.end()) {
+  if (magnitude != chosen.end() && chosen.front().role != Role::anatomy) {
     chosen.insert(chosen.begin(), {Role::anatomy, "volumes/anatomy", magnitude->series});
   }
   if (chosen.empty() || chosen.front().role != Role::anatomy) {
