@@ -97,43 +97,8 @@ double between_samples(const Eigen::VectorXd& heating, Eigen::Index i, double no
 
 }  // namespace
 
-namespace {
-
-// In steps of a second or less, the load between samples being that of the sample before.
-PlatformReadings governed_readings(const PlatformBehaviour& behaviour, const Platform& platform,
-                                   const PlatformTrial& trial) {
-  constexpr double slowest = 0.05;  // of full speed
-  const Governor& governor = *behaviour.governor;
-  const Eigen::Index size = trial.time_s.size();
-  PlatformReadings all{voltage_V(behaviour, trial), Eigen::VectorXd(size), Eigen::VectorXd(size)};
-  double temperature = first_temperature_C(platform, trial);
-  double speed = 1;
-  const auto power_W = [&](Eigen::Index i) {
-    const double asked = behaviour.idle_W + behaviour.static_W + behaviour.full_load_W * trial.load[i] * speed;
-    return asked * (1 + behaviour.power_per_C * (temperature - trial.ambient_C)) / behaviour.efficiency;
-  };
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const double passed_s = i == 0 ? 0 : trial.time_s[i] - trial.time_s[i - 1];
-    const double steps = std::clamp(std::ceil(passed_s), 1.0, 1000.0);
-    const double step_s = passed_s / steps;
-    const double share = 1 - std::exp(-step_s / behaviour.time_constant_s);
-    for (double step = 0; i > 0 && step < steps; ++step) {
-      temperature += share * (trial.ambient_C + behaviour.thermal_resistance_C_per_W * power_W(i - 1) - temperature);
-      speed += step_s * (temperature < governor.limit_C ? governor.up_per_s : -governor.down_per_s);
-      speed = std::clamp(speed, slowest, 1.0);
-    }
-    all.power_W[i] = power_W(i);
-    all.temperature_C[i] = temperature;
-  }
-  return all;
-}
-
-}  // namespace
-
 PlatformReadings readings(const PlatformBehaviour& behaviour, const Platform& platform, const PlatformTrial& trial,
                           Hold hold) {
-  if (behaviour.governor && trial.load.size() > 0 && behaviour.time_constant_s > 0)
-    return governed_readings(behaviour, platform, trial);
   PlatformReadings all;
   all.voltage_V = voltage_V(behaviour, trial);
   const Eigen::VectorXd demand = demand_W(behaviour, trial, all.voltage_V);

@@ -19,14 +19,6 @@
 
 namespace glisson::closedloop {
 
-// Slows the work down while it is too hot and lets it go again below, each at its rate; needs a load and a time
-// constant.
-struct Governor {
-  double limit_C = 0;
-  double up_per_s = 0;  // of full speed
-  double down_per_s = 0;
-};
-
 struct PlatformBehaviour {
   double idle_W = 0;
   double full_load_W = 0;
@@ -39,7 +31,6 @@ struct PlatformBehaviour {
   double power_per_C = 0;
   double efficiency = 1;
   std::optional<double> limit_C;
-  std::optional<Governor> governor;
   double resistance_ohm = 0;
   bool heats_by_loss = false;  // I^2 R heats, not what is drawn: a cell by itself
   double rate_exponent = 1;

@@ -163,21 +163,6 @@ void add_heat(const Platform& platform, const Reach& reach, Effects& effects) {
                       GLISSON_TEXT("The computer slows itself down to stay below a temperature."),
                       starts},
                      [](const auto& p, auto& behaviour) { behaviour.limit_C = p[0]; }});
-  if (reach.load && platform.time_constant_s) {
-    std::vector<Eigen::VectorXd> governed;
-    for (const Eigen::VectorXd& limit : starts) {
-      for (const double rate : {0.002, 0.006, 0.02, 0.06}) governed.push_back(vector({limit[0], rate, rate}));
-    }
-    const auto rate = [](const char* name) { return Parameter{name, 0.01, 1e-4, 1, 1e-3, 0.1, Scale::logarithmic}; };
-    effects.push_back({{"thermal-throttling",
-                        "governor",
-                        {{"limit_C", 200, 0, 200, 40, 100}, rate("up_per_s"), rate("down_per_s")},
-                        GLISSON_TEXT("The computer slows itself down while it is too hot, and recovers slowly."),
-                        governed},
-                       [](const auto& p, auto& behaviour) {
-                         behaviour.governor = Governor{p[0], p[1], p[2]};
-                       }});
-  }
   const double declared = *platform.thermal_resistance_C_per_W;
   effects.push_back({{"thermal-resistance",
                       "",

@@ -1,7 +1,6 @@
 // Recordings of batteries and boards with a known undeclared effect back to the effect.
 
 #include <gmock/gmock.h>
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -127,27 +126,6 @@ TEST(PlatformTracing, ABoardsHiddenPowerItsSupplyAndItsThrottlingAreFound) {
   const Explanation throttling = explained(board({.limit_C = 52}));
   ASSERT_EQ(name_of_only_effect(throttling), "thermal-throttling");
   EXPECT_NEAR(throttling.effects[0].parameters[0].value, 52, 0.5);
-}
-
-// A governor that slows down by 0.8 % a second above the limit and recovers by 0.4 % below, a second at a time.
-TEST(PlatformTracing, AThrottlingThatLagsIsFound) {
-  Platform platform = board({});
-  for (PlatformTrial& trial : platform.trials) {
-    double temperature = 23;
-    double speed = 1;
-    for (Eigen::Index i = 0; i < trial.time_s.size(); ++i) {
-      for (int second = 0; second < 5 && i > 0; ++second) {
-        const double power = 2 + 8 * trial.load[i - 1] * speed;
-        temperature += (23 + 5 * power - temperature) * (1 - std::exp(-trial.time_s[1] / 5 / 120));
-        speed = std::clamp(speed + (temperature < 50 ? 0.004 : -0.008) * trial.time_s[1] / 5, 0.05, 1.0);
-      }
-      trial.power_W[i] = 2 + 8 * trial.load[i] * speed + noise(0.1);
-      trial.temperature_C[i] = temperature + noise(0.3);
-    }
-  }
-  const Explanation e = explained(platform);
-  ASSERT_EQ(name_of_only_effect(e), "thermal-throttling");
-  EXPECT_NEAR(e.effects[0].parameters[0].value, 50, 0.5);
 }
 
 TEST(PlatformTracing, RecordingsOfWhichNothingIsPredictedAreRefused) {
