@@ -7,15 +7,14 @@ drawn. C/10, 1C and 3C are fitted, 2C and 4C are held out. Noise is the instrume
 to about 150 a discharge.
 """
 
-import argparse
 import json
-import pathlib
 import sys
 
 sys.dont_write_bytecode = True
 import numpy as np
 
-SHARED = pathlib.Path(__file__).resolve().parents[3].parent / "shared" / "data" / "battery_samsung_30q"
+from recordings import asked_for
+
 FITTED, HELD_OUT = ["C10", "1C", "3C"], ["2C", "4C"]
 
 
@@ -27,13 +26,7 @@ def recorded(file, samples=150):
 
 
 def main():
-    ask = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    ask.add_argument("out", type=pathlib.Path)
-    ask.add_argument("--data", type=pathlib.Path, default=SHARED)
-    asked = ask.parse_args()
-    if not asked.data.is_dir():
-        sys.exit(f"no discharges at {asked.data}")
-    asked.out.mkdir(parents=True, exist_ok=True)
+    asked = asked_for(__doc__, "battery_samsung_30q")
     ambient = {}
     for name in FITTED + HELD_OUT:
         table = recorded(asked.data / "S001" / f"Q30_S001_{name}.csv")

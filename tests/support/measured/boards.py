@@ -8,17 +8,16 @@ power within a run. Xavier: mode 0 with two libraries and mode 3 with one fitted
 two libraries fitted, the third held out; TX2: three videos in 1080p fitted, two held out.
 """
 
-import argparse
 import datetime
 import json
-import pathlib
 import re
 import sys
 
 sys.dont_write_bytecode = True
 import numpy as np
 
-SHARED = pathlib.Path(__file__).resolve().parents[3].parent / "shared" / "data"
+from recordings import asked_for
+
 XAVIER = "v1.1/Krai/xavier-power.{}"
 ODROID = "v2.0/Krai/odroid-{}"
 
@@ -86,10 +85,7 @@ def above_rest(trial):
 
 
 def main():
-    ask = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    ask.add_argument("out", type=pathlib.Path)
-    ask.add_argument("--data", type=pathlib.Path, default=SHARED)
-    asked = ask.parse_args()
+    asked = asked_for(__doc__, ".")
     mlperf, tx2 = asked.data / "mlperf_edge_power", asked.data / "jetson_tx2_rail_power"
     if mlperf.is_dir():
         runs = {f"mode{m}-{lib.split('-')[0]}": recorded(mlperf / XAVIER.format(f"{m}-fan.cool-{lib}"))

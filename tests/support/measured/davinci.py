@@ -10,15 +10,14 @@ between the cycles of a recording at the same part of the period. Declared: an e
 least-squares slope of the slowest recording's first cycle.
 """
 
-import argparse
 import json
-import pathlib
 import sys
 
 sys.dont_write_bytecode = True
 import numpy as np
 
-SHARED = pathlib.Path(__file__).resolve().parents[3].parent / "shared" / "data" / "davinci_grip_torque"
+from recordings import asked_for
+
 MNM_PER_COUNT = 1000 * 3.9811e-5
 RAD_PER_COUNT = 2 * np.pi / 4000
 PERIOD_S = {"00": 10.0, "10": 5.0, "30": 2.5}
@@ -41,13 +40,7 @@ def repeats_to(time, torque, period_s):
 
 
 def main():
-    ask = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    ask.add_argument("out", type=pathlib.Path)
-    ask.add_argument("--data", type=pathlib.Path, default=SHARED)
-    asked = ask.parse_args()
-    if not asked.data.is_dir():
-        sys.exit(f"no recordings at {asked.data}")
-    asked.out.mkdir(parents=True, exist_ok=True)
+    asked = asked_for(__doc__, "davinci_grip_torque")
     recordings = {name: recorded(asked.data / f"{name}.TXT") for name in PERIOD_S}
     time, angle, torque = recordings["00"]
     middle = (angle.min() + angle.max()) / 2

@@ -7,15 +7,14 @@ load-unload tests at 0.01 and 0.03 1/s to 2 and 3 are fitted; relaxation at 3.5 
 noise is 2 % of the largest stress: the tests are not repeated, and the load cell alone does far better.
 """
 
-import argparse
 import json
-import pathlib
 import sys
 
 sys.dont_write_bytecode = True
 import numpy as np
 
-SHARED = pathlib.Path(__file__).resolve().parents[3].parent / "shared" / "data" / "vhb4910_visco"
+from recordings import asked_for
+
 FITTED = ["relaxation/1d5", "relaxation/2d0", "relaxation/3d0", "load_unload/0d01_2d0", "load_unload/0d03_2d0",
           "load_unload/0d01_3d0"]
 HELD_OUT = ["relaxation/3d5", "load_unload/0d01_1d5", "load_unload/0d03_1d5", "load_unload/0d03_3d0"]
@@ -31,13 +30,7 @@ def recorded(file, samples=150):
 
 
 def main():
-    ask = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    ask.add_argument("out", type=pathlib.Path)
-    ask.add_argument("--data", type=pathlib.Path, default=SHARED)
-    asked = ask.parse_args()
-    if not asked.data.is_dir():
-        sys.exit(f"no tests at {asked.data}")
-    asked.out.mkdir(parents=True, exist_ok=True)
+    asked = asked_for(__doc__, "vhb4910_visco")
     tests = {name: recorded(asked.data / f"{name}.csv") for name in FITTED + HELD_OUT}
     small = np.vstack([t[(t[:, 1] < 1.1) & (t[:, 0] < 30)] for n, t in tests.items()
                        if n in FITTED and n.startswith("load")])

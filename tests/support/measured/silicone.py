@@ -7,15 +7,14 @@ fitted, A5 and B5 are held out. The noise is how far repeated tests of one speci
 their stresses at equal strain, as a root mean square over strain.
 """
 
-import argparse
 import json
-import pathlib
 import sys
 
 sys.dont_write_bytecode = True
 import numpy as np
 
-SHARED = pathlib.Path(__file__).resolve().parents[3].parent / "shared" / "data" / "silicone_phantom_compression"
+from recordings import asked_for
+
 FITTED, HELD_OUT = ["A1", "A2", "B1", "B2"], ["A5", "B5"]
 
 
@@ -38,15 +37,11 @@ def repeats_to(tests):
 
 
 def main():
-    ask = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    ask.add_argument("out", type=pathlib.Path)
-    ask.add_argument("--phantom", default="EF10_75T")
-    ask.add_argument("--data", type=pathlib.Path, default=SHARED)
-    asked = ask.parse_args()
+    asked = asked_for(__doc__, "silicone_phantom_compression",
+                      lambda ask: ask.add_argument("--phantom", default="EF10_75T"))
     folder = asked.data / "data" / asked.phantom
     if not folder.is_dir():
         sys.exit(f"no tests at {folder}")
-    asked.out.mkdir(parents=True, exist_ok=True)
     tests = {name: recorded(folder / f"{asked.phantom}_{name}.csv") for name in FITTED + HELD_OUT}
     small = [(e, s) for name in FITTED for e, s in zip(*tests[name][1:]) if -e < 0.1]
     strains, stresses = np.array(small).T

@@ -12,7 +12,6 @@ them. The noise is what the two trials of a load differ by, over the root of two
 more than the camera's own 0.01 mm. Declared: Young's modulus of the silicone's data sheet (100 % modulus, 151.7 kPa).
 """
 
-import argparse
 import json
 import pathlib
 import sys
@@ -21,10 +20,9 @@ sys.dont_write_bytecode = True
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "undeclared"))
+from recordings import asked_for
 from specimens import block, experiment_mesh, write_vtu
 
-HERE = pathlib.Path(__file__).resolve()
-SHARED = HERE.parents[3].parent / "shared" / "data" / "softbeam_mocap_eth"
 
 # Where the spheres are in the authors' model, mm: three at the tip, three at the clamp, in the order of the columns.
 SPHERES_MM = np.array([[0, 15, 36], [0, -6, 24], [0, 36, 6], [-94, -10, -1], [-94, 40, 27.5], [-94, 40, 0]], float)
@@ -62,13 +60,7 @@ def settled(data, name):
 
 
 def main():
-    ask = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    ask.add_argument("out", type=pathlib.Path)
-    ask.add_argument("--data", type=pathlib.Path, default=SHARED)
-    asked = ask.parse_args()
-    if not asked.data.is_dir():
-        sys.exit(f"no recordings at {asked.data}")
-    asked.out.mkdir(parents=True, exist_ok=True)
+    asked = asked_for(__doc__, "softbeam_mocap_eth")
     write_beam(asked.out)
     ends = {(load, take): settled(asked.data, f"{stem}_{take}") for load, (stem, _) in TRIALS.items() for take in "ab"}
     apart = np.concatenate([ends[load, "a"] - ends[load, "b"] for load in TRIALS])
