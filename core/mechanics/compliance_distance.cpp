@@ -71,7 +71,7 @@ ComplianceDistance::Voronoi ComplianceDistance::voronoi(const std::vector<Vector
   Workspace workspace(grid().voxels());
   for (std::size_t s = 0; s < seeds_mm.size(); ++s) start(seeds_mm[s], static_cast<int>(s), workspace);
   march(unreached, workspace, [](std::size_t, float) {});
-  return {std::move(workspace.owner), std::move(workspace.distance)};
+  return {std::move(workspace.owner_), std::move(workspace.distance_)};
 }
 
 std::vector<ComplianceDistance::Reached> ComplianceDistance::within(const Vector3d& seed_mm, float limit,
@@ -79,13 +79,13 @@ std::vector<ComplianceDistance::Reached> ComplianceDistance::within(const Vector
   std::vector<Reached> reached;
   start(seed_mm, 0, workspace);
   march(limit, workspace, [&](std::size_t voxel, float distance) { reached.push_back({voxel, distance}); });
-  for (const std::size_t voxel : workspace.touched) {
-    workspace.distance[voxel] = unreached;
-    workspace.owner[voxel] = -1;
-    workspace.fixed[voxel] = 0;
+  for (const std::size_t voxel : workspace.touched_) {
+    workspace.distance_[voxel] = unreached;
+    workspace.owner_[voxel] = -1;
+    workspace.fixed_[voxel] = 0;
   }
-  workspace.touched.clear();
-  workspace.front.clear();
+  workspace.touched_.clear();
+  workspace.front_.clear();
   return reached;
 }
 
@@ -104,9 +104,9 @@ std::size_t ComplianceDistance::voxel_at(const Vector3d& place_mm) const { retur
 
 Vector3d ComplianceDistance::center_mm(std::size_t voxel) const {
   const auto offset = static_cast<std::ptrdiff_t>(voxel);
+  const std::ptrdiff_t row = offset % stride_[2] / stride_[1], slice = offset / stride_[2];
   return grid().origin_mm +
-         grid().spacing_mm.cwiseProduct(Vector3d(double(offset % stride_[1]), double(offset % stride_[2] / stride_[1]),
-                                                 double(offset / stride_[2])));
+         grid().spacing_mm.cwiseProduct(Vector3d(double(offset % stride_[1]), double(row), double(slice)));
 }
 
 std::vector<std::size_t> ComplianceDistance::around(std::size_t voxel) const {
@@ -146,28 +146,28 @@ void ComplianceDistance::start(const Vector3d& seed_mm, int owner, Workspace& wo
 }
 
 void ComplianceDistance::offer(std::size_t voxel, float distance, int owner, Workspace& workspace) const {
-  if (workspace.fixed[voxel] || !(distance < workspace.distance[voxel])) return;
-  if (workspace.distance[voxel] == unreached) workspace.touched.push_back(voxel);
-  workspace.distance[voxel] = distance;
-  workspace.owner[voxel] = owner;
-  workspace.front.emplace_back(distance, voxel);
-  std::push_heap(workspace.front.begin(), workspace.front.end(), std::greater<>());
+  if (workspace.fixed_[voxel] || !(distance < workspace.distance_[voxel])) return;
+  if (workspace.distance_[voxel] == unreached) workspace.touched_.push_back(voxel);
+  workspace.distance_[voxel] = distance;
+  workspace.owner_[voxel] = owner;
+  workspace.front_.emplace_back(distance, voxel);
+  std::push_heap(workspace.front_.begin(), workspace.front_.end(), std::greater<>());
 }
 
 template <typename Visit>
 void ComplianceDistance::march(float limit, Workspace& workspace, const Visit& visit) const {
-  while (!workspace.front.empty()) {
-    std::pop_heap(workspace.front.begin(), workspace.front.end(), std::greater<>());
-    const auto [distance, voxel] = workspace.front.back();
-    workspace.front.pop_back();
-    if (workspace.fixed[voxel] || distance > workspace.distance[voxel]) continue;
+  while (!workspace.front_.empty()) {
+    std::pop_heap(workspace.front_.begin(), workspace.front_.end(), std::greater<>());
+    const auto [distance, voxel] = workspace.front_.back();
+    workspace.front_.pop_back();
+    if (workspace.fixed_[voxel] || distance > workspace.distance_[voxel]) continue;
     if (distance > limit) return;
-    workspace.fixed[voxel] = 1;
+    workspace.fixed_[voxel] = 1;
     visit(voxel, distance);
     for (int axis = 0; axis < 3; ++axis) {
       for (const int sign : {-1, 1}) {
         const auto next = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(voxel) + sign * stride_[axis]);
-        if (!inside(next) || workspace.fixed[next] || !open(voxel, axis, sign)) continue;
+        if (!inside(next) || workspace.fixed_[next] || !open(voxel, axis, sign)) continue;
         const auto [reached, owner] = upwind(next, workspace);
         offer(next, reached, owner, workspace);
       }
@@ -190,11 +190,11 @@ std::pair<float, int> ComplianceDistance::upwind(std::size_t voxel, const Worksp
     double& best = nearest[static_cast<std::size_t>(axis)];
     for (const int sign : {-1, 1}) {
       const auto other = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(voxel) + sign * stride_[axis]);
-      if (!workspace.fixed[other] || !open(voxel, axis, sign)) continue;
-      best = std::min(best, double(workspace.distance[other]));
-      if (workspace.distance[other] < smallest) {
-        smallest = workspace.distance[other];
-        owner = workspace.owner[other];
+      if (!workspace.fixed_[other] || !open(voxel, axis, sign)) continue;
+      best = std::min(best, double(workspace.distance_[other]));
+      if (workspace.distance_[other] < smallest) {
+        smallest = workspace.distance_[other];
+        owner = workspace.owner_[other];
       }
     }
   }

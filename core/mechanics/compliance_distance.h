@@ -68,15 +68,15 @@ class ComplianceDistance {
 
   class Workspace {
    public:
-    explicit Workspace(std::size_t voxels) : distance(voxels, unreached), owner(voxels, -1), fixed(voxels, 0) {}
+    explicit Workspace(std::size_t voxels) : distance_(voxels, unreached), owner_(voxels, -1), fixed_(voxels, 0) {}
 
    private:
     friend class ComplianceDistance;
-    std::vector<float> distance;
-    std::vector<int> owner;
-    std::vector<std::uint8_t> fixed;
-    std::vector<std::size_t> touched;
-    std::vector<std::pair<float, std::size_t>> front;  // a heap, the smallest on top; may hold what is out of date
+    std::vector<float> distance_;
+    std::vector<int> owner_;
+    std::vector<std::uint8_t> fixed_;
+    std::vector<std::size_t> touched_;
+    std::vector<std::pair<float, std::size_t>> front_;  // a heap, the smallest on top; may hold what is out of date
   };
 
  private:
