@@ -5,6 +5,7 @@
 // Shape: voxel (i, j, k) stands at values[i + size[0] * (j + size[1] * k)]; i runs along a row.
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <Eigen/Core>
@@ -23,7 +24,8 @@ struct Grid {
   [[nodiscard]] std::size_t voxels() const {
     return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]);
   }
-  [[nodiscard]] double voxel_volume_mm3() const { return spacing_mm.prod(); }
+  // Axes that are not square to each other (gantry tilt) span less than the product of the spacings.
+  [[nodiscard]] double voxel_volume_mm3() const { return spacing_mm.prod() * std::abs(direction.determinant()); }
   [[nodiscard]] std::size_t offset(int i, int j, int k) const {
     return static_cast<std::size_t>(i) +
            static_cast<std::size_t>(size[0]) *

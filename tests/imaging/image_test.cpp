@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
+#include <cmath>
 #include <limits>
 
 namespace glisson::imaging {
@@ -22,6 +23,14 @@ TEST(Grid, TakesAnIndexToThePatientAndBack) {
   const Grid grid = oblique_grid();
   const Eigen::Vector3d index(3.25, 17.5, 11);
   EXPECT_LT((grid.index_of(grid.position_mm(index)) - index).norm(), 1e-12);
+}
+
+TEST(Grid, AVoxelOfATiltedGantryIsSmallerByTheCosineOfTheTilt) {
+  Grid grid = oblique_grid();
+  EXPECT_NEAR(grid.voxel_volume_mm3(), 1.5 * 1.5 * 3, 1e-12);
+  const double tilt = 0.3;
+  grid.direction.col(2) = std::cos(tilt) * grid.direction.col(2) + std::sin(tilt) * grid.direction.col(1);
+  EXPECT_NEAR(grid.voxel_volume_mm3(), 1.5 * 1.5 * 3 * std::cos(tilt), 1e-12);
 }
 
 TEST(Grid, IsTheSameOnlyIfEveryVoxelStandsInTheSamePlace) {
