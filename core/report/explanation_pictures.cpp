@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "report/drawing.h"
+#include "report/plot.h"
 
 namespace glisson::report {
 namespace {
@@ -20,6 +20,11 @@ struct Moment {
   int trial = 0;
   int sample = 0;
 };
+
+// Of measured points, of what was foretold before an effect was added, and after.
+const PlotCurve measured_curve{{}, {}, PlotCurve::Style::dots, "currentColor"};
+const PlotCurve before_curve{{}, {}, PlotCurve::Style::dashes, "#d55e00"};
+const PlotCurve after_curve{{}, {}, PlotCurve::Style::line, "#0072b2"};
 
 std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Observations& observations);
 std::vector<Drawing> as_curves(const Explanation& explanation, const Observations& observations);
@@ -86,18 +91,16 @@ Drawing errors_by_load(const Explanation& explanation, const Observations& obser
     sums.after += std::pow(observations.measured[row] - explanation.predicted_after[row], 2);
     sums.count += 1;
   }
-  std::map<int, std::array<Curve, 2>> curves_of_trial;
+  std::map<int, std::array<PlotCurve, 2>> curves_of_trial;
   for (const auto& [key, sums] : moments) {
-    auto& [before, after] = curves_of_trial[key.first];
-    before.ink = Ink::before;
-    after.ink = Ink::after;
+    auto& [before, after] = curves_of_trial.try_emplace(key.first, std::array{before_curve, after_curve}).first->second;
     before.points.emplace_back(sums.load, std::sqrt(sums.before / sums.count));
     after.points.emplace_back(sums.load, std::sqrt(sums.after / sums.count));
   }
-  std::vector<Curve> curves;
-  for (auto& [trial, both] : curves_of_trial) curves.insert(curves.end(), both.begin(), both.end());
-  return {curves_svg(curves, "force (N)", fmt::format("error ({})", observations.unit)),
-          "Error by load, a line a trial: broken before, whole after"};
+  Plot plot{"Error by load, a line a trial: broken before, whole after", "force (N)",
+            fmt::format("error ({})", observations.unit)};
+  for (auto& [trial, both] : curves_of_trial) plot.curves.insert(plot.curves.end(), both.begin(), both.end());
+  return {svg_of(plot), plot.caption};
 }
 
 std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Observations& observations) {
@@ -111,15 +114,16 @@ std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Obser
       observations.place_mm.colwise().maxCoeff() - observations.place_mm.colwise().minCoeff();
   const double magnification = longest > 0 ? 0.15 * std::max(extent[across], extent[up]) / longest : 1;
   const auto drawn = [&, a = across, u = up](const std::vector<Vector>& vectors, const std::string& when) {
-    std::vector<Arrow> arrows;
-    for (const Vector& v : vectors)
-      arrows.push_back({v.place_mm[a], v.place_mm[u], magnification * v.residual_mm[a],
-                        magnification * v.residual_mm[u], v.residual_mm.norm()});
     constexpr const char* axes = "xyz";
-    return Drawing{
-        arrows_svg(arrows, longest, fmt::format("{} (mm)", axes[a]), fmt::format("{} (mm)", axes[u])),
-        fmt::format("Residual {}, trial {} at its worst: arrows {:.3g} times as long, red at {:.3g} mm", when,
-                    observations.trials[static_cast<std::size_t>(moment.trial)], magnification, longest)};
+    Plot plot{fmt::format("Residual {}, trial {} at its worst: arrows {:.3g} times as long, red at {:.3g} mm", when,
+                          observations.trials[static_cast<std::size_t>(moment.trial)], magnification, longest),
+              fmt::format("{} (mm)", axes[a]), fmt::format("{} (mm)", axes[u])};
+    plot.hottest = longest;
+    plot.from_zero = false;
+    for (const Vector& v : vectors)
+      plot.arrows.push_back({v.place_mm[a], v.place_mm[u], magnification * v.residual_mm[a],
+                             magnification * v.residual_mm[u], v.residual_mm.norm()});
+    return Drawing{svg_of(plot), plot.caption};
   };
   return {drawn(before, "before"), drawn(after, "after"), errors_by_load(explanation, observations)};
 }
@@ -135,12 +139,11 @@ std::vector<Drawing> as_curves(const Explanation& explanation, const Observation
       if (observations.direction[i] == static_cast<int>(direction)) rows_of_trial[observations.trial[i]].push_back(row);
     }
     if (rows_of_trial.empty()) continue;
-    const auto pictured = [&](bool against_load, bool residual) {
-      std::vector<Curve> curves;
+    const auto pictured = [&](bool against_load, bool residual, Plot plot) {
       for (const auto& [trial, rows] : rows_of_trial) {
-        Curve measured{{}, Ink::measured};
-        Curve before{{}, Ink::before};
-        Curve after{{}, Ink::after};
+        PlotCurve measured = measured_curve;
+        PlotCurve before = before_curve;
+        PlotCurve after = after_curve;
         for (std::size_t i = 0; i < rows.size(); i += 1 + rows.size() / most_points) {
           const Eigen::Index row = rows[i];
           const double x = against_load ? observations.load[row] : observations.time_s[row];
@@ -150,17 +153,18 @@ std::vector<Drawing> as_curves(const Explanation& explanation, const Observation
           before.points.emplace_back(x, sign * (explanation.predicted_before[row] - from));
           after.points.emplace_back(x, sign * (explanation.predicted_after[row] - from));
         }
-        for (Curve* curve : {&measured, &before, &after}) {
-          if (!curve->points.empty()) curves.push_back(std::move(*curve));
+        for (PlotCurve* curve : {&measured, &before, &after}) {
+          if (!curve->points.empty()) plot.curves.push_back(std::move(*curve));
         }
       }
-      return curves;
+      plot.from_zero = false;
+      return Drawing{svg_of(plot), plot.caption};
     };
     const std::string name = material ? "stress (kPa)" : observations.directions[direction];
-    drawings.push_back({curves_svg(pictured(material, false), material ? "strain" : "time (s)", name),
-                        "Measured (dots), before (broken), after (line)"});
-    drawings.push_back({curves_svg(pictured(false, true), "time (s)", "residual of " + name),
-                        "What was left before (broken) and after (line)"});
+    drawings.push_back(pictured(
+        material, false, {"Measured (dots), before (broken), after (line)", material ? "strain" : "time (s)", name}));
+    drawings.push_back(
+        pictured(false, true, {"What was left before (broken) and after (line)", "time (s)", "residual of " + name}));
   }
   return drawings;
 }

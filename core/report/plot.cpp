@@ -13,6 +13,8 @@ namespace {
 constexpr double width_px = 640;
 constexpr double height_px = 400;
 constexpr double left_px = 70, right_px = 20, top_px = 16, bottom_px = 60;
+constexpr double room_px_x = width_px - left_px - right_px;
+constexpr double room_px_y = height_px - top_px - bottom_px;
 // Okabe and Ito's colours, which colour-blind readers can tell apart.
 constexpr std::array<const char*, 5> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00"};
 
@@ -32,6 +34,13 @@ struct Range {
     high += room;
     if (low != 0) low -= room;
   }
+  // About the same middle.
+  void stretch_to(double length) {
+    const double middle = 0.5 * (low + high);
+    low = middle - 0.5 * length;
+    high = middle + 0.5 * length;
+  }
+  [[nodiscard]] double length() const { return high - low; }
 };
 
 // 1, 2 or 5 times a power of ten, so that about six marks fit.
@@ -42,6 +51,15 @@ double mark_step(const Range& range) {
     if (rough <= factor * power) return factor * power;
   }
   return 10 * power;
+}
+
+// Blue over grey to red: read alike by most people who do not tell red from green.
+std::string heat_colour(double share) {
+  const double s = std::clamp(share, 0.0, 1.0);
+  const auto between = [s](double cold, double middle, double hot) {
+    return static_cast<int>(s < 0.5 ? cold + 2 * s * (middle - cold) : middle + (2 * s - 1) * (hot - middle));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", between(49, 150, 192), between(104, 150, 45), between(176, 155, 38));
 }
 
 class PlotDrawing {
@@ -55,7 +73,8 @@ class PlotDrawing {
     axes();
     if (plot_.histogram) bars(*plot_.histogram);
     for (std::size_t n = 0; n < plot_.boxes.size(); ++n) box(plot_.boxes[n], static_cast<double>(n + 1));
-    for (std::size_t n = 0; n < plot_.curves.size(); ++n) curve(plot_.curves[n], colours[n % colours.size()]);
+    for (const Arrow& each : plot_.arrows) arrow(each);
+    for (std::size_t n = 0; n < plot_.curves.size(); ++n) curve(plot_.curves[n], colour_of_curve(n));
     for (const Rule& rule : plot_.rules) line(rule);
     legend();
     return out_ + "</svg>\n";
@@ -63,7 +82,7 @@ class PlotDrawing {
 
  private:
   void find_ranges() {
-    y_.reach(0);
+    if (plot_.from_zero) y_.reach(0);
     if (plot_.histogram) {
       for (const double edge : plot_.histogram->edges) x_.reach(edge);
       for (const double height : plot_.histogram->heights) y_.reach(height);
@@ -80,16 +99,26 @@ class PlotDrawing {
       y_.reach(box.high);
     }
     for (const Rule& rule : plot_.rules) (rule.axis == Rule::Along::x ? x_ : y_).reach(rule.at);
+    for (const Arrow& arrow : plot_.arrows) {
+      x_.reach(arrow.x);
+      x_.reach(arrow.x + arrow.dx);
+      y_.reach(arrow.y);
+      y_.reach(arrow.y + arrow.dy);
+    }
     if (!plot_.boxes.empty()) x_ = {0.4, static_cast<double>(plot_.boxes.size()) + 0.6, false};
     if (plot_.boxes.empty()) x_.widen();
     y_.widen();
+    if (!plot_.arrows.empty()) {
+      const double px_per_unit = std::min(room_px_x / x_.length(), room_px_y / y_.length());
+      x_.stretch_to(room_px_x / px_per_unit);
+      y_.stretch_to(room_px_y / px_per_unit);
+    }
   }
-  [[nodiscard]] double px(double x) const {
-    return left_px + (x - x_.low) / (x_.high - x_.low) * (width_px - left_px - right_px);
+  [[nodiscard]] const char* colour_of_curve(std::size_t n) const {
+    return plot_.curves[n].colour != nullptr ? plot_.curves[n].colour : colours[n % colours.size()];
   }
-  [[nodiscard]] double py(double y) const {
-    return height_px - bottom_px - (y - y_.low) / (y_.high - y_.low) * (height_px - top_px - bottom_px);
-  }
+  [[nodiscard]] double px(double x) const { return left_px + (x - x_.low) / x_.length() * room_px_x; }
+  [[nodiscard]] double py(double y) const { return height_px - bottom_px - (y - y_.low) / y_.length() * room_px_y; }
   void text(double x_px, double y_px, const std::string& words, const char* anchor, const std::string& more = "") {
     out_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x_px, y_px, anchor, more,
                         escaped(words));
@@ -148,7 +177,16 @@ class PlotDrawing {
       }
     }
     if (!path.empty())
-      out_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>\n", path, colour);
+      out_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}/>\n", path, colour,
+                          curve.style == PlotCurve::Style::dashes ? " stroke-dasharray=\"5 4\"" : "");
+  }
+  void arrow(const Arrow& arrow) {
+    if (!std::isfinite(arrow.x + arrow.y + arrow.dx + arrow.dy)) return;
+    const std::string colour = heat_colour(plot_.hottest > 0 ? arrow.heat / plot_.hottest : 0);
+    out_ +=
+        fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2\" fill=\"{}\"/>\n", px(arrow.x), py(arrow.y), colour);
+    stroke(px(arrow.x), py(arrow.y), px(arrow.x + arrow.dx), py(arrow.y + arrow.dy),
+           fmt::format("stroke=\"{}\" stroke-width=\"1.4\"", colour));
   }
   void line(const Rule& rule) {
     const std::string look = fmt::format("stroke=\"{}\" stroke-width=\"1.5\" stroke-dasharray=\"6 4\"", colours[1]);
@@ -165,7 +203,7 @@ class PlotDrawing {
     for (std::size_t n = 0; n < plot_.curves.size(); ++n) {
       if (plot_.curves[n].label.empty()) continue;
       out_ += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"12\" height=\"12\" fill=\"{}\"/>\n", width_px - 200,
-                          y_px - 11, colours[n % colours.size()]);
+                          y_px - 11, colour_of_curve(n));
       text(width_px - 182, y_px, plot_.curves[n].label, "start");
       y_px += 18;
     }

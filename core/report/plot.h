@@ -15,10 +15,18 @@ struct Histogram {
 };
 
 struct PlotCurve {
-  enum class Style { line, dots };
+  enum class Style { line, dashes, dots };
   std::string label;  // in the legend; empty for none
   std::vector<std::pair<double, double>> points;
   Style style = Style::line;
+  const char* colour = nullptr;  // of SVG; null for the next of the plot's own
+};
+
+// From (x, y), by (dx, dy) in the same unit; its heat goes from blue at 0 over grey to red at Plot::hottest.
+struct Arrow {
+  double x = 0, y = 0;
+  double dx = 0, dy = 0;
+  double heat = 0;
 };
 
 // From the 5th to the 95th percentile with the middle half as a box; boxes stand side by side along x at 1, 2, ...
@@ -37,13 +45,16 @@ struct Rule {
 
 struct Plot {
   std::string caption, x_title, y_title;
-  std::optional<Histogram> histogram;
-  std::vector<PlotCurve> curves;
-  std::vector<Box> boxes;
-  std::vector<Rule> rules;
+  std::optional<Histogram> histogram = {};
+  std::vector<PlotCurve> curves = {};
+  std::vector<Box> boxes = {};
+  std::vector<Rule> rules = {};
+  std::vector<Arrow> arrows = {};  // with them, a mm across is as long as a mm up
+  double hottest = 0;
+  bool from_zero = true;  // y begins at 0, unless values are negative
 };
 
-// Axes reach over all that is drawn, and to 0 on y unless values are negative. Values that are not finite are left out.
+// Axes reach over all that is drawn. Values that are not finite are left out.
 [[nodiscard]] std::string svg_of(const Plot& plot);
 
 }  // namespace glisson::report

@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 
 #include "base/files.h"
-#include "report/drawing.h"
 #include "report/html.h"
 
 namespace glisson::report {
@@ -50,22 +49,6 @@ TEST(ExplanationPage, SaysTheVerdictTheSuspectsAndWhatToMeasureNext) {
                                "<svg", "A &lt;pad&gt;", "p&lt;01&gt;"})
     EXPECT_THAT(html, HasSubstr(expected));
   EXPECT_THAT(html, Not(HasSubstr("nan")));
-}
-
-TEST(Drawing, CurvesWithoutExtentAndNoneAtAllAreFramesWithoutNonsense) {
-  for (const auto& curves : {std::vector<Curve>{}, std::vector<Curve>{{{{1, 0}}, Ink::measured}},
-                             std::vector<Curve>{{{{0, 0}, {0, 0}}, Ink::after}}}) {
-    const std::string svg = curves_svg(curves, "time (s)", "a & b");
-    EXPECT_THAT(svg, HasSubstr("a &amp; b"));
-    EXPECT_THAT(svg, Not(HasSubstr("nan")));
-    EXPECT_THAT(svg, Not(HasSubstr("inf")));
-  }
-}
-
-TEST(Drawing, ArrowsKeepTheirProportionsAndTheHottestIsRed) {
-  const std::string svg = arrows_svg({{0, 0, 10, 0, 1}, {0, 50, 0, 10, 0}}, 1, "x (mm)", "z (mm)");
-  EXPECT_THAT(svg, HasSubstr("#c02d26"));
-  EXPECT_THAT(svg, HasSubstr("#3168b0"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "report/plot.h"
 
 #include <gmock/gmock.h>
+#include <cmath>
 #include <limits>
 #include <regex>
 
@@ -37,6 +38,34 @@ TEST(Plot, DrawsEachBarPointBoxAndRuleInsideItsFrame) {
     EXPECT_GE(px, 0);
     EXPECT_LE(px, (*match)[1] == "x" ? 640 : 400);
   }
+}
+
+TEST(Plot, CurvesWithoutExtentAreFramesWithoutNonsense) {
+  for (const auto& points : {std::vector<std::pair<double, double>>{{1, 0}}, {{0, 0}, {0, 0}}}) {
+    Plot plot{"", "time (s)", "a & b"};
+    plot.curves = {{"", points, PlotCurve::Style::dashes}};
+    plot.from_zero = false;
+    const std::string svg = svg_of(plot);
+    EXPECT_THAT(svg, HasSubstr("a &amp; b"));
+    EXPECT_THAT(svg, Not(HasSubstr("nan")));
+    EXPECT_THAT(svg, Not(HasSubstr("inf")));
+  }
+}
+
+TEST(Plot, ArrowsKeepTheirProportionsAndTheHottestIsRed) {
+  Plot plot{"", "x (mm)", "z (mm)"};
+  plot.arrows = {{0, 0, 10, 0, 1}, {0, 50, 0, 10, 0}};
+  plot.hottest = 1;
+  const std::string svg = svg_of(plot);
+  EXPECT_THAT(svg, HasSubstr("#c02d26"));
+  EXPECT_THAT(svg, HasSubstr("#3168b0"));
+  const std::regex line("x1=\"([-0-9.]+)\" y1=\"([-0-9.]+)\" x2=\"([-0-9.]+)\" y2=\"([-0-9.]+)\" stroke=\"#");
+  std::vector<double> lengths;
+  for (std::sregex_iterator match(svg.begin(), svg.end(), line), end; match != end; ++match)
+    lengths.push_back(
+        std::hypot(std::stod((*match)[3]) - std::stod((*match)[1]), std::stod((*match)[4]) - std::stod((*match)[2])));
+  ASSERT_EQ(lengths.size(), 2u);
+  EXPECT_NEAR(lengths[0], lengths[1], 0.2);
 }
 
 TEST(Plot, BoxesStandInTheirOrder) {
