@@ -7,6 +7,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "imaging/volume_file.h"
 
 namespace glisson::casefile {
 namespace fs = std::filesystem;
@@ -91,6 +92,10 @@ Result<fs::path> Case::file_of(const std::string& id) const {
                          folder_});
   }
   return folder_ / entry->file;
+}
+
+Result<imaging::Volume> Case::volume(const std::string& id) const {
+  return file_of(id).and_then([](const fs::path& file) { return imaging::read_volume_file(file); });
 }
 
 Result<void> Case::set_origin(std::string origin) {

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "imaging/image.h"
 
 namespace glisson::casefile {
 
@@ -60,6 +61,9 @@ class Case {
 
   // The full path of an entry's file; the error says which stage makes the missing entry.
   [[nodiscard]] Result<std::filesystem::path> file_of(const std::string& id) const;
+
+  // A measured quantity of the case, "volumes/anatomy". Fails as file_of and imaging::read_volume_file do.
+  [[nodiscard]] Result<imaging::Volume> volume(const std::string& id) const;
 
   // "SIMULATED ...", or empty for a real patient: shown wherever anything of the case is shown.
   [[nodiscard]] const std::string& origin() const { return origin_; }

@@ -170,9 +170,7 @@ Result<void> save_structure_surfaces(Case& patient, const std::vector<Structure>
 
 Result<elastography::CellStiffness> stiffness_from_mre(const Case& patient, const geometry::TetMesh& mesh,
                                                        const elastography::StiffnessOptions& options, Made& made) {
-  const auto map = patient.file_of("volumes/stiffness").and_then([](const fs::path& file) {
-    return imaging::read_volume_file(file);
-  });
+  const auto map = patient.volume("volumes/stiffness");
   if (!map) {
     return failure(Error{map.error()}.with_hint(
         GLISSON_TEXT("Import a study with MR elastography, or choose --uniform-kPa or --atlas.")));
@@ -181,9 +179,7 @@ Result<elastography::CellStiffness> stiffness_from_mre(const Case& patient, cons
 
   elastography::Reliability reliability;
   if (patient.find("volumes/confidence")) {
-    const auto confidence = patient.file_of("volumes/confidence").and_then([](const fs::path& file) {
-      return imaging::read_volume_file(file);
-    });
+    const auto confidence = patient.volume("volumes/confidence");
     if (!confidence) return failure(confidence.error());
     reliability.confident = imaging::Mask{confidence->grid, {}};
     // Scanners store the mask as 0 and something, or as a percentage; half of the largest value counts as confident.

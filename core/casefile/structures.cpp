@@ -19,12 +19,6 @@ namespace {
 
 using segmentation::Structure;
 
-Result<imaging::Volume> read_anatomy(const Case& patient) {
-  return patient.file_of("volumes/anatomy").and_then([](const fs::path& file) {
-    return imaging::read_volume_file(file);
-  });
-}
-
 struct Labelled {
   int value;
   std::string name;
@@ -37,7 +31,7 @@ Result<Labelled> pick(std::vector<Labelled> found, std::optional<int> label_valu
 
 Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
                                       const std::vector<Eigen::Vector3d>& seeds_mm, const Progress& progress) {
-  const auto anatomy = read_anatomy(patient);
+  const auto anatomy = patient.volume("volumes/anatomy");
   if (!anatomy) return failure(anatomy.error());
   auto grown = segmentation::grow_from_seeds(*anatomy, seeds_mm, {}, progress);
   if (!grown) return failure(grown.error());
@@ -64,7 +58,7 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
 Result<SavedStructure> import_structure(Case& patient, const std::string& name, const fs::path& labels,
                                         std::optional<int> label_value, const Progress& progress) {
   progress.report(0.0, "Reading the labels");
-  const auto anatomy = read_anatomy(patient);
+  const auto anatomy = patient.volume("volumes/anatomy");
   if (!anatomy) return failure(anatomy.error());
   auto picked = read_labelled(labels).and_then(
       [&](std::vector<Labelled> found) { return pick(std::move(found), label_value, labels); });

@@ -10,7 +10,6 @@
 #include "casefile/result_folder.h"
 #include "casefile/structures.h"
 #include "geometry/mesh_file.h"
-#include "imaging/volume_file.h"
 #include "mechanics/point_location.h"
 #include "scene/anatomy.h"
 
@@ -115,10 +114,6 @@ std::string warning_of(const casefile::Case& patient) {
 
 namespace {
 
-Result<imaging::Volume> read_volume(const casefile::Case& patient, const std::string& id) {
-  return patient.file_of(id).and_then([](const fs::path& file) { return imaging::read_volume_file(file); });
-}
-
 const Structure* find_liver(const std::vector<Structure>& structures) {
   return !structures.empty() && structures.front().name == "liver" ? &structures.front() : nullptr;
 }
@@ -175,7 +170,7 @@ Scene slice_scene(SliceItem slice, const imaging::Grid& framed) {
 }
 
 Result<Scene> anatomy_scene(const casefile::Case& patient) {
-  auto volume = read_volume(patient, "volumes/anatomy");
+  auto volume = patient.volume("volumes/anatomy");
   if (!volume) return failure(volume.error());
   auto structures = casefile::read_structures(patient);
   if (!structures) return failure(structures.error());
@@ -195,9 +190,9 @@ Result<Scene> anatomy_scene(const casefile::Case& patient) {
 // the map is coloured.
 Result<Scene> map_scene(const casefile::Case& patient, const std::string& id, const std::string& title,
                         const std::function<void(SliceItem&)>& colour) {
-  auto map = read_volume(patient, id);
+  auto map = patient.volume(id);
   if (!map) return failure(map.error());
-  const auto anatomy = read_volume(patient, "volumes/anatomy");
+  const auto anatomy = patient.volume("volumes/anatomy");
   auto structures = casefile::read_structures(patient);
   if (!structures) return failure(structures.error());
 

@@ -147,9 +147,7 @@ Result<imaging::Volume> map_of_case(const fs::path& folder, std::optional<imagin
     if (!label) return failure(label.error());
     liver = std::move(label->mask);
   }
-  return patient->file_of("volumes/stiffness").and_then([](const fs::path& file) {
-    return imaging::read_volume_file(file);
-  });
+  return patient->volume("volumes/stiffness");
 }
 
 Result<NamedNumbers> statistics_of_subject(const Subject& subject) {

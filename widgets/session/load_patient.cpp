@@ -6,7 +6,6 @@
 #include "casefile/import.h"
 #include "casefile/model.h"
 #include "casefile/structures.h"
-#include "imaging/volume_file.h"
 #include "study/demo.h"
 
 namespace glisson::widgets {
@@ -15,7 +14,7 @@ namespace {
 
 Result<std::shared_ptr<const imaging::Volume>> read_volume(const casefile::Case& patient, const std::string& id) {
   if (patient.find(id) == nullptr) return std::shared_ptr<const imaging::Volume>();
-  return patient.file_of(id).and_then(imaging::read_volume_file).map([](imaging::Volume volume) {
+  return patient.volume(id).map([](imaging::Volume volume) {
     return std::shared_ptr<const imaging::Volume>(std::make_shared<imaging::Volume>(std::move(volume)));
   });
 }
