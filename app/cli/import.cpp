@@ -26,9 +26,9 @@ Result<Outcome> import_path(const Options& options, const Progress& progress) {
   for (const auto& volume : made->volumes) {
     outcome.document["volumes"].push_back({{"role", imaging::role_name(volume.role)},
                                            {"id", volume.id},
-                                           {"size", three(volume.grid.size)},
-                                           {"spacing_mm", three(volume.grid.spacing_mm)},
-                                           {"origin_mm", three(volume.grid.origin_mm)},
+                                           {"size", volume.grid.size},
+                                           {"spacing_mm", json_of(volume.grid.spacing_mm)},
+                                           {"origin_mm", json_of(volume.grid.origin_mm)},
                                            {"direction", direction_json(volume.grid.direction)},
                                            {"notes", volume.notes}});
     outcome.text +=

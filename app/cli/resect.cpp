@@ -121,7 +121,7 @@ Outcome describe(const rehearsal::Resection& plan) {
   }
   for (const auto& crossing : plan.crossings) {
     outcome.document["crossings"].push_back({{"name", crossing.name},
-                                             {"center_mm", three(crossing.center_mm)},
+                                             {"center_mm", json_of(crossing.center_mm)},
                                              {"diameter_mm", crossing.diameter_mm},
                                              {"area_mm2", crossing.area_mm2}});
     outcome.text += fmt::format("  crosses {:16} {:.1f} mm wide\n", crossing.name, crossing.diameter_mm);

@@ -19,8 +19,8 @@ Outcome describe(const imaging::Study& study) {
                                           {"role_evidence", series.role_evidence},
                                           {"files", series.files.size()},
                                           {"volumes", series.volumes},
-                                          {"size", three(series.grid.size)},
-                                          {"spacing_mm", three(series.grid.spacing_mm)},
+                                          {"size", series.grid.size},
+                                          {"spacing_mm", json_of(series.grid.spacing_mm)},
                                           {"unit", series.unit},
                                           {"problems", series.problems}});
     outcome.text += fmt::format(

@@ -13,6 +13,8 @@
 namespace glisson::cli {
 namespace {
 
+using glisson::json_of;
+
 struct Options {
   std::string case_folder;
   std::string commands_file;
@@ -23,7 +25,7 @@ Json json_of(const rehearsal::SessionStep& step) {
   Json tools = Json::array();
   for (const auto& tool : step.tools) {
     tools.push_back({{"id", tool.id},
-                     {"force_N", three(tool.force_mN * 1e-3)},
+                     {"force_N", json_of(tool.force_mN * 1e-3)},
                      {"contacts", tool.contacts},
                      {"advance_mm", tool.advance_mm},
                      {"penetration_mm", tool.penetration_mm}});
@@ -51,7 +53,7 @@ Json json_of(const rehearsal::SessionFrame& frame) {
   for (std::size_t l = 0; l < frame.patient.landmarks.size(); ++l) {
     const auto& landmark = frame.patient.landmarks[l];
     Json entry{{"id", landmark.id},
-               {"position_mm", three(landmark.displaced_mm)},
+               {"position_mm", json_of(landmark.displaced_mm)},
                {"displacement_mm", landmark.displacement_mm}};
     if (l < frame.differences.size()) {
       entry["difference_mm"] = frame.differences[l].difference_mm;

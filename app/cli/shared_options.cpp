@@ -41,10 +41,6 @@ Result<PictureSize> parse_size(const std::string& text) {
   return PictureSize{static_cast<int>(width), static_cast<int>(height)};
 }
 
-Json three(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
-
-Json three(const std::array<int, 3>& v) { return Json::array({v[0], v[1], v[2]}); }
-
 Json direction_json(const Eigen::Matrix3d& direction) {
   Json json = Json::array();
   for (int row = 0; row < 3; ++row) {

@@ -21,8 +21,6 @@ struct PictureSize {
 };
 Result<PictureSize> parse_size(const std::string& text);
 
-Json three(const Eigen::Vector3d& v);
-Json three(const std::array<int, 3>& v);
 Json direction_json(const Eigen::Matrix3d& direction);  // nine numbers, row after row
 
 // One "- sentence" a line.

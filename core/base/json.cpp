@@ -104,6 +104,8 @@ Result<void> refuse_unknown_keys(const Json& object, std::initializer_list<std::
   return {};
 }
 
+Json json_of(const Eigen::Vector3d& vector) { return Json::array({vector.x(), vector.y(), vector.z()}); }
+
 bool all_numbers_finite(const Json& document) {
   if (document.is_number_float()) return std::isfinite(document.get<double>());
   if (!document.is_structured()) return true;

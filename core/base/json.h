@@ -2,6 +2,7 @@
 // JSON files. The one public header in which a third party's type (nlohmann::json) shows besides Eigen and
 // tl::expected: include it in .cpp files only.
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
@@ -24,6 +25,9 @@ Result<void> write_json_file(const std::filesystem::path& file, const Json& docu
 // Refuses a key of `object` that is not in `known`, naming `where` and the known key nearest to it in spelling.
 Result<void> refuse_unknown_keys(const Json& object, std::initializer_list<std::string_view> known,
                                  const std::string& where);
+
+// [x, y, z]
+Json json_of(const Eigen::Vector3d& vector);
 
 // Whether every number in the document is finite.
 bool all_numbers_finite(const Json& document);

@@ -9,8 +9,6 @@ namespace glisson::casefile {
 namespace fs = std::filesystem;
 namespace {
 
-Json three(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
-
 Failure not_a_result(const fs::path& folder, const std::string& why) {
   return failure(Error{"not-a-result",
                        GLISSON_TEXT("{0} does not hold a simulation's result: {1}."),
@@ -44,17 +42,17 @@ std::string result_text(const mechanics::Simulation& simulation) {
                 {"strain_energy_uJ", result.strain_energy_uJ},
                 {"largest_strain", result.largest_strain},
                 {"inverted_cells", result.inverted_cells},
-                {"applied_force_N", three(result.applied_force_mN * 1e-3)},
-                {"held_reaction_N", three(result.held_reaction_mN * 1e-3)},
-                {"foundation_reaction_N", three(result.foundation_reaction_mN * 1e-3)},
-                {"ligament_reaction_N", three(result.ligament_reaction_mN * 1e-3)},
+                {"applied_force_N", json_of(result.applied_force_mN * 1e-3)},
+                {"held_reaction_N", json_of(result.held_reaction_mN * 1e-3)},
+                {"foundation_reaction_N", json_of(result.foundation_reaction_mN * 1e-3)},
+                {"ligament_reaction_N", json_of(result.ligament_reaction_mN * 1e-3)},
                 {"timing", {{"setup_s", result.setup_s}, {"step_ms", result.step_ms}}},
                 {"notes", result.notes},
                 {"landmarks", Json::array()}};
   for (const mechanics::DisplacedLandmark& landmark : simulation.landmarks) {
     document["landmarks"].push_back({{"id", landmark.id},
-                                     {"rest_mm", three(landmark.rest_mm)},
-                                     {"displaced_mm", three(landmark.displaced_mm)},
+                                     {"rest_mm", json_of(landmark.rest_mm)},
+                                     {"displaced_mm", json_of(landmark.displaced_mm)},
                                      {"displacement_mm", landmark.displacement_mm}});
   }
   if (!simulation.steps.empty()) document["steps"] = steps_of(simulation);
@@ -68,13 +66,13 @@ Json steps_of(const mechanics::Simulation& simulation) {
   for (const mechanics::MotionStep& step : simulation.steps) {
     Json landmarks = Json::array();
     for (std::size_t l = 0; l < step.landmarks_mm.size(); ++l) {
-      landmarks.push_back({{"id", simulation.landmarks[l].id}, {"position_mm", three(step.landmarks_mm[l])}});
+      landmarks.push_back({{"id", simulation.landmarks[l].id}, {"position_mm", json_of(step.landmarks_mm[l])}});
     }
     steps.push_back({{"time_s", step.time_s},
                      {"landmarks", std::move(landmarks)},
-                     {"held_reaction_N", three(step.held_reaction_mN * 1e-3)},
-                     {"foundation_reaction_N", three(step.foundation_reaction_mN * 1e-3)},
-                     {"ligament_reaction_N", three(step.ligament_reaction_mN * 1e-3)},
+                     {"held_reaction_N", json_of(step.held_reaction_mN * 1e-3)},
+                     {"foundation_reaction_N", json_of(step.foundation_reaction_mN * 1e-3)},
+                     {"ligament_reaction_N", json_of(step.ligament_reaction_mN * 1e-3)},
                      {"converged", step.report.converged},
                      {"relative_residual", step.report.relative_residual},
                      {"iterations", step.report.iterations},

@@ -388,7 +388,7 @@ MeshfreeOptions meshfree_from(const Json& json, const std::string& where) {
 
 // --- and back
 
-Json json_of(const Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
+using glisson::json_of;
 
 Json json_of(const Support& support) {
   Json json;

@@ -10,12 +10,12 @@ namespace glisson::rehearsal {
 namespace {
 
 using Eigen::Vector3d;
+using glisson::json_of;
 using mechanics::Grasp;
 using mechanics::HandTool;
 using mechanics::Rod;
 using mechanics::TouchingTool;
 
-Json json_of(const Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 Vector3d vector_from(const Json& json) {
   if (json.size() != 3) throw std::invalid_argument("a vector needs three numbers");
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
