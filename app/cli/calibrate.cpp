@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
+#include "one_of.h"
 #include "shared_options.h"
 
 namespace glisson::cli {
@@ -102,10 +103,9 @@ void add_calibrate(CLI::App& app, Action& chosen) {
   command->add_option("--left", settings->left, "The left eye's pictures: files, folders or videos")->required();
   command->add_option("--right", settings->right, "The right eye's, in the same order")->required();
   command->add_option("--board", settings->board.pattern, "chessboard, circles, or dots (circles, four of them larger)")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, Board::Pattern>{{"chessboard", Board::Pattern::chessboard},
-                                                                        {"circles", Board::Pattern::circles},
-                                                                        {"dots", Board::Pattern::dots}}))
+      ->transform(one_of(Words<Board::Pattern>{{"chessboard", Board::Pattern::chessboard},
+                                               {"circles", Board::Pattern::circles},
+                                               {"dots", Board::Pattern::dots}}))
       ->required();
   command->add_option("--columns", settings->board.columns, "Inner corners, or circles, along a row")->required();
   command->add_option("--rows", settings->board.rows, "The same down a column")->required();

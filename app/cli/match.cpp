@@ -5,6 +5,7 @@
 #include "base/files.h"
 #include "command.h"
 #include "geometry/mesh_file.h"
+#include "one_of.h"
 #include "registration/geo.h"
 
 namespace glisson::cli {
@@ -83,15 +84,14 @@ void add_match(CLI::App& app, Action& chosen) {
       ->check(CLI::Range(8, 1024))
       ->capture_default_str();
   command->add_option("--solver", match->options.solver, "trwls, or trws: the slow one in double precision")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, registration::Solver>{
-          {"trwls", registration::Solver::trwls}, {"trws", registration::Solver::trws}}));
+      ->transform(one_of(
+          Words<registration::Solver>{{"trwls", registration::Solver::trwls}, {"trws", registration::Solver::trws}}));
   command
       ->add_option("--prior", match->options.prior,
                    "none: any pose; positions: the surfaces are roughly aligned; auto: positions for a part of a whole")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, registration::Prior>{{"auto", registration::Prior::automatic},
-                                                     {"none", registration::Prior::none},
-                                                     {"positions", registration::Prior::positions}}));
+      ->transform(one_of(Words<registration::Prior>{{"auto", registration::Prior::automatic},
+                                                    {"none", registration::Prior::none},
+                                                    {"positions", registration::Prior::positions}}));
   command->add_flag("--dense", match->dense, "Lead every point of the source to the target");
   command->add_option("--out", match->out, "CSV file: source_vertex,target_vertex")->required();
   command->callback([&chosen, match] { chosen = [match](const Progress& progress) { return run(*match, progress); }; });

@@ -7,6 +7,7 @@
 
 #include "command.h"
 #include "geometry/mesh_file.h"
+#include "one_of.h"
 
 namespace glisson::cli {
 namespace {
@@ -47,8 +48,8 @@ void add_register(CLI::App& app, Action& chosen) {
   command
       ->add_option("--method", settings->options.method,
                    "icp: nearest points, from where the surfaces lie; geo: distances along the surfaces, from anywhere")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, registration::Method>{
-          {"icp", registration::Method::icp}, {"geo", registration::Method::geo}}))
+      ->transform(
+          one_of(Words<registration::Method>{{"icp", registration::Method::icp}, {"geo", registration::Method::geo}}))
       ->required();
   command->add_option("--out", settings->out, "The source, moved (.ply, .obj, .stl, .vtp)")->required();
   command->callback(

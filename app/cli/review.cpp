@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
+#include "one_of.h"
 
 namespace glisson::cli {
 namespace {
@@ -35,8 +36,8 @@ void add_review(CLI::App& app, Action& chosen) {
   command->add_option("a", settings->a, "Folder that sirgn wrote")->required();
   command->add_option("b", settings->b, "Another, of the same sequence")->required();
   command->add_option("--value", settings->options.value, "What the colours show: correlation or error")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, ReviewedValue>{
-          {"correlation", ReviewedValue::correlation}, {"error", ReviewedValue::error}}));
+      ->transform(
+          one_of(Words<ReviewedValue>{{"correlation", ReviewedValue::correlation}, {"error", ReviewedValue::error}}));
   command->add_option("--tolerance-mm", settings->options.tolerance_mm, "Triangles off by as much are grey")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -8,6 +8,7 @@
 
 #include "command.h"
 #include "geometry/mesh_file.h"
+#include "one_of.h"
 #include "quality/quality_file.h"
 #include "quality/sequence_file.h"
 #include "registration/global_alignment.h"
@@ -171,8 +172,8 @@ void add_sirgn(CLI::App& app, Action& chosen) {
           "--method", settings->method,
           "given: the clouds that the sequence names as registered; icp, geo: register them to the model first; gnra: "
           "all frames at once, by the landmarks")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Method>{
-          {"given", Method::given}, {"icp", Method::icp}, {"geo", Method::geo}, {"gnra", Method::gnra}}))
+      ->transform(one_of(
+          Words<Method>{{"given", Method::given}, {"icp", Method::icp}, {"geo", Method::geo}, {"gnra", Method::gnra}}))
       ->required();
   command->add_option("--tolerance-mm", settings->options.tolerances_mm, "Errors from which a triangle is rejected")
       ->delimiter(',')
