@@ -66,7 +66,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect_parts();
 }
 
-void MainWindow::open_path(const fs::path& path) {
+void MainWindow::open_path(const fs::path& opened) {
+  // A file manager hands over the file that stands for the case.
+  const fs::path path = opened.filename() == "case.json" ? opened.parent_path() : opened;
   if (kind_of(path) == OpenedThing::case_folder) {
     load(tr("Opening %1").arg(text_of(path.filename())),
          [path](const Progress& progress) { return load_patient(path, progress); });
@@ -239,6 +241,7 @@ void MainWindow::make_status_bar() {
   cancel_->hide();
   auto* standing = new QLabel(tr("Not a medical device"));
   standing->setObjectName("faint");
+  standing->setContentsMargins(0, 0, 8, 0);
   statusBar()->addWidget(status_, 1);
   statusBar()->addPermanentWidget(progress_);
   statusBar()->addPermanentWidget(cancel_);
