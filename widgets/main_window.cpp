@@ -139,6 +139,7 @@ void MainWindow::make_menus() {
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
   QMenu* help = menuBar()->addMenu(tr("&Help"));
+  help->addAction(tr("&Manual"), QKeySequence::HelpContents, this, &MainWindow::show_manual);
   help->addAction(tr("&About Glisson"), this, &MainWindow::about);
 }
 
@@ -316,6 +317,17 @@ void MainWindow::save_picture() {
   if (file.isEmpty()) return;
   if (!views_->space().grabFramebuffer().save(file))
     show_notice(tr("The picture could not be written to %1.").arg(file));
+}
+
+void MainWindow::show_manual() {
+  if (!manual_) {
+    const auto resources = resource_folder();
+    if (!resources) return show_error(resources.error());
+    manual_ = new ManualWindow(*resources / "manual", this);
+  }
+  manual_->show();
+  manual_->raise();
+  manual_->activateWindow();
 }
 
 void MainWindow::about() {

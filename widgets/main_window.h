@@ -7,6 +7,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 
+#include "help/manual_window.h"
 #include "imaging/study.h"
 #include "panels/rehearse_panel.h"
 #include "panels/study_panel.h"
@@ -48,6 +49,7 @@ class MainWindow : public QMainWindow {
   void choose_case();
   void choose_study();
   void save_picture();
+  void show_manual();
   void about();
 
   // Loads a patient on a worker thread, then shows it or says what went wrong.
@@ -67,6 +69,7 @@ class MainWindow : public QMainWindow {
   PatientViews* patient_views_ = nullptr;
   StudyPanel* study_panel_ = nullptr;
   RehearsePanel* rehearse_panel_ = nullptr;
+  ManualWindow* manual_ = nullptr;  // from the first time that it is asked for
   QLabel* origin_ = nullptr;
   QWidget* notice_ = nullptr;
   QLabel* notice_text_ = nullptr;

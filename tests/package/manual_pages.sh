@@ -1,18 +1,35 @@
-# The manual pages are pages, and name every command: manual_pages.sh GLISSON_CLI FOLDER
+# The manual pages are pages, and name every command; what README and manual show as a command line is one:
+# manual_pages.sh GLISSON_CLI PROJECT_FOLDER
 set -euo pipefail
+pages=$2/packaging/man
 failed=0
 for command in $("$1" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z][a-z-]*\).*/\1/p'); do
-  grep -qx "\.B $command" "$2/glisson-cli.1" || { echo "glisson-cli.1 lacks $command."; failed=1; }
+  grep -qx "\.B $command" "$pages/glisson-cli.1" || { echo "glisson-cli.1 lacks $command."; failed=1; }
 done
-for command in $(sed -n '/^.SH COMMANDS/,/^.SH OPTIONS/s/^\.B \(.*\)/\1/p' "$2/glisson-cli.1"); do
+for command in $(sed -n '/^.SH COMMANDS/,/^.SH OPTIONS/s/^\.B \(.*\)/\1/p' "$pages/glisson-cli.1"); do
   "$1" "$command" --help >/dev/null || { echo "glisson-cli.1 names $command, which does not exist."; failed=1; }
 done
 if command -v man >/dev/null; then
-  for page in "$2"/*.1; do
+  for page in "$pages"/*.1; do
     wrong=$(LC_ALL=C.UTF-8 MANWIDTH=100 man --warnings --local-file "$page" 2>&1 >/dev/null)
     [ -z "$wrong" ] || { echo "$page: $wrong"; failed=1; }
   done
 else
   echo "man is not installed: what the pages look like was not checked."
 fi
+
+# "glisson-cli study cohort COHORT --out cohort": the command is there, and takes each option.
+while read -r file line; do
+  read -ra words <<<"$line"
+  commands=()
+  for word in "${words[@]}"; do
+    [[ $word =~ ^[a-z][a-z-]*$ ]] && "$1" "${commands[@]}" --help | grep -q "^  $word " || break
+    commands+=("$word")
+  done
+  [ ${#commands[@]} -gt 0 ] || { echo "$file: glisson-cli $line: no such command"; failed=1; continue; }
+  help=$("$1" "${commands[@]}" --help)
+  for option in $(grep -oE -- '(^| )--[a-z][A-Za-z0-9-]*' <<<"$line" || true); do
+    grep -qE -- "(^|[ ,])$option( |:|$)" <<<"$help" || { echo "$file: glisson-cli ${commands[*]} has no $option"; failed=1; }
+  done
+done < <(cd "$2" && grep -oE 'glisson-cli [a-z][^`#]*' README.md resources/manual/*.md | sed 's/:glisson-cli / /')
 exit $failed
