@@ -98,6 +98,7 @@ Series assemble_stack(const Images& images, const Stack& stack) {
       if (motion.slice_times_s.size() != static_cast<std::size_t>(series.grid.size[2])) motion.slice_times_s.clear();
       series.motion.push_back(std::move(motion));
     }
+    number_directions(series.motion);
   }
   append(series.problems, image.problems);
   return series;

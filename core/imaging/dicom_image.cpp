@@ -200,6 +200,7 @@ Picture enhanced_picture(DcmItem* frame, DcmItem* shared, const Picture& common)
   if (DcmItem* content = macro_of(frame, shared, DCM_FrameContentSequence)) {
     picture.stack_id = text_of(*content, DCM_StackID);
     picture.temporal_position = whole_number_of(*content, DCM_TemporalPositionIndex, 0);
+    picture.comments = text_of(*content, DCM_FrameComments);
   }
   if (DcmItem* echo = macro_of(frame, shared, DCM_MREchoSequence)) {
     picture.echo_time_ms = number_of(*echo, DCM_EffectiveEchoTime).value_or(0);
@@ -209,6 +210,12 @@ Picture enhanced_picture(DcmItem* frame, DcmItem* shared, const Picture& common)
   }
   if (DcmItem* diffusion = macro_of(frame, shared, DCM_MRDiffusionSequence)) {
     picture.b_value = number_of(*diffusion, DCM_DiffusionBValue).value_or(0);
+  }
+  if (DcmItem* velocity = macro_of(frame, shared, DCM_MRVelocityEncodingSequence)) {
+    const std::vector<double> along = numbers_of(*velocity, DCM_VelocityEncodingDirection);
+    if (along.size() == 3 && Eigen::Vector3d(along.data()).norm() > 0.5) {
+      picture.motion_along = Eigen::Vector3d(along.data()).normalized();
+    }
   }
   if (DcmItem* cardiac = macro_of(frame, shared, DCM_CardiacSynchronizationSequence)) {
     picture.trigger_time_ms = number_of(*cardiac, DCM_NominalCardiacTriggerDelayTime).value_or(0);

@@ -59,6 +59,8 @@ struct Picture {
   double echo_time_ms = 0;
   double trigger_time_ms = 0;
   double b_value = 0;
+  std::string comments;                         // of this frame of many
+  std::optional<Eigen::Vector3d> motion_along;  // the direction in which motion was encoded: a unit vector, LPS
   double slice_thickness_mm = 0;
   std::optional<double> time_in_volume_ms;  // when it was acquired, after the first slice of its volume
 };

@@ -1,5 +1,6 @@
 #include "imaging/motion_encoding.h"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -32,12 +33,27 @@ std::optional<int> index_in(const std::string& text, const std::string& name) {
 }  // namespace
 
 MotionEncoding motion_encoding_of(const DicomImage& image, const Picture& picture) {
-  MotionEncoding motion = motion_in_comments(image.comments);
-  for (const std::string* text : {&image.description, &image.protocol, &image.comments}) {
+  MotionEncoding motion = motion_in_comments(picture.comments.empty() ? image.comments : picture.comments);
+  for (const std::string* text : {&picture.comments, &image.description, &image.protocol, &image.comments}) {
     if (!motion.frequency_Hz) motion.frequency_Hz = frequency_in_text_Hz(*text);
   }
+  if (!motion.along) motion.along = picture.motion_along;
   if (!motion.offset && picture.temporal_position > 0) motion.offset = picture.temporal_position - 1;
   return motion;
+}
+
+void number_directions(std::vector<MotionEncoding>& motions) {
+  std::vector<Eigen::Vector3d> directions;
+  std::vector<int> number;
+  for (const MotionEncoding& motion : motions) {
+    if (motion.direction || !motion.along) return;
+    const auto same = [&](const Eigen::Vector3d& known) { return (known - *motion.along).norm() < 0.01; };
+    const auto known = std::find_if(directions.begin(), directions.end(), same);
+    number.push_back(static_cast<int>(known - directions.begin()));
+    if (known == directions.end()) directions.push_back(*motion.along);
+  }
+  if (directions.size() < 2) return;
+  for (std::size_t v = 0; v < motions.size(); ++v) motions[v].direction = number[v];
 }
 
 MotionEncoding motion_in_comments(const std::string& comments) {

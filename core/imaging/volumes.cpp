@@ -89,8 +89,10 @@ std::vector<Pictures> gather_by_position(const Images& images, const Stack& stac
   }
   const auto acquired = [&](const PictureRef& ref) {
     const DicomImage& image = images[ref.image];
-    return std::make_tuple(picture_of(images, ref).temporal_position, image.instance_number, image.acquisition_time,
-                           ref.picture, image.path);
+    const Picture& picture = picture_of(images, ref);
+    const Eigen::Vector3d along = picture.motion_along.value_or(Eigen::Vector3d::Zero());
+    return std::make_tuple(picture.temporal_position, along.x(), along.y(), along.z(), image.instance_number,
+                           image.acquisition_time, ref.picture, image.path);
   };
   std::sort(ordered.begin(), ordered.end(), [&](const Placed& a, const Placed& b) {
     return a.position_mm != b.position_mm ? a.position_mm < b.position_mm : acquired(a.ref) < acquired(b.ref);
