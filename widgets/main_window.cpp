@@ -17,6 +17,7 @@
 
 #include "base/files.h"
 #include "session/load_patient.h"
+#include "views/wave_view.h"
 
 namespace glisson::widgets {
 namespace {
@@ -118,6 +119,7 @@ void MainWindow::show_patient(const Patient& patient) {
   rehearsal_.set_body(patient.rehearsal);
   rehearse_panel_->set_ready(patient.rehearsal != nullptr);
   save_picture_->setEnabled(true);
+  show_waves_->setEnabled(!patient.folder.empty() && WaveView::has_waves(patient.folder));
   const NextStep next = patient.folder.empty() ? NextStep::none : next_step(patient.folder);
   next_step_->setVisible(next != NextStep::none);
   next_step_text_->setText(next == NextStep::outline_liver
@@ -136,6 +138,9 @@ void MainWindow::make_menus() {
   file->addSeparator();
   save_picture_ = file->addAction(tr("&Save the picture..."), QKeySequence::Save, this, &MainWindow::save_picture);
   save_picture_->setEnabled(false);
+  show_waves_ =
+      file->addAction(tr("Elastography &waves..."), QKeySequence(tr("Ctrl+W")), this, &MainWindow::show_waves);
+  show_waves_->setEnabled(false);
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
   QMenu* help = menuBar()->addMenu(tr("&Help"));
@@ -328,6 +333,15 @@ void MainWindow::show_manual() {
   manual_->show();
   manual_->raise();
   manual_->activateWindow();
+}
+
+void MainWindow::show_waves() {
+  auto* view = new WaveView(patient_.folder, this);
+  view->setWindowFlag(Qt::Window);
+  view->setAttribute(Qt::WA_DeleteOnClose);
+  connect(view, &WaveView::accepted, this, [this] { open_path(patient_.folder); });
+  view->show();
+  view->invert();
 }
 
 void MainWindow::about() {

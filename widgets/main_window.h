@@ -50,6 +50,7 @@ class MainWindow : public QMainWindow {
   void choose_study();
   void save_picture();
   void show_manual();
+  void show_waves();
   void about();
 
   // Loads a patient on a worker thread, then shows it or says what went wrong.
@@ -83,6 +84,7 @@ class MainWindow : public QMainWindow {
   QProgressBar* progress_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QAction* save_picture_ = nullptr;
+  QAction* show_waves_ = nullptr;
 };
 
 // An error as a person reads it: the sentence, then what to do, translated.

@@ -36,9 +36,12 @@ Result<std::vector<float>> mean_magnitude(const Case& patient, const imaging::Gr
   return mean;
 }
 
-Result<void> accept(Case& patient, const elastography::ModulusMap& map, const Made& made) {
+}  // namespace
+
+Result<void> accept_waves(Case& patient, const InvertedWaves& inverted) {
+  const elastography::ModulusMap& map = inverted.map;
   const auto save = [&](const char* id, const imaging::Volume& volume) {
-    return patient.add(id, ".nrrd", made,
+    return patient.add(id, ".nrrd", inverted.made,
                        [&](const fs::path& file) { return imaging::write_volume_file(file, volume); });
   };
   if (auto saved = save("volumes/shear-wave", map.wave_rad); !saved) return saved;
@@ -54,8 +57,6 @@ Result<void> accept(Case& patient, const elastography::ModulusMap& map, const Ma
   if (auto saved = save("volumes/confidence", map.confidence); !saved) return saved;
   return save("volumes/stiffness", map.magnitude_kPa);
 }
-
-}  // namespace
 
 Result<elastography::SortedWaves> read_waves(const Case& patient, const elastography::AskedFor& asked) {
   std::vector<const Entry*> entries = entries_of(patient, "volumes/phase");
@@ -87,8 +88,8 @@ Result<elastography::SortedWaves> read_waves(const Case& patient, const elastogr
   return sorted;
 }
 
-Result<elastography::ModulusMap> invert_waves(Case& patient, const elastography::AskedFor& asked,
-                                              const elastography::InversionOptions& options, const Progress& progress) {
+Result<InvertedWaves> inverted_waves(const Case& patient, const elastography::AskedFor& asked,
+                                     const elastography::InversionOptions& options, const Progress& progress) {
   progress.report(0, "Reading the waves");
   const auto sorted = read_waves(patient, asked);
   if (!sorted) return failure(sorted.error());
@@ -104,17 +105,24 @@ Result<elastography::ModulusMap> invert_waves(Case& patient, const elastography:
     organ = std::move(liver->mask);
     made.from.emplace_back("labels/liver");
   }
-  auto map = elastography::invert(sorted->frequencies, organ, options, progress.part(0.1, 0.9));
-  if (!map) return map;
+  auto map = elastography::invert(sorted->frequencies, organ, options, progress.part(0.1, 1));
+  if (!map) return failure(map.error());
   map->notes.insert(map->notes.begin(), sorted->notes.begin(), sorted->notes.end());
   made.notes = map->notes;
   for (std::size_t f = 0; f < map->frequencies_Hz.size(); ++f) {
     const std::string name = f == 0 ? "frequency_Hz" : fmt::format("frequency_Hz-{}", f + 1);
     made.options[name] = fmt::format("{:g}", map->frequencies_Hz[f]);
   }
+  return InvertedWaves{std::move(*map), std::move(made)};
+}
+
+Result<elastography::ModulusMap> invert_waves(Case& patient, const elastography::AskedFor& asked,
+                                              const elastography::InversionOptions& options, const Progress& progress) {
+  auto inverted = inverted_waves(patient, asked, options, progress.part(0, 0.9));
+  if (!inverted) return failure(inverted.error());
   progress.report(0.9, "Saving the maps");
-  if (auto saved = accept(patient, *map, made); !saved) return failure(saved.error());
-  return map;
+  if (auto saved = accept_waves(patient, *inverted); !saved) return failure(saved.error());
+  return std::move(inverted->map);
 }
 
 }  // namespace glisson::casefile

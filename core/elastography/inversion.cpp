@@ -203,8 +203,10 @@ void fill_pictures(const Waves& waves, ModulusMap& map) {
     }
     if (energy <= strongest) continue;
     strongest = energy;
+    map.moving_wave_rad = u;
     for (std::size_t v = 0; v < voxels; ++v) {
-      map.wave_rad.values[v] = waves.signal.values[v] != 0 ? u[v].real() : 0.0F;
+      if (waves.signal.values[v] == 0) map.moving_wave_rad[v] = 0;
+      map.wave_rad.values[v] = map.moving_wave_rad[v].real();
     }
   }
   for (float& amplitude : map.amplitude_rad.values) amplitude = std::sqrt(amplitude);

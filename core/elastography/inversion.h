@@ -14,6 +14,7 @@
 #include "elastography/region_statistics.h"
 #include "elastography/unwrap.h"
 #include "elastography/wave_images.h"
+#include "elastography/waves.h"
 
 namespace glisson::elastography {
 
@@ -55,6 +56,7 @@ struct ModulusMap {
   imaging::Volume confidence;     // 0 to 1
   imaging::Volume amplitude_rad;  // of the wave after long waves were taken off, over all components
   imaging::Volume wave_rad;       // its strongest component at the first instant, at the first frequency; for pictures
+  ComplexField moving_wave_rad;   // the same at all instants: the real part of it times e^(i w t)
   imaging::Mask region;           // voxels of the organ (or the tissue) that could be inverted at all
   double typical_wavelength_mm = 0;                // of the first frequency
   RegionStatistics confident;                      // of magnitude_kPa over the confident voxels

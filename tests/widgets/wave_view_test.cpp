@@ -1,0 +1,136 @@
+// The waves of a case, in the window: inverted, seen running, accepted.
+//
+// The case holds a plane wave of known stiffness, written as its importer leaves it.
+
+#include "views/wave_view.h"
+
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "base/files.h"
+#include "imaging/volume_file.h"
+#include "run_test.h"
+#include "support/wave_phantom.h"
+#include "views/map_picture.h"
+
+namespace glisson::widgets {
+namespace {
+
+constexpr int patience_ms = 60000;  // on a machine that does other work too
+
+// 4 kPa, shaken at 60 Hz: a wavelength of 33 mm in 96 mm.
+void write_case(const std::filesystem::path& folder) {
+  test::WavePhantom phantom;
+  phantom.grid = test::cube_grid(48, 5, 2, 4);
+  phantom.background_kPa = {4, 0.3};
+  const auto images = test::measured(phantom, test::crossing_waves(phantom), 1.0, 0.02);
+  auto patient = casefile::Case::create(folder);
+  if (!patient) qFatal("%s", patient.error().message().c_str());
+  int number = 0;
+  for (std::size_t direction = 0; direction < images.phase_rad.size(); ++direction) {
+    for (std::size_t offset = 0; offset < images.phase_rad[direction].size(); ++offset) {
+      const casefile::Made made{
+          "import",
+          {{"frequency_Hz", "60"}, {"direction", std::to_string(direction)}, {"offset", std::to_string(offset)}},
+          {},
+          {},
+          {}};
+      const imaging::Volume volume{{images.grid, images.phase_rad[direction][offset]}, "rad"};
+      const auto added = patient->add("volumes/phase-" + std::to_string(++number), ".nrrd", made,
+                                      [&](const auto& file) { return imaging::write_volume_file(file, volume); });
+      if (!added) qFatal("%s", added.error().message().c_str());
+    }
+  }
+}
+
+class WaveViewTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    case_ = folder_.path() / "plane.glisson";
+    write_case(case_);
+    view_ = std::make_unique<WaveView>(case_);
+    view_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+  }
+
+  void knows_which_cases_hold_waves() {
+    QVERIFY(WaveView::has_waves(case_));
+    QVERIFY(!WaveView::has_waves(folder_.path() / "none.glisson"));
+  }
+
+  void inverts_at_the_press_of_a_button() {
+    QVERIFY(!child<QPushButton>("wave_accept")->isEnabled());
+    QSignalSpy inverted(view_.get(), &WaveView::inverted);
+    QTest::mouseClick(child<QPushButton>("primary"), Qt::LeftButton);
+    QVERIFY(inverted.wait(patience_ms));
+    QVERIFY(child<QLabel>("wave_summary")->text().contains("60 Hz"));
+    QTRY_VERIFY(child<QPushButton>("wave_accept")->isEnabled());
+    // In the middle the stiffness is known, and 4 kPa.
+    const QImage& modulus = child<MapPicture>("modulus_picture")->image();
+    QCOMPARE(modulus.size(), QSize(48, 48));
+    QCOMPARE(qAlpha(modulus.pixel(24, 24)), 255);
+  }
+
+  void waves_run_and_come_back_after_a_period() {
+    auto* play = child<QPushButton>("wave_play");
+    if (!play->isChecked()) play->click();
+    const double before = view_->instant();
+    QTRY_VERIFY(view_->instant() != before);
+    play->click();
+    const double stopped = view_->instant();
+    const QImage picture = child<MapPicture>("wave_picture")->image();
+    QTest::qWait(200);
+    QCOMPARE(view_->instant(), stopped);
+    play->click();
+    QTRY_VERIFY(child<MapPicture>("wave_picture")->image() != picture);
+    play->click();
+  }
+
+  void shows_other_slices() {
+    auto* slice = child<QSlider>("wave_slice");
+    QCOMPARE(slice->maximum(), 4);
+    const QImage picture = child<MapPicture>("confidence_picture")->image();
+    slice->setValue(0);
+    QVERIFY(child<MapPicture>("confidence_picture")->image() != picture);
+    slice->setValue(2);
+  }
+
+  void leaves_the_case_alone_until_it_is_told() {
+    QVERIFY(!std::filesystem::exists(case_ / "volumes" / "stiffness.nrrd"));
+    QSignalSpy accepted(view_.get(), &WaveView::accepted);
+    QTest::mouseClick(child<QPushButton>("wave_accept"), Qt::LeftButton);
+    QVERIFY(accepted.wait(patience_ms));
+    const auto patient = casefile::Case::open(case_);
+    const auto map = patient->volume("volumes/stiffness");
+    QVERIFY(map.has_value());
+    QVERIFY(std::abs(map->at(24, 24, 2) - 4.0F) < 0.5F);
+    view_->grab().save("wave_view.png");
+  }
+
+  void says_what_is_wrong_with_an_answer_that_cannot_be() {
+    child<QComboBox>("wave_long_waves")->setCurrentIndex(1);  // the curl, of one direction
+    QTest::mouseClick(child<QPushButton>("primary"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("faint")->text().contains("three known directions"), patience_ms);
+  }
+
+ private:
+  template <typename Widget>
+  Widget* child(const char* name) const {
+    auto* found = view_->findChild<Widget*>(name);
+    if (found == nullptr) qFatal("there is no %s", name);
+    return found;
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path case_;
+  std::unique_ptr<WaveView> view_;
+};
+
+}  // namespace
+}  // namespace glisson::widgets
+
+int main(int argc, char** argv) { return glisson::widgets::run_test<glisson::widgets::WaveViewTest>(argc, argv); }
+
+#include "wave_view_test.moc"

@@ -1,0 +1,268 @@
+#include "views/wave_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "main_window.h"
+#include "views/map_picture.h"
+
+namespace glisson::widgets {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int frame_ms = 60;
+constexpr int frames_of_a_period = 32;
+
+// The value below which that share of the positive ones lies.
+double upper_range(const std::vector<float>& values, double share) {
+  std::vector<float> positive;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(positive), [](float value) { return value > 0; });
+  if (positive.empty()) return 1;
+  const auto at = positive.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(positive.size() - 1));
+  std::nth_element(positive.begin(), at, positive.end());
+  return static_cast<double>(*at);
+}
+
+template <typename Value>
+std::vector<Value> slice_of(const std::vector<Value>& values, const imaging::Grid& grid, int slice) {
+  const std::ptrdiff_t voxels = static_cast<std::ptrdiff_t>(grid.size[0]) * grid.size[1];
+  return {values.begin() + slice * voxels, values.begin() + (slice + 1) * voxels};
+}
+
+}  // namespace
+
+WaveView::WaveView(fs::path case_folder, QWidget* parent) : QWidget(parent), folder_(std::move(case_folder)) {
+  setWindowTitle(tr("Elastography waves"));
+  resize(1280, 720);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(14, 12, 14, 12);
+  column->setSpacing(10);
+  column->addWidget(make_controls());
+  column->addWidget(make_pictures(), 1);
+  column->addWidget(make_foot());
+
+  clock_.setInterval(frame_ms);
+  connect(&clock_, &QTimer::timeout, this, &WaveView::step);
+  connect(invert_, &QPushButton::clicked, this, &WaveView::invert);
+  connect(accept_, &QPushButton::clicked, this, &WaveView::accept);
+  connect(slice_, &QSlider::valueChanged, this, &WaveView::show_slice);
+  connect(play_, &QPushButton::toggled, this, [this](bool playing) {
+    playing ? clock_.start() : clock_.stop();
+    play_->setText(playing ? tr("Pause") : tr("Play"));
+  });
+  connect(&work_, &BackgroundWork::started, this, [this] {
+    invert_->setEnabled(false);
+    accept_->setEnabled(false);
+    progress_->show();
+  });
+  connect(&work_, &BackgroundWork::progressed, this,
+          [this](double fraction, const QString&) { progress_->setValue(static_cast<int>(1000 * fraction)); });
+  connect(&work_, &BackgroundWork::finished, this, [this] {
+    invert_->setEnabled(true);
+    accept_->setEnabled(has_result());
+    progress_->hide();
+  });
+  connect(&work_, &BackgroundWork::broke, this,
+          [this](const QString& what) { say(tr("A defect in Glisson stopped this: %1").arg(what)); });
+}
+
+bool WaveView::has_waves(const fs::path& case_folder) {
+  const auto opened = casefile::Case::open(case_folder);
+  if (!opened) return false;
+  const auto& entries = opened->entries();
+  return std::any_of(entries.begin(), entries.end(), [](const casefile::Entry& entry) {
+    return entry.id.starts_with("volumes/phase") || entry.id.starts_with("volumes/wave");
+  });
+}
+
+void WaveView::invert() {
+  elastography::AskedFor asked;
+  if (frequency_->value() > 0) asked.frequency_Hz = frequency_->value();
+  elastography::InversionOptions options;
+  options.method = static_cast<elastography::InversionMethod>(method_->currentData().toInt());
+  options.long_waves = static_cast<elastography::LongWaves>(long_waves_->currentData().toInt());
+  say({});
+  work_.start(tr("Inverting the waves"),
+              [this, folder = folder_, asked, options](const Progress& progress) -> BackgroundWork::Then {
+                auto found = std::make_shared<Result<casefile::InvertedWaves>>(
+                    casefile::Case::open(folder).and_then([&](const casefile::Case& patient) {
+                      return casefile::inverted_waves(patient, asked, options, progress);
+                    }));
+                return [this, found] {
+                  if (!*found) {
+                    say(told(found->error()));
+                    return;
+                  }
+                  inverted_ = std::make_shared<casefile::InvertedWaves>(std::move(**found));
+                  show_result();
+                  Q_EMIT inverted();
+                };
+              });
+}
+
+void WaveView::accept() {
+  if (!has_result()) return;
+  work_.start(tr("Saving the maps"), [this, folder = folder_, result = inverted_](const Progress&) {
+    auto saved = std::make_shared<Result<void>>(casefile::Case::open(folder).and_then(
+        [&](casefile::Case patient) { return casefile::accept_waves(patient, *result); }));
+    return BackgroundWork::Then([this, saved] {
+      say(*saved ? tr("The case now holds this stiffness. Build its model anew to use it.") : told(saved->error()));
+      if (*saved) Q_EMIT accepted();
+    });
+  });
+}
+
+QWidget* WaveView::make_controls() {
+  auto* bar = new QWidget;
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(10);
+  const auto add = [&](const QString& label, QWidget* control) {
+    auto* text = new QLabel(label);
+    text->setBuddy(control);
+    row->addWidget(text);
+    row->addWidget(control);
+    row->addSpacing(8);
+  };
+  frequency_ = new QDoubleSpinBox;
+  frequency_->setObjectName("wave_frequency");
+  frequency_->setRange(0, 2000);
+  frequency_->setDecimals(1);
+  frequency_->setSuffix(tr(" Hz"));
+  frequency_->setSpecialValueText(tr("as the images say"));
+  add(tr("&Vibration"), frequency_);
+  method_ = new QComboBox;
+  method_->setObjectName("wave_method");
+  method_->addItem(tr("Complex modulus"), static_cast<int>(elastography::InversionMethod::direct));
+  method_->addItem(tr("Local wavelength"), static_cast<int>(elastography::InversionMethod::local_frequency));
+  add(tr("&Method"), method_);
+  long_waves_ = new QComboBox;
+  long_waves_->setObjectName("wave_long_waves");
+  long_waves_->addItem(tr("High-pass"), static_cast<int>(elastography::LongWaves::high_pass));
+  long_waves_->addItem(tr("Curl"), static_cast<int>(elastography::LongWaves::curl));
+  long_waves_->addItem(tr("Keep"), static_cast<int>(elastography::LongWaves::keep));
+  add(tr("&Long waves"), long_waves_);
+  invert_ = new QPushButton(tr("Compute the stiffness"));
+  invert_->setObjectName("primary");
+  row->addWidget(invert_);
+  progress_ = new QProgressBar;
+  progress_->setRange(0, 1000);
+  progress_->setTextVisible(false);
+  progress_->setFixedWidth(160);
+  progress_->hide();
+  row->addWidget(progress_);
+  row->addStretch();
+  return bar;
+}
+
+QWidget* WaveView::make_pictures() {
+  auto* pictures = new QWidget;
+  auto* row = new QHBoxLayout(pictures);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(10);
+  wave_ = new MapPicture(tr("Shear waves"), tr("rad"), Scale::both_ways);
+  modulus_ = new MapPicture(tr("Shear stiffness"), tr("kPa"), Scale::from_zero);
+  confidence_ = new MapPicture(tr("Confidence"), {}, Scale::from_zero);
+  wave_->setObjectName("wave_picture");
+  modulus_->setObjectName("modulus_picture");
+  confidence_->setObjectName("confidence_picture");
+  for (MapPicture* picture : {wave_, modulus_, confidence_}) row->addWidget(picture, 1);
+  return pictures;
+}
+
+QWidget* WaveView::make_foot() {
+  auto* foot = new QWidget;
+  auto* column = new QVBoxLayout(foot);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* row = new QHBoxLayout;
+  play_ = new QPushButton(tr("Play"));
+  play_->setObjectName("wave_play");
+  play_->setCheckable(true);
+  play_->setEnabled(false);
+  row->addWidget(play_);
+  slice_text_ = new QLabel(tr("Slice"));
+  row->addWidget(slice_text_);
+  slice_ = new QSlider(Qt::Horizontal);
+  slice_->setObjectName("wave_slice");
+  slice_->setEnabled(false);
+  row->addWidget(slice_, 1);
+  accept_ = new QPushButton(tr("Accept into the case"));
+  accept_->setObjectName("wave_accept");
+  accept_->setEnabled(false);
+  row->addWidget(accept_);
+  column->addLayout(row);
+  summary_ = new QLabel(tr("Compute the stiffness from the waves that the case holds."));
+  summary_->setObjectName("wave_summary");
+  summary_->setWordWrap(true);
+  column->addWidget(summary_);
+  notes_ = new QLabel;
+  notes_->setObjectName("faint");
+  notes_->setWordWrap(true);
+  column->addWidget(notes_);
+  return foot;
+}
+
+void WaveView::show_result() {
+  const elastography::ModulusMap& map = inverted_->map;
+  const int slices = map.magnitude_kPa.grid.size[2];
+  wave_range_rad_ = upper_range(map.amplitude_rad.values, 0.98);
+  std::vector<float> believed;
+  for (std::size_t v = 0; v < map.confidence.values.size(); ++v) {
+    if (map.confidence.values[v] >= 0.5F) believed.push_back(map.magnitude_kPa.values[v]);
+  }
+  modulus_range_kPa_ = 1.2 * upper_range(believed, 0.98);
+  slice_->setRange(0, slices - 1);
+  slice_->setEnabled(slices > 1);
+  slice_->setValue(slices / 2);
+  show_slice();
+  accept_->setEnabled(true);
+  play_->setEnabled(true);
+  play_->setChecked(true);
+  summary_->setText(tr("Shear stiffness %1 kPa on average over %2 confident voxels, %3 % of the region; middle half %4 "
+                       "to %5 kPa; vibration %6 Hz, wavelength %7 mm")
+                        .arg(map.mean_kPa, 0, 'f', 2)
+                        .arg(map.confident.voxels)
+                        .arg(100 * map.confident_fraction, 0, 'f', 0)
+                        .arg(map.confident.percentile_25, 0, 'f', 2)
+                        .arg(map.confident.percentile_75, 0, 'f', 2)
+                        .arg(map.frequencies_Hz.front(), 0, 'g', 4)
+                        .arg(map.typical_wavelength_mm, 0, 'f', 0));
+  QStringList notes;
+  for (const std::string& note : map.notes) notes << QString::fromStdString(note);
+  notes_->setText(notes.join(" "));
+}
+
+void WaveView::show_slice() {
+  if (!has_result()) return;
+  const elastography::ModulusMap& map = inverted_->map;
+  const imaging::Grid& grid = map.magnitude_kPa.grid;
+  const int slice = slice_->value();
+  slice_text_->setText(tr("Slice %1 of %2").arg(slice + 1).arg(grid.size[2]));
+  const auto known = slice_of(map.region.values, grid, slice);
+  // What is not to be believed is not shown as stiffness.
+  std::vector<std::uint8_t> believed;
+  for (const float confidence : slice_of(map.confidence.values, grid, slice)) {
+    believed.push_back(confidence >= 0.5F ? 1 : 0);
+  }
+  modulus_->show_slice(grid, slice_of(map.magnitude_kPa.values, grid, slice), believed, modulus_range_kPa_);
+  confidence_->show_slice(grid, slice_of(map.confidence.values, grid, slice), known, 1);
+  std::vector<float> now;
+  const auto turn = std::complex<float>(std::polar(1.0, 2 * std::numbers::pi * instant_));
+  for (const std::complex<float>& u : slice_of(map.moving_wave_rad, grid, slice)) now.push_back((u * turn).real());
+  wave_->show_slice(grid, now, known, wave_range_rad_);
+}
+
+void WaveView::step() {
+  instant_ = std::fmod(instant_ + 1.0 / frames_of_a_period, 1.0);
+  show_slice();
+}
+
+void WaveView::say(const QString& text) { notes_->setText(text); }
+
+}  // namespace glisson::widgets

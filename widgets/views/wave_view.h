@@ -1,0 +1,76 @@
+#pragma once
+// Raw elastography in the window: the waves as they run, the modulus that they give, how far it is to be believed, and
+// whether the case is to take it.
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSlider>
+#include <QTimer>
+#include <QWidget>
+
+#include "casefile/waves.h"
+#include "work/background_work.h"
+
+namespace glisson::widgets {
+
+class MapPicture;
+
+class WaveView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit WaveView(std::filesystem::path case_folder, QWidget* parent = nullptr);
+
+  // Whether a case holds wave or phase images at all.
+  [[nodiscard]] static bool has_waves(const std::filesystem::path& case_folder);
+
+  // On a worker thread, with what the controls say.
+  void invert();
+  void accept();
+  [[nodiscard]] bool has_result() const { return inverted_ != nullptr; }
+  // How far the animation is through a period, 0 to 1.
+  [[nodiscard]] double instant() const { return instant_; }
+
+ Q_SIGNALS:
+  void inverted();
+  void accepted();  // the case's stiffness is now the one shown
+
+ private:
+  QWidget* make_controls();
+  QWidget* make_pictures();
+  QWidget* make_foot();
+  void show_result();
+  void show_slice();
+  void step();
+  void say(const QString& text);
+
+  std::filesystem::path folder_;
+  std::shared_ptr<const casefile::InvertedWaves> inverted_;
+  double instant_ = 0;
+  double wave_range_rad_ = 1, modulus_range_kPa_ = 1;
+  BackgroundWork work_;
+  QTimer clock_;
+
+  QDoubleSpinBox* frequency_ = nullptr;
+  QComboBox* method_ = nullptr;
+  QComboBox* long_waves_ = nullptr;
+  QPushButton* invert_ = nullptr;
+  MapPicture* wave_ = nullptr;
+  MapPicture* modulus_ = nullptr;
+  MapPicture* confidence_ = nullptr;
+  QPushButton* play_ = nullptr;
+  QSlider* slice_ = nullptr;
+  QLabel* slice_text_ = nullptr;
+  QLabel* summary_ = nullptr;
+  QLabel* notes_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QPushButton* accept_ = nullptr;
+};
+
+}  // namespace glisson::widgets
