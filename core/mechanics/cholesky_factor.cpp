@@ -1,10 +1,25 @@
 #include "mechanics/cholesky_factor.h"
 
 #include <cholmod.h>
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <mutex>
 
 namespace glisson::mechanics {
+namespace {
+
+// OpenBLAS shares each of thousands of small products out among its threads, which spin until all are done: on a
+// machine that has other work a solve of one second then takes a hundred. On one thread a factor is also the same to
+// the bit whatever the number of cores. With another BLAS there is nothing to set.
+void keep_blas_on_one_thread() {
+  static const bool once = [] {
+    if (void* set = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) reinterpret_cast<void (*)(int)>(set)(1);
+    return true;
+  }();
+  static_cast<void>(once);
+}
+
+}  // namespace
 
 struct CholeskyFactor::State {
   cholmod_common common{};
@@ -14,6 +29,7 @@ struct CholeskyFactor::State {
   std::mutex one_at_a_time;  // cholmod_common is the workspace of every call
 
   State() {
+    keep_blas_on_one_thread();
     cholmod_start(&common);
     common.supernodal = CHOLMOD_SUPERNODAL;
     common.nmethods = 1;
