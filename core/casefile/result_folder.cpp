@@ -55,6 +55,23 @@ std::string result_text(const mechanics::Simulation& simulation) {
                                      {"displaced_mm", json_of(landmark.displaced_mm)},
                                      {"displacement_mm", landmark.displacement_mm}});
   }
+  if (simulation.contact) {
+    document["contact"] = {{"penetration_mm", simulation.contact->penetration_mm},
+                           {"rounds", simulation.contact->rounds},
+                           {"solve_ms", simulation.contact->solve_ms}};
+    document["tools"] = Json::array();
+    for (const mechanics::ToolContact& tool : simulation.tools) {
+      document["tools"].push_back({{"id", tool.id},
+                                   {"force_N", json_of(tool.force_mN * 1e-3)},
+                                   {"contacts", tool.contacts},
+                                   {"advance_mm", tool.advance_mm},
+                                   {"penetration_mm", tool.penetration_mm}});
+    }
+  }
+  if (simulation.cut) {
+    document["cut"] = {{"largest_opening_mm", simulation.cut->largest_opening_mm},
+                       {"largest_overlap_mm", simulation.cut->largest_overlap_mm}};
+  }
   if (!simulation.steps.empty()) document["steps"] = steps_of(simulation);
   return document.dump(2) + "\n";
 }

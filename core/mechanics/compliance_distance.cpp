@@ -4,6 +4,8 @@
 #include <cmath>
 #include <Eigen/LU>
 
+#include "base/parallel.h"
+
 namespace glisson::mechanics {
 namespace {
 
@@ -49,19 +51,27 @@ VoxelBody voxelise(const geometry::TetMesh& mesh, const std::vector<double>& you
   return voxels;
 }
 
-ComplianceDistance::ComplianceDistance(const VoxelBody& body, std::vector<PlaneCut> cuts)
-    : body_(&body),
-      cuts_(std::move(cuts)),
-      stride_{1, grid().size[0], std::ptrdiff_t{grid().size[0]} * grid().size[1]} {
-  if (cuts_.empty()) return;
+ComplianceDistance::ComplianceDistance(const VoxelBody& body, const std::vector<Cut>& cuts)
+    : body_(&body), stride_{1, grid().size[0], std::ptrdiff_t{grid().size[0]} * grid().size[1]} {
+  if (cuts.empty()) return;
   blocked_.assign(grid().voxels(), 0);
-  for (std::size_t voxel = 0; voxel < blocked_.size(); ++voxel) {
-    if (!inside(voxel)) continue;
-    const Vector3d here_mm = center_mm(voxel);
-    for (int axis = 0; axis < 3; ++axis) {
-      const Vector3d next_mm = here_mm + grid().spacing_mm[axis] * Vector3d::Unit(axis);
-      for (const PlaneCut& cut : cuts_) {
-        if (cut.separates(here_mm, next_mm)) blocked_[voxel] |= static_cast<std::uint8_t>(1 << axis);
+  std::vector<double> height_mm(blocked_.size());
+  for (const Cut& cut : cuts) {
+    const CutInSpace& in_space = cuts_.emplace_back(CutInSpace::of(cut).value());
+    parallel_for(blocked_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t voxel = begin; voxel < end; ++voxel) {
+        height_mm[voxel] = in_space.surface.height_mm(center_mm(voxel));
+      }
+    });
+    for (std::size_t voxel = 0; voxel < blocked_.size(); ++voxel) {
+      if (!inside(voxel)) continue;  // the empty layer around the body leaves every voxel of it a next one
+      const Vector3d here_mm = center_mm(voxel);
+      for (int axis = 0; axis < 3; ++axis) {
+        const Vector3d next_mm = here_mm + grid().spacing_mm[axis] * Vector3d::Unit(axis);
+        const std::size_t next = voxel + static_cast<std::size_t>(stride_[axis]);
+        if (in_space.separates(here_mm, height_mm[voxel], next_mm, height_mm[next])) {
+          blocked_[voxel] |= static_cast<std::uint8_t>(1 << axis);
+        }
       }
     }
   }
@@ -91,7 +101,7 @@ std::vector<ComplianceDistance::Reached> ComplianceDistance::within(const Vector
 
 float ComplianceDistance::step(const Vector3d& place_mm, const Vector3d& seen_from_mm, std::size_t voxel) const {
   const Vector3d there_mm = center_mm(voxel);
-  for (const PlaneCut& cut : cuts_) {
+  for (const CutInSpace& cut : cuts_) {
     if (cut.separates(seen_from_mm, there_mm)) return unreached;
   }
   const std::size_t here = voxel_at(place_mm);

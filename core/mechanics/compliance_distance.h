@@ -5,7 +5,7 @@
 // passes motion on, and what is soft is long. On a grid of voxels, by fast marching (J. A. Sethian, A fast marching
 // level set method for monotonically advancing fronts, PNAS 93, 1996): first order, |grad d| = 1/E.
 //
-// A cut is a disc that no path may cross. Nothing else of the body changes with it.
+// A cut is a surface that no path may cross. Nothing else of the body changes with it.
 
 #include <Eigen/Core>
 #include <limits>
@@ -13,7 +13,7 @@
 
 #include "geometry/tetrahedra.h"
 #include "imaging/image.h"
-#include "mechanics/plane_cut.h"
+#include "mechanics/cut.h"
 
 namespace glisson::mechanics {
 
@@ -31,7 +31,8 @@ struct VoxelBody {
 
 class ComplianceDistance {
  public:
-  explicit ComplianceDistance(const VoxelBody& body, std::vector<PlaneCut> cuts = {});
+  // The cuts must be ones that can be made (CutInSpace::of).
+  explicit ComplianceDistance(const VoxelBody& body, const std::vector<Cut>& cuts = {});
 
   static constexpr float unreached = std::numeric_limits<float>::infinity();
 
@@ -88,7 +89,7 @@ class ComplianceDistance {
   [[nodiscard]] bool open(std::size_t from, int axis, int sign) const;
 
   const VoxelBody* body_;
-  std::vector<PlaneCut> cuts_;
+  std::vector<CutInSpace> cuts_;
   std::array<std::ptrdiff_t, 3> stride_;
   std::vector<std::uint8_t> blocked_;  // bit a: the way from a voxel to the next along axis a is cut; empty: no cuts
 };

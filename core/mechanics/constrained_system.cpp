@@ -51,7 +51,8 @@ std::vector<ConstrainedSolution> ConstrainedSystem::solve(const Eigen::MatrixXd&
     u = given_u;
     u(free_, Eigen::all).setZero();
   }
-  Eigen::MatrixXd residual = f - symmetric * u;
+  Eigen::MatrixXd residual = f;
+  if (given_u.size() > 0) residual -= symmetric * u;
   Eigen::MatrixXd free_residual = residual(free_, Eigen::all);
   const Eigen::VectorXd scale = free_residual.colwise().norm();
   const auto relative = [&](Eigen::Index column) {
@@ -92,6 +93,25 @@ std::vector<ConstrainedSolution> ConstrainedSystem::solve(const Eigen::MatrixXd&
     solution.converged = solution.relative_residual <= refinement.tolerance && solution.u.allFinite();
   }
   return solutions;
+}
+
+ConstrainedSystem::Response ConstrainedSystem::respond(const Eigen::MatrixXd& f) const {
+  GLISSON_ASSERT(f.rows() == lower_.rows());
+  Response response{Eigen::MatrixXd::Zero(f.rows(), f.cols())};
+  if (!factor_) return response;
+  const Eigen::MatrixXd solved = factor_->solve(f(free_, Eigen::all));
+  response.u(free_, Eigen::all) = solved;
+  Eigen::VectorXd signs(f.cols());
+  std::uint32_t state = 12345;
+  for (double& sign : signs) {
+    state = 1664525 * state + 1013904223;  // Numerical Recipes' congruences: the same everywhere
+    sign = (state >> 31) != 0 ? 1.0 : -1.0;
+  }
+  const Eigen::VectorXd applied = f * signs;
+  const Eigen::VectorXd residual = applied - lower_.selfadjointView<Eigen::Lower>() * (response.u * signs);
+  const double scale = applied(free_).norm();
+  if (scale > 0) response.relative_residual = residual(free_).norm() / scale;
+  return response;
 }
 
 std::uint64_t ConstrainedSystem::matrix_bytes() const {

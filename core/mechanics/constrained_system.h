@@ -40,6 +40,14 @@ class ConstrainedSystem {
   [[nodiscard]] std::vector<ConstrainedSolution> solve(const Eigen::MatrixXd& f, const Eigen::MatrixXd& given_u,
                                                        const Refinement& refinement) const;
 
+  // By the factor alone, nothing given. `relative_residual` is of a sum of the columns with signs that look random: it
+  // costs one product, not one a column, and no column's error hides in it but by chance.
+  struct Response {
+    Eigen::MatrixXd u;
+    double relative_residual = 0;
+  };
+  [[nodiscard]] Response respond(const Eigen::MatrixXd& f) const;
+
   [[nodiscard]] const Eigen::SparseMatrix<double>& lower() const { return lower_; }
   [[nodiscard]] std::size_t free_unknowns() const { return free_.size(); }
   [[nodiscard]] std::uint64_t matrix_bytes() const;

@@ -12,6 +12,7 @@
 #include "mechanics/load_vector.h"
 #include "mechanics/shape_functions.h"
 #include "mechanics/stopwatch.h"
+#include "mechanics/tool_search.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -20,38 +21,12 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// A place where a rigid tool is near the surface, and what a force there along the normal does.
-struct Near {
-  std::size_t tool, rod;
-  std::array<int, 3> points;  // of the surface
-  Vector3d weights;
-  Vector3d normal;  // out of the tool
-  double gap_mm;
-  Vector3d place_mm;  // on the moved surface
-};
-
-// The same place of the surface as it moves on: kept from round to round, so that pushing the surface out of the tool
-// at one place cannot let it in again at another that was left a round before.
-struct Kept {
-  std::size_t tool, rod;
-  std::array<int, 3> points;
-  Vector3d weights;
-};
-
-// A patch in the jaws of a grasper.
-struct Gripped {
-  std::size_t tool;
-  std::vector<int> points;  // of the surface
-  std::vector<double> weights;
-};
-
 }  // namespace
 
 struct ContactBody::Parts {
   StaticModel model;
   geometry::Surface surface;
-  std::vector<int> mesh_point;            // of each point of the surface
-  std::vector<double> area_of_point_mm2;  // a third of the triangles around it
+  std::vector<int> mesh_point;  // of each point of the surface
   std::vector<PointInMesh> watched;
   std::vector<int> inner;  // points of the mesh that are not of the surface
   std::vector<Eigen::Index> seen_of_mesh_point;
@@ -79,18 +54,6 @@ struct ContactBody::Parts {
   [[nodiscard]] Response seen_part(const Response& displacement_mm) const;  // of all nodes
   [[nodiscard]] VectorXd seen_under(const std::map<int, Vector3d>& force_mN) const;
   [[nodiscard]] int inverted_cells(const VectorXd& seen_mm) const;
-  [[nodiscard]] std::vector<Near> places_near(const std::vector<HandTool>& tools, const VectorXd& advance_mm,
-                                              const VectorXd& seen_mm, double margin_mm) const;
-  [[nodiscard]] std::vector<Near> kept_places(const std::vector<Kept>& kept, const std::vector<HandTool>& tools,
-                                              const VectorXd& advance_mm, const VectorXd& seen_mm,
-                                              double margin_mm) const;
-  [[nodiscard]] std::array<Vector3d, 3> moved(const std::array<int, 3>& points, const VectorXd& seen_mm) const {
-    std::array<Vector3d, 3> corners;
-    for (int i = 0; i < 3; ++i) corners[i] = surface.points_mm[points[i]] + seen_mm.segment<3>(3 * points[i]);
-    return corners;
-  }
-  [[nodiscard]] Result<double> way_to_surface(const TouchingTool& tool, const VectorXd& seen_mm) const;
-  [[nodiscard]] Result<Gripped> grip(std::size_t index, const Grasp& grasp) const;
   void make_groups();
 };
 
@@ -133,12 +96,6 @@ Result<ContactBody> ContactBody::create(StaticModel model, const Loads& standing
   parts->surface = geometry::boundary_surface(body.mesh());
   for (const double p : geometry::find_field(parts->surface.point_fields, "mesh_point")->values) {
     parts->mesh_point.push_back(static_cast<int>(p));
-  }
-  parts->area_of_point_mm2.assign(parts->mesh_point.size(), 0.0);
-  for (const auto& [a, b, c] : parts->surface.triangles) {
-    const auto& p = parts->surface.points_mm;
-    const double third_mm2 = (p[b] - p[a]).cross(p[c] - p[a]).norm() / 6.0;
-    for (const int corner : {a, b, c}) parts->area_of_point_mm2[corner] += third_mm2;
   }
   parts->watched = std::move(watched);
   parts->seen_of_mesh_point.assign(body.mesh().points_mm.size(), -1);
@@ -186,7 +143,7 @@ Result<ContactState> ContactBody::solve(const ContactState& from, const std::vec
   for (const auto& [point, force] : now.force_mN) asked.push_back(point);
   for (std::size_t t = 0; t < tools.size(); ++t) {
     if (const auto* grasp = std::get_if<Grasp>(&tools[t].what)) {
-      auto gripped = parts.grip(t, *grasp);
+      auto gripped = grip(parts.surface, t, *grasp);
       if (!gripped) return failure(std::move(gripped.error()));
       asked.insert(asked.end(), gripped->points.begin(), gripped->points.end());
       grips.push_back(std::move(*gripped));
@@ -208,55 +165,48 @@ Result<ContactState> ContactBody::solve(const ContactState& from, const std::vec
       now.advance_mm[static_cast<Eigen::Index>(t)] = before->advance_mm;
       continue;
     }
-    const auto way_mm = parts.way_to_surface(*tool, seen_mm);
+    const auto way_mm = way_to_surface(parts.surface, *tool, seen_mm);
     if (!way_mm) return failure(way_mm.error());
     now.advance_mm[static_cast<Eigen::Index>(t)] = *way_mm;
   }
 
-  std::vector<Near> places;
+  std::vector<NearPlace> places;
   ContactForces forces;
-  std::vector<Kept> kept;
-  const auto keep = [&](const Kept& place) {
-    // Nearer than this another place tells nothing new: the surface between them sags into a ball of 5 mm by 0.01 mm.
-    constexpr double apart_mm = 0.3;
-    const auto at_rest = [&](const Kept& k) -> Vector3d {
-      const auto& p = parts.surface.points_mm;
-      return k.weights[0] * p[k.points[0]] + k.weights[1] * p[k.points[1]] + k.weights[2] * p[k.points[2]];
-    };
-    const bool known = std::any_of(kept.begin(), kept.end(), [&](const Kept& other) {
-      return other.tool == place.tool && other.rod == place.rod && (at_rest(other) - at_rest(place)).norm() < apart_mm;
-    });
-    if (!known) kept.push_back(place);
-  };
+  std::vector<KeptPlace> kept;
   for (const TouchedPlace& touched : from.touched) {
     for (std::size_t t = 0; t < tools.size(); ++t) {
       const auto* tool = std::get_if<TouchingTool>(&tools[t].what);
       if (tools[t].id == touched.tool && tool != nullptr && touched.rod < tool->shape.size()) {
-        keep({t, touched.rod, touched.points, touched.weights});
+        keep({t, touched.rod, touched.points, touched.weights}, parts.surface, kept);
       }
     }
   }
+  // Where a round does not gain on those before it, the surface swings to and fro across a tool's bend, or slides: the
+  // next rounds then go a part of the way.
+  double share = 1.0, least_movement_mm = std::numeric_limits<double>::infinity();
+  int rounds_without_gain = 0;
   constexpr double margin_mm = 1.0;  // what is farther is found when it comes nearer: no round moves through a tool
   for (report.rounds = 0; report.rounds < options.max_rounds; ++report.rounds) {
-    for (const Near& near : parts.places_near(tools, now.advance_mm, seen_mm, margin_mm)) {
-      keep({near.tool, near.rod, near.points, near.weights});
+    for (const NearPlace& near : places_near(parts.surface, tools, now.advance_mm, seen_mm, margin_mm)) {
+      keep({near.tool, near.rod, near.points, near.weights}, parts.surface, kept);
     }
-    places = parts.kept_places(kept, tools, now.advance_mm, seen_mm, options.largest_move_mm);
+    places = kept_places(parts.surface, kept, tools, now.advance_mm, seen_mm, options.largest_move_mm);
     // A pushed tool that lost the surface goes on to it.
     bool lost = false;
     for (std::size_t t = 0; t < tools.size(); ++t) {
       const TouchingTool* tool = pushed(tools[t]);
-      if (tool == nullptr || std::any_of(places.begin(), places.end(), [&](const Near& p) { return p.tool == t; })) {
+      if (tool == nullptr ||
+          std::any_of(places.begin(), places.end(), [&](const NearPlace& p) { return p.tool == t; })) {
         continue;
       }
-      const auto way_mm = parts.way_to_surface(*tool, seen_mm);
+      const auto way_mm = way_to_surface(parts.surface, *tool, seen_mm);
       if (!way_mm) return failure(way_mm.error());
       now.advance_mm[static_cast<Eigen::Index>(t)] = *way_mm;
       lost = true;
     }
     if (lost) continue;
     asked.clear();
-    for (const Near& place : places) asked.insert(asked.end(), place.points.begin(), place.points.end());
+    for (const NearPlace& place : places) asked.insert(asked.end(), place.points.begin(), place.points.end());
     solves = parts.remember(asked);
     if (!solves) return failure(std::move(solves.error()));
     report.new_solves += *solves;
@@ -266,7 +216,7 @@ Result<ContactState> ContactBody::solve(const ContactState& from, const std::vec
       std::vector<std::pair<int, Vector3d>> on;  // point and force for 1 mN of the unknown
     };
     std::vector<Column> columns;
-    for (const Near& place : places) {
+    for (const NearPlace& place : places) {
       Column column;
       for (int i = 0; i < 3; ++i) {
         if (place.weights[i] > 0) column.on.emplace_back(place.points[i], place.weights[i] * place.normal);
@@ -319,7 +269,7 @@ Result<ContactState> ContactBody::solve(const ContactState& from, const std::vec
         return sum;
       };
       if (c < static_cast<Eigen::Index>(places.size())) {
-        const Near& place = places[static_cast<std::size_t>(c)];
+        const NearPlace& place = places[static_cast<std::size_t>(c)];
         problem.start[c] = place.gap_mm + work(seen_given_mm) - work(seen_mm);
         if (const TouchingTool* tool = pushed(tools[place.tool])) {
           problem.drives(c, drive_of_tool[place.tool]) = place.normal.dot(tool->pose.forward());
@@ -359,7 +309,16 @@ Result<ContactState> ContactBody::solve(const ContactState& from, const std::vec
     const VectorXd next_seen_mm = parts.seen_under(next.force_mN);
     report.movement_mm = std::max(largest_change(next_seen_mm, seen_mm, surface_values),
                                   count > 0 ? (next.advance_mm - now.advance_mm).cwiseAbs().maxCoeff() : 0.0);
-    const double part = std::min(1.0, options.largest_move_mm / std::max(report.movement_mm, 1e-12));
+    if (report.movement_mm < 0.8 * least_movement_mm) {
+      least_movement_mm = report.movement_mm;
+      rounds_without_gain = 0;
+    } else if (++rounds_without_gain >= 5) {
+      share = std::max(0.1, 0.5 * share);
+      rounds_without_gain = 0;
+      least_movement_mm = report.movement_mm;
+    }
+    const bool at_rest = report.movement_mm <= options.movement_tolerance_mm;
+    const double part = at_rest ? 1.0 : std::min(share, options.largest_move_mm / std::max(report.movement_mm, 1e-12));
     // Forces, displacements and advances are linear in each other: a part of the way is in equilibrium too.
     for (auto& [point, force] : now.force_mN) force *= 1.0 - part;
     for (const auto& [point, force] : next.force_mN) {
@@ -368,9 +327,9 @@ Result<ContactState> ContactBody::solve(const ContactState& from, const std::vec
     if (part == 1.0) now.force_mN = next.force_mN;
     now.advance_mm += part * (next.advance_mm - now.advance_mm);
     seen_mm = part == 1.0 ? next_seen_mm : parts.seen_under(now.force_mN);
-    if (part < 1.0) continue;
+    if (!at_rest) continue;
     report.penetration_mm = 0;
-    for (const Near& place : parts.places_near(tools, now.advance_mm, seen_mm, 0.0)) {
+    for (const NearPlace& place : places_near(parts.surface, tools, now.advance_mm, seen_mm, 0.0)) {
       report.penetration_mm = std::max(report.penetration_mm, -place.gap_mm);
     }
     report.converged = forces.converged && report.movement_mm <= options.movement_tolerance_mm &&
@@ -399,7 +358,7 @@ Result<ContactState> ContactBody::solve(const ContactState& from, const std::vec
     ++contact.contacts;
     state.touched.push_back({contact.id, places[c].rod, places[c].points, places[c].weights});
   }
-  for (const Near& place : parts.places_near(tools, now.advance_mm, seen_mm, 0.0)) {
+  for (const NearPlace& place : places_near(parts.surface, tools, now.advance_mm, seen_mm, 0.0)) {
     state.tools[place.tool].penetration_mm = std::max(state.tools[place.tool].penetration_mm, -place.gap_mm);
   }
   auto two_sided = static_cast<Eigen::Index>(places.size());
@@ -529,123 +488,6 @@ VectorXd ContactBody::Parts::seen_under(const std::map<int, Vector3d>& force_mN)
   VectorXd values = untouched_seen_mm;
   for (const auto& [point, force] : force_mN) values += response(point) * force;
   return values;
-}
-
-std::vector<Near> ContactBody::Parts::places_near(const std::vector<HandTool>& tools, const VectorXd& advance_mm,
-                                                  const VectorXd& seen_mm, double margin_mm) const {
-  std::vector<Near> places;
-  for (std::size_t t = 0; t < tools.size(); ++t) {
-    const auto* tool = std::get_if<TouchingTool>(&tools[t].what);
-    if (tool == nullptr) continue;
-    Pose pose = tool->pose;
-    pose.position_mm += advance_mm[static_cast<Eigen::Index>(t)] * pose.forward();
-    const ToolShape rods = placed(tool->shape, pose);
-    for (std::size_t r = 0; r < rods.size(); ++r) {
-      const Rod& rod = rods[r];
-      const double reach_mm = rod.radius_mm + margin_mm;
-      const Vector3d low = rod.from_mm.cwiseMin(rod.to_mm).array() - reach_mm;
-      const Vector3d high = rod.from_mm.cwiseMax(rod.to_mm).array() + reach_mm;
-      for (const auto& triangle : surface.triangles) {
-        const std::array<Vector3d, 3> corners = moved(triangle, seen_mm);
-        if ((corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]).array() > high.array()).any() ||
-            (corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]).array() < low.array()).any()) {
-          continue;
-        }
-        const Nearest nearest = nearest_of(rod, corners);
-        if (nearest.distance_mm > reach_mm) continue;
-        const Vector3d outward = unit_or_zero((corners[1] - corners[0]).cross(corners[2] - corners[0]));
-        const Vector3d arm = nearest.barycentric[0] * corners[0] + nearest.barycentric[1] * corners[1] +
-                             nearest.barycentric[2] * corners[2] - nearest.on_axis_mm;
-        // A pierced triangle is pushed back into the body. A tool lies outside: what faces away from it is the far side
-        // of the body, and is not touched.
-        const Vector3d normal = nearest.distance_mm > 1e-9 ? Vector3d(arm / nearest.distance_mm) : Vector3d(-outward);
-        if (normal.dot(outward) > 0.2) continue;
-        // Triangles that meet at the nearest place find the same one.
-        const Vector3d place_mm = nearest.on_axis_mm + arm;
-        const bool seen_before = std::any_of(places.begin(), places.end(), [&](const Near& other) {
-          return other.tool == t && (other.place_mm - place_mm).squaredNorm() < 1e-12 &&
-                 other.normal.dot(normal) > 1.0 - 1e-9;
-        });
-        if (seen_before) continue;
-        places.push_back({t, r, triangle, nearest.barycentric, normal, nearest.distance_mm - rod.radius_mm, place_mm});
-      }
-    }
-  }
-  return places;
-}
-
-std::vector<Near> ContactBody::Parts::kept_places(const std::vector<Kept>& kept, const std::vector<HandTool>& tools,
-                                                  const VectorXd& advance_mm, const VectorXd& seen_mm,
-                                                  double margin_mm) const {
-  std::vector<Near> places;
-  for (const Kept& place : kept) {
-    const auto& tool = std::get<TouchingTool>(tools[place.tool].what);
-    Pose pose = tool.pose;
-    pose.position_mm += advance_mm[static_cast<Eigen::Index>(place.tool)] * pose.forward();
-    const Rod rod = placed({tool.shape[place.rod]}, pose).front();
-    const std::array<Vector3d, 3> corners = moved(place.points, seen_mm);
-    const Vector3d at_mm =
-        place.weights[0] * corners[0] + place.weights[1] * corners[1] + place.weights[2] * corners[2];
-    const Vector3d axis = rod.to_mm - rod.from_mm;
-    const double along =
-        axis.squaredNorm() > 0 ? std::clamp((at_mm - rod.from_mm).dot(axis) / axis.squaredNorm(), 0.0, 1.0) : 0.0;
-    const Vector3d arm = at_mm - rod.from_mm - along * axis;
-    const double distance_mm = arm.norm(), gap_mm = distance_mm - rod.radius_mm;
-    if (gap_mm > margin_mm) continue;
-    const Vector3d outward = unit_or_zero((corners[1] - corners[0]).cross(corners[2] - corners[0]));
-    const Vector3d normal = distance_mm > 1e-9 ? Vector3d(arm / distance_mm) : Vector3d(-outward);
-    places.push_back({place.tool, place.rod, place.points, place.weights, normal, gap_mm, at_mm});
-  }
-  return places;
-}
-
-// By steps of the distance itself, which cannot pass the surface (sphere tracing).
-Result<double> ContactBody::Parts::way_to_surface(const TouchingTool& tool, const VectorXd& seen_mm) const {
-  const geometry::Box box = geometry::bounding_box(surface.points_mm);
-  const double farthest_mm = (tool.pose.position_mm - box.center_mm()).norm() + box.diagonal_mm();
-  double way_mm = 0;
-  while (way_mm < farthest_mm) {
-    const Pose pose{tool.pose.rotation, tool.pose.position_mm + way_mm * tool.pose.forward()};
-    double gap_mm = std::numeric_limits<double>::infinity();
-    for (const Rod& rod : placed(tool.shape, pose)) {
-      for (const auto& triangle : surface.triangles) {
-        const std::array<Vector3d, 3> corners = moved(triangle, seen_mm);
-        gap_mm = std::min(gap_mm, nearest_of(rod, corners).distance_mm - rod.radius_mm);
-      }
-    }
-    if (gap_mm < 0.05) return way_mm;
-    way_mm += gap_mm;
-  }
-  return failure(
-      Error{"tool-touches-nothing",
-            GLISSON_TEXT("The tool at ({0}, {1}, {2}) mm meets no surface on its way."),
-            {fmt::format("{:.1f}", tool.pose.position_mm.x()), fmt::format("{:.1f}", tool.pose.position_mm.y()),
-             fmt::format("{:.1f}", tool.pose.position_mm.z())},
-            GLISSON_TEXT("Move it in front of the liver, or turn it towards it."),
-            {}});
-}
-
-Result<Gripped> ContactBody::Parts::grip(std::size_t index, const Grasp& grasp) const {
-  Gripped gripped{index, {}, {}};
-  if (!grasp.at_rest_mm.allFinite() || !std::isfinite(grasp.radius_mm) || grasp.radius_mm <= 0) {
-    return failure("tool-invalid", GLISSON_TEXT("A grasper needs a finite place and a radius above zero."));
-  }
-  double sum = 0;
-  for (std::size_t p = 0; p < surface.points_mm.size(); ++p) {
-    if ((surface.points_mm[p] - grasp.at_rest_mm).norm() > grasp.radius_mm) continue;
-    gripped.points.push_back(static_cast<int>(p));
-    gripped.weights.push_back(area_of_point_mm2[p]);
-    sum += area_of_point_mm2[p];
-  }
-  if (gripped.points.empty()) {
-    return failure(Error{"tool-touches-nothing",
-                         GLISSON_TEXT("The grasper holds no point of the surface."),
-                         {},
-                         GLISSON_TEXT("Move it onto the surface, or open its jaws wider."),
-                         {}});
-  }
-  for (double& weight : gripped.weights) weight /= sum;
-  return gripped;
 }
 
 }  // namespace glisson::mechanics

@@ -31,7 +31,8 @@ Trial with_touching(const ContactProblem& problem, const std::vector<bool>& touc
     system.bottomLeftCorner(drives, count) = problem.drives(active, Eigen::all).transpose();
     right.tail(drives) = problem.drive_force;
   }
-  const Eigen::VectorXd solved = system.fullPivLu().solve(right);
+  Eigen::VectorXd solved = system.partialPivLu().solve(right);
+  if (!solved.allFinite()) solved = system.fullPivLu().solve(right);  // a drive that nothing bears
   Trial trial{Eigen::VectorXd::Zero(contacts), solved.tail(drives), {}};
   for (Eigen::Index i = 0; i < count; ++i) trial.force[active[static_cast<std::size_t>(i)]] = solved[i];
   trial.gap = problem.start + problem.compliance * trial.force;

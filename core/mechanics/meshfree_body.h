@@ -40,7 +40,7 @@ struct MeshfreeBody {
 Result<MeshfreeBody> prepare_meshfree_body(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
                                            const std::vector<Support>& supports, const ChosenLaw& chosen,
                                            StaticOptions options, const MeshfreeOptions& meshfree,
-                                           const std::vector<PlaneCut>& cuts, Holding holding,
+                                           const std::vector<Cut>& cuts, Holding holding,
                                            const Progress& progress = {});
 
 }  // namespace glisson::mechanics

@@ -72,7 +72,7 @@ StaticResult result_of(const MeshfreeBody& frames, const Eigen::VectorXd& q_mm, 
 Result<MeshfreeModel> MeshfreeModel::create(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
                                             const std::vector<Support>& supports, const ChosenLaw& law,
                                             const StaticOptions& options, const MeshfreeOptions& meshfree,
-                                            const std::vector<PlaneCut>& cuts, const Progress& progress) {
+                                            const std::vector<Cut>& cuts, const Progress& progress) {
   const Stopwatch watch;
   auto frames = prepare_meshfree_body(mesh, youngs_kPa, supports, law, options, meshfree, cuts, Holding::required,
                                       progress.part(0.0, 0.8));

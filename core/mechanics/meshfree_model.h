@@ -27,7 +27,7 @@ class MeshfreeModel {
   static Result<MeshfreeModel> create(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
                                       const std::vector<Support>& supports, const ChosenLaw& law,
                                       const StaticOptions& options = {}, const MeshfreeOptions& meshfree = {},
-                                      const std::vector<PlaneCut>& cuts = {}, const Progress& progress = {});
+                                      const std::vector<Cut>& cuts = {}, const Progress& progress = {});
 
   // `iterations` are conjugate gradients' with law
   // linear and no ligament, Newton's otherwise. Failures: those of load_vector; "cancelled".

@@ -38,7 +38,7 @@ void set_weights(const geometry::TetMesh& mesh, const std::vector<Influence>& in
 }  // namespace
 
 Result<ShapeFunctions> shape_functions_of(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
-                                          const MeshfreeOptions& options, const std::vector<PlaneCut>& cuts,
+                                          const MeshfreeOptions& options, const std::vector<Cut>& cuts,
                                           const Progress& progress) {
   if (auto checked = check(options); !checked) return failure(std::move(checked.error()));
   const int wanted = nodes_for(mesh, options);
@@ -139,18 +139,21 @@ ComplianceDistance::Voronoi reach_everywhere(const ComplianceDistance& distance,
   return nodes_mm.size() == nodes_before ? voronoi : distance.voronoi(nodes_mm);
 }
 
-// Each point, moved a little into the cells that use it: what it sees on its own side of a cut.
+// Each point, moved half the way into the cells that use it, the slivers beside a cut left out of account by their
+// volume: what it sees on its own side of a cut, though the cut be bent.
 std::vector<Vector3d> beside_their_cells(const geometry::TetMesh& mesh) {
   std::vector<Vector3d> sums(mesh.points_mm.size(), Vector3d::Zero());
-  std::vector<int> counts(mesh.points_mm.size(), 0);
+  std::vector<double> volumes_mm3(mesh.points_mm.size(), 0.0);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const double volume_mm3 = geometry::cell_volume_mm3(mesh, c);
     for (const int point : mesh.cells[c]) {
-      sums[point] += geometry::cell_centroid_mm(mesh, c);
-      ++counts[point];
+      sums[point] += volume_mm3 * geometry::cell_centroid_mm(mesh, c);
+      volumes_mm3[point] += volume_mm3;
     }
   }
   for (std::size_t p = 0; p < sums.size(); ++p) {
-    sums[p] = counts[p] == 0 ? mesh.points_mm[p] : (0.9 * mesh.points_mm[p] + 0.1 * sums[p] / counts[p]).eval();
+    sums[p] =
+        volumes_mm3[p] > 0 ? (0.5 * mesh.points_mm[p] + 0.5 * sums[p] / volumes_mm3[p]).eval() : mesh.points_mm[p];
   }
   return sums;
 }

@@ -23,7 +23,7 @@
 #include "base/result.h"
 #include "geometry/tetrahedra.h"
 #include "mechanics/meshfree_options.h"
-#include "mechanics/plane_cut.h"
+#include "mechanics/cut.h"
 
 namespace glisson::mechanics {
 
@@ -42,7 +42,7 @@ struct ShapeFunctions {
 // opened along. Where a cut leaves a part without a node, that part gets one.
 // Failures: "meshfree-options" (a number out of range), those of voronoi_nodes; "cancelled".
 Result<ShapeFunctions> shape_functions_of(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
-                                          const MeshfreeOptions& options, const std::vector<PlaneCut>& cuts = {},
+                                          const MeshfreeOptions& options, const std::vector<Cut>& cuts = {},
                                           const Progress& progress = {});
 
 // Young's modulus of each cell as the nodes give it: the mean over its corners of their weighted moduli.

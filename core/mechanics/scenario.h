@@ -12,8 +12,9 @@
 
 #include "base/units.h"
 #include "geometry/surface.h"
+#include "mechanics/cut.h"
 #include "mechanics/meshfree_options.h"
-#include "mechanics/plane_cut.h"
+#include "mechanics/rigid_tool.h"
 
 namespace glisson::mechanics {
 
@@ -92,6 +93,27 @@ struct GravityLoad {
 using Load = std::variant<ToolLoad, PressureLoad, GravityLoad>;
 using Loads = std::vector<Load>;
 
+// A tool in contact (contact.h). A rigid one begins at its position and goes along the direction, by an advance or
+// until the body pushes back with a force; jaws hold a patch of the surface and draw it by a displacement or with a
+// force.
+struct RigidToolInHand {
+  ToolShape shape;
+  Eigen::Vector3d position_mm{0, 0, 0};
+  Eigen::Vector3d direction{0, 0, 1};
+  double advance_mm = 0;
+  std::optional<double> push_mN;  // instead of the advance
+};
+struct GraspInHand {
+  Eigen::Vector3d center_mm{0, 0, 0};
+  double radius_mm = 0;
+  Eigen::Vector3d displacement_mm{0, 0, 0};
+  std::optional<Eigen::Vector3d> pull_mN;  // instead of the displacement
+};
+struct ToolInHand {
+  std::string id;
+  std::variant<RigidToolInHand, GraspInHand> what;
+};
+
 struct Landmark {
   std::string id;
   Eigen::Vector3d position_mm{0, 0, 0};  // at rest
@@ -124,8 +146,9 @@ struct Scenario {
   Loads loads;
   std::optional<Motion> motion;
   std::vector<Landmark> landmarks;
-  std::vector<PlaneCut> cuts;  // opened in the body before anything acts on it
-  MeshfreeOptions meshfree;    // read where the engine is meshfree
+  std::vector<Cut> cuts;  // opened in the body before anything acts on it, one after the other
+  std::vector<ToolInHand> tools;
+  MeshfreeOptions meshfree;  // read where the engine is meshfree
 };
 
 }  // namespace glisson::mechanics

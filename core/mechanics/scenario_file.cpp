@@ -5,25 +5,14 @@
 #include <utility>
 
 #include "base/files.h"
-#include "base/json.h"
 #include "mechanics/patient_position.h"
+#include "mechanics/scenario_reading_internal.h"
 #include "mechanics/tissue.h"
 
 namespace glisson::mechanics {
 namespace {
 
 using Eigen::Vector3d;
-
-// Refusals travel as exceptions inside this file alone: each reader below can then simply give back its value.
-struct Refusal {
-  Error error;
-};
-
-[[noreturn]] void refuse(const std::string& where, const std::string& text, std::vector<std::string> more = {}) {
-  std::vector<std::string> arguments{where};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  throw Refusal{{"scenario-invalid", text, std::move(arguments), {}, {}}};
-}
 
 Scenario scenario_from(const Json& json);
 Support support_from(const Json& json, const std::string& where);
@@ -32,11 +21,9 @@ Vector3d gravity_of_patient_from(const Json& json, const std::string& where);
 Capsule capsule_from(const Json& json, const std::string& where);
 Landmark landmark_from(const Json& json, const std::string& where);
 Motion motion_from(const Json& json, const std::string& where);
-PlaneCut cut_from(const Json& json, const std::string& where);
 MeshfreeOptions meshfree_from(const Json& json, const std::string& where);
-Json json_of(const Support& support);
-Json json_of(const Load& load);
-Json json_of(const PlaneCut& cut);
+Json support_json(const Support& support);
+Json load_json(const Load& load);
 
 }  // namespace
 
@@ -68,13 +55,13 @@ std::string scenario_text(const Scenario& scenario) {
     std::visit([&](const auto& modulus) { json["youngs_modulus_kPa"] = modulus; }, *scenario.youngs_modulus);
   }
   json["supports"] = Json::array();
-  for (const Support& support : scenario.supports) json["supports"].push_back(json_of(support));
+  for (const Support& support : scenario.supports) json["supports"].push_back(support_json(support));
   if (scenario.capsule) {
     json["capsule"] = {{"youngs_modulus_kPa", scenario.capsule->youngs_modulus_kPa},
                        {"thickness_mm", scenario.capsule->thickness_mm}};
   }
   json["loads"] = Json::array();
-  for (const Load& load : scenario.loads) json["loads"].push_back(json_of(load));
+  for (const Load& load : scenario.loads) json["loads"].push_back(load_json(load));
   if (scenario.motion) {
     json["motion"] = {{"step_s", scenario.motion->step_s},
                       {"steps", scenario.motion->steps},
@@ -86,7 +73,8 @@ std::string scenario_text(const Scenario& scenario) {
     const Vector3d& p = landmark.position_mm;
     json["landmarks"].push_back({{"id", landmark.id}, {"position_mm", {p.x(), p.y(), p.z()}}});
   }
-  for (const PlaneCut& cut : scenario.cuts) json["cuts"].push_back(json_of(cut));
+  for (const Cut& cut : scenario.cuts) json["cuts"].push_back(json_of(cut));
+  for (const ToolInHand& tool : scenario.tools) json["tools"].push_back(json_of(tool));
   if (scenario.engine == Engine::meshfree) {
     if (scenario.meshfree.nodes > 0) json["meshfree"]["nodes"] = scenario.meshfree.nodes;
     json["meshfree"]["stiffness"] =
@@ -97,77 +85,22 @@ std::string scenario_text(const Scenario& scenario) {
 
 namespace {
 
-// --- what every reader needs
-
-void known_keys(const Json& json, std::initializer_list<std::string_view> known, const std::string& where) {
-  if (!json.is_object()) refuse(where, GLISSON_TEXT("{0} must be an object in braces."));
-  if (auto checked = refuse_unknown_keys(json, known, where); !checked) {
-    checked.error().code = "scenario-invalid";
-    throw Refusal{std::move(checked.error())};
-  }
-}
-
-const Json& required(const Json& json, const char* key, const std::string& where) {
-  const auto found = json.find(key);
-  if (found == json.end()) refuse(where, GLISSON_TEXT("{0} lacks \"{1}\"."), {key});
-  return *found;
-}
-
-double number(const Json& json, const std::string& where) {
-  if (!json.is_number() || !std::isfinite(json.get<double>()))
-    refuse(where, GLISSON_TEXT("{0} must be a finite number."));
-  return json.get<double>();
-}
-
-double positive_number(const Json& json, const std::string& where) {
-  const double value = number(json, where);
-  if (value <= 0) refuse(where, GLISSON_TEXT("{0} must be above zero."));
-  return value;
-}
-
-Vector3d vector(const Json& json, const std::string& where) {
-  if (!json.is_array() || json.size() != 3) refuse(where, GLISSON_TEXT("{0} must be three numbers [x, y, z]."));
-  Vector3d value;
-  for (std::size_t i = 0; i < 3; ++i) value[static_cast<Eigen::Index>(i)] = number(json[i], where);
-  return value;
-}
-
-std::string name(const Json& json, const std::string& where) {
-  if (!json.is_string() || json.get_ref<const std::string&>().empty())
-    refuse(where, GLISSON_TEXT("{0} must be a name in quotes."));
-  return json.get<std::string>();
-}
-
-template <typename Value>
-Value one_of(const Json& json, const std::string& where, std::initializer_list<std::pair<const char*, Value>> choices) {
-  std::string list;
-  for (const auto& [text, value] : choices) {
-    if (json == text) return value;
-    list += (list.empty() ? "\"" : ", \"") + std::string(text) + "\"";
-  }
-  refuse(where, GLISSON_TEXT("{0} must be one of {1}."), {list});
-}
-
-std::string item(const char* list, std::size_t index) { return std::string(list) + " " + std::to_string(index + 1); }
-
-// "supports" -> support_from for each, and so on.
-template <typename Value>
-std::vector<Value> list_of(const Json& json, const char* key, const char* each,
-                           Value (*read)(const Json&, const std::string&)) {
-  std::vector<Value> values;
-  const auto found = json.find(key);
-  if (found == json.end()) return values;
-  if (!found->is_array()) refuse(key, GLISSON_TEXT("{0} must be a list in brackets."));
-  for (std::size_t i = 0; i < found->size(); ++i) values.push_back(read((*found)[i], item(each, i)));
-  return values;
-}
-
 // --- the scenario, from its outside in
+
+template <typename Named>
+void refuse_same_ids(const std::vector<Named>& named, const char* each) {
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (named[i].id == named[k].id)
+        refuse(item(each, i), GLISSON_TEXT("{0} has the same id \"{1}\" as another."), {named[i].id});
+    }
+  }
+}
 
 Scenario scenario_from(const Json& json) {
   known_keys(json,
              {"engine", "material", "strain_stiffening", "poisson_ratio", "density_kg_m3", "youngs_modulus_kPa",
-              "tissue", "supports", "capsule", "loads", "motion", "landmarks", "cuts", "meshfree"},
+              "tissue", "supports", "capsule", "loads", "motion", "landmarks", "cuts", "tools", "meshfree"},
              "The scenario");
   Scenario scenario;
   if (json.contains("engine")) {
@@ -215,44 +148,18 @@ Scenario scenario_from(const Json& json) {
   scenario.supports = list_of<Support>(json, "supports", "support", support_from);
   scenario.loads = list_of<Load>(json, "loads", "load", load_from);
   scenario.landmarks = list_of<Landmark>(json, "landmarks", "landmark", landmark_from);
-  scenario.cuts = list_of<PlaneCut>(json, "cuts", "cut", cut_from);
+  scenario.cuts = list_of<Cut>(json, "cuts", "cut", cut_from);
+  scenario.tools = list_of<ToolInHand>(json, "tools", "tool", tool_from);
   if (json.contains("meshfree")) scenario.meshfree = meshfree_from(json["meshfree"], "meshfree");
   if (json.contains("motion")) scenario.motion = motion_from(json["motion"], "motion");
-  for (std::size_t i = 0; i < scenario.landmarks.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      if (scenario.landmarks[i].id == scenario.landmarks[k].id) {
-        refuse(item("landmark", i), GLISSON_TEXT("{0} has the same id \"{1}\" as another."),
-               {scenario.landmarks[i].id});
-      }
-    }
-  }
+  refuse_same_ids(scenario.landmarks, "landmark");
+  refuse_same_ids(scenario.tools, "tool");
   return scenario;
 }
 
 Support support_from(const Json& json, const std::string& where) {
   known_keys(json, {"point_array", "sphere", "box", "foundation_kPa_per_mm", "directions", "ligament"}, where);
-  const auto kinds = json.count("point_array") + json.count("sphere") + json.count("box");
-  if (kinds != 1) refuse(where, GLISSON_TEXT("{0} needs exactly one of \"point_array\", \"sphere\" and \"box\"."));
-
-  Support support{NamedPoints{}, Held{}};
-  if (json.contains("point_array")) {
-    support.where = NamedPoints{name(json["point_array"], where + ", point_array")};
-  } else if (json.contains("sphere")) {
-    const Json& sphere = json["sphere"];
-    known_keys(sphere, {"center_mm", "radius_mm"}, where + ", sphere");
-    support.where = Ball{vector(required(sphere, "center_mm", where + ", sphere"), where + ", center_mm"),
-                         positive_number(required(sphere, "radius_mm", where + ", sphere"), where + ", radius_mm")};
-  } else {
-    const Json& box = json["box"];
-    known_keys(box, {"min_mm", "max_mm"}, where + ", box");
-    const geometry::Box region{vector(required(box, "min_mm", where + ", box"), where + ", min_mm"),
-                               vector(required(box, "max_mm", where + ", box"), where + ", max_mm")};
-    if ((region.min_mm.array() > region.max_mm.array()).any()) {
-      refuse(where, GLISSON_TEXT("In {0} the box's min_mm must not exceed its max_mm."));
-    }
-    support.where = region;
-  }
-
+  Support support{region_from(json, where), Held{}};
   if (json.contains("ligament")) {
     if (json.contains("directions") || json.contains("foundation_kPa_per_mm"))
       refuse(where, GLISSON_TEXT("{0} is a ligament: it takes neither \"foundation_kPa_per_mm\" nor \"directions\"."));
@@ -357,17 +264,6 @@ Motion motion_from(const Json& json, const std::string& where) {
   return motion;
 }
 
-PlaneCut cut_from(const Json& json, const std::string& where) {
-  known_keys(json, {"center_mm", "normal", "radius_mm"}, where);
-  PlaneCut cut;
-  cut.center_mm = vector(required(json, "center_mm", where), where + ", center_mm");
-  cut.normal = vector(required(json, "normal", where), where + ", normal");
-  if (cut.normal.norm() < 1e-9) refuse(where, GLISSON_TEXT("The normal of {0} must not be zero."));
-  cut.normal.normalize();
-  if (json.contains("radius_mm")) cut.radius_mm = positive_number(json["radius_mm"], where + ", radius_mm");
-  return cut;
-}
-
 MeshfreeOptions meshfree_from(const Json& json, const std::string& where) {
   known_keys(json, {"nodes", "stiffness"}, where);
   MeshfreeOptions options;
@@ -388,18 +284,8 @@ MeshfreeOptions meshfree_from(const Json& json, const std::string& where) {
 
 // --- and back
 
-using glisson::json_of;
-
-Json json_of(const Support& support) {
-  Json json;
-  if (const auto* named = std::get_if<NamedPoints>(&support.where)) {
-    json["point_array"] = named->point_array;
-  } else if (const auto* ball = std::get_if<Ball>(&support.where)) {
-    json["sphere"] = {{"center_mm", json_of(ball->center_mm)}, {"radius_mm", ball->radius_mm}};
-  } else {
-    const auto& box = std::get<geometry::Box>(support.where);
-    json["box"] = {{"min_mm", json_of(box.min_mm)}, {"max_mm", json_of(box.max_mm)}};
-  }
+Json support_json(const Support& support) {
+  Json json = json_of(support.where);
   if (const auto* ligament = std::get_if<Ligament>(&support.how)) {
     json["ligament"] = {{"anchor_mm", json_of(ligament->anchor_mm)},
                         {"stiffness_N_per_mm", units::N_from_mN(ligament->stiffness_mN_per_mm)},
@@ -415,13 +301,7 @@ Json json_of(const Support& support) {
   return json;
 }
 
-Json json_of(const PlaneCut& cut) {
-  Json json{{"center_mm", json_of(cut.center_mm)}, {"normal", json_of(cut.normal)}};
-  if (std::isfinite(cut.radius_mm)) json["radius_mm"] = cut.radius_mm;
-  return json;
-}
-
-Json json_of(const Load& load) {
+Json load_json(const Load& load) {
   if (const auto* tool = std::get_if<ToolLoad>(&load)) {
     return {{"tool",
              {{"center_mm", json_of(tool->center_mm)},

@@ -17,6 +17,7 @@ namespace glisson::mechanics {
 namespace {
 
 bool is_linear(const Scenario& scenario);
+Result<void> check_tools(const Scenario& scenario);
 Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
                                  const Scenario& scenario, const Places& places, const Progress& progress);
 Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
@@ -34,12 +35,11 @@ void set_result_fields(const StaticResult& result, std::vector<double> youngs_kP
 Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scenario, const SimulationOptions& options,
                             const Progress& progress) {
   if (auto checked = geometry::check_tetrahedra(whole); !checked) return failure(std::move(checked.error()));
-  geometry::TetMesh mesh = whole;
-  for (const PlaneCut& cut : scenario.cuts) {
-    auto opened = open_cut(mesh, cut);
-    if (!opened) return failure(std::move(opened.error()));
-    mesh = std::move(*opened);
-  }
+  if (auto available = check_tools(scenario); !available) return failure(std::move(available.error()));
+  const bool meshfree = scenario.engine == Engine::meshfree;
+  const auto body = open_cuts(whole, scenario.cuts, meshfree ? Along::exactly : Along::nearly);
+  if (!body) return failure(body.error());
+  const geometry::TetMesh& mesh = body->mesh;
   auto youngs_kPa = options.data
                         ? Result<std::vector<double>>(std::vector<double>(mesh.cells.size(), options.data->slope_kPa()))
                         : youngs_modulus_of_cells(mesh, scenario);
@@ -47,11 +47,13 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   auto places = locate_landmarks(mesh, scenario.landmarks, options.landmark_tolerance_mm);
   if (!places) return failure(std::move(places.error()));
 
-  const bool meshfree = scenario.engine == Engine::meshfree;
-  const auto compute = scenario.motion       ? (meshfree ? end_of_meshfree_motion : end_of_motion)
-                       : meshfree            ? meshfree_equilibrium
-                       : is_linear(scenario) ? small_equilibrium
-                                             : large_equilibrium;
+  const bool linear = is_linear(scenario), touched = !scenario.tools.empty();
+  const auto compute = scenario.motion     ? (meshfree ? end_of_meshfree_motion : end_of_motion)
+                       : meshfree          ? meshfree_equilibrium
+                       : touched && linear ? small_contact_equilibrium
+                       : touched           ? large_contact_equilibrium
+                       : linear            ? small_equilibrium
+                                           : large_equilibrium;
   auto answer = options.data ? equilibrium_from_data(mesh, *options.data, scenario, *places, progress)
                              : compute(mesh, *youngs_kPa, scenario, *places, progress);
   if (!answer) return failure(std::move(answer.error()));
@@ -61,9 +63,19 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   simulation.scenario = scenario;
   simulation.landmarks = displaced_landmarks(scenario.landmarks, *places, answer->landmark_displacements_mm);
   simulation.steps = std::move(answer->steps);
-  simulation.mesh = std::move(mesh);
+  simulation.tools = std::move(answer->tools);
+  simulation.contact = answer->contact;
+  simulation.mesh = mesh;
   set_result_fields(answer->result, std::move(*youngs_kPa), std::move(answer->von_mises_kPa), simulation.mesh);
   simulation.result = std::move(answer->result);
+  if (!scenario.cuts.empty()) {
+    simulation.cut = opening_of(*body, simulation.result.displacement_mm);
+    if (simulation.cut->largest_overlap_mm > 0.5) {
+      simulation.result.notes.push_back(
+          fmt::format("The walls of the cuts pass through each other by up to {:.1f} mm: nothing keeps them apart.",
+                      simulation.cut->largest_overlap_mm));
+    }
+  }
   for (const DisplacedLandmark& landmark : simulation.landmarks) {
     if (landmark.outside_by_mm > 0.5) {
       simulation.result.notes.push_back(
@@ -146,6 +158,16 @@ bool is_linear(const Scenario& scenario) {
   return scenario.material == MaterialLaw::linear && !has_ligaments(scenario);
 }
 
+Result<void> check_tools(const Scenario& scenario) {
+  if (scenario.tools.empty()) return {};
+  if (scenario.engine == Engine::fem && !scenario.motion) return {};
+  return failure(Error{"not-available",
+                       GLISSON_TEXT("Tools in contact are there for equilibrium by finite elements."),
+                       {},
+                       GLISSON_TEXT("Elsewhere give a load."),
+                       {}});
+}
+
 std::string names_of(const geometry::Fields& fields) {
   std::string names;
   for (const geometry::Field& field : fields) names += (names.empty() ? "" : ", ") + field.name;
@@ -162,7 +184,7 @@ Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<doub
   if (!result) return failure(std::move(result.error()));
   auto landmarks_mm = model->displacement_at(*result, places);
   auto von_mises_kPa = model->von_mises_kPa(*result);
-  return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}};
+  return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}, {}, {}};
 }
 
 Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
@@ -178,7 +200,7 @@ Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<doub
   result->setup_s = setup_s;
   auto landmarks_mm = displacement_at(*body, *result, places);
   auto von_mises_kPa = von_mises_of_cells(*body, materials, nodal_displacements(*body, *result));
-  return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}};
+  return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}, {}, {}};
 }
 
 Result<Answer> meshfree_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
@@ -191,16 +213,17 @@ Result<Answer> meshfree_equilibrium(const geometry::TetMesh& mesh, std::vector<d
   if (!result) return failure(std::move(result.error()));
   auto landmarks_mm = model->displacement_at(*result, places);
   auto von_mises_kPa = model->von_mises_kPa(*result);
-  return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}};
+  return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}, {}, {}};
 }
 
 Result<Answer> equilibrium_from_data(const geometry::TetMesh& mesh, const MaterialData& data, const Scenario& scenario,
                                      const Places& places, const Progress& progress) {
-  if (scenario.engine != Engine::fem || scenario.motion || scenario.capsule || has_ligaments(scenario)) {
+  if (scenario.engine != Engine::fem || scenario.motion || scenario.capsule || has_ligaments(scenario) ||
+      !scenario.tools.empty()) {
     return failure(
         "not-available",
         GLISSON_TEXT("Straight from data there are equilibria by finite elements: without a motion, a capsule, "
-                     "ligaments or the meshfree engine."));
+                     "ligaments, tools or the meshfree engine."));
   }
   auto found =
       find_equilibrium_from_data(mesh, data, scenario.supports, scenario.loads, scenario.density_kg_mm3, {}, progress);
@@ -211,7 +234,7 @@ Result<Answer> equilibrium_from_data(const geometry::TetMesh& mesh, const Materi
                                  options, Holding::required);
   if (!body) return failure(body.error());
   auto landmarks_mm = displacement_at(*body, found->result, places);
-  return Answer{std::move(found->result), std::move(landmarks_mm), std::move(found->von_mises_kPa), {}};
+  return Answer{std::move(found->result), std::move(landmarks_mm), std::move(found->von_mises_kPa), {}, {}, {}};
 }
 
 void set_result_fields(const StaticResult& result, std::vector<double> youngs_kPa, std::vector<double> von_mises_kPa,

@@ -8,6 +8,8 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "geometry/tetrahedra.h"
+#include "mechanics/contact.h"
+#include "mechanics/cut.h"
 #include "mechanics/material_data.h"
 #include "mechanics/motion.h"
 #include "mechanics/point_location.h"
@@ -50,14 +52,17 @@ struct Simulation {
   Scenario scenario;
   StaticResult result;
   std::vector<DisplacedLandmark> landmarks;
-  std::vector<MotionStep> steps;  // of a motion; empty for an equilibrium
-  geometry::TetMesh mesh;         // the rest mesh with point field "displacement_mm" (3) and cell fields
-                                  // "youngs_modulus_kPa" and "von_mises_kPa", as written to result.vtu
+  std::vector<ToolContact> tools;        // in contact, as the scenario lists them
+  std::optional<ContactReport> contact;  // where there are any
+  std::optional<CutOpening> cut;         // where the body was cut
+  std::vector<MotionStep> steps;         // of a motion; empty for an equilibrium
+  geometry::TetMesh mesh;                // the rest mesh with point field "displacement_mm" (3) and cell fields
+                                         // "youngs_modulus_kPa" and "von_mises_kPa", as written to result.vtu
 };
 
 // Failures: those of StaticModel; "landmark-outside"; "modulus-missing" (no such cell field, or one of the wrong
-// size; the fields there are named); "not-available" (data in motion, in the meshfree engine, in a capsule or on a
-// foundation).
+// size; the fields there are named); "cut-invalid", "cut-misses"; those of ContactBody; "not-available" (data in
+// motion, in the meshfree engine, in a capsule or on a foundation).
 Result<Simulation> simulate(const geometry::TetMesh& mesh, const Scenario& scenario,
                             const SimulationOptions& options = {}, const Progress& progress = {});
 

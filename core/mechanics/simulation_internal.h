@@ -1,6 +1,7 @@
 #pragma once
 // What the engines answer a scenario with, whichever it was. Inside of this room.
 
+#include <optional>
 #include <vector>
 
 #include "mechanics/simulation.h"
@@ -13,11 +14,19 @@ struct Answer {
   std::vector<Eigen::Vector3d> landmark_displacements_mm;
   std::vector<double> von_mises_kPa;  // one a cell
   std::vector<MotionStep> steps;
+  std::vector<ToolContact> tools;  // in contact
+  std::optional<ContactReport> contact;
 };
 using Places = std::vector<PointInMesh>;
 
 [[nodiscard]] bool has_ligaments(const Scenario& scenario);
 [[nodiscard]] StaticOptions options_of(const Scenario& scenario);
+
+// With the scenario's tools.
+Result<Answer> small_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                         const Scenario& scenario, const Places& places, const Progress& progress);
+Result<Answer> large_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                         const Scenario& scenario, const Places& places, const Progress& progress);
 
 // From rest, under loads that are there from the first moment.
 Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa, const Scenario& scenario,

@@ -74,15 +74,9 @@ Result<StaticResult> StaticModel::solve_nodal(const NodalLoad& load) const {
 }
 
 StaticModel::Responses StaticModel::respond(const Eigen::MatrixXd& force_mN) const {
-  const auto solutions =
-      parts_->system->solve(force_mN, {}, {.tolerance = parts_->options.relative_tolerance, .max_refinements = 0});
-  Responses responses{Eigen::MatrixXd(force_mN.rows(), force_mN.cols()), 0.0, true};
-  for (std::size_t i = 0; i < solutions.size(); ++i) {
-    responses.displacement_mm.col(static_cast<Eigen::Index>(i)) = solutions[i].u;
-    responses.relative_residual = std::max(responses.relative_residual, solutions[i].relative_residual);
-    responses.converged &= solutions[i].converged;
-  }
-  return responses;
+  auto [u, relative_residual] = parts_->system->respond(force_mN);
+  const bool converged = relative_residual <= parts_->options.relative_tolerance && u.allFinite();
+  return {std::move(u), relative_residual, converged};
 }
 
 std::vector<StaticResult> StaticModel::Parts::solve(const Eigen::MatrixXd& force_mN,

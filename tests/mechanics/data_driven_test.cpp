@@ -76,10 +76,10 @@ TEST(MaterialData, WhatIsNoMaterialIsRefused) {
 // --- against the law that made the data
 
 struct Retracted {
-  geometry::TetMesh mesh = box(10, 3, 3, {50, 20, 15});
+  geometry::TetMesh mesh;
   Loads hoist{ToolLoad{{50, 10, 0}, 9, {0, 0, 20}}};
 
-  Retracted() {
+  explicit Retracted(int along = 10, int across = 3) : mesh(box(along, across, across, {50, 20, 15})) {
     test::name_points(mesh, "wall", [](const Vector3d& p) { return p.x() == 0; });
   }
   [[nodiscard]] StaticResult by_law(double youngs_kPa) const {
@@ -117,7 +117,7 @@ TEST(DataDriven, NoisyDataStillAgreeAndTheirHullIsBetterThanTheNearestPoint) {
   auto measured = sampled([](double e) { return 6 * e; }, -0.3, 0.3, 400);
   for (StressStrain& point : measured) point.stress_kPa += noise(random);
   for (std::size_t i = 7; i < measured.size(); i += 40) measured[i].stress_kPa += 1.0;  // outliers, one in 40
-  const Retracted liver;
+  const Retracted liver(6, 2);
   const auto by_law = liver.by_law(6.0);
   const auto by_hull = liver.by_data(measured, 8), by_point = liver.by_data(measured, 1);
   ASSERT_TRUE(by_hull.result.may_be_used()) << by_hull.result.why_stopped;

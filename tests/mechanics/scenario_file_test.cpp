@@ -57,9 +57,17 @@ constexpr const char* surgical_scenario = R"({
                {"sphere": {"center_mm": [1, 2, 3], "radius_mm": 20},
                 "ligament": {"anchor_mm": [0, -90, 10], "stiffness_N_per_mm": 0.2, "slack_mm": 4}}],
   "capsule": {"thickness_mm": 0.08},
-  "loads": [{"gravity_of_patient": {"reverse_trendelenburg_deg": 30, "right_tilt_deg": 10, "scanned_supine": true}}]})";
+  "loads": [{"gravity_of_patient": {"reverse_trendelenburg_deg": 30, "right_tilt_deg": 10, "scanned_supine": true}}],
+  "cuts": [{"center_mm": [1, 2, 3], "normal": [0, 0, 2], "radius_mm": 30},
+           {"points_mm": [[0, 0, 0], [9, 0, 1], [0, 9, 0], [9, 9, 2]]},
+           {"points_mm": [[0, 0, 0], [9, 0, 1], [0, 9, 0]], "center_mm": [5, 5, 0], "radius_mm": 4}],
+  "tools": [{"id": "hook", "shape": "nathanson-retractor", "position_mm": [1, 2, 3], "direction": [0, 0, 1],
+             "push_N": 2},
+            {"id": "rod", "shape": {"rods": [{"from_mm": [0, 0, 0], "to_mm": [9, 0, 0], "radius_mm": 2}]},
+             "position_mm": [1, 2, 3], "direction": [0, 1, 0], "advance_mm": 5},
+            {"id": "jaws", "grasp": {"center_mm": [4, 5, 6], "radius_mm": 6}, "pull_N": [0, 0, 1.5]}]})";
 
-TEST(ScenarioFile, ReadsLigamentsCapsuleTissueAndThePositionOfThePatient) {
+TEST(ScenarioFile, ReadsLigamentsCapsuleTissueThePositionOfThePatientCutsAndTools) {
   const Scenario scenario = parse_scenario(surgical_scenario).value();
   EXPECT_EQ(scenario.material, MaterialLaw::veronda_westmann);
   EXPECT_EQ(scenario.strain_stiffening, 3.5);
@@ -73,6 +81,15 @@ TEST(ScenarioFile, ReadsLigamentsCapsuleTissueAndThePositionOfThePatient) {
   EXPECT_NEAR(gravity.z(), -4905, 1e-9);
   EXPECT_LT(gravity.x(), 0);
   EXPECT_LT(gravity.y(), 0);
+  ASSERT_EQ(scenario.cuts.size(), 3u);
+  EXPECT_EQ(scenario.cuts[0].normal, Vector3d(0, 0, 1));
+  EXPECT_EQ(scenario.cuts[0].radius_mm, 30);
+  EXPECT_EQ(scenario.cuts[1].points_mm.size(), 4u);
+  EXPECT_EQ(scenario.cuts[2].center_mm, Vector3d(5, 5, 0));
+  ASSERT_EQ(scenario.tools.size(), 3u);
+  EXPECT_EQ(*std::get<RigidToolInHand>(scenario.tools[0].what).push_mN, 2000);
+  EXPECT_EQ(std::get<RigidToolInHand>(scenario.tools[1].what).advance_mm, 5);
+  EXPECT_EQ(*std::get<GraspInHand>(scenario.tools[2].what).pull_mN, Vector3d(0, 0, 1500));
   const std::string once = scenario_text(scenario);
   EXPECT_EQ(scenario_text(parse_scenario(once).value()), once);
 }
@@ -132,6 +149,16 @@ TEST(ScenarioFile, ValuesThatCannotBeMeantAreRefusedWithTheirPlace) {
       {R"({"capsule": {}})", "lacks \"thickness_mm\""},
       {R"({"supports": [{"point_array": "a", "directions": ["x"], "ligament": {}}]})", "is a ligament"},
       {R"({"loads": [{"gravity_of_patient": {"left_tilt_deg": 120}}]})", "between -90 and 90"},
+      {R"({"cuts": [{"center_mm": [0,0,0], "normal": [0,0,0]}]})", "cut 1, normal must not be zero"},
+      {R"({"cuts": [{"center_mm": [0,0,0]}]})", "cut 1 needs exactly one of"},
+      {R"({"cuts": [{"center_mm": [0,0,0], "normal": [0,0,1], "radius": 3}]})", "\"radius_mm\""},
+      {R"({"cuts": [{"points_mm": [[0,0,0], [1,0,0]]}]})", "three points or more"},
+      {R"({"cuts": [{"points_mm": [[0,0,0], [1,0,0], [0,1,0]], "center_mm": [0,0,0]}]})", "needs the \"radius_mm\""},
+      {R"({"tools": [{"id": "a", "shape": "hammer", "position_mm": [0,0,0], "direction": [0,0,1], "push_N": 1}]})",
+       "tool 1, shape must be"},
+      {R"({"tools": [{"id": "a", "shape": "palpation-probe", "position_mm": [0,0,0], "direction": [0,0,1]}]})",
+       "exactly one of \"advance_mm\" and \"push_N\""},
+      {R"({"tools": [{"id": "a", "grasp": {"center_mm": [0,0,0], "radius_mm": 3}, "push_N": 1}]})", "push_N"},
       {R"([])", "must be an object"},
       {R"({"engine": )", "not valid JSON"},
   };

@@ -118,6 +118,91 @@ TEST_F(Simulating, MotionComesToRestNearTheEquilibrium) {
   EXPECT_NEAR(moved.landmarks[0].displacement_mm, at_rest_mm, 0.2 * at_rest_mm);
 }
 
+TEST_F(Simulating, APartOpenCutPartsUnderTheToolInEveryMaterialAndBothEngines) {
+  scenario.poisson_ratio = 0.3;
+  // Half through the block, from the top, across x.
+  scenario.cuts = {{{15, 15, 30}, {1, 0, 0}, 20, {}}};
+  scenario.loads = {ToolLoad{{25, 15, 30}, 6, {60, 0, 0}}};
+  for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::corotational, MaterialLaw::neo_hookean}) {
+    scenario.material = law;
+    const auto simulation = simulate(mesh, scenario).value();
+    ASSERT_TRUE(simulation.result.may_be_used()) << simulation.result.why_stopped;
+    EXPECT_GT(simulation.cut->largest_opening_mm, 0.5);
+    EXPECT_LT(simulation.cut->largest_overlap_mm, 0.05);
+    EXPECT_GT(simulation.mesh.points_mm.size(), mesh.points_mm.size());
+  }
+  scenario.material = MaterialLaw::linear;
+  const double opened_mm = simulate(mesh, scenario)->cut->largest_opening_mm;
+  scenario.engine = Engine::meshfree;
+  scenario.meshfree.nodes = 60;
+  const double by_frames_mm = simulate(mesh, scenario)->cut->largest_opening_mm;
+  EXPECT_GT(by_frames_mm, 0.5 * opened_mm);
+  EXPECT_LT(by_frames_mm, 1.05 * opened_mm);
+  scenario.engine = Engine::fem;
+  scenario.cuts = {{{90, 0, 0}, {1, 0, 0}}};
+  EXPECT_THAT(refusal(), HasSubstr("cut-misses: Cut 1 opens the body nowhere"));
+}
+
+TEST_F(Simulating, ASheetThroughPointsOfAPlaneCutsAsThePlaneDoesAndABentOneElsewhere) {
+  scenario.poisson_ratio = 0.3;
+  scenario.loads = {ToolLoad{{25, 15, 30}, 6, {60, 0, 0}}};
+  scenario.cuts = {{{16, 0, 0}, {1, 0, 0}}};  // both halves stand on the held ground
+  const auto plane = simulate(mesh, scenario).value();
+  const auto of_sheet = [&](double bulge_mm, Engine engine) {
+    Cut sheet;
+    sheet.points_mm = {{16, 0, 0}, {16, 30, 0}, {16, 0, 30}, {16, 30, 30}, {16 + bulge_mm, 15, 15}};
+    scenario.cuts = {sheet};
+    scenario.engine = engine;
+    scenario.meshfree.nodes = 60;
+    return simulate(mesh, scenario).value();
+  };
+  const auto flat = of_sheet(0, Engine::fem);
+  EXPECT_NEAR(flat.cut->largest_opening_mm, plane.cut->largest_opening_mm, 1e-6);
+  for (const Engine engine : {Engine::fem, Engine::meshfree}) {
+    const auto bent = of_sheet(4, engine);
+    ASSERT_TRUE(bent.result.may_be_used());
+    EXPECT_GT(bent.cut->largest_opening_mm, 1.0);
+    EXPECT_LT(bent.result.displacement_mm[test::point_at(mesh, {0, 15, 30})].norm(), 1e-6);  // the other half
+    EXPECT_GT(std::abs(bent.cut->largest_opening_mm - flat.cut->largest_opening_mm), 0.01);
+  }
+}
+
+TEST_F(Simulating, AWholeCutMakesTwoBodiesThatMustEachBeHeld) {
+  scenario.loads = {ToolLoad{{25, 15, 30}, 6, {60, 0, 0}}};
+  scenario.cuts = {{{15, 0, 0}, {1, 0, 0}}};
+  const auto apart = simulate(mesh, scenario).value();
+  ASSERT_TRUE(apart.result.may_be_used());
+  EXPECT_EQ(apart.result.displacement_mm[test::point_at(mesh, {0, 15, 30})].norm(), 0);
+  EXPECT_GT(apart.cut->largest_opening_mm, 1.0);
+  scenario.cuts = {{{0, 0, 20}, {0, 0, 1}}};  // the top stands on nothing
+  EXPECT_THAT(refusal(), HasSubstr("body-free: The supports do not hold the body: it in its part 2 of 2"));
+  scenario.motion = Motion{0.01, 5, 0.0, 0.0};  // but it may fly
+  EXPECT_TRUE(simulate(mesh, scenario)->result.may_be_used());
+}
+
+TEST_F(Simulating, ToolsInContactPushAsTheScenarioSays) {
+  scenario.loads = {};
+  scenario.tools = {{"probe", RigidToolInHand{palpation_probe(8), {15, 15, 50}, {0, 0, -1}, 0, 100.0}},
+                    {"jaws", GraspInHand{{30, 15, 15}, 9, {3, 0, 0}, {}}}};
+  const auto touched = simulate(mesh, scenario).value();
+  ASSERT_TRUE(touched.result.may_be_used()) << touched.result.why_stopped;
+  ASSERT_EQ(touched.tools.size(), 2u);
+  EXPECT_NEAR(touched.tools[0].force_mN.z(), -100, 0.5);
+  EXPECT_GT(touched.tools[1].force_mN.x(), 0);
+  EXPECT_LE(touched.contact->penetration_mm, 0.1);
+  EXPECT_LT((touched.result.held_reaction_mN + touched.tools[0].force_mN + touched.tools[1].force_mN).norm(), 1.0);
+  scenario.engine = Engine::meshfree;
+  EXPECT_THAT(refusal(), HasSubstr("not-available: Tools in contact"));
+  scenario.engine = Engine::fem;
+  scenario.material = MaterialLaw::neo_hookean;
+  EXPECT_THAT(refusal(), HasSubstr("not-available: At large deformation a grasper pulls with a force"));
+  scenario.tools.pop_back();
+  const auto far = simulate(mesh, scenario).value();
+  ASSERT_TRUE(far.result.may_be_used()) << far.result.why_stopped;
+  EXPECT_NEAR(far.tools[0].force_mN.z(), -100, 0.5);
+  EXPECT_LE(far.contact->penetration_mm, 0.1);
+}
+
 TEST_F(Simulating, RefusesALandmarkOfAnotherPlace) {
   scenario.landmarks.push_back({"lost", {300, 0, 0}});
   EXPECT_THAT(refusal(), HasSubstr("landmark-outside: Landmark lost lies 270.0 mm outside"));

@@ -1,0 +1,129 @@
+// A scenario's equilibrium with tools in contact, at small and at large deformation.
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/contact.h"
+#include "mechanics/large_contact.h"
+#include "mechanics/large_deformation.h"
+#include "mechanics/simulation_internal.h"
+#include "mechanics/stopwatch.h"
+
+namespace glisson::mechanics {
+namespace {
+
+std::vector<HandTool> tools_at(const std::vector<ToolInHand>& tools, double part);
+int steps_for(const std::vector<ToolInHand>& tools, double largest_move_mm);
+double thinnest_rod_mm(const std::vector<ToolInHand>& tools);
+
+}  // namespace
+
+Result<Answer> small_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                         const Scenario& scenario, const Places& places, const Progress& progress) {
+  auto model = StaticModel::create(mesh, std::move(youngs_kPa), scenario.supports, options_of(scenario),
+                                   progress.part(0.0, 0.5));
+  if (!model) return failure(std::move(model.error()));
+  const Stopwatch watch;
+  const auto body = ContactBody::create(std::move(*model), scenario.loads, places);
+  if (!body) return failure(body.error());
+  const ContactOptions options;
+  const int steps = steps_for(scenario.tools, options.largest_move_mm);
+  ContactState state = body->untouched();
+  int rounds = 0;
+  for (int step = 1; step <= steps; ++step) {
+    progress.report(0.5 + 0.5 * (step - 1) / steps, "Moving the tools");
+    if (progress.cancelled()) return cancelled();
+    auto next = body->solve(state, tools_at(scenario.tools, double(step) / steps), options);
+    if (!next) return failure(std::move(next.error()));
+    state = std::move(*next);
+    rounds += state.report.rounds;
+    if (!state.report.converged) break;
+  }
+  auto result = body->whole_result(state);
+  if (!result) return failure(std::move(result.error()));
+  result->iterations = rounds;
+  result->step_ms = 1e3 * watch.seconds();
+  if (!state.report.converged) {
+    result->status = SolveStatus::not_converged;
+    result->why_stopped = fmt::format(
+        "After {} rounds the tools still reach {:.2f} mm into the surface (tolerance {:.2f}), which still moves by "
+        "{:.2f} mm.",
+        rounds, state.report.penetration_mm, options.penetration_tolerance_mm, state.report.movement_mm);
+  }
+  auto landmarks_mm = body->model().displacement_at(*result, places);
+  auto von_mises_kPa = body->model().von_mises_kPa(*result);
+  return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}, std::move(state.tools),
+                state.report};
+}
+
+Result<Answer> large_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                         const Scenario& scenario, const Places& places, const Progress& progress) {
+  const Stopwatch watch;
+  const auto body =
+      prepare_body(mesh, std::move(youngs_kPa), scenario.supports, options_of(scenario), Holding::required);
+  if (!body) return failure(body.error());
+  const std::vector<Material> materials = materials_of(*body, scenario.material, scenario.strain_stiffening);
+  const auto loads = applied_loads(*body, scenario.loads, gas_on(materials));
+  if (!loads) return failure(loads.error());
+  const double setup_s = watch.seconds();
+  const int steps = steps_for(scenario.tools, 0.5 * thinnest_rod_mm(scenario.tools));
+  std::vector<std::vector<HandTool>> stations;
+  for (int step = 1; step <= steps; ++step) stations.push_back(tools_at(scenario.tools, double(step) / steps));
+  auto contact = find_equilibrium_in_contact(*body, materials, *loads, stations, {}, progress);
+  if (!contact) return failure(std::move(contact.error()));
+  contact->result.setup_s = setup_s;
+  auto landmarks_mm = displacement_at(*body, contact->result, places);
+  auto von_mises_kPa = von_mises_of_cells(*body, materials, nodal_displacements(*body, contact->result));
+  return Answer{std::move(contact->result), std::move(landmarks_mm), std::move(von_mises_kPa), {},
+                std::move(contact->tools),  contact->report};
+}
+
+namespace {
+
+// All tools go together, in steps in which none passes the surface by.
+std::vector<HandTool> tools_at(const std::vector<ToolInHand>& tools, double part) {
+  std::vector<HandTool> hands;
+  for (const ToolInHand& tool : tools) {
+    if (const auto* jaws = std::get_if<GraspInHand>(&tool.what)) {
+      Grasp grasp{jaws->center_mm, jaws->radius_mm, Eigen::Vector3d(part * jaws->displacement_mm), {0, 0, 1}};
+      if (jaws->pull_mN) {
+        grasp.drawn = part * jaws->pull_mN->norm();
+        grasp.direction = *jaws->pull_mN;
+      }
+      hands.push_back({tool.id, std::move(grasp)});
+      continue;
+    }
+    const auto& rigid = std::get<RigidToolInHand>(tool.what);
+    TouchingTool touching{rigid.shape, pose_towards(rigid.position_mm, rigid.direction), {}};
+    touching.pose.position_mm += part * rigid.advance_mm * touching.pose.forward();
+    if (rigid.push_mN) touching.push_mN = part * *rigid.push_mN;
+    hands.push_back({tool.id, std::move(touching)});
+  }
+  return hands;
+}
+
+double thinnest_rod_mm(const std::vector<ToolInHand>& tools) {
+  double radius_mm = 10;
+  for (const ToolInHand& tool : tools) {
+    if (const auto* rigid = std::get_if<RigidToolInHand>(&tool.what)) {
+      for (const Rod& rod : rigid->shape) radius_mm = std::min(radius_mm, rod.radius_mm);
+    }
+  }
+  return radius_mm;
+}
+
+int steps_for(const std::vector<ToolInHand>& tools, double largest_move_mm) {
+  double farthest_mm = 0;
+  for (const ToolInHand& tool : tools) {
+    if (const auto* rigid = std::get_if<RigidToolInHand>(&tool.what)) {
+      farthest_mm = std::max(farthest_mm, rigid->push_mN ? 4 * largest_move_mm : rigid->advance_mm);
+    } else {
+      farthest_mm = std::max(farthest_mm, std::get<GraspInHand>(tool.what).displacement_mm.norm());
+    }
+  }
+  return std::max(1, static_cast<int>(std::ceil(farthest_mm / largest_move_mm)));
+}
+
+}  // namespace
+}  // namespace glisson::mechanics

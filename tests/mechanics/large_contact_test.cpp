@@ -1,0 +1,121 @@
+// Tools at large deformation: against the linear engine where strains are small, and what is promised of every state.
+
+#include "mechanics/large_contact.h"
+
+#include <gmock/gmock.h>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <functional>
+
+#include "mechanics/bodies.h"
+
+namespace glisson::mechanics {
+namespace {
+
+using Eigen::Vector3d;
+
+// A block 30 x 30 x 15 mm of 10 kPa on a fixed ground.
+class SoftBlock : public testing::Test {
+ protected:
+  static Body body() {
+    auto mesh = test::box(4, 4, 2, {30, 30, 15});
+    test::name_points(mesh, "ground", [](const Vector3d& p) { return p.z() < 1e-9; });
+    StaticOptions options;
+    options.poisson_ratio = 0.4;
+    return prepare_body(mesh, test::uniform(mesh, 10), {test::held("ground")}, options, Holding::required).value();
+  }
+  // The tools on their way, all of it in equal steps.
+  static LargeContact pressed(const Body& body, MaterialLaw law, int steps,
+                              const std::function<std::vector<HandTool>(double)>& tools_at, double stiffening = 0) {
+    std::vector<std::vector<HandTool>> stations;
+    for (int step = 1; step <= steps; ++step) stations.push_back(tools_at(double(step) / steps));
+    const AppliedLoads nothing{Eigen::VectorXd::Zero(3 * body.layout.nodes()), 0};
+    return find_equilibrium_in_contact(body, materials_of(body, law, stiffening), nothing, stations).value();
+  }
+  static HandTool ball(double radius_mm, const Vector3d& center_mm, std::optional<double> push_mN = {}) {
+    return {"ball", TouchingTool{palpation_probe(radius_mm), pose_towards(center_mm, {0, 0, -1}), push_mN}};
+  }
+  static void expect_rest(const LargeContact& contact) {
+    ASSERT_TRUE(contact.result.may_be_used()) << contact.result.why_stopped;
+    EXPECT_LE(contact.report.penetration_mm, 0.1);
+    Vector3d pushed = Vector3d::Zero();
+    for (const ToolContact& tool : contact.tools) pushed += tool.force_mN;
+    EXPECT_LT((pushed + contact.result.held_reaction_mN).norm(), 1e-3 * pushed.norm());
+  }
+};
+
+TEST_F(SoftBlock, AShallowPressIsThatOfTheLinearEngine) {
+  const Body block = body();
+  const HandTool tool = ball(12, {15, 15, 15 + 12 - 0.4});
+  auto model = StaticModel::create(block.mesh, block.youngs_kPa, block.supports, block.options).value();
+  const auto linear = ContactBody::create(std::move(model), {}, {});
+  const auto state = linear->solve(linear->untouched(), {tool}).value();
+  ASSERT_TRUE(state.report.converged);
+  for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::corotational, MaterialLaw::neo_hookean}) {
+    const auto contact = pressed(block, law, 1, [&](double) { return std::vector<HandTool>{tool}; });
+    expect_rest(contact);
+    // Linear elasticity's own error at a strain of some per cent; the same discretisation.
+    EXPECT_NEAR(contact.tools[0].force_mN.z() / state.tools[0].force_mN.z(), 1,
+                law == MaterialLaw::linear ? 0.02 : 0.1);
+  }
+}
+
+TEST_F(SoftBlock, ADeepPressRestsWithoutPenetrationAndStiffens) {
+  const Body block = body();
+  const auto force_at = [&](MaterialLaw law, double depth_mm, double stiffening = 0) {
+    const auto contact = pressed(
+        block, law, static_cast<int>(std::ceil(depth_mm / 2)),
+        [&](double part) {
+          return std::vector<HandTool>{ball(8, {15, 15, 23 - part * depth_mm})};
+        },
+        stiffening);
+    expect_rest(contact);
+    return -contact.tools[0].force_mN.z();
+  };
+  const double shallow_mN = force_at(MaterialLaw::neo_hookean, 1.5), deep_mN = force_at(MaterialLaw::neo_hookean, 4);
+  EXPECT_GT(deep_mN, 3 * shallow_mN);
+  EXPECT_GT(force_at(MaterialLaw::veronda_westmann, 4, 5), deep_mN);
+}
+
+TEST_F(SoftBlock, APushedToolAdvancesUntilItMeetsItsForce) {
+  const Body block = body();
+  const auto contact = pressed(block, MaterialLaw::neo_hookean, 2, [](double part) {
+    return std::vector<HandTool>{ball(8, {15, 15, 30}, part * 300),
+                                 {"jaws", Grasp{{30, 15, 7.5}, 8, part * 100, {1, 0, 0}}}};
+  });
+  expect_rest(contact);
+  EXPECT_NEAR(contact.tools[0].force_mN.z(), -300, 1);
+  EXPECT_GT(contact.tools[0].advance_mm, 7);
+  EXPECT_NEAR(contact.tools[1].force_mN.x(), 100, 1e-9);
+  EXPECT_GT(contact.result.displacement_mm[test::point_at(block.mesh, {30, 15, 15})].x(), 0.1);
+}
+
+TEST_F(SoftBlock, WhereABallSlidFromMakesNoDifference) {
+  // Without friction the way there leaves nothing behind.
+  const Body block = body();
+  const auto slid = pressed(block, MaterialLaw::corotational, 3, [](double part) {
+    return std::vector<HandTool>{ball(8, {15, 9 + 6 * part, 21})};
+  });
+  const auto straight = pressed(block, MaterialLaw::corotational, 1, [](double) {
+    return std::vector<HandTool>{ball(8, {15, 15, 21})};
+  });
+  expect_rest(slid);
+  expect_rest(straight);
+  EXPECT_LT((slid.tools[0].force_mN - straight.tools[0].force_mN).norm(), 0.05 * straight.tools[0].force_mN.norm());
+}
+
+TEST_F(SoftBlock, RefusesWhatItCannotDoInWords) {
+  const Body block = body();
+  const AppliedLoads nothing{Eigen::VectorXd::Zero(3 * block.layout.nodes()), 0};
+  const auto materials = materials_of(block, MaterialLaw::neo_hookean);
+  const auto refusal = [&](const HandTool& tool) {
+    return find_equilibrium_in_contact(block, materials, nothing, {{tool}}).error().code;
+  };
+  EXPECT_EQ(refusal({"jaws", Grasp{{15, 15, 15}, 8, Vector3d(1, 0, 0)}}), "not-available");
+  EXPECT_EQ(refusal({"jaws", Grasp{{15, 15, 90}, 8, 10.0}}), "tool-touches-nothing");
+  EXPECT_EQ(refusal(ball(8, {90, 15, 40}, 10.0)), "tool-touches-nothing");
+  EXPECT_EQ(refusal(ball(-1, {15, 15, 40})), "tool-invalid");
+}
+
+}  // namespace
+}  // namespace glisson::mechanics
