@@ -3,8 +3,8 @@
 #include "imaging/image.h"
 
 #include <gtest/gtest.h>
-#include <Eigen/Geometry>
 #include <cmath>
+#include <Eigen/Geometry>
 #include <limits>
 
 namespace glisson::imaging {
