@@ -181,10 +181,10 @@ Result<ContactState> ContactBody::solve(const ContactState& from, const std::vec
       }
     }
   }
-  // Where a round does not gain on those before it, the surface swings to and fro across a tool's bend, or slides: the
-  // next rounds then go a part of the way.
-  double share = 1.0, least_movement_mm = std::numeric_limits<double>::infinity();
-  int rounds_without_gain = 0;
+  // Across a tool's bend the surface may swing to and fro: a round that goes back on the one before goes half as far.
+  // Where rounds go on in one direction, it slides, and they go farther again.
+  double share = 1.0;
+  VectorXd last_way_mm;
   constexpr double margin_mm = 1.0;  // what is farther is found when it comes nearer: no round moves through a tool
   for (report.rounds = 0; report.rounds < options.max_rounds; ++report.rounds) {
     for (const NearPlace& near : places_near(parts.surface, tools, now.advance_mm, seen_mm, margin_mm)) {
@@ -309,14 +309,12 @@ Result<ContactState> ContactBody::solve(const ContactState& from, const std::vec
     const VectorXd next_seen_mm = parts.seen_under(next.force_mN);
     report.movement_mm = std::max(largest_change(next_seen_mm, seen_mm, surface_values),
                                   count > 0 ? (next.advance_mm - now.advance_mm).cwiseAbs().maxCoeff() : 0.0);
-    if (report.movement_mm < 0.8 * least_movement_mm) {
-      least_movement_mm = report.movement_mm;
-      rounds_without_gain = 0;
-    } else if (++rounds_without_gain >= 5) {
-      share = std::max(0.1, 0.5 * share);
-      rounds_without_gain = 0;
-      least_movement_mm = report.movement_mm;
+    VectorXd way_mm = (next_seen_mm - seen_mm).head(surface_values);
+    if (last_way_mm.size() > 0) {
+      const double along = way_mm.dot(last_way_mm) / std::max(way_mm.norm() * last_way_mm.norm(), 1e-300);
+      share = std::clamp(along < -0.2 ? 0.5 * share : along > 0.2 ? 1.5 * share : share, 0.05, 1.0);
     }
+    last_way_mm = std::move(way_mm);
     const bool at_rest = report.movement_mm <= options.movement_tolerance_mm;
     const double part = at_rest ? 1.0 : std::min(share, options.largest_move_mm / std::max(report.movement_mm, 1e-12));
     // Forces, displacements and advances are linear in each other: a part of the way is in equilibrium too.

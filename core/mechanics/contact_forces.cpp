@@ -12,6 +12,15 @@ struct Trial {
   Eigen::VectorXd force, advance, gap;
 };
 
+// Each contact gives a little by itself: a thousandth of what the body gives there. More contacts than the surface has
+// ways to move under them then share their force evenly, where they would push and pull at each other without bounds.
+Eigen::VectorXd give_of(const ContactProblem& problem) {
+  const Eigen::VectorXd own = problem.compliance.diagonal().cwiseAbs();
+  Eigen::VectorXd give = 1e-3 * own;
+  give.tail(problem.two_sided).setConstant(1e-10 * (own.size() > 0 ? own.maxCoeff() : 0.0));
+  return give;
+}
+
 Trial with_touching(const ContactProblem& problem, const std::vector<bool>& touching) {
   const Eigen::Index contacts = problem.start.size(), drives = problem.drives.cols();
   std::vector<Eigen::Index> active;
@@ -22,9 +31,8 @@ Trial with_touching(const ContactProblem& problem, const std::vector<bool>& touc
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(count + drives, count + drives);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(count + drives);
   system.topLeftCorner(count, count) = problem.compliance(active, active);
-  // Two contacts at one place share their force evenly instead of leaving it open.
-  const double tiny = 1e-10 * problem.compliance.diagonal().cwiseAbs().maxCoeff();
-  system.topLeftCorner(count, count).diagonal().array() += tiny;
+  const Eigen::VectorXd give = give_of(problem);
+  system.topLeftCorner(count, count).diagonal() += give(active);
   right.head(count) = -problem.start(active);
   if (drives > 0) {
     system.topRightCorner(count, drives) = -problem.drives(active, Eigen::all);
@@ -35,7 +43,7 @@ Trial with_touching(const ContactProblem& problem, const std::vector<bool>& touc
   if (!solved.allFinite()) solved = system.fullPivLu().solve(right);  // a drive that nothing bears
   Trial trial{Eigen::VectorXd::Zero(contacts), solved.tail(drives), {}};
   for (Eigen::Index i = 0; i < count; ++i) trial.force[active[static_cast<std::size_t>(i)]] = solved[i];
-  trial.gap = problem.start + problem.compliance * trial.force;
+  trial.gap = problem.start + problem.compliance * trial.force + give.cwiseProduct(trial.force);
   if (drives > 0) trial.gap -= problem.drives * trial.advance;
   return trial;
 }

@@ -25,8 +25,10 @@ struct ContactForces {
   bool converged = false;
 };
 
-// Block principal pivoting, which falls back to Murty's least-index exchange where it cycles (Judice and Pires 1994,
-// Computers and Operations Research 21:587-596). A drive that no contact can take is left where it is, unconverged.
+// A contact that bears gives by itself by a thousandth of what the body gives there, so that many contacts in one place
+// have one answer; gaps are met to that. Block principal pivoting, which falls back to Murty's least-index exchange
+// where it cycles (Judice and Pires 1994, Computers and Operations Research 21:587-596). A drive that no contact can
+// take is left where it is, unconverged.
 [[nodiscard]] ContactForces solve_contact(const ContactProblem& problem);
 
 }  // namespace glisson::mechanics

@@ -26,9 +26,11 @@ struct Moment {
   std::optional<ContactState> atlas;
 };
 
-// Between two sets of tools: those of the same id go in a straight line, the others are there at once.
+// Between two sets of tools: those of the same id go in a straight line, the others are there at once, and what pushes
+// begins gently.
 Tools between(const Tools& from, const Tools& to, double part);
 double farthest_move_mm(const Tools& from, const Tools& to);
+double largest_change_of_push_mN(const Tools& from, const Tools& to);
 
 std::string digest_of(const Moment& moment);
 
@@ -130,9 +132,13 @@ const SessionFrame& SessionEngine::step(const SessionCommand& command) {
 // The twin is moved beside the patient, on a thread of its own.
 Result<Moment> SessionEngine::Parts::moved(const Moment& from, const Tools& tools) const {
   const mechanics::ContactOptions options;
+  // A force that grows at once carries the surface past the tool that it should meet; a quarter of a newton moves a
+  // liver by some millimetres.
+  constexpr double push_in_a_step_mN = 250.0;
   constexpr int most_steps = 200;
-  const int steps = std::clamp(
-      static_cast<int>(std::ceil(farthest_move_mm(from.tools, tools) / options.largest_move_mm)), 1, most_steps);
+  const double steps_wanted = std::max(farthest_move_mm(from.tools, tools) / options.largest_move_mm,
+                                       largest_change_of_push_mN(from.tools, tools) / push_in_a_step_mN);
+  const int steps = static_cast<int>(std::clamp(std::ceil(steps_wanted), 1.0, double{most_steps}));
   const auto all_steps = [&](const ContactBody& body, ContactState state) -> Result<ContactState> {
     for (int step = 1; step <= steps; ++step) {
       auto next = body.solve(state, between(from.tools, tools, double(step) / steps), options);
@@ -223,10 +229,13 @@ Tools between(const Tools& from, const Tools& to, double part) {
     const auto before = std::find_if(from.begin(), from.end(), [&](const HandTool& old) { return old.id == tool.id; });
     if (auto* touching = std::get_if<TouchingTool>(&tool.what)) {
       const auto* old = before == from.end() ? nullptr : std::get_if<TouchingTool>(&before->what);
+      if (old == nullptr || !old->push_mN) {
+        if (touching->push_mN) *touching->push_mN *= part;
+      } else if (touching->push_mN) {
+        *touching->push_mN = (1.0 - part) * *old->push_mN + part * *touching->push_mN;
+      }
       if (old == nullptr) continue;
       touching->pose.position_mm = (1.0 - part) * old->pose.position_mm + part * touching->pose.position_mm;
-      if (touching->push_mN && old->push_mN)
-        *touching->push_mN = (1.0 - part) * *old->push_mN + part * *touching->push_mN;
     } else {
       auto& grasp = std::get<Grasp>(tool.what);
       const auto* old_grasp = before == from.end() ? nullptr : std::get_if<Grasp>(&before->what);
@@ -252,6 +261,18 @@ double farthest_move_mm(const Tools& from, const Tools& to) {
     }
   }
   return farthest_mm;
+}
+
+double largest_change_of_push_mN(const Tools& from, const Tools& to) {
+  const Tools begin = between(from, to, 0.0);
+  double largest_mN = 0;
+  for (std::size_t t = 0; t < to.size(); ++t) {
+    const auto* touching = std::get_if<TouchingTool>(&to[t].what);
+    if (touching == nullptr || !touching->push_mN) continue;
+    const double before_mN = std::get<TouchingTool>(begin[t].what).push_mN.value_or(0.0);
+    largest_mN = std::max(largest_mN, std::abs(*touching->push_mN - before_mN));
+  }
+  return largest_mN;
 }
 
 std::string digest_of(const Moment& moment) {

@@ -1,0 +1,137 @@
+// Rehearsing and resecting through the program itself, on a liver that is an ellipsoid with a ball in it.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <functional>
+
+#include "base/files.h"
+#include "support/data.h"
+#include "support/process.h"
+
+namespace glisson::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+// Voxels of 5 mm around the origin; 1 where inside.
+std::string nrrd(const std::function<bool(double, double, double)>& inside) {
+  std::string file =
+      "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: 34 26 26\n"
+      "space directions: (5,0,0) (0,5,0) (0,0,5)\nspace origin: (-82.5,-62.5,-62.5)\nkinds: domain domain domain\n"
+      "encoding: raw\n\n";
+  for (int k = 0; k < 26; ++k) {
+    for (int j = 0; j < 26; ++j) {
+      for (int i = 0; i < 34; ++i) file += inside(-82.5 + 5 * i, -62.5 + 5 * j, -62.5 + 5 * k) ? '\1' : '\0';
+    }
+  }
+  return file;
+}
+
+class SmallLiver : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new TemporaryFolder;
+    const auto write = [](const char* name, const std::string& text) {
+      ASSERT_TRUE(write_text_file(folder_->path() / name, text));
+    };
+    const auto in_liver = [](double x, double y, double z) { return x * x / 4900 + y * y / 2500 + z * z / 2500 < 1; };
+    write("liver.nrrd", nrrd(in_liver));
+    write("tumour.nrrd",
+          nrrd([](double x, double y, double z) { return (x + 40) * (x + 40) + y * y + z * z < 15 * 15; }));
+    answer({"import", file("liver.nrrd"), "--case", patient()});
+    answer({"segment", patient(), "--structure", "liver", "--labels", file("liver.nrrd")});
+    answer({"segment", patient(), "--structure", "tumour-1", "--labels", file("tumour.nrrd")});
+    answer({"mesh", patient(), "--target-cells", "1500"});
+    answer({"stiffness", patient(), "--uniform-kPa", "6"});
+  }
+  static void TearDownTestSuite() { delete folder_; }
+
+  static Json answer(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--json", "--quiet"});
+    const Finished finished = glisson_cli(arguments);
+    EXPECT_EQ(finished.exit_code, 0) << arguments.front() << ": " << finished.err;
+    return finished.json();
+  }
+  static std::string file(const std::string& name) { return (folder_->path() / name).string(); }
+  static std::string patient() { return file("small.glisson"); }
+
+  static TemporaryFolder* folder_;
+};
+TemporaryFolder* SmallLiver::folder_ = nullptr;
+
+TEST_F(SmallLiver, IsResectedWithVolumesAndTheTumoursMargin) {
+  const Json plan = answer({"resect", patient(), "--plane=-20,0,0,1,0,0", "--out", file("resection")});
+  const double specimen_ml = plan.at("specimen_ml"), remnant_ml = plan.at("remnant_ml");
+  EXPECT_NEAR(specimen_ml + remnant_ml, 4.0 / 3.0 * 3.14159 * 70 * 50 * 50 / 1000, 40);
+  EXPECT_NEAR(plan.at("remnant_percent").get<double>(), 100 * remnant_ml / (specimen_ml + remnant_ml), 1e-6);
+  ASSERT_EQ(plan.at("tumours").size(), 1u);
+  EXPECT_EQ(plan.at("tumours")[0].at("side"), "specimen");
+  EXPECT_NEAR(plan.at("tumours")[0].at("margin_mm").get<double>(), 5, 2.5);  // half a voxel
+  for (const char* name : {"resection.json", "parts.vtu", "cut.vtp"}) {
+    EXPECT_TRUE(fs::exists(folder_->path() / "resection" / name)) << name;
+  }
+  const Json through = answer({"resect", patient(), "--plane=-35,0,0,1,0,0", "--out", file("through")});
+  EXPECT_TRUE(through.at("tumours")[0].at("r1").get<bool>());
+}
+
+TEST_F(SmallLiver, ACutThatMissesIsRefusedAndLeavesNothing) {
+  const Finished missed =
+      glisson_cli({"resect", patient(), "--plane=500,0,0,1,0,0", "--out", file("missed"), "--json", "--quiet"});
+  EXPECT_EQ(missed.exit_code, 1);
+  EXPECT_EQ(missed.json().at("error").at("code"), "cut-misses");
+  EXPECT_FALSE(fs::exists(folder_->path() / "missed"));
+  EXPECT_EQ(glisson_cli({"resect", patient(), "--out", file("none")}).exit_code, 2);  // neither plane nor points
+}
+
+TEST_F(SmallLiver, ASessionWithTwoToolsIsRecordedAndReplaysToTheBit) {
+  const char* commands = R"({"format": "glisson-session/1", "commands": [
+    {"hold": {"id": "hook", "shape": "nathanson-retractor", "position_mm": [0, 0, -70], "direction": [0, 0, 1],
+              "push_mN": 200}},
+    {"hold": {"id": "probe", "shape": "palpation-probe", "position_mm": [-40, -80, 0], "direction": [0, 1, 0],
+              "push_mN": 100}},
+    {"hold": {"id": "lost", "shape": "palpation-probe", "position_mm": [0, 300, 0], "direction": [0, 1, 0],
+              "push_mN": 100}},
+    {"release": "hook"}, {"undo": true}]})";
+  ASSERT_TRUE(write_text_file(folder_->path() / "commands.json", commands));
+  const Json session =
+      answer({"session", patient(), "--commands", file("commands.json"), "--out", file("recorded.json")});
+  const Json& steps = session.at("steps");
+  ASSERT_EQ(steps.size(), 5u);
+  const Json& both = steps[1].at("patient");
+  EXPECT_FALSE(steps[1].contains("refused"));
+  EXPECT_TRUE(both.at("converged").get<bool>());
+  EXPECT_LE(both.at("penetration_mm").get<double>(), 0.1);
+  EXPECT_NEAR(both.at("tools")[0].at("force_N")[2].get<double>(), 0.2, 1e-3);
+  EXPECT_NEAR(both.at("tools")[1].at("force_N")[1].get<double>(), 0.1, 1e-3);
+  EXPECT_THAT(steps[2].at("refused").get<std::string>(), HasSubstr("meets no surface"));
+  EXPECT_EQ(steps[2].at("digest"), steps[1].at("digest"));
+  EXPECT_EQ(steps[4].at("digest"), steps[1].at("digest"));  // undone
+
+  answer({"session", patient(), "--commands", file("recorded.json")});  // the same bits again
+  std::string changed = read_text_file(folder_->path() / "recorded.json", 1 << 20).value();
+  const std::string digest = steps[1].at("digest");
+  changed.replace(changed.find(digest), 4, "0000");
+  ASSERT_TRUE(write_text_file(folder_->path() / "changed.json", changed));
+  const Finished other = glisson_cli({"session", patient(), "--commands", file("changed.json"), "--json", "--quiet"});
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_EQ(other.json().at("error").at("code"), "replay-differs");
+  EXPECT_THAT(other.json().at("error").at("message").get<std::string>(), HasSubstr("Command 2"));
+}
+
+TEST_F(SmallLiver, IsCutAndTouchedByAScenario) {
+  ASSERT_TRUE(write_text_file(folder_->path() / "cut.json", R"({"material": "linear",
+      "supports": [{"point_array": "bare_area"}, {"point_array": "diaphragm", "foundation_kPa_per_mm": 1.1}],
+      "cuts": [{"points_mm": [[0, -60, -60], [0, 60, -60], [5, -60, 0], [5, 60, 0]], "center_mm": [0, 0, -50],
+                "radius_mm": 30}],
+      "tools": [{"id": "probe", "shape": "palpation-probe", "position_mm": [-30, -80, 0], "direction": [0, 1, 0],
+                 "advance_mm": 40}]})"));
+  const Json result = answer({"simulate", patient(), "--scenario", file("cut.json"), "--out", file("cut")});
+  EXPECT_TRUE(result.at("converged").get<bool>());
+  EXPECT_GT(result.at("tools")[0].at("force_N")[1].get<double>(), 0);
+  EXPECT_LE(result.at("contact").at("penetration_mm").get<double>(), 0.1);
+  EXPECT_GT(result.at("cut").at("largest_opening_mm").get<double>(), 0);
+}
+
+}  // namespace
+}  // namespace glisson::test
