@@ -14,19 +14,22 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// Voxels of 5 mm around the origin; 1 where inside.
-std::string nrrd(const std::function<bool(double, double, double)>& inside) {
-  std::string file =
-      "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: 34 26 26\n"
-      "space directions: (5,0,0) (0,5,0) (0,0,5)\nspace origin: (-82.5,-62.5,-62.5)\nkinds: domain domain domain\n"
-      "encoding: raw\n\n";
+// Voxels of 5 mm around the origin.
+std::string nrrd(const std::string& type, const std::function<std::string(double, double, double)>& voxel) {
+  std::string file = "NRRD0004\ntype: " + type +
+                     "\ndimension: 3\nspace: left-posterior-superior\nsizes: 34 26 26\n"
+                     "space directions: (5,0,0) (0,5,0) (0,0,5)\nspace origin: (-82.5,-62.5,-62.5)\n"
+                     "kinds: domain domain domain\nendian: little\nencoding: raw\n\n";
   for (int k = 0; k < 26; ++k) {
     for (int j = 0; j < 26; ++j) {
-      for (int i = 0; i < 34; ++i) file += inside(-82.5 + 5 * i, -62.5 + 5 * j, -62.5 + 5 * k) ? '\1' : '\0';
+      for (int i = 0; i < 34; ++i) file += voxel(-82.5 + 5 * i, -62.5 + 5 * j, -62.5 + 5 * k);
     }
   }
   return file;
 }
+
+std::string label(bool inside) { return {inside ? '\1' : '\0'}; }
+std::string two_bytes(int value) { return {static_cast<char>(value & 255), static_cast<char>(value >> 8)}; }
 
 class SmallLiver : public testing::Test {
  protected:
@@ -36,10 +39,14 @@ class SmallLiver : public testing::Test {
       ASSERT_TRUE(write_text_file(folder_->path() / name, text));
     };
     const auto in_liver = [](double x, double y, double z) { return x * x / 4900 + y * y / 2500 + z * z / 2500 < 1; };
-    write("liver.nrrd", nrrd(in_liver));
-    write("tumour.nrrd",
-          nrrd([](double x, double y, double z) { return (x + 40) * (x + 40) + y * y + z * z < 15 * 15; }));
-    answer({"import", file("liver.nrrd"), "--case", patient()});
+    write("scan.nrrd", nrrd("int16", [&](double x, double y, double z) {
+            return two_bytes((in_liver(x, y, z) ? 300 : 40) + static_cast<int>(x + 100) / 10);
+          }));
+    write("liver.nrrd", nrrd("uint8", [&](double x, double y, double z) { return label(in_liver(x, y, z)); }));
+    write("tumour.nrrd", nrrd("uint8", [](double x, double y, double z) {
+            return label((x + 40) * (x + 40) + y * y + z * z < 15 * 15);
+          }));
+    answer({"import", file("scan.nrrd"), "--case", patient()});
     answer({"segment", patient(), "--structure", "liver", "--labels", file("liver.nrrd")});
     answer({"segment", patient(), "--structure", "tumour-1", "--labels", file("tumour.nrrd")});
     answer({"mesh", patient(), "--target-cells", "1500"});
