@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <mutex>
 
+#include "mechanics/fill_in.h"
+
 namespace glisson::mechanics {
 namespace {
 
@@ -19,6 +21,16 @@ void keep_blas_on_one_thread() {
   static_cast<void>(once);
 }
 
+void begin(cholmod_common& common) {
+  keep_blas_on_one_thread();
+  cholmod_start(&common);
+  common.supernodal = CHOLMOD_SUPERNODAL;
+  common.nmethods = 1;
+  common.method[0].ordering = CHOLMOD_METIS;
+  common.postorder = 1;
+  common.print = 0;  // what went wrong is in common.status
+}
+
 }  // namespace
 
 struct CholeskyFactor::State {
@@ -28,15 +40,7 @@ struct CholeskyFactor::State {
   std::uint64_t bytes = 0;
   std::mutex one_at_a_time;  // cholmod_common is the workspace of every call
 
-  State() {
-    keep_blas_on_one_thread();
-    cholmod_start(&common);
-    common.supernodal = CHOLMOD_SUPERNODAL;
-    common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_METIS;
-    common.postorder = 1;
-    common.print = 0;  // what went wrong is in common.status
-  }
+  State() { begin(common); }
   ~State() {
     cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
@@ -129,6 +133,17 @@ Eigen::MatrixXd CholeskyFactor::solve(const Eigen::MatrixXd& right_hand_sides) c
                                                               right_hand_sides.rows(), right_hand_sides.cols());
   cholmod_free_dense(&solution, &state_->common);
   return columns;
+}
+
+FillIn fill_in_of(const Eigen::SparseMatrix<double>& lower) {
+  cholmod_common common{};
+  begin(common);
+  cholmod_sparse matrix = view_of(lower);
+  cholmod_factor* pattern = cholmod_analyze(&matrix, &common);
+  const FillIn fill_in{common.lnz, common.fl};
+  cholmod_free_factor(&pattern, &common);
+  cholmod_finish(&common);
+  return fill_in;
 }
 
 double CholeskyFactor::reciprocal_condition() const { return state_->reciprocal_condition; }

@@ -12,6 +12,15 @@ using Eigen::Vector3d;
 
 Lists frames_that_meet(const geometry::TetMesh& mesh, const ShapeFunctions& shape);
 
+// The three rows of K P at a place: for each frame that a neighbour of the place follows, 3x12.
+struct StripsOfPlace {
+  using Strip = Eigen::Matrix<double, 3, frame_size>;
+  std::vector<int> frames;
+  std::vector<Strip> strips;
+
+  void make(const Eigen::SparseMatrix<double>& full, const FrameBasis& basis, int place);
+};
+
 }  // namespace
 
 double frame_length_mm(const ShapeFunctions& shape, int frame) {
@@ -142,47 +151,48 @@ FrameMatrix FrameMatrix::sum(double a, const FrameMatrix& first, double b, const
   return result;
 }
 
+// K P is made a stretch of places at a time, a strip of 3x12 for each frame that a place's neighbours follow, and
+// handed on to the rows of P^T (K P) while it is at hand: every strip is used by a dozen frames. Rows are shared out
+// among threads, and each takes its places in one order, so that the sums do not depend on how.
 FrameMatrix reduced(const Eigen::SparseMatrix<double>& lower, const FrameBasis& basis) {
   const Eigen::SparseMatrix<double> full = lower.selfadjointView<Eigen::Lower>();
   FrameMatrix matrix(basis.neighbours());
-  const double* values = full.valuePtr();
-  const int* rows = full.innerIndexPtr();
-  const int* starts = full.outerIndexPtr();
-  parallel_for(static_cast<std::size_t>(basis.frames()), 4, [&](std::size_t begin, std::size_t end) {
-    using Strip = Eigen::Matrix<double, 3, frame_size>;
-    std::vector<int> slot_of(static_cast<std::size_t>(basis.frames()), -1);
-    std::vector<Strip> strips;
-    for (auto i = static_cast<int>(begin); i < static_cast<int>(end); ++i) {
-      const int* columns = basis.neighbours().begin(i);
-      const int count = basis.neighbours().size(i);
-      for (int k = 0; k < count; ++k) slot_of[columns[k]] = k;
-      const std::size_t first_block = matrix.columns().starts[i];
-      std::vector<int> used;
-      for (const Share& at : basis.places_of(i)) {
-        strips.assign(static_cast<std::size_t>(count), Strip::Zero());
-        used.clear();
-        const int column = 3 * at.place_or_frame;
-        for (int entry = 0; starts[column] + entry < starts[column + 1]; entry += 3) {
-          Eigen::Matrix3d block;  // of this place (rows) and the other (columns)
-          for (int c = 0; c < 3; ++c) {
-            for (int r = 0; r < 3; ++r) block(c, r) = values[starts[column + c] + entry + r];
-          }
-          for (const Share& other : basis.frames_of(rows[starts[column] + entry] / 3)) {
-            const int slot = slot_of[other.place_or_frame];
-            Strip& strip = strips[static_cast<std::size_t>(slot)];
-            if (std::find(used.begin(), used.end(), slot) == used.end()) used.push_back(slot);
-            for (int l = 0; l < 4; ++l) strip.middleCols<3>(3 * l) += other.factor[l] * block;
-          }
+  const auto frames = static_cast<std::size_t>(basis.frames());
+  const auto places = static_cast<std::size_t>(full.cols() / 3);
+  constexpr std::size_t places_at_once = 4096;
+  std::vector<StripsOfPlace> strips(std::min(places, places_at_once));
+  std::vector<std::size_t> next(frames, 0);  // of each frame's places, the first that is still to come
+  for (std::size_t first = 0; first < places; first += places_at_once) {
+    const std::size_t last = std::min(first + places_at_once, places);
+    parallel_for(last - first, 64, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) strips[k].make(full, basis, static_cast<int>(first + k));
+    });
+    parallel_for(frames, 16, [&](std::size_t begin, std::size_t end) {
+      std::vector<FrameBlock*> block_of(frames, nullptr);
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::vector<Share>& own = basis.places_of(static_cast<int>(i));
+        if (next[i] == own.size() || static_cast<std::size_t>(own[next[i]].place_or_frame) >= last) continue;
+        const auto row = static_cast<int>(i);
+        for (std::size_t k = matrix.position(row, row); k < matrix.columns().starts[i + 1]; ++k) {
+          block_of[static_cast<std::size_t>(matrix.columns().items[k])] = &matrix.blocks()[k];
         }
-        for (const int slot : used) {
-          FrameBlock& target = matrix.blocks()[first_block + static_cast<std::size_t>(slot)];
-          for (int k = 0; k < 4; ++k)
-            target.middleRows<3>(3 * k) += at.factor[k] * strips[static_cast<std::size_t>(slot)];
+        for (; next[i] < own.size() && static_cast<std::size_t>(own[next[i]].place_or_frame) < last; ++next[i]) {
+          const Share& at = own[next[i]];
+          const StripsOfPlace& here = strips[static_cast<std::size_t>(at.place_or_frame) - first];
+          for (std::size_t k = 0; k < here.frames.size(); ++k) {
+            if (here.frames[k] < row) continue;  // the other triangle
+            FrameBlock& target = *block_of[static_cast<std::size_t>(here.frames[k])];
+            for (int l = 0; l < 4; ++l) target.middleRows<3>(3 * l) += at.factor[l] * here.strips[k];
+          }
         }
       }
-      for (int k = 0; k < count; ++k) slot_of[columns[k]] = -1;
+    });
+  }
+  for (int row = 0; row < basis.frames(); ++row) {
+    for (std::size_t k = matrix.columns().starts[row]; matrix.columns().items[k] < row; ++k) {
+      matrix.blocks()[k] = matrix.blocks()[matrix.position(matrix.columns().items[k], row)].transpose();
     }
-  });
+  }
   return matrix;
 }
 
@@ -204,6 +214,31 @@ void add_springs(const std::vector<double>& stiffness, const FrameBasis& basis, 
 }
 
 namespace {
+
+void StripsOfPlace::make(const Eigen::SparseMatrix<double>& full, const FrameBasis& basis, int place) {
+  const double* values = full.valuePtr();
+  const int* rows = full.innerIndexPtr();
+  const int* starts = full.outerIndexPtr();
+  const int column = 3 * place;
+  frames.clear();
+  for (int entry = starts[column]; entry < starts[column + 1]; entry += 3) {
+    for (const Share& other : basis.frames_of(rows[entry] / 3)) frames.push_back(other.place_or_frame);
+  }
+  std::sort(frames.begin(), frames.end());
+  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+  strips.assign(frames.size(), Strip::Zero());
+  for (int entry = 0; starts[column] + entry < starts[column + 1]; entry += 3) {
+    Eigen::Matrix3d block;  // of this place (rows) and the other (columns)
+    for (int c = 0; c < 3; ++c) {
+      for (int r = 0; r < 3; ++r) block(c, r) = values[starts[column + c] + entry + r];
+    }
+    for (const Share& other : basis.frames_of(rows[starts[column] + entry] / 3)) {
+      const auto slot = std::lower_bound(frames.begin(), frames.end(), other.place_or_frame) - frames.begin();
+      Strip& strip = strips[static_cast<std::size_t>(slot)];
+      for (int l = 0; l < 4; ++l) strip.middleCols<3>(3 * l) += other.factor[l] * block;
+    }
+  }
+}
 
 Lists frames_that_meet(const geometry::TetMesh& mesh, const ShapeFunctions& shape) {
   std::vector<std::vector<int>> meet(shape.nodes_mm.size());

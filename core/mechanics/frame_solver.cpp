@@ -3,11 +3,30 @@
 #include <Eigen/Cholesky>
 
 #include "base/parallel.h"
+#include "mechanics/fill_in.h"
 
 namespace glisson::mechanics {
 namespace {
 
 constexpr double raise = 1e-9;
+
+// Whether a factor fits the memory and half a minute or so, told from the frames' pattern: each of its entries is a
+// block.
+bool is_worth_factorising(const FrameMatrix& matrix, std::uint64_t memory_limit_bytes) {
+  constexpr double most_operations = 1e12;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int row = 0; row < matrix.rows(); ++row) {
+    for (const int* column = matrix.columns().begin(row); column != matrix.columns().end(row); ++column) {
+      if (*column <= row) entries.emplace_back(row, *column, 1.0);
+    }
+  }
+  Eigen::SparseMatrix<double> pattern(matrix.rows(), matrix.rows());
+  pattern.setFromTriplets(entries.begin(), entries.end());
+  const FillIn of_frames = fill_in_of(pattern);
+  constexpr double block = frame_size * frame_size;
+  return 8.0 * block * of_frames.entries <= static_cast<double>(memory_limit_bytes) &&
+         frame_size * block * of_frames.operations <= most_operations;
+}
 
 }  // namespace
 
@@ -24,6 +43,7 @@ FramePreconditioner FramePreconditioner::of_diagonal(const FrameMatrix& matrix) 
 }
 
 FramePreconditioner FramePreconditioner::factorised(const FrameMatrix& matrix, std::uint64_t memory_limit_bytes) {
+  if (!is_worth_factorising(matrix, memory_limit_bytes)) return of_diagonal(matrix);
   auto factor = CholeskyFactor::create(positive_definite(matrix.lower()), memory_limit_bytes);
   if (!factor) return of_diagonal(matrix);
   FramePreconditioner preconditioner;

@@ -16,7 +16,7 @@ class FramePreconditioner {
  public:
   // Of the diagonal's blocks.
   static FramePreconditioner of_diagonal(const FrameMatrix& matrix);
-  // Factorised; by the diagonal's blocks where the factor would exceed the memory or fails.
+  // Factorised; by the diagonal's blocks where the factor would exceed the memory or a minute, or fails.
   static FramePreconditioner factorised(const FrameMatrix& matrix, std::uint64_t memory_limit_bytes);
 
   [[nodiscard]] Eigen::VectorXd apply(const Eigen::VectorXd& r) const;
