@@ -6,8 +6,10 @@
 
 #include "base/parallel.h"
 #include "mechanics/bodies.h"
+#include "mechanics/meshfree_model.h"
 #include "mechanics/motion.h"
 #include "mechanics/static_model.h"
+#include "rehearsal/session.h"
 #include "rehearsal/static_rehearsal.h"
 
 namespace glisson {
@@ -63,6 +65,21 @@ void SixteenLoadsTogether(benchmark::State& state) {
   show(state, model);
 }
 
+// The meshfree engine offline: Voronoi nodes, shape functions, assembly, factorisation. Nodes, and cells 6 n^3.
+void MeshfreeSetUp(benchmark::State& state) {
+  const auto mesh = liver_sized(int(state.range(1)));
+  for (auto _ : state) {
+    const auto model =
+        mechanics::MeshfreeModel::create(mesh, mechanics::test::uniform(mesh, 6.0), supports,
+                                         mechanics::MaterialLaw::linear, {}, {.nodes = int(state.range(0))})
+            .value();
+    state.counters["cells"] = double(mesh.cells.size());
+    state.counters["unknowns"] = double(model.cost().unknowns);
+    state.counters["matrix_MB"] = double(model.cost().matrix_bytes) / 1e6;
+    state.counters["factor_MB"] = double(model.cost().factor_bytes) / 1e6;
+  }
+}
+
 // What the window waits for: a tool put down (both bodies solved), and a force changed.
 void PlacingATool(benchmark::State& state) {
   const auto mesh = liver_sized(int(state.range(0)));
@@ -83,6 +100,64 @@ void ChangingTheForce(benchmark::State& state) {
     force_N += 0.001;
     benchmark::DoNotOptimize(tool.answer({0, -force_N, force_N}));
   }
+}
+
+// A hand that draws a probe over the liver, half a millimetre a step, while a retractor holds it: both bodies, contact
+// found anew, landmarks, digest. `first` is the first way over the surface, on which each new place is solved for once;
+// `error_mm` is how far the last frame's landmarks are from those of a hundredfold tighter contact.
+void RehearsalWithTools(benchmark::State& state) {
+  const auto mesh = liver_sized(15);
+  const std::vector<mechanics::Landmark> landmarks{{"a", {-40, -30, -20}}, {"b", {0, -50, 0}}, {"c", {30, -20, 10}}};
+  rehearsal::RehearsalSetup setup{mesh, mechanics::test::uniform(mesh, 6.0), 5.0, supports, {}, {}, {}, {}};
+  setup.landmarks = landmarks;
+  auto engine = rehearsal::SessionEngine::create(std::move(setup)).value();
+  const mechanics::HandTool hook{"hook",
+                                 mechanics::TouchingTool{mechanics::nathanson_retractor(),
+                                                         mechanics::pose_towards({-40, 0, -80}, {0, 0, 1}), 500.0}};
+  int at = 0, step = 1;
+  const auto probe = [&] {
+    return mechanics::HandTool{
+        "probe", mechanics::TouchingTool{mechanics::palpation_probe(),
+                                         mechanics::pose_towards({-30 + 0.5 * at, -90, -10}, {0, 1, 0}), 300.0}};
+  };
+  engine.step(rehearsal::HoldTool{hook});
+  const auto draw = [&] {
+    at += step;
+    if (at == 0 || at == 80) step = -step;
+    engine.step(rehearsal::HoldTool{probe()});
+  };
+  double first_ms = 0, slowest_ms = 0, refused = 0, steps = 0;
+  for (int i = 0; i < 80; ++i) {
+    draw();
+    first_ms += engine.frame().step_ms / 80;
+  }
+  for (auto _ : state) {
+    draw();
+    slowest_ms = std::max(slowest_ms, engine.frame().step_ms);
+    refused += engine.frame().refused.empty() ? 0 : 1;
+    ++steps;
+  }
+  state.counters["steps_per_s"] = benchmark::Counter(steps, benchmark::Counter::kIsRate);
+  state.counters["first_ms"] = first_ms;
+  state.counters["slowest_ms"] = slowest_ms;
+  state.counters["refused"] = refused;
+
+  auto model = mechanics::StaticModel::create(mesh, mechanics::test::uniform(mesh, 6.0), supports).value();
+  auto places = mechanics::locate_landmarks(mesh, landmarks, 10.0).value();
+  const auto body = mechanics::ContactBody::create(std::move(model), {}, places).value();
+  mechanics::ContactOptions tight;
+  tight.movement_tolerance_mm *= 0.01;
+  tight.penetration_tolerance_mm *= 0.01;
+  tight.max_rounds = 500;
+  auto exact = body.solve(body.untouched(), {hook}, tight).value();
+  exact = body.solve(exact, {hook, probe()}, tight).value();
+  double error_mm = 0;
+  for (std::size_t l = 0; l < landmarks.size(); ++l) {
+    error_mm = std::max(
+        error_mm,
+        (engine.frame().patient.landmarks[l].displaced_mm - landmarks[l].position_mm - exact.watched_mm[l]).norm());
+  }
+  state.counters["error_mm"] = exact.report.converged ? error_mm : -1;
 }
 
 // The beam of SOFA's published figures by its number of nodes: 16 x 16 x 76 = 19,456, corotational, clamped at one end,
@@ -129,6 +204,7 @@ void ReadingMemory(benchmark::State& state) {
   state.SetBytesProcessed(state.iterations() * std::int64_t(values.size() * sizeof(float)));
 }
 
+BENCHMARK(RehearsalWithTools)->Iterations(200)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(CorotationalBeamStep)->Arg(6)->Arg(60)->Iterations(100)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(ReadingMemory)->Arg(12)->Arg(512)->Unit(benchmark::kMillisecond)->UseRealTime();  // MB
 
@@ -136,6 +212,12 @@ BENCHMARK(ReadingMemory)->Arg(12)->Arg(512)->Unit(benchmark::kMillisecond)->UseR
 BENCHMARK(SetUp)->Arg(9)->Arg(15)->Arg(25)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(OneLoad)->Arg(9)->Arg(15)->Arg(25)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(SixteenLoadsTogether)->Arg(9)->Arg(15)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(MeshfreeSetUp)
+    ->Args({100, 15})
+    ->Args({2000, 15})
+    ->Args({20000, 25})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK(PlacingATool)->Arg(9)->Arg(15)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(ChangingTheForce)->Arg(9)->Arg(15)->Unit(benchmark::kMillisecond)->UseRealTime();
 
