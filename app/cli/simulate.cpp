@@ -1,10 +1,11 @@
-// glisson-cli simulate (CASE | --mesh FILE.vtu) --scenario S.json --out DIR: equilibrium or motion under supports,
-// tools and loads.
+// glisson-cli simulate (CASE | --mesh FILE.vtu) --scenario S.json [--data D] --out DIR: equilibrium or motion under
+// supports, tools and loads.
 
 #include <fmt/format.h>
 
 #include "casefile/model.h"
 #include "casefile/result_folder.h"
+#include "closedloop/stress_strain_file.h"
 #include "command.h"
 #include "geometry/mesh_file.h"
 #include "mechanics/scenario_file.h"
@@ -18,6 +19,7 @@ struct Options {
   std::optional<std::string> case_folder;
   std::optional<std::string> mesh_file;
   std::string scenario_file;
+  std::optional<std::string> data_file;
   std::string out;
 };
 
@@ -45,13 +47,29 @@ std::string describe(const mechanics::Simulation& simulation) {
   return text + bullet_list(result.notes);
 }
 
+// Measured strain and stress, where the person gave some, in place of the scenario's material.
+Result<mechanics::SimulationOptions> simulation_options(const Options& options, const mechanics::Scenario& scenario) {
+  mechanics::SimulationOptions simulation;
+  if (!options.data_file) return simulation;
+  return closedloop::read_stress_strain(*options.data_file)
+      .and_then([&](const std::vector<mechanics::StressStrain>& measured) {
+        return mechanics::MaterialData::create(measured, {.poisson_ratio = scenario.poisson_ratio});
+      })
+      .map([&](mechanics::MaterialData data) {
+        simulation.data = std::move(data);
+        return simulation;
+      });
+}
+
 Result<Outcome> simulate(const Options& options, const Progress& progress) {
   auto scenario = mechanics::read_scenario(options.scenario_file);
   if (!scenario) return failure(scenario.error());
   progress.report(0.0, "Reading the mesh");
   const auto mesh = mesh_and_defaults(options, *scenario);
   if (!mesh) return failure(mesh.error());
-  const auto simulation = mechanics::simulate(*mesh, *scenario, {}, progress);
+  const auto settings = simulation_options(options, *scenario);
+  if (!settings) return failure(settings.error());
+  const auto simulation = mechanics::simulate(*mesh, *scenario, *settings, progress);
   if (!simulation) return failure(simulation.error());
   if (!simulation->result.may_be_used()) {
     return failure(Error{"not-converged",
@@ -75,6 +93,9 @@ void add_simulate(CLI::App& app, Action& chosen) {
   CLI::Option* case_folder = command->add_option("case", options->case_folder, "The case");
   CLI::Option* mesh = command->add_option("--mesh", options->mesh_file, "Tetrahedra (.vtu), instead of a case");
   command->add_option("--scenario", options->scenario_file, "Supports, loads and landmarks (JSON)")->required();
+  command->add_option("--data", options->data_file,
+                      "Measured strain and stress in place of the material: a CSV (strain, stress_kPa) or a material "
+                      "experiment (JSON)");
   command->add_option("--out", options->out, "Folder for the result")->required();
   case_folder->excludes(mesh);
   command->callback([&chosen, options] {
