@@ -110,11 +110,12 @@ Json messages(const std::vector<Sentence>& sentences) {
 }
 
 Json as_json(const MeasuredPoint& point) {
-  Json json{{"nodes", point.nodes},
-            {"seconds", point.seconds},
-            {"GB_per_s", point.GB_per_s},
-            {"GFLOP_per_s", point.GFLOP_per_s}};
-  if (point.share_of_bandwidth > 0) json["share_of_bandwidth"] = point.share_of_bandwidth;
+  Json json{{"nodes", point.nodes},     {"bytes", point.bytes},       {"flops", point.flops},
+            {"seconds", point.seconds}, {"GB_per_s", point.GB_per_s}, {"GFLOP_per_s", point.GFLOP_per_s}};
+  if (point.share_of_bandwidth > 0) {
+    json["share_of_bandwidth"] = point.share_of_bandwidth;
+    json["in_cache"] = point.in_cache;
+  }
   if (point.joules) json["joules"] = *point.joules;
   return json;
 }
@@ -133,6 +134,12 @@ Json as_json(const TraceRuns& runs) {
   return {{"idle_W", runs.idle_W}, {"runs", list}, {"warnings", messages(runs.warnings)}};
 }
 
+// Of the memory's bandwidth; a problem that stays in the cache is not bound by it.
+std::string share_of(const MeasuredPoint& point) {
+  if (point.share_of_bandwidth == 0) return "-";
+  return point.in_cache ? "(cache)" : fmt::format("{:.2f}", point.share_of_bandwidth);
+}
+
 Outcome describe(const Measurement& measured, const std::optional<TraceRuns>& runs, const std::string& out) {
   Outcome outcome{{{"device", measured.device.id},
                    {"kernel", measured.kernel},
@@ -146,13 +153,15 @@ Outcome describe(const Measurement& measured, const std::optional<TraceRuns>& ru
       fmt::format("{}{}\n", measured.kernel, measured.meter.empty() ? std::string() : ", energy by " + measured.meter);
   if (measured.bandwidth_GB_s > 0) {
     outcome.document["memory_bandwidth_GB_s"] = measured.bandwidth_GB_s;
-    outcome.text += fmt::format("The memory gives {:.3g} GB/s (triad).\n", measured.bandwidth_GB_s);
+    outcome.text += fmt::format("The memory gives {:.3g} GB/s.\n", measured.bandwidth_GB_s);
   }
   if (!measured.points.empty()) {
     const MeasuredPoint& any = measured.points.front();
     const double flops_per_byte = any.GFLOP_per_s / any.GB_per_s;
     outcome.document["flops_per_byte"] = flops_per_byte;
-    outcome.text += fmt::format("A product takes {:.2f} operations a byte, so that memory decides.\n", flops_per_byte);
+    outcome.text += fmt::format(
+        "A product takes {:.0f} bytes and {:.0f} operations a node, {:.2f} a byte, so that memory decides.\n",
+        any.bytes / any.nodes, any.flops / any.nodes, flops_per_byte);
   }
   if (runs) {
     outcome.document["trace"] = as_json(*runs);
@@ -166,8 +175,7 @@ Outcome describe(const Measurement& measured, const std::optional<TraceRuns>& ru
     // Every tenth point for the eye; all of them are in the file.
     if (measured.points.size() > 20 && i % 10 != 0 && i + 1 != measured.points.size()) continue;
     outcome.text += fmt::format("{:9.0f} {:11.2f} {:8.2f} {:8.2f} {:>7} {:>10}\n", point.nodes, point.seconds * 1e6,
-                                point.GB_per_s, point.GFLOP_per_s,
-                                point.share_of_bandwidth > 0 ? fmt::format("{:.2f}", point.share_of_bandwidth) : "-",
+                                point.GB_per_s, point.GFLOP_per_s, share_of(point),
                                 point.joules ? fmt::format("{:.3g}", *point.joules * 1e3) : "-");
   }
   for (const Sentence& remark : measured.remarks) outcome.text += "Note: " + remark.message() + "\n";

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "base/files.h"
+#include "casefile/model.h"
+#include "geometry/tetrahedra.h"
 #include "platform_commands.h"
 
 namespace glisson::cli {
@@ -24,15 +26,7 @@ Result<std::vector<Device>> DeviceTables::devices() const {
     if (!devices) break;
     auto more = read_devices(file);
     if (!more) return failure(more.error());
-    for (Device& device : *more) {
-      const auto same =
-          std::find_if(devices->begin(), devices->end(), [&](const Device& known) { return known.id == device.id; });
-      if (same == devices->end()) {
-        devices->push_back(std::move(device));
-      } else {
-        *same = std::move(device);
-      }
-    }
+    take_in(std::move(*more), *devices);
   }
   return devices;
 }
@@ -118,17 +112,6 @@ Outcome describe(const Device& device) {
   return outcome;
 }
 
-const char* name_of(Constraint constraint) {
-  switch (constraint) {
-    case Constraint::idle_energy: return "idle-energy";
-    case Constraint::idle_temperature: return "idle-temperature";
-    case Constraint::computing: return "computing";
-    case Constraint::energy: return "energy";
-    case Constraint::temperature: return "temperature";
-  }
-  return "computing";
-}
-
 struct Remedy {
   const char* key;
   std::optional<double> value;
@@ -148,7 +131,7 @@ Json as_json(const PlatformAnswer& answer) {
   Json limits = Json::array();
   for (const Reason& reason : answer.reasons) {
     reasons.push_back(reason.sentence.message());
-    limits.push_back(name_of(reason.constraint));
+    limits.push_back(to_string(reason.constraint));
   }
   Json remedies = Json::object();
   for (const Remedy& remedy : listed(answer.remedies)) {
@@ -194,6 +177,8 @@ std::string sentences_on(const PlatformAnswer& answer) {
 Outcome describe(const Plan& planned) {
   const Workload& work = planned.workload;
   Outcome outcome;
+  outcome.document["case"] = {{"volume_cm3", planned.request.liver_volume_cm3}};
+  if (planned.request.youngs_kPa) outcome.document["case"]["youngs_kPa"] = *planned.request.youngs_kPa;
   outcome.document["workload"] = {{"resolution_mm3", work.resolution_mm3},
                                   {"nodes", work.nodes},
                                   {"block", {work.block_rows, work.block_columns}},
@@ -235,6 +220,22 @@ Outcome describe(const Plan& planned) {
   return outcome;
 }
 
+// Volume and mean Young's modulus of the case's model, where the person gave none.
+Result<void> take_over(const std::string& case_folder, bool volume_given, PlanRequest& request) {
+  const auto model = casefile::Case::open(case_folder).and_then([](const casefile::Case& patient) {
+    return casefile::read_model(patient);
+  });
+  if (!model) return failure(model.error());
+  const double volume_mm3 = geometry::volume_mm3(model->mesh);
+  if (!volume_given) request.liver_volume_cm3 = volume_mm3 * 1e-3;
+  if (request.youngs_kPa) return {};
+  double sum = 0;
+  for (std::size_t c = 0; c < model->youngs_kPa.size(); ++c)
+    sum += model->youngs_kPa[c] * geometry::cell_volume_mm3(model->mesh, c);
+  request.youngs_kPa = sum / volume_mm3;
+  return {};
+}
+
 }  // namespace
 
 void add_platform_list(CLI::App& platform, Action& chosen) {
@@ -260,22 +261,34 @@ void add_platform_plan(CLI::App& platform, Action& chosen) {
   struct Options {
     DeviceTables tables;
     PlanRequest request;
+    std::optional<std::string> case_folder;
   };
   CLI::App* command =
       platform.add_subcommand("plan", "The least obtrusive platform that holds for a case, and why others fail");
   auto options = std::make_shared<Options>();
-  command->add_option("--volume-cm3", options->request.liver_volume_cm3, "Volume of the liver")->required();
+  command->add_option("case", options->case_folder, "A case with a model: its liver's volume and mean stiffness");
+  CLI::Option* volume =
+      command->add_option("--volume-cm3", options->request.liver_volume_cm3, "Volume of the liver, or the case's");
+  command->add_option("--stiffness-kPa", options->request.youngs_kPa,
+                      "Mean Young's modulus of the liver; the convergence study's own where neither says");
   command->add_option("--accuracy-mm", options->request.accuracy_mm, "Wanted accuracy")->required();
   command->add_option("--fps", options->request.frames_per_s, "Wanted frames a second")->capture_default_str();
   add_request_options(*command, options->request);
   options->tables.add_options(*command);
-  command->callback([&chosen, options] {
-    chosen = [options](const Progress&) -> Result<Outcome> {
+  command->callback([&chosen, options, volume] {
+    const bool volume_given = volume->count() > 0;
+    if (!options->case_folder && !volume_given) throw CLI::RequiredError("a case or --volume-cm3");
+    chosen = [options, volume_given](const Progress&) -> Result<Outcome> {
+      PlanRequest request = options->request;
+      if (options->case_folder) {
+        const auto taken = take_over(*options->case_folder, volume_given, request);
+        if (!taken) return failure(taken.error());
+      }
       const auto devices = options->tables.devices();
       if (!devices) return failure(devices.error());
       const auto curve = options->tables.curve();
       if (!curve) return failure(curve.error());
-      return plan(options->request, *devices, *curve).map([](const Plan& planned) { return describe(planned); });
+      return plan(request, *devices, *curve).map([](const Plan& planned) { return describe(planned); });
     };
   });
 }

@@ -6,7 +6,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <functional>
 #include <new>
+#include <numeric>
+#include <vector>
 
 #include "base/parallel.h"
 
@@ -131,24 +135,64 @@ void multiply_blocks(const TiledBatch& blocks, const TiledBatch& x, std::size_t 
 
 std::string vector_instructions() { return HWY_DYNAMIC_DISPATCH(target_name)(); }
 
+namespace {
+
+constexpr int bandwidth_rounds = 5;
+
+double best_seconds(const std::function<void()>& work) {
+  double best_s = HUGE_VAL;
+  for (int round = 0; round < bandwidth_rounds; ++round) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    best_s = std::min(best_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return best_s;
+}
+
+}  // namespace
+
 double memory_bandwidth_GB_s(std::size_t bytes_per_array) {
   const std::size_t count = bytes_per_array / sizeof(float);
-  constexpr int rounds = 5;
   const TiledBatch x(count, 1);
   const TiledBatch z(count, 1);
   TiledBatch y(count, 1);
-  double best_s = HUGE_VAL;
-  for (int round = 0; round < rounds; ++round) {
-    const auto start = std::chrono::steady_clock::now();
+  const double bytes = static_cast<double>(count * sizeof(float));
+  const double triad_s = best_seconds([&] {
     parallel_for(count, count / 64, [&](std::size_t begin, std::size_t end) {
       const float* from_x = x.data();
       const float* from_z = z.data();
       float* to = y.data();
       for (std::size_t i = begin; i < end; ++i) to[i] = from_x[i] + 3.0F * from_z[i];
     });
-    best_s = std::min(best_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  });
+  // Each part's sum is written down, so that no compiler leaves the reading out.
+  std::vector<float> sums(64, 0);
+  const double reading_s = best_seconds([&] {
+    parallel_for(sums.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t part = begin; part < end; ++part) {
+        constexpr std::size_t lanes = 64;  // sums side by side: one alone would wait for itself
+        float lane[lanes] = {};
+        const float* from = x.data() + part * (count / sums.size());
+        for (std::size_t i = 0; i + lanes <= count / sums.size(); i += lanes) {
+          for (std::size_t l = 0; l < lanes; ++l) lane[l] += from[i + l];
+        }
+        sums[part] = std::accumulate(lane, lane + lanes, 0.0F);
+      }
+    });
+  });
+  GLISSON_ASSERT(std::accumulate(sums.begin(), sums.end(), 0.0F) == 0);
+  return std::max(3 * bytes / triad_s, bytes / reading_s) * 1e-9;
+}
+
+std::size_t largest_cache_bytes() {
+  std::size_t largest = 0;
+  for (int index = 0; index < 8; ++index) {
+    std::ifstream file(fmt::format("/sys/devices/system/cpu/cpu0/cache/index{}/size", index));
+    std::size_t size = 0;
+    char unit = 'K';  // "32768K"
+    if (file >> size >> unit) largest = std::max(largest, size << (unit == 'M' ? 20 : 10));
   }
-  return 3.0 * static_cast<double>(count * sizeof(float)) / best_s * 1e-9;
+  return largest;
 }
 
 std::unique_ptr<ProductKernel> processor_product(int nodes_in_domain, std::size_t largest_bytes) {

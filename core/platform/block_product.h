@@ -54,10 +54,14 @@ void multiply_blocks(const TiledBatch& blocks, const TiledBatch& x, std::size_t 
 // "AVX3", "SSE4", ...: the instructions that multiply_blocks uses on this machine.
 [[nodiscard]] std::string vector_instructions();
 
-// Bytes a second that this machine's memory gives to y = x + s z over arrays far larger than its caches, both
-// reads and the write counted once (as STREAM's triad counts), on base's threads; the best of a few rounds. Three
-// arrays are used; the default is several times the caches of anything worn, and takes about a fifth of a second.
+// Bytes a second that this machine's memory gives, over arrays far larger than its caches, on base's threads: the best
+// of a few rounds of y = x + s z, both reads and the write counted once (as STREAM's triad counts), and of reading
+// alone, which is most of what the product does. Three arrays are used; the default is several times the caches of
+// anything worn, and takes about a fifth of a second.
 [[nodiscard]] double memory_bandwidth_GB_s(std::size_t bytes_per_array = std::size_t{96} << 20);
+
+// What stays in the processors' last cache does not ask the memory; 0 where the system does not tell.
+[[nodiscard]] std::size_t largest_cache_bytes();
 
 // Something that multiplies batches and can be timed: the machine's processors here, an OpenCL device elsewhere.
 class ProductKernel {

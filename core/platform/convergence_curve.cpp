@@ -56,6 +56,11 @@ Result<ConvergenceCurve> read_convergence_curve(const std::filesystem::path& fil
   const auto provenance = reader->text(*document, "provenance", "The curve");
   if (!provenance) return failure(provenance.error());
   curve.provenance = *provenance;
+  if (document->contains("youngs_kPa")) {
+    const auto youngs_kPa = reader->number(*document, "youngs_kPa", {0.1, 1e6}, "The curve");
+    if (!youngs_kPa) return failure(youngs_kPa.error());
+    curve.youngs_kPa = *youngs_kPa;
+  }
   const auto points = document->find("points");
   if (points == document->end() || !points->is_array() || points->size() > most_points)
     return refuse(file, GLISSON_TEXT("{0} has no list of points."), {file.string()});
@@ -70,6 +75,13 @@ Result<ConvergenceCurve> read_convergence_curve(const std::filesystem::path& fil
   }
   if (const auto checked = check_points(curve, file); !checked) return failure(checked.error());
   return curve;
+}
+
+ConvergenceCurve in_tissue(const ConvergenceCurve& curve, double youngs_kPa) {
+  ConvergenceCurve other = curve;
+  other.youngs_kPa = youngs_kPa;
+  for (ConvergencePoint& point : other.points) point.error_mm *= curve.youngs_kPa / youngs_kPa;
+  return other;
 }
 
 Result<double> resolution_for_accuracy_mm3(const ConvergenceCurve& curve, double accuracy_mm) {

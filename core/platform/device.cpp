@@ -81,6 +81,7 @@ const std::vector<FigureSlot>& figure_slots() {
        1000,
        {}},
       {"", "thermal_time_constant_s", [](Device& d) -> Figure& { return d.thermal_time_constant_s; }, 1, 1e5, {}},
+      {"", "throttle_C", [](Device& d) -> Figure& { return d.throttle_C; }, 30, never_throttles_C, never_throttles_C},
       {"battery", "capacity_mAh", [](Device& d) -> Figure& { return d.battery.capacity_mAh; }, 1, 1e6, {}},
       {"battery", "voltage_V", [](Device& d) -> Figure& { return d.battery.voltage_V; }, 0.5, 100, {}},
       {"battery", "internal_resistance_ohm", [](Device& d) -> Figure& { return d.battery.internal_resistance_ohm; }, 0,

@@ -44,6 +44,8 @@ struct KernelModel {
   std::vector<MeasuredProduct> measured;  // by increasing nodes
 };
 
+inline constexpr double never_throttles_C = 200;
+
 struct DeviceBattery {
   Figure capacity_mAh;
   Figure voltage_V;
@@ -62,6 +64,7 @@ struct Device {
   DeviceBattery battery;
   Figure thermal_resistance_C_per_W;
   Figure thermal_time_constant_s;
+  Figure throttle_C;  // the surface temperature at which the device slows itself down to get no hotter
   KernelModel kernel;
 };
 
@@ -90,7 +93,7 @@ struct NamedFigure {
 [[nodiscard]] std::vector<std::string> assumed_figures(const Device& device);
 
 std::string to_string(Worn worn);      // "head", "belt", "back"
-std::string to_string(Source source);  // "measured", "dissertation", "assumed"
+std::string to_string(Source source);  // "measured", "computed", "dissertation", "assumed"
 
 // Refused: figures that are not physical, measured points out of order ("device-invalid", naming the device, the
 // figure and its limits).

@@ -54,6 +54,18 @@ Result<std::vector<Device>> read_devices(const std::filesystem::path& file) {
   return devices;
 }
 
+void take_in(std::vector<Device> more, std::vector<Device>& devices) {
+  for (Device& device : more) {
+    const auto same =
+        std::find_if(devices.begin(), devices.end(), [&](const Device& known) { return known.id == device.id; });
+    if (same == devices.end()) {
+      devices.push_back(std::move(device));
+    } else {
+      *same = std::move(device);
+    }
+  }
+}
+
 Result<void> write_devices(const std::filesystem::path& file, const std::vector<Device>& devices) {
   Json list = Json::array();
   for (const Device& device : devices) list.push_back(as_json(device));
@@ -147,11 +159,11 @@ Result<void> read_measured(const Json& kernel, const std::string& where, const F
 
 Result<void> refuse_unknown(const Json& object, const std::string& where, const FigureReader& reader) {
   const auto in_file = [&reader](const Error& error) { return failure(Error(error).in_file(reader.file())); };
-  if (const auto known =
-          refuse_unknown_keys(object,
-                              {"id", "name", "worn", "worn_how", "idle_W", "supply_efficiency",
-                               "thermal_resistance_C_per_W", "thermal_time_constant_s", "battery", "kernel"},
-                              where);
+  if (const auto known = refuse_unknown_keys(
+          object,
+          {"id", "name", "worn", "worn_how", "idle_W", "supply_efficiency", "thermal_resistance_C_per_W",
+           "thermal_time_constant_s", "throttle_C", "battery", "kernel"},
+          where);
       !known)
     return in_file(known.error());
   if (!object.contains("battery")) return reader.missing("battery", where);

@@ -14,6 +14,7 @@ constexpr std::size_t longest_text = 2000;
 std::string to_string(Source source) {
   switch (source) {
     case Source::measured: return "measured";
+    case Source::computed: return "computed";
     case Source::dissertation: return "dissertation";
     case Source::assumed: return "assumed";
   }
@@ -70,14 +71,15 @@ Result<std::string> FigureReader::text(const Json& object, const char* key, cons
 Result<Source> FigureReader::source(const Json& object, const std::string& where) const {
   const auto name = text(object, "source", where);
   if (!name) return failure(name.error());
-  for (const Source source : {Source::measured, Source::dissertation, Source::assumed}) {
+  for (const Source source : {Source::measured, Source::computed, Source::dissertation, Source::assumed}) {
     if (*name == to_string(source)) return source;
   }
-  return failure(Error{"source-unknown",
-                       GLISSON_TEXT("{0} has the source \"{1}\"."),
-                       {where, *name},
-                       GLISSON_TEXT("A figure is measured, from the dissertation, or assumed."),
-                       file_});
+  return failure(
+      Error{"source-unknown",
+            GLISSON_TEXT("{0} has the source \"{1}\"."),
+            {where, *name},
+            GLISSON_TEXT("A figure is measured, computed, from the dissertation (dissertation), or assumed."),
+            file_});
 }
 
 Result<Figure> FigureReader::figure(const Json& object, const char* key, Limits limits,

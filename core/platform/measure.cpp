@@ -76,6 +76,7 @@ Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, con
                                  options.nodes_in_domain, measurement.bandwidth_GB_s);
     if (!point) return failure(point.error());
     measurement.points.push_back(*point);
+    measurement.points.back().in_cache = point->bytes < static_cast<double>(largest_cache_bytes());
     spreads.push_back(timing->spread);
   }
   if (const double spread = median(std::move(spreads)); spread > quiet_spread) {
@@ -205,6 +206,8 @@ Result<MeasuredPoint> point_for(const MeasuredProduct& product, int nodes_in_dom
   point.nodes = product.nodes;
   point.seconds = product.seconds;
   point.joules = product.joules;
+  point.bytes = work->product_bytes;
+  point.flops = work->product_flops;
   point.GB_per_s = work->product_bytes / product.seconds * 1e-9;
   point.GFLOP_per_s = work->product_flops / product.seconds * 1e-9;
   if (bandwidth_GB_s > 0) point.share_of_bandwidth = point.GB_per_s / bandwidth_GB_s;
@@ -232,6 +235,7 @@ Device described(const DeviceDescription& description) {
   device.thermal_resistance_C_per_W =
       given_or(description.thermal_resistance_C_per_W, 0.8, "usual of a fan-cooled laptop");
   device.thermal_time_constant_s = given_or(description.thermal_time_constant_s, 900, "about 1.4 kg");
+  device.throttle_C = {never_throttles_C, Source::assumed, "not observed: taken as never"};
   device.kernel.active_W = given_or(description.active_W, 20, "usual of a laptop; this machine tells nobody");
   return device;
 }

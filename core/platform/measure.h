@@ -45,10 +45,13 @@ struct MeasureOptions {
 
 struct MeasuredPoint {
   double nodes = 0;
+  double bytes = 0;  // of one product: blocks and vector in, vector out
+  double flops = 0;
   double seconds = 0;  // one product; in the fastest of five batches, as STREAM counts
   double GB_per_s = 0;
   double GFLOP_per_s = 0;
   double share_of_bandwidth = 0;  // above 1 where the problem stays in a cache; 0 where no bandwidth was measured
+  bool in_cache = false;          // smaller than the processors' last cache
   std::optional<double> joules;   // above idle
 };
 

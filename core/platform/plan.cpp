@@ -11,9 +11,10 @@ namespace {
 constexpr double hour_s = 3600;
 
 Headroom headroom_of(const Device& device, const PlanRequest& request);
-std::vector<Reason> reasons_against(const PlatformAnswer& answer, const PlanRequest& request);
-Remedies remedies_for(const Device& device, const PlatformAnswer& answer, const PlanRequest& request,
-                      const ConvergenceCurve& curve);
+std::vector<Reason> reasons_against(const PlatformAnswer& answer, const Device& device, const Workload& workload,
+                                    const PlanRequest& request);
+Remedies remedies_for(const Device& device, const PlatformAnswer& answer, const Workload& workload,
+                      const PlanRequest& request, const ConvergenceCurve& curve);
 std::optional<std::string> least_obtrusive(const std::vector<PlatformAnswer>& platforms);
 std::vector<Sentence> notes_on(const Plan& plan, const ConvergenceCurve& curve);
 double hours_on_battery(const Device& device, double device_W, double ambient_C);
@@ -23,7 +24,8 @@ double rounded_W(double power_W) { return std::round(power_W * 100) / 100; }
 
 Result<Plan> plan(const PlanRequest& request, const std::vector<Device>& devices, const ConvergenceCurve& curve) {
   if (const auto checked = check(request); !checked) return failure(checked.error());
-  const auto workload = workload_for_accuracy(request.liver_volume_cm3, request.accuracy_mm, curve, request.workload);
+  const ConvergenceCurve here = request.youngs_kPa ? in_tissue(curve, *request.youngs_kPa) : curve;
+  const auto workload = workload_for_accuracy(request.liver_volume_cm3, request.accuracy_mm, here, request.workload);
   if (!workload) return failure(workload.error());
 
   Plan planned;
@@ -31,12 +33,12 @@ Result<Plan> plan(const PlanRequest& request, const std::vector<Device>& devices
   planned.workload = *workload;
   for (const Device& device : devices) {
     PlatformAnswer answer = answer_for(device, *workload, request);
-    if (!answer.feasible) answer.remedies = remedies_for(device, answer, request, curve);
+    if (!answer.feasible) answer.remedies = remedies_for(device, answer, *workload, request, here);
     answer.assumed = assumed_figures(device);
     planned.platforms.push_back(std::move(answer));
   }
   planned.recommended = least_obtrusive(planned.platforms);
-  planned.notes = notes_on(planned, curve);
+  planned.notes = notes_on(planned, here);
   return planned;
 }
 
@@ -48,8 +50,8 @@ PlatformAnswer answer_for(const Device& device, const Workload& workload, const 
   answer.idle = headroom_of(device, request);
 
   answer.frame_joules = product_cost(device, workload).joules * workload.products_per_frame;
-  answer.fps_by_computing = fastest_frames_per_s(device, workload);
   const double duration_s = request.duration_h * hour_s;
+  answer.fps_by_computing = fastest_frames_per_s(device, workload);
   const auto fps_within = [&](double allowed_W) {
     const double spare_W = allowed_W - device.idle_W.value;
     if (spare_W <= 0) return 0.0;
@@ -57,16 +59,19 @@ PlatformAnswer answer_for(const Device& device, const Workload& workload, const 
     return spare_W >= answer.frame_joules * answer.fps_by_computing ? answer.fps_by_computing
                                                                     : spare_W / answer.frame_joules;
   };
+  // A governor keeps the surface where it is by computing less.
+  answer.fps_by_computing =
+      fps_within(largest_power_W(heat_of(device), request.ambient_C, device.throttle_C.value, duration_s));
   answer.fps_by_energy = fps_within(answer.idle.allowed_W * device.supply_efficiency.value);
   answer.fps_by_temperature =
       fps_within(largest_power_W(heat_of(device), request.ambient_C, request.limit_C, duration_s));
   answer.fps = std::min({answer.fps_by_computing, answer.fps_by_energy, answer.fps_by_temperature});
 
-  answer.power_W = power_W(device, workload, request.frames_per_s);
+  answer.power_W = power_W(device, workload, std::min(request.frames_per_s, answer.fps_by_computing));
   answer.battery_h = hours_on_battery(device, answer.power_W, request.ambient_C);
   answer.temperature_C =
       temperature_after_C(heat_of(device), request.ambient_C, answer.power_W, request.ambient_C, duration_s);
-  answer.reasons = reasons_against(answer, request);
+  answer.reasons = reasons_against(answer, device, workload, request);
   answer.feasible = answer.reasons.empty();
   return answer;
 }
@@ -88,6 +93,7 @@ Result<void> check(const PlanRequest& request) {
       {"A duration (h)", request.duration_h, 0.1, 48},
       {"An ambient temperature (C)", request.ambient_C, -20, 60},
       {"A temperature limit (C)", request.limit_C, 20, 100},
+      {"A Young's modulus (kPa)", request.youngs_kPa.value_or(12), 0.1, 1000},
   };
   // Written so that NaN is refused as well.
   for (const Bound& bound : bounds) {
@@ -102,6 +108,18 @@ Result<void> check(const PlanRequest& request) {
                          {}});
   }
   return {};
+}
+
+std::string to_string(Constraint constraint) {
+  switch (constraint) {
+    case Constraint::idle_energy: return "idle-energy";
+    case Constraint::idle_temperature: return "idle-temperature";
+    case Constraint::computing: return "computing";
+    case Constraint::throttling: return "throttling";
+    case Constraint::energy: return "energy";
+    case Constraint::temperature: return "temperature";
+  }
+  return "computing";
 }
 
 namespace {
@@ -122,7 +140,8 @@ Headroom headroom_of(const Device& device, const PlanRequest& request) {
   return idle;
 }
 
-std::vector<Reason> reasons_against(const PlatformAnswer& answer, const PlanRequest& request) {
+std::vector<Reason> reasons_against(const PlatformAnswer& answer, const Device& device, const Workload& workload,
+                                    const PlanRequest& request) {
   const auto short_number = [](double value) { return fmt::format("{:.3g}", value); };
   std::vector<Reason> reasons;
   if (answer.idle.headroom_W < 0) {
@@ -147,7 +166,13 @@ std::vector<Reason> reasons_against(const PlatformAnswer& answer, const PlanRequ
                        {GLISSON_TEXT("It reaches {0} C; the limit is {1} C."),
                         {short_number(answer.temperature_C), short_number(request.limit_C)}}});
   }
-  if (answer.fps_by_computing < request.frames_per_s) {
+  if (fastest_frames_per_s(device, workload) >= request.frames_per_s &&
+      answer.fps_by_computing < request.frames_per_s) {
+    reasons.push_back({Constraint::throttling,
+                       {GLISSON_TEXT("It slows itself down at {0} C, and then computes {1} frames a second of {2}."),
+                        {short_number(device.throttle_C.value), short_number(answer.fps_by_computing),
+                         short_number(request.frames_per_s)}}});
+  } else if (answer.fps_by_computing < request.frames_per_s) {
     reasons.push_back({Constraint::computing,
                        {GLISSON_TEXT("It computes {0} frames a second of {1}."),
                         {short_number(answer.fps_by_computing), short_number(request.frames_per_s)}}});
@@ -196,10 +221,24 @@ std::optional<double> larger_battery_Wh(const Device& device, const PlatformAnsw
   return last_that_holds(most_Wh, given.energy_Wh(), holds);
 }
 
-Remedies remedies_for(const Device& device, const PlatformAnswer& answer, const PlanRequest& request,
-                      const ConvergenceCurve& curve) {
+// Warming is in proportion to the resistance. A device that no longer throttles may empty its battery: then none.
+std::optional<double> better_heat_sink_C_per_W(const Device& device, const Workload& workload,
+                                               const PlanRequest& request) {
+  const double warming_C = temperature_after_C(heat_of(device), 0, power_W(device, workload, request.frames_per_s), 0,
+                                               request.duration_h * hour_s);
+  const double allowed_C = std::min(request.limit_C, device.throttle_C.value) - request.ambient_C;
+  const double found = device.thermal_resistance_C_per_W.value * allowed_C / warming_C;
+  Device cooler = device;
+  cooler.thermal_resistance_C_per_W.value = found * (1 - 1e-9);
+  if (!answer_for(cooler, workload, request).feasible) return {};
+  return found;
+}
+
+Remedies remedies_for(const Device& device, const PlatformAnswer& answer, const Workload& workload,
+                      const PlanRequest& request, const ConvergenceCurve& curve) {
   Remedies remedies;
-  const bool computes = !fails_by(answer, {Constraint::computing});
+  const bool throttled = fails_by(answer, {Constraint::throttling});
+  const bool computes = !throttled && !fails_by(answer, {Constraint::computing});
   const bool lasts = !fails_by(answer, {Constraint::energy, Constraint::idle_energy});
   const bool stays_cool = !fails_by(answer, {Constraint::temperature, Constraint::idle_temperature});
 
@@ -213,11 +252,8 @@ Remedies remedies_for(const Device& device, const PlatformAnswer& answer, const 
   if (answer.idle.headroom_W >= 0 && answer.idle.idle_C <= request.limit_C)
     remedies.accuracy_mm = coarser_accuracy_mm(device, request, curve);
   if (computes && stays_cool) remedies.battery_Wh = larger_battery_Wh(device, answer, request);
-  if (computes && lasts) {
-    remedies.thermal_resistance_C_per_W = device.thermal_resistance_C_per_W.value *
-                                          (request.limit_C - request.ambient_C) /
-                                          (answer.temperature_C - request.ambient_C);
-  }
+  if (lasts && (throttled || (computes && !stays_cool)))
+    remedies.thermal_resistance_C_per_W = better_heat_sink_C_per_W(device, workload, request);
   return remedies;
 }
 
@@ -236,10 +272,9 @@ std::optional<std::string> least_obtrusive(const std::vector<PlatformAnswer>& pl
 std::vector<Sentence> notes_on(const Plan& planned, const ConvergenceCurve& curve) {
   std::vector<Sentence> notes;
   const PlanRequest& request = planned.request;
-  if (curve.source != Source::measured) {
-    notes.push_back({GLISSON_TEXT("The resolution for {0} mm comes from this curve: {1}"),
-                     {fmt::format("{:g}", request.accuracy_mm), curve.provenance}});
-  }
+  notes.push_back({GLISSON_TEXT("The resolution for {0} mm in tissue of {1} kPa comes from this curve ({2}): {3}"),
+                   {fmt::format("{:g}", request.accuracy_mm), fmt::format("{:.3g}", curve.youngs_kPa),
+                    to_string(curve.source), curve.provenance}});
   if (request.accuracy_mm > curve.points.back().error_mm) {
     notes.push_back({GLISSON_TEXT("{0} mm is coarser than the convergence study reaches; planned is its coarsest "
                                   "resolution, {1} mm3 a node."),

@@ -21,14 +21,16 @@ namespace glisson::platform {
 struct PlanRequest {
   double liver_volume_cm3 = 0;
   double accuracy_mm = 0;
-  double duration_h = 3;     // the dissertation's resection; operations take 2 to 12 hours and more
-  double frames_per_s = 10;  // 10 to 25 or more
-  double ambient_C = 18;     // the dissertation's operating room
-  double limit_C = 45;       // what a person should touch (section 6.5)
+  std::optional<double> youngs_kPa;  // mean of the liver; absent: as the convergence study's beam
+  double duration_h = 3;             // the dissertation's resection; operations take 2 to 12 hours and more
+  double frames_per_s = 10;          // 10 to 25 or more
+  double ambient_C = 18;             // the dissertation's operating room
+  double limit_C = 45;               // what a person should touch (section 6.5)
   WorkloadOptions workload;
 };
 
-enum class Constraint { idle_energy, idle_temperature, computing, energy, temperature };
+enum class Constraint { idle_energy, idle_temperature, computing, throttling, energy, temperature };
+std::string to_string(Constraint constraint);  // "idle-energy", "computing", ...
 
 struct Reason {
   Constraint constraint = Constraint::computing;
@@ -61,7 +63,7 @@ struct PlatformAnswer {
   Headroom idle;
   // The frame rates up to which each constraint holds, and the least of them: what the platform can hold.
   double fps = 0;
-  double fps_by_computing = 0;
+  double fps_by_computing = 0;  // throttling included
   double fps_by_energy = 0;
   double fps_by_temperature = 0;
   // At the wanted frame rate, or at the fastest it can compute.

@@ -43,6 +43,16 @@ TEST(PlatformPlan, AnswersInTheContractsWords) {
   EXPECT_TRUE(platform_named(plan, plan.at("recommended")).at("feasible").get<bool>());
 }
 
+TEST(PlatformPlan, SofterTissueIsMoreWork) {
+  const auto nodes = [](const std::string& stiffness_kPa) {
+    return answer({"plan", "--volume-cm3", "1000", "--accuracy-mm", "5", "--stiffness-kPa", stiffness_kPa})
+        .at("workload")
+        .at("nodes")
+        .get<double>();
+  };
+  EXPECT_GT(nodes("6"), nodes("12"));
+}
+
 TEST(PlatformPlan, NothingThatHoldsIsNullAndNoError) {
   const Json plan = answer({"plan", "--volume-cm3", "2700", "--accuracy-mm", "1", "--hours", "24", "--fps", "60"});
   EXPECT_TRUE(plan.at("recommended").is_null());
@@ -112,10 +122,10 @@ TEST(PlatformMeasure, RecordingBecomesADeviceThatCanBePlannedWith) {
   ASSERT_EQ(measured.at("trace").at("runs").size(), 2u);
   // An edge may be off by half the smoothing window, 0.06 s of 3 s.
   EXPECT_NEAR(measured.at("points")[0].at("joules").get<double>(), 5 * 3 / 3000.0, 2e-4);
-  const Json plan = answer({"plan", "--volume-cm3", "1000", "--accuracy-mm", "8", "--fps", "1", "--devices", out});
+  const Json plan = answer({"plan", "--volume-cm3", "1000", "--accuracy-mm", "20", "--fps", "1", "--devices", out});
   const Json& mine = platform_named(plan, "my-headset");
   EXPECT_EQ(mine.at("worn"), "head");
-  EXPECT_NEAR(mine.at("fps_by_computing").get<double>(), 5, 0.2);  // 1 ms a product at 6061 nodes
+  EXPECT_NEAR(mine.at("fps_by_computing").get<double>(), 5, 0.2);  // 1 ms a product at 6000 nodes
 }
 
 TEST(PlatformCell, PredictsADischargeThatItHasNotSeen) {

@@ -74,6 +74,11 @@ TEST_F(HumanLiver, GoesFromLabelsToAMovedLandmark) {
   EXPECT_NEAR(stiffness.at("mean_kPa").get<double>(), 6.1, 1e-9);
   EXPECT_EQ(stiffness.at("cells_without_data"), 0);
 
+  // What can be worn for it: its own volume and stiffness are taken over.
+  const Json plan = answer({"platform", "plan", case_, "--accuracy-mm", "8"});
+  EXPECT_NEAR(plan.at("case").at("youngs_kPa").get<double>(), 6.1, 1e-6);
+  EXPECT_NEAR(plan.at("case").at("volume_cm3").get<double>(), mesh.at("volume_ml").get<double>(), 0.1);
+
   // The slab is held in its front part and hangs under gravity.
   ASSERT_TRUE(write_text_file(folder_.path() / "hold.json", R"({"engine": "fem", "material": "linear",
       "supports": [{"box": {"min_mm": [-1000, -1000, -1000], "max_mm": [1000, 20, 1000]}}],

@@ -129,7 +129,7 @@ TEST(Plan, EachRemedyAloneMakesThePlatformHold) {
 }
 
 TEST(Plan, SmallHeadroomIsNotHidden) {
-  const auto planned = plan(question(8, 3, 10), test::shipped_devices(), test::shipped_curve());
+  const auto planned = plan(question(14, 3, 10), test::shipped_devices(), test::shipped_curve());
   ASSERT_TRUE(answer_for(*planned, "tx2-gpu").feasible);
   std::string notes;
   for (const Sentence& note : planned->notes) notes += note.message() + "\n";
@@ -143,6 +143,40 @@ TEST(Plan, SupplyLossCountsAgainstTheBattery) {
   device.supply_efficiency.value = 0.5;
   const auto planned = plan(question(8, 1, 10), {device}, test::shipped_curve());
   EXPECT_NEAR(planned->platforms.front().idle.idle_h, 9 / 5.6, 1e-9);
+}
+
+// A governor holds the surface where it is by computing less: what it costs is the frame rate, not the skin.
+TEST(Plan, ThrottlingCostsFramesAndStaysCool) {
+  Device device = test::device_named(test::shipped_devices(), "xavier-nx-gpu");
+  const PlanRequest request = question(2, 2, 20);
+  const auto free = plan(request, {device}, test::shipped_curve());
+  const double unbridled_C = free->platforms.front().temperature_C;
+  ASSERT_TRUE(free->platforms.front().feasible);
+  device.throttle_C.value = 30;
+  ASSERT_GT(unbridled_C, device.throttle_C.value);
+  const auto planned = plan(request, {device}, test::shipped_curve());
+  const PlatformAnswer& answer = planned->platforms.front();
+  EXPECT_FALSE(answer.feasible);
+  EXPECT_TRUE(fails_by(answer, Constraint::throttling));
+  EXPECT_FALSE(fails_by(answer, Constraint::computing));
+  EXPECT_NEAR(answer.temperature_C, device.throttle_C.value, 1e-6);
+  EXPECT_GT(answer.fps, 0);
+  EXPECT_LT(answer.fps, 20);
+  EXPECT_GT(answer.battery_h, free->platforms.front().battery_h);  // what is not computed is not drawn
+  ASSERT_TRUE(answer.remedies.thermal_resistance_C_per_W);
+  device.thermal_resistance_C_per_W.value = *answer.remedies.thermal_resistance_C_per_W * (1 - 1e-6);
+  EXPECT_TRUE(plan(request, {device}, test::shipped_curve())->platforms.front().feasible);
+}
+
+TEST(Plan, SofterLiversAskForMoreNodes) {
+  PlanRequest request = question(5, 3, 10);
+  request.youngs_kPa = 12;
+  const double nodes = plan(request, test::shipped_devices(), test::shipped_curve())->workload.nodes;
+  EXPECT_EQ(nodes, plan(question(5, 3, 10), test::shipped_devices(), test::shipped_curve())->workload.nodes);
+  request.youngs_kPa = 6;
+  EXPECT_GT(plan(request, test::shipped_devices(), test::shipped_curve())->workload.nodes, nodes);
+  request.youngs_kPa = 0;
+  EXPECT_EQ(plan(request, test::shipped_devices(), test::shipped_curve()).error().code, "request-invalid");
 }
 
 TEST(Plan, ImpossibleQuestionsAreRefused) {

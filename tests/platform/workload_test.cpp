@@ -14,11 +14,22 @@
 namespace glisson::platform {
 namespace {
 
-TEST(Convergence, EndsAreTheFiguresStatedForFigure65) {
+TEST(Convergence, ShippedCurveSaysWhichStudyMadeIt) {
   const ConvergenceCurve curve = test::shipped_curve();
-  EXPECT_DOUBLE_EQ(*resolution_for_accuracy_mm3(curve, 1), 1.65);
-  EXPECT_DOUBLE_EQ(*resolution_for_accuracy_mm3(curve, 8), 165);
-  EXPECT_EQ(curve.source, Source::dissertation);
+  EXPECT_EQ(curve.source, Source::computed);
+  EXPECT_THAT(curve.provenance, testing::HasSubstr("glisson-cli study convergence"));
+  EXPECT_EQ(curve.youngs_kPa, 12);  // table 6.1
+  EXPECT_NEAR(curve.points.front().resolution_mm3, 1.65, 0.01);
+  EXPECT_NEAR(curve.points.back().resolution_mm3, 165, 2);  // whole nodes: 30 of them
+}
+
+TEST(Convergence, SofterTissueMissesMoreOfALargerMotion) {
+  const ConvergenceCurve beam = test::shipped_curve();
+  const ConvergenceCurve soft = in_tissue(beam, 4);
+  for (const double resolution_mm3 : {2.0, 20.0, 100.0}) {
+    EXPECT_NEAR(error_at_resolution_mm(soft, resolution_mm3), 3 * error_at_resolution_mm(beam, resolution_mm3), 1e-9);
+  }
+  EXPECT_LT(*resolution_for_accuracy_mm3(soft, 5), *resolution_for_accuracy_mm3(beam, 5));
 }
 
 TEST(Convergence, ResolutionAndErrorAreInverse) {
@@ -30,10 +41,10 @@ TEST(Convergence, ResolutionAndErrorAreInverse) {
 
 TEST(Convergence, FinerThanTheStudyIsRefusedAndCoarserIsItsEnd) {
   const ConvergenceCurve curve = test::shipped_curve();
-  ASSERT_FALSE(resolution_for_accuracy_mm3(curve, 0.9));
-  EXPECT_EQ(resolution_for_accuracy_mm3(curve, 0.9).error().code, "accuracy-not-reached");
+  ASSERT_FALSE(resolution_for_accuracy_mm3(curve, 0.5));
+  EXPECT_EQ(resolution_for_accuracy_mm3(curve, 0.5).error().code, "accuracy-not-reached");
   EXPECT_FALSE(resolution_for_accuracy_mm3(curve, std::numeric_limits<double>::quiet_NaN()));
-  EXPECT_DOUBLE_EQ(*resolution_for_accuracy_mm3(curve, 20), 165);
+  EXPECT_DOUBLE_EQ(*resolution_for_accuracy_mm3(curve, 20), curve.points.back().resolution_mm3);
 }
 
 TEST(Convergence, BadCurvesAreRefused) {
@@ -46,7 +57,8 @@ TEST(Convergence, BadCurvesAreRefused) {
     return curve ? std::string("read") : curve.error().code;
   };
   EXPECT_EQ(code([](Json&) {}), "read");
-  EXPECT_EQ(code([](Json& d) { d["points"].erase(1); }), "convergence-invalid");
+  EXPECT_EQ(code([](Json& d) { d["points"] = Json::array({d["points"][0]}); }), "convergence-invalid");
+  EXPECT_EQ(code([](Json& d) { d["youngs_kPa"] = 0; }), "figure-out-of-range");
   EXPECT_EQ(code([](Json& d) { std::swap(d["points"][0], d["points"][1]); }), "convergence-invalid");
   EXPECT_EQ(code([](Json& d) { d["points"][0]["error_mm"] = -1; }), "figure-out-of-range");
   EXPECT_EQ(code([](Json& d) { d["points"] = 3; }), "convergence-invalid");
