@@ -9,6 +9,8 @@ void add_study(CLI::App& app, Action& chosen) {
   CLI::App* study = app.add_subcommand("study", "The dissertation's studies, over many patients or loads");
   study->require_subcommand(1);
   add_study_cohort(*study, chosen);
+  add_study_beams(*study, chosen);
+  add_study_convergence(*study, chosen);
   add_study_palpation(*study, chosen);
   add_study_validate_stiffness(*study, chosen);
   // --json and the other common options stand after the subcommand as well.

@@ -86,6 +86,18 @@ TEST(Study, ValidatingStiffnessWithoutFilesUsesTheDissertationsFigures) {
   EXPECT_EQ(validation.at("notes").size(), 1u);
 }
 
+TEST(Study, ConvergenceMakesACurveThatThePlatformPlanReads) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path().string();
+  const Json study = answer(
+      {"study", "convergence", "--finest-mm3", "60", "--coarsest-mm3", "165", "--resolutions", "2", "--out", out});
+  EXPECT_EQ(study.at("rows").size(), 2u);
+  const Json plan = answer({"platform", "plan", "--volume-cm3", "1000", "--accuracy-mm", "10", "--convergence",
+                            study.at("convergence").get<std::string>()});
+  EXPECT_GT(plan.at("workload").at("resolution_mm3").get<double>(), 60);
+  EXPECT_EQ(glisson_cli({"study", "convergence", "--finest-mm3", "0.1", "--out", out}).exit_code, 1);
+}
+
 TEST(Study, NamesItsSubcommands) { EXPECT_EQ(glisson_cli({"study", "--quiet"}).exit_code, 2); }
 
 }  // namespace
