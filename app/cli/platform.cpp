@@ -1,5 +1,5 @@
 // glisson-cli platform: wearable computers, what each can do for a case, and this machine measured.
-// The subcommands stand in platform_plan.cpp, platform_grid.cpp, platform_measure.cpp and platform_cell.cpp.
+// Each subcommand stands in a file platform_NAME.cpp; list stands beside plan.
 
 #include "command.h"
 #include "platform_commands.h"
@@ -15,6 +15,7 @@ void add_platform(CLI::App& app, Action& chosen) {
   add_platform_grid(*platform, chosen);
   add_platform_measure(*platform, chosen);
   add_platform_cell(*platform, chosen);
+  add_platform_learn(*platform, chosen);
   // --json and the other common options stand after the subcommand as well.
   for (CLI::App* subcommand : platform->get_subcommands({})) subcommand->fallthrough();
 }

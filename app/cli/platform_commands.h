@@ -17,6 +17,7 @@ void add_platform_plan(CLI::App& platform, Action& chosen);
 void add_platform_grid(CLI::App& platform, Action& chosen);
 void add_platform_measure(CLI::App& platform, Action& chosen);
 void add_platform_cell(CLI::App& platform, Action& chosen);
+void add_platform_learn(CLI::App& platform, Action& chosen);
 
 // The shipped table and those of the user's files; a device of theirs takes the place of a shipped one with its id.
 struct DeviceTables {

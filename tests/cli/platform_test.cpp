@@ -53,6 +53,20 @@ TEST(PlatformPlan, SofterTissueIsMoreWork) {
   EXPECT_GT(nodes("6"), nodes("12"));
 }
 
+TEST(PlatformLearn, WhatExplainFoundIsPlannedWith) {
+  const TemporaryFolder folder;
+  const std::string model = (folder.path() / "model.json").string();
+  ASSERT_TRUE(write_text_file(model, R"({"format": "glisson-closedloop-model/1", "kind": "platform",
+      "verdict": "explained", "learnt_from": "tx2.json",
+      "effects": [{"kind": "static-power", "parameters": {"static_W": 1.17}}]})"));
+  const std::string out = (folder.path() / "learnt.json").string();
+  const Json learnt = answer({"learn", "--device", "tx2-gpu", "--model", model, "--out", out});
+  EXPECT_NEAR(learnt.at("changed").at("idle_W").at("after").get<double>(), 2.8 + 1.17, 1e-9);
+  const Json list = answer({"list", "--devices", out});
+  EXPECT_EQ(platform_named(list, "tx2-gpu-learnt").at("figures").at("idle_W").at("source"), "measured");
+  EXPECT_EQ(glisson_cli({"platform", "learn", "--device", "abacus", "--model", model, "--out", out}).exit_code, 1);
+}
+
 TEST(PlatformPlan, NothingThatHoldsIsNullAndNoError) {
   const Json plan = answer({"plan", "--volume-cm3", "2700", "--accuracy-mm", "1", "--hours", "24", "--fps", "60"});
   EXPECT_TRUE(plan.at("recommended").is_null());
