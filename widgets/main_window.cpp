@@ -29,18 +29,6 @@ QString text_of(const fs::path& path) { return QString::fromStdU16String(path.u1
 
 }  // namespace
 
-QString told(const Error& error) {
-  // The sentences stand in the core, marked GLISSON_TEXT; the translations know them under this context.
-  const auto translated = [&](const std::string& sentence) {
-    return QString::fromStdString(
-        fill_in(QCoreApplication::translate("errors", sentence.c_str()).toStdString(), error.arguments));
-  };
-  QString text = translated(error.text);
-  if (!error.file.empty()) text += " (" + text_of(error.file) + ")";
-  if (!error.hint.empty()) text += " " + translated(error.hint);
-  return text;
-}
-
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle(tr("Glisson"));
   setAcceptDrops(true);
@@ -120,6 +108,7 @@ void MainWindow::show_patient(const Patient& patient) {
   rehearse_panel_->set_ready(patient.rehearsal != nullptr);
   save_picture_->setEnabled(true);
   show_waves_->setEnabled(!patient.folder.empty() && WaveView::has_waves(patient.folder));
+  tell_platforms();
   const NextStep next = patient.folder.empty() ? NextStep::none : next_step(patient.folder);
   next_step_->setVisible(next != NextStep::none);
   next_step_text_->setText(next == NextStep::outline_liver
@@ -143,6 +132,9 @@ void MainWindow::make_menus() {
   show_waves_->setEnabled(false);
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+  QMenu* plan = menuBar()->addMenu(tr("&Plan"));
+  plan->addAction(tr("What can be &worn for this case..."), QKeySequence(tr("Ctrl+P")), this,
+                  &MainWindow::show_platforms);
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   help->addAction(tr("&Manual"), QKeySequence::HelpContents, this, &MainWindow::show_manual);
   help->addAction(tr("&About Glisson"), this, &MainWindow::about);
@@ -412,6 +404,27 @@ void MainWindow::take_next_step() {
   } else {
     load(tr("Building the model"), [folder](const Progress& progress) { return build_model(folder, progress); });
   }
+}
+
+void MainWindow::show_platforms() {
+  if (platforms_ == nullptr) {
+    platforms_ = PlatformView::shipped(this);
+    platforms_->setWindowFlag(Qt::Window);
+    platforms_->setWindowTitle(tr("What can be worn - Glisson"));
+    platforms_->resize(1500, 960);
+    tell_platforms();
+  }
+  platforms_->show();
+  platforms_->raise();
+  platforms_->activateWindow();
+}
+
+void MainWindow::tell_platforms() {
+  auto* view = qobject_cast<PlatformView*>(platforms_.data());
+  if (view == nullptr || patient_.name.empty()) return;
+  const bool outlined = !patient_.structures.empty() && patient_.structures.front().name == "liver";
+  view->show_case(QString::fromStdString(patient_.name), outlined ? patient_.structures.front().volume_ml : 0,
+                  patient_.mean_youngs_kPa);
 }
 
 void MainWindow::show_error(const Error& error) {

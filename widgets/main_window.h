@@ -4,17 +4,20 @@
 #include <filesystem>
 #include <QLabel>
 #include <QMainWindow>
+#include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
 
 #include "help/manual_window.h"
 #include "imaging/study.h"
+#include "panels/platform_view.h"
 #include "panels/rehearse_panel.h"
 #include "panels/study_panel.h"
 #include "session/live_rehearsal.h"
 #include "session/patient.h"
 #include "views/linked_views.h"
 #include "views/patient_views.h"
+#include "words.h"
 #include "work/background_work.h"
 
 namespace glisson::widgets {
@@ -52,6 +55,8 @@ class MainWindow : public QMainWindow {
   void show_manual();
   void show_waves();
   void about();
+  void show_platforms();
+  void tell_platforms();
 
   // Loads a patient on a worker thread, then shows it or says what went wrong.
   void load(const QString& title, std::function<Result<Patient>(const Progress&)> loader,
@@ -85,9 +90,7 @@ class MainWindow : public QMainWindow {
   QPushButton* cancel_ = nullptr;
   QAction* save_picture_ = nullptr;
   QAction* show_waves_ = nullptr;
+  QPointer<QWidget> platforms_;  // a window of its own, made when asked for
 };
-
-// An error as a person reads it: the sentence, then what to do, translated.
-[[nodiscard]] QString told(const Error& error);
 
 }  // namespace glisson::widgets

@@ -1,0 +1,48 @@
+#include "panels/number_slider.h"
+
+#include <cmath>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+
+namespace glisson::widgets {
+
+NumberSlider::NumberSlider(double least, double most, double step, int decimals, const QString& suffix, QWidget* parent)
+    : QWidget(parent), step_(step) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  slider_ = new QSlider(Qt::Horizontal, this);
+  number_ = new QDoubleSpinBox(this);
+  number_->setDecimals(decimals);
+  number_->setSingleStep(step);
+  number_->setSuffix(suffix);
+  number_->setKeyboardTracking(false);
+  number_->setFixedWidth(112);
+  row->addWidget(slider_, 1);
+  row->addWidget(number_);
+  setFocusProxy(slider_);
+  set_range(least, most);
+  connect(slider_, &QSlider::valueChanged, this, [this](int steps) { number_->setValue(steps * step_); });
+  connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    show_on_slider();
+    Q_EMIT changed(value);
+  });
+}
+
+void NumberSlider::set_value(double value) { number_->setValue(value); }
+
+void NumberSlider::set_range(double least, double most) {
+  {
+    const QSignalBlocker quiet(slider_);
+    slider_->setRange(static_cast<int>(std::ceil(least / step_ - 1e-9)),
+                      static_cast<int>(std::floor(most / step_ + 1e-9)));
+  }
+  number_->setRange(least, most);
+  show_on_slider();
+}
+
+void NumberSlider::show_on_slider() {
+  const QSignalBlocker quiet(slider_);
+  slider_->setValue(static_cast<int>(std::lround(number_->value() / step_)));
+}
+
+}  // namespace glisson::widgets

@@ -1,0 +1,32 @@
+#pragma once
+// A slider and the number it stands for, kept together.
+
+#include <QDoubleSpinBox>
+#include <QSlider>
+#include <QWidget>
+
+namespace glisson::widgets {
+
+class NumberSlider : public QWidget {
+  Q_OBJECT
+
+ public:
+  NumberSlider(double least, double most, double step, int decimals, const QString& suffix, QWidget* parent = nullptr);
+
+  [[nodiscard]] double value() const { return number_->value(); }
+  void set_value(double value);
+  // Keeps the value where it still fits.
+  void set_range(double least, double most);
+
+ Q_SIGNALS:
+  void changed(double value);
+
+ private:
+  void show_on_slider();
+
+  double step_;
+  QSlider* slider_;
+  QDoubleSpinBox* number_;
+};
+
+}  // namespace glisson::widgets

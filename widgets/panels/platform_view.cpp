@@ -1,0 +1,428 @@
+#include "panels/platform_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "base/files.h"
+#include "platform/device_file.h"
+#include "words.h"
+
+namespace glisson::widgets {
+
+using platform::Device;
+using platform::PlatformAnswer;
+
+namespace {
+
+constexpr double dissertation_kPa = 12;  // where no case says
+
+QLabel* heading(const QString& text) {
+  auto* label = new QLabel(text);
+  label->setObjectName("heading");
+  return label;
+}
+
+QString number(double value, int digits = 3) { return QLocale().toString(value, 'g', digits); }
+QString whole(double value) { return QLocale().toString(value, 'f', 0); }
+
+QDoubleSpinBox* number_box(double least, double most, int decimals, const QString& suffix) {
+  auto* box = new QDoubleSpinBox;
+  box->setRange(least, most);
+  box->setDecimals(decimals);
+  box->setSuffix(suffix);
+  box->setKeyboardTracking(false);
+  return box;
+}
+
+// Figure 6.4's ten volumes, widened where a case lies outside, by ten resolutions; these in equal ratios, since what
+// costs and what fails lies at the fine end.
+platform::ProblemGrid grid_around(double volume_cm3) {
+  platform::ProblemGrid grid = platform::dissertation_grid();
+  const double least = std::min(grid.volumes_cm3.front(), volume_cm3);
+  const double most = std::max(grid.volumes_cm3.back(), volume_cm3);
+  const auto last = static_cast<double>(grid.volumes_cm3.size() - 1);
+  for (std::size_t i = 0; i < grid.volumes_cm3.size(); ++i)
+    grid.volumes_cm3[i] = least + (most - least) * static_cast<double>(i) / last;
+  const double finest_mm3 = grid.resolutions_mm3.front();
+  const double ratio = grid.resolutions_mm3.back() / finest_mm3;
+  for (std::size_t i = 0; i < grid.resolutions_mm3.size(); ++i)
+    grid.resolutions_mm3[i] = finest_mm3 * std::pow(ratio, static_cast<double>(i) / last);
+  return grid;
+}
+
+QString in_full(const PlatformAnswer& answer, const Device& device, const platform::PlanRequest& request);
+
+}  // namespace
+
+PlatformView::PlatformView(std::vector<Device> devices, platform::ConvergenceCurve curve, QWidget* parent)
+    : QWidget(parent), devices_(std::move(devices)), curve_(std::move(curve)) {
+  setObjectName("platform_view");
+  auto* across = new QHBoxLayout(this);
+  across->setContentsMargins(0, 0, 0, 0);
+  across->setSpacing(0);
+  across->addWidget(make_question());
+  across->addWidget(make_answer(), 1);
+  set_accuracy_range();
+  accuracy_->set_value(5);
+  for (NumberSlider* slider : {accuracy_, duration_, frames_, room_, limit_})
+    connect(slider, &NumberSlider::changed, this, &PlatformView::replan);
+  connect(volume_, &QDoubleSpinBox::valueChanged, this, &PlatformView::replan);
+  connect(youngs_, &QDoubleSpinBox::valueChanged, this, [this] {
+    set_accuracy_range();
+    replan();
+  });
+  connect(table_, &PlatformTable::platform_chosen, this, [this] {
+    show_platform();
+    show_picture();
+  });
+  connect(quantity_, &QComboBox::currentIndexChanged, this, &PlatformView::show_picture);
+  replan();
+}
+
+QWidget* PlatformView::shipped(QWidget* parent) {
+  const auto resources = resource_folder();
+  const auto devices = resources.and_then(
+      [](const std::filesystem::path& folder) { return platform::read_devices(folder / "devices" / "devices.json"); });
+  const auto curve = resources.and_then([](const std::filesystem::path& folder) {
+    return platform::read_convergence_curve(folder / "devices" / "convergence.json");
+  });
+  if (devices && curve) return new PlatformView(*devices, *curve, parent);
+  auto* sorry = new QLabel(told(devices ? curve.error() : devices.error()), parent);
+  sorry->setWordWrap(true);
+  sorry->setAlignment(Qt::AlignCenter);
+  return sorry;
+}
+
+void PlatformView::show_case(const QString& name, double liver_volume_cm3, double youngs_kPa) {
+  const QSignalBlocker quiet_volume(volume_);
+  const QSignalBlocker quiet_youngs(youngs_);
+  if (liver_volume_cm3 > 0) volume_->setValue(liver_volume_cm3);
+  if (youngs_kPa > 0) youngs_->setValue(youngs_kPa);
+  case_name_->setText(liver_volume_cm3 > 0 && youngs_kPa > 0 ? tr("Volume and stiffness of %1").arg(name)
+                      : liver_volume_cm3 > 0                 ? tr("Volume of %1; its stiffness is not known").arg(name)
+                      : youngs_kPa > 0                       ? tr("Stiffness of %1; its volume is not known").arg(name)
+                                       : tr("%1 has no outlined liver yet: type its volume").arg(name));
+  set_accuracy_range();
+  replan();
+}
+
+void PlatformView::add_devices(std::vector<Device> devices) {
+  platform::take_in(std::move(devices), devices_);
+  replan();
+}
+
+QWidget* PlatformView::make_question() {
+  auto* panel = new QWidget;
+  panel->setObjectName("panel");
+  panel->setFixedWidth(330);
+  auto* column = new QVBoxLayout(panel);
+  column->setContentsMargins(14, 14, 14, 14);
+  column->setSpacing(8);
+  const auto add_slider = [&](const QString& title, NumberSlider* slider, const char* object_name) {
+    auto* label = new QLabel(title);
+    label->setBuddy(slider);
+    slider->setObjectName(object_name);
+    column->addWidget(label);
+    column->addWidget(slider);
+    return slider;
+  };
+
+  column->addWidget(heading(tr("The case")));
+  case_name_ = new QLabel(tr("No case is open: type its figures"));
+  case_name_->setObjectName("faint");
+  case_name_->setWordWrap(true);
+  column->addWidget(case_name_);
+  auto* form = new QFormLayout;
+  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  volume_ = number_box(platform::smallest_liver_cm3, platform::largest_liver_cm3, 0, tr(" cm³"));
+  volume_->setObjectName("volume");
+  volume_->setSingleStep(50);
+  volume_->setValue(1500);
+  form->addRow(tr("Liver"), volume_);
+  youngs_ = number_box(1, 100, 1, tr(" kPa"));
+  youngs_->setObjectName("youngs");
+  youngs_->setValue(dissertation_kPa);
+  youngs_->setToolTip(
+      tr("Mean Young's modulus. Softer tissue moves farther under the same load, and what a coarse model "
+         "misses of it grows alike."));
+  form->addRow(tr("Young's modulus"), youngs_);
+  column->addLayout(form);
+  column->addSpacing(8);
+
+  column->addWidget(heading(tr("What is wanted")));
+  accuracy_ = add_slider(tr("Accuracy"), new NumberSlider(1, 8, 0.1, 1, tr(" mm")), "accuracy");
+  duration_ = add_slider(tr("Duration of the operation"), new NumberSlider(0.5, 16, 0.25, 2, tr(" h")), "duration");
+  frames_ = add_slider(tr("Frame rate"), new NumberSlider(1, 60, 1, 0, tr(" /s")), "frame_rate");
+  duration_->set_value(3);
+  frames_->set_value(10);
+  column->addSpacing(8);
+  column->addWidget(heading(tr("The room and the skin")));
+  room_ = add_slider(tr("Operating room"), new NumberSlider(10, 35, 1, 0, tr(" °C")), "room");
+  limit_ = add_slider(tr("Hottest surface to be worn"), new NumberSlider(37, 60, 1, 0, tr(" °C")), "limit");
+  room_->set_value(18);
+  limit_->set_value(45);
+  column->addSpacing(8);
+  column->addWidget(heading(tr("The work")));
+  workload_ = new QLabel;
+  workload_->setObjectName("workload");
+  workload_->setWordWrap(true);
+  column->addWidget(workload_);
+  column->addStretch(1);
+  auto* add = new QPushButton(tr("Add devices..."));
+  add->setToolTip(tr("A table of your own, or what glisson-cli platform measure wrote"));
+  connect(add, &QPushButton::clicked, this, &PlatformView::choose_devices);
+  column->addWidget(add);
+  return panel;
+}
+
+QWidget* PlatformView::make_answer() {
+  auto* right = new QWidget;
+  auto* column = new QVBoxLayout(right);
+  column->setContentsMargins(14, 14, 14, 14);
+  column->setSpacing(8);
+  answer_ = new QLabel;
+  answer_->setObjectName("patient_name");
+  answer_->setWordWrap(true);
+  column->addWidget(answer_);
+  refusal_ = new QLabel;
+  refusal_->setObjectName("origin");
+  refusal_->setWordWrap(true);
+  refusal_->hide();
+  column->addWidget(refusal_);
+
+  auto* parts = new QSplitter(Qt::Vertical);
+  parts->setChildrenCollapsible(false);
+  table_ = new PlatformTable;
+  parts->addWidget(table_);
+  auto* below = new QSplitter(Qt::Horizontal);
+  below->setChildrenCollapsible(false);
+  auto* plot = new QWidget;
+  auto* plot_column = new QVBoxLayout(plot);
+  plot_column->setContentsMargins(0, 6, 6, 0);
+  quantity_ = new QComboBox;
+  quantity_->setObjectName("quantity");
+  quantity_->addItem(tr("Surface temperature"), surface_C);
+  quantity_->addItem(tr("Frame rate that holds"), frames);
+  quantity_->addItem(tr("Battery life"), battery);
+  quantity_->addItem(tr("Mean power"), power);
+  plot_column->addWidget(quantity_, 0, Qt::AlignLeft);
+  contours_ = new ContourPlot;
+  plot_column->addWidget(contours_, 1);
+  below->addWidget(plot);
+  details_ = new QTextBrowser;
+  details_->setObjectName("details");
+  details_->setMinimumWidth(260);
+  below->addWidget(details_);
+  below->setSizes({620, 420});
+  parts->addWidget(below);
+  parts->setSizes({430, 420});
+  column->addWidget(parts, 1);
+  notes_ = new QLabel;
+  notes_->setObjectName("faint");
+  notes_->setWordWrap(true);
+  notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column->addWidget(notes_);
+  return right;
+}
+
+void PlatformView::choose_devices() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Add devices"), {}, tr("Device tables (*.json)"));
+  if (file.isEmpty()) return;
+  auto devices = platform::read_devices(std::filesystem::path(file.toStdU16String()));
+  if (devices) {
+    add_devices(*std::move(devices));
+  } else {
+    refusal_->setText(told(devices.error()));
+    refusal_->show();
+  }
+}
+
+// What the convergence study reaches in this tissue; beyond its coarsest end it says nothing.
+void PlatformView::set_accuracy_range() {
+  const platform::ConvergenceCurve here = platform::in_tissue(curve_, youngs_->value());
+  const QSignalBlocker quiet(accuracy_);
+  accuracy_->set_range(std::ceil(10 * here.points.front().error_mm) / 10,
+                       std::max(1.0, std::floor(10 * here.points.back().error_mm) / 10));
+}
+
+void PlatformView::replan() {
+  platform::PlanRequest request;
+  request.liver_volume_cm3 = volume_->value();
+  request.youngs_kPa = youngs_->value();
+  request.accuracy_mm = accuracy_->value();
+  request.duration_h = duration_->value();
+  request.frames_per_s = frames_->value();
+  request.ambient_C = room_->value();
+  request.limit_C = limit_->value();
+  const auto planned = platform::plan(request, devices_, curve_);
+  refusal_->setVisible(!planned);
+  if (!planned) {
+    plan_.reset();
+    refusal_->setText(told(planned.error()));
+    answer_->clear();
+    table_->setRowCount(0);
+    details_->clear();
+    return;
+  }
+  plan_ = *planned;
+  const platform::Workload& work = plan_->workload;
+  workload_->setText(tr("%1 nodes of %2 mm³. A frame is %3 block products: %4 MB to move, %5 million operations.")
+                         .arg(whole(work.nodes), number(work.resolution_mm3))
+                         .arg(work.products_per_frame)
+                         .arg(number(work.frame_bytes * 1e-6), number(work.frame_flops * 1e-6)));
+  const auto best = std::find_if(plan_->platforms.begin(), plan_->platforms.end(),
+                                 [&](const PlatformAnswer& answer) { return plan_->recommended == answer.id; });
+  const QString name = best != plan_->platforms.end() ? QString::fromStdString(best->name) : QString();
+  answer_->setText(best == plan_->platforms.end()       ? tr("None of these platforms holds.")
+                   : best->worn == platform::Worn::head ? tr("Least obtrusive that holds, on the head: %1").arg(name)
+                   : best->worn == platform::Worn::belt ? tr("Least obtrusive that holds, on the belt: %1").arg(name)
+                                                        : tr("Least obtrusive that holds, on the back: %1").arg(name));
+  table_->show_plan(*plan_, devices_);
+  QStringList notes;
+  for (const platform::Sentence& note : plan_->notes) notes << told(note.text, note.arguments);
+  notes_->setText(notes.join(" "));
+  show_platform();
+  show_picture();
+}
+
+const Device* PlatformView::chosen_device() const {
+  const std::string id = table_->chosen().toStdString();
+  const auto found = std::find_if(devices_.begin(), devices_.end(), [&](const Device& d) { return d.id == id; });
+  return found != devices_.end() ? &*found : nullptr;
+}
+
+void PlatformView::show_platform() {
+  const Device* device = chosen_device();
+  if (!plan_ || device == nullptr) return;
+  const auto answer = std::find_if(plan_->platforms.begin(), plan_->platforms.end(),
+                                   [&](const PlatformAnswer& known) { return known.id == device->id; });
+  if (answer != plan_->platforms.end()) details_->setHtml(in_full(*answer, *device, plan_->request));
+}
+
+void PlatformView::show_picture() {
+  const Device* device = chosen_device();
+  if (!plan_ || device == nullptr) return;
+  const auto surfaces = platform::surfaces_over(grid_around(volume_->value()), *device, plan_->request);
+  if (!surfaces) return;
+  ContourPicture picture;
+  const double wanted = plan_->request.frames_per_s;
+  switch (static_cast<Quantity>(quantity_->currentData().toInt())) {
+    case surface_C:
+      picture.surface = surfaces->temperature_C;
+      picture.quantity = tr("Surface after %1 h at %2 frames/s (°C)").arg(number(duration_->value()), number(wanted));
+      picture.contours = {{plan_->request.limit_C, tr("%1 °C").arg(number(plan_->request.limit_C)), true}};
+      // At less than a tenth of a degree nobody would feel it.
+      picture.hot_spots = platform::hot_spots(picture.surface, 0.1);
+      break;
+    case frames:
+      picture.surface = surfaces->fps;
+      picture.quantity = tr("Frames/s that hold for %1 h").arg(number(duration_->value()));
+      for (const double level : {10.0, 15.0, 20.0, 25.0}) {
+        if (level != wanted) picture.contours.push_back({level, tr("%1 /s").arg(level), false});
+      }
+      picture.contours.push_back({wanted, tr("%1 /s").arg(wanted), true});
+      break;
+    case battery:
+      picture.surface = surfaces->battery_h;
+      picture.quantity = tr("Battery lasts at %1 frames/s (h)").arg(number(wanted));
+      picture.contours = {{plan_->request.duration_h, tr("%1 h").arg(number(plan_->request.duration_h)), true}};
+      break;
+    case power:
+      picture.surface = surfaces->power_W;
+      picture.quantity = tr("Mean power at %1 frames/s (W)").arg(number(wanted));
+      for (const PlatformAnswer& answer : plan_->platforms) {
+        if (answer.id != device->id) continue;
+        const double allowed_W = answer.idle.allowed_W * device->supply_efficiency.value;
+        picture.contours = {{allowed_W, tr("%1 W: the battery").arg(number(allowed_W)), true}};
+      }
+      break;
+  }
+  picture.case_volume_cm3 = volume_->value();
+  picture.case_resolution_mm3 = plan_->workload.resolution_mm3;
+  const platform::ConvergenceCurve here = platform::in_tissue(curve_, youngs_->value());
+  for (const double error_mm : {0.5, 1.0, 1.5, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 30.0}) {
+    const auto resolution_mm3 = platform::resolution_for_accuracy_mm3(here, error_mm);
+    if (resolution_mm3 && error_mm <= here.points.back().error_mm)
+      picture.accuracies.push_back({*resolution_mm3, error_mm});
+  }
+  contours_->show_picture(picture);
+}
+
+namespace {
+
+QString listed(const QStringList& items) {
+  return items.isEmpty() ? QString() : "<ul><li>" + items.join("</li><li>") + "</li></ul>";
+}
+
+QStringList remedies_in_words(const platform::Remedies& remedies) {
+  QStringList words;
+  const auto add = [&](const std::optional<double>& value, const QString& sentence) {
+    if (value) words << sentence.arg(number(*value));
+  };
+  add(remedies.duration_h, PlatformView::tr("an operation of at most %1 h"));
+  add(remedies.frames_per_s, PlatformView::tr("at most %1 frames/s"));
+  add(remedies.accuracy_mm, PlatformView::tr("an accuracy of %1 mm"));
+  add(remedies.battery_Wh, PlatformView::tr("a battery of %1 Wh"));
+  add(remedies.thermal_resistance_C_per_W, PlatformView::tr("a heat sink of %1 °C/W"));
+  return words;
+}
+
+QString source_in_words(platform::Source source) {
+  switch (source) {
+    case platform::Source::measured: return PlatformView::tr("measured");
+    case platform::Source::computed: return PlatformView::tr("computed");
+    case platform::Source::dissertation: return PlatformView::tr("dissertation");
+    case platform::Source::assumed: return PlatformView::tr("ASSUMED");
+  }
+  return {};
+}
+
+QString in_full(const PlatformAnswer& answer, const Device& device, const platform::PlanRequest& request) {
+  const auto escaped = [](const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); };
+  QString html = "<h3>" + escaped(device.name) + "</h3><p>" + escaped(device.worn_how) + "</p>";
+  html += "<p><b>" +
+          PlatformView::tr(
+              "Idle first: it draws %1 W of the %2 W that its battery allows over %3 h; it would last %4 h "
+              "and reach %5 °C without computing anything.")
+              .arg(number(answer.idle.idle_W), number(answer.idle.allowed_W), number(request.duration_h),
+                   number(answer.idle.idle_h), number(answer.idle.idle_C)) +
+          "</b></p>";
+  html += "<p>" +
+          PlatformView::tr(
+              "Frames/s: %1 by its speed, %2 by its battery, %3 by its heat. A frame takes %4 J above "
+              "idle; mean power %5 W.")
+              .arg(number(answer.fps_by_computing), number(answer.fps_by_energy), number(answer.fps_by_temperature),
+                   number(answer.frame_joules), number(answer.power_W)) +
+          "</p>";
+  if (!answer.feasible) {
+    QStringList reasons;
+    for (const platform::Reason& reason : answer.reasons)
+      reasons << told(reason.sentence.text, reason.sentence.arguments).toHtmlEscaped();
+    html += "<p>" + PlatformView::tr("Why it fails:") + "</p>" + listed(reasons);
+    const QStringList remedies = remedies_in_words(answer.remedies);
+    html += remedies.isEmpty() ? "<p>" + PlatformView::tr("No single figure would make it hold.") + "</p>"
+                               : "<p>" + PlatformView::tr("It would hold with one of:") + "</p>" + listed(remedies);
+  }
+  html += "<p>" + PlatformView::tr("Where its figures come from:") + "</p><table cellspacing='0' cellpadding='3'>";
+  for (const platform::NamedFigure& named : platform::figures_of(device)) {
+    const bool assumed = named.figure.source == platform::Source::assumed;
+    const QString ink = assumed ? "#ffbe50" : "#e4e8ee";
+    html += QString(
+                "<tr><td><nobr>%1</nobr></td><td align='right'>%2</td><td style='color:%3'>%4</td></tr>"
+                "<tr><td colspan='3' style='color:#8a94a3'>%5</td></tr>")
+                .arg(escaped(named.name), number(named.figure.value, 4), ink, source_in_words(named.figure.source),
+                     escaped(named.figure.note));
+  }
+  return html + "</table>";
+}
+
+}  // namespace
+}  // namespace glisson::widgets

@@ -1,0 +1,69 @@
+#pragma once
+// What can be worn for this case, live: the liver's volume and stiffness, the wanted accuracy, duration and frame rate;
+// a table of platforms that begins with what they draw when idle, the one that is least obtrusive, one platform in
+// full, and its contours over volume and resolution.
+
+#include <optional>
+#include <QComboBox>
+#include <QLabel>
+#include <QTextBrowser>
+#include <QWidget>
+
+#include "panels/number_slider.h"
+#include "panels/platform_table.h"
+#include "platform/plan.h"
+#include "plots/contour_plot.h"
+
+namespace glisson::widgets {
+
+class PlatformView : public QWidget {
+  Q_OBJECT
+
+ public:
+  PlatformView(std::vector<platform::Device> devices, platform::ConvergenceCurve curve, QWidget* parent = nullptr);
+
+  // With the table and the curve that ship; a sentence in their place where they cannot be read.
+  static QWidget* shipped(QWidget* parent = nullptr);
+
+  // Takes volume and mean Young's modulus over; 0 where the case does not know.
+  void show_case(const QString& name, double liver_volume_cm3, double youngs_kPa);
+  // Devices that a person measured or wrote; those with a known id take its place.
+  void add_devices(std::vector<platform::Device> devices);
+
+  [[nodiscard]] const std::optional<platform::Plan>& plan() const { return plan_; }
+
+ private:
+  enum Quantity { surface_C, frames, battery, power };
+
+  QWidget* make_question();
+  QWidget* make_answer();
+  void choose_devices();
+  void set_accuracy_range();
+  void replan();
+  void show_platform();
+  void show_picture();
+  [[nodiscard]] const platform::Device* chosen_device() const;
+
+  std::vector<platform::Device> devices_;
+  platform::ConvergenceCurve curve_;
+  std::optional<platform::Plan> plan_;
+
+  QLabel* case_name_;
+  QDoubleSpinBox* volume_;
+  QDoubleSpinBox* youngs_;
+  NumberSlider* accuracy_;
+  NumberSlider* duration_;
+  NumberSlider* frames_;
+  NumberSlider* room_;
+  NumberSlider* limit_;
+  QLabel* workload_;
+  QLabel* refusal_;
+  QLabel* answer_;
+  PlatformTable* table_;
+  QComboBox* quantity_;
+  ContourPlot* contours_;
+  QTextBrowser* details_;
+  QLabel* notes_;
+};
+
+}  // namespace glisson::widgets
