@@ -8,8 +8,8 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "main_window.h"
 #include "views/map_picture.h"
+#include "words.h"
 
 namespace glisson::widgets {
 namespace {
