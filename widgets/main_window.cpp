@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "panels/platform_view.h"
 #include "session/load_patient.h"
 #include "views/wave_view.h"
 
@@ -134,7 +135,8 @@ void MainWindow::make_menus() {
   file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
   QMenu* plan = menuBar()->addMenu(tr("&Plan"));
   plan->addAction(tr("What can be &worn for this case..."), QKeySequence(tr("Ctrl+P")), this,
-                  &MainWindow::show_platforms);
+                  &MainWindow::show_platforms)
+      ->setObjectName("wearables");
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   help->addAction(tr("&Manual"), QKeySequence::HelpContents, this, &MainWindow::show_manual);
   help->addAction(tr("&About Glisson"), this, &MainWindow::about);

@@ -10,7 +10,6 @@
 
 #include "help/manual_window.h"
 #include "imaging/study.h"
-#include "panels/platform_view.h"
 #include "panels/rehearse_panel.h"
 #include "panels/study_panel.h"
 #include "session/live_rehearsal.h"

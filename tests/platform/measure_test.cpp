@@ -59,6 +59,11 @@ TEST(Measure, TimesTheKernelOverTheGrid) {
     EXPECT_GE(point.seconds, 0.999 * 2e-7 * point.nodes);
     EXPECT_LE(point.seconds, 4 * 2e-7 * point.nodes);
     EXPECT_FALSE(point.joules);
+    // The roofline: 9 + 3 + 3 numbers of 4 bytes and 18 operations a node, and what that is of the memory's bandwidth.
+    EXPECT_EQ(point.bytes, 60 * point.nodes);
+    EXPECT_EQ(point.flops, 18 * point.nodes);
+    EXPECT_NEAR(point.share_of_bandwidth, point.bytes / point.seconds * 1e-9 / measured->bandwidth_GB_s, 1e-12);
+    EXPECT_EQ(point.in_cache, point.bytes < static_cast<double>(largest_cache_bytes()));
   }
   EXPECT_GT(measured->bandwidth_GB_s, 0);
   EXPECT_THAT(messages(*measured), testing::Contains("No meter."));

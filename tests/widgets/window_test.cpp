@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include "main_window.h"
+#include "panels/platform_view.h"
 #include "run_test.h"
 #include "support/shapes.h"
 
@@ -66,6 +67,23 @@ class WindowTest : public QObject {
     const auto* origin = window_->findChild<QLabel*>("origin");
     QVERIFY(origin->isVisible());
     QVERIFY(origin->text().contains("SIMULATED"));
+  }
+
+  void plans_what_can_be_worn_for_the_patient_shown() {
+    auto* plan = window_->findChild<QAction*>("wearables");
+    QVERIFY(plan != nullptr);
+    plan->trigger();
+    auto* view = window_->findChild<PlatformView*>();
+    QVERIFY(view != nullptr && view->isVisible());
+    QCOMPARE(view->plan()->request.liver_volume_cm3, 768.0);
+    Patient other = block_patient();
+    other.structures.front().volume_ml = 1200;
+    other.mean_youngs_kPa = 4;
+    window_->show_patient(other);  // while it is open
+    QCOMPARE(view->plan()->request.liver_volume_cm3, 1200.0);
+    QCOMPARE(*view->plan()->request.youngs_kPa, 4.0);
+    view->close();
+    window_->show_patient(block_patient());
   }
 
   void places_a_tool_where_the_person_clicks() {
