@@ -17,6 +17,7 @@ struct Options {
   elastography::AskedFor asked;
   std::string method = "direct";
   std::string long_waves = "high-pass";
+  bool directional = false;
 };
 
 Outcome describe(const elastography::ModulusMap& map) {
@@ -53,6 +54,7 @@ Result<Outcome> invert(const Options& options, const Progress& progress) {
   inversion.method = options.method == "lfe" ? InversionMethod::local_frequency : InversionMethod::direct;
   if (options.long_waves == "curl") inversion.long_waves = LongWaves::curl;
   if (options.long_waves == "keep") inversion.long_waves = LongWaves::keep;
+  if (options.directional) inversion.directions = elastography::Directions::apart;
   return casefile::invert_waves(*patient, options.asked, inversion, progress).map(describe);
 }
 
@@ -75,6 +77,8 @@ void add_invert(CLI::App& app, Action& chosen) {
   command->add_option("--long-waves", options->long_waves, "How compression and bulk motion are taken off")
       ->capture_default_str()
       ->check(CLI::IsMember({"high-pass", "curl", "keep"}));
+  command->add_flag("--directional", options->directional,
+                    "See waves that run in different directions each by itself (direct; lfe always does)");
   command->callback(
       [&chosen, options] { chosen = [options](const Progress& progress) { return invert(*options, progress); }; });
 }

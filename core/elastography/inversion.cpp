@@ -6,6 +6,7 @@
 
 #include "elastography/helmholtz.h"
 #include "elastography/local_frequency.h"
+#include "elastography/wave_directions.h"
 #include "imaging/filters.h"
 
 namespace glisson::elastography {
@@ -131,7 +132,7 @@ VoxelModulus invert_direct(const std::vector<Prepared>& prepared, const Mask& re
   std::vector<Waves> waves;
   std::vector<double> smoothing_mm;
   for (const Prepared& one : prepared) {
-    waves.push_back(one.waves);
+    waves.push_back(options.directions == Directions::apart ? running_apart(one.waves) : one.waves);
     waves.back().signal = region;
     const double voxel_mm = region.grid.spacing_mm.head<2>().maxCoeff();
     smoothing_mm.push_back(

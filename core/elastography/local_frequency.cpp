@@ -1,13 +1,12 @@
 #include "elastography/local_frequency.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 
 #include "base/parallel.h"
 #include "elastography/fourier.h"
+#include "elastography/wave_directions.h"
 #include "imaging/filters.h"
 
 namespace glisson::elastography {
@@ -17,23 +16,9 @@ using imaging::Grid;
 
 constexpr double slowest_mm_s = 500;
 constexpr double fastest_mm_s = 8000;
-constexpr int least_slices_of_a_volume = 10;
 constexpr double sharpness = 0.5 / std::numbers::ln2;  // C above
 
-// The block that is filtered at once: a slice or the whole volume, with room for what wraps around.
-struct Block {
-  std::array<int, 3> size;    // of the data
-  std::array<int, 3> padded;  // of the transform
-  int count;                  // how many of them the grid holds
-};
-Block block_of(const Grid& grid);
 std::vector<double> band_centres(const Grid& grid, double frequency_Hz);
-std::vector<Eigen::Vector3d> lobe_directions(bool in_volume);
-// Spatial frequency (1/mm, along the image axes) of each sample of the transform.
-std::vector<Eigen::Vector3f> sample_frequencies(const Block& block, const Grid& grid);
-
-ComplexField padded(const ComplexField& data, const std::vector<std::uint8_t>& signal, const Block& block, int number);
-
 // Of the filters' answers, summed over components and directions.
 struct BandEnergies {
   std::vector<std::vector<float>> energy;  // [band][voxel]
@@ -96,16 +81,6 @@ double typical_wavelength_mm(const LocalFrequency& found, const imaging::Mask& s
 
 namespace {
 
-Block block_of(const Grid& grid) {
-  const bool in_volume = grid.size[2] >= least_slices_of_a_volume;
-  Block block{grid.size, grid.size, in_volume ? 1 : grid.size[2]};
-  if (!in_volume) block.size[2] = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    block.padded[axis] = block.size[axis] == 1 ? 1 : fast_length(block.size[axis] + block.size[axis] / 2);
-  }
-  return block;
-}
-
 std::vector<double> band_centres(const Grid& grid, double frequency_Hz) {
   const double widest_mm = std::max(grid.size[0] * grid.spacing_mm[0], grid.size[1] * grid.spacing_mm[1]);
   const double longest_mm = std::min(fastest_mm_s / frequency_Hz, 2 * widest_mm);
@@ -117,80 +92,19 @@ std::vector<double> band_centres(const Grid& grid, double frequency_Hz) {
   return centres;
 }
 
-std::vector<Eigen::Vector3d> lobe_directions(bool in_volume) {
-  std::vector<Eigen::Vector3d> directions;
-  if (!in_volume) {
-    // The squared cosines of three or more axes add up to the same in all directions.
-    constexpr int lobes = 6;
-    for (int n = 0; n < lobes; ++n) {
-      const double angle = 2 * std::numbers::pi * n / lobes;
-      directions.emplace_back(std::cos(angle), std::sin(angle), 0);
-    }
-    return directions;
-  }
-  // The corners of an icosahedron.
-  const double golden = std::numbers::phi;
-  for (const double a : {-1.0, 1.0}) {
-    for (const double b : {-golden, golden}) {
-      directions.push_back(Eigen::Vector3d(0, a, b).normalized());
-      directions.push_back(Eigen::Vector3d(a, b, 0).normalized());
-      directions.push_back(Eigen::Vector3d(b, 0, a).normalized());
-    }
-  }
-  return directions;
-}
-
-std::vector<Eigen::Vector3f> sample_frequencies(const Block& block, const Grid& grid) {
-  std::vector<Eigen::Vector3f> frequencies;
-  const auto along = [&](int axis, int n) {
-    const int length = block.padded[static_cast<std::size_t>(axis)];
-    const int folded = n <= length / 2 ? n : n - length;
-    return static_cast<float>(folded / (length * grid.spacing_mm[axis]));
-  };
-  for (int k = 0; k < block.padded[2]; ++k) {
-    for (int j = 0; j < block.padded[1]; ++j) {
-      for (int i = 0; i < block.padded[0]; ++i) frequencies.emplace_back(along(0, i), along(1, j), along(2, k));
-    }
-  }
-  return frequencies;
-}
-
-ComplexField padded(const ComplexField& data, const std::vector<std::uint8_t>& signal, const Block& block, int number) {
-  const auto length = [](const std::array<int, 3>& size, std::size_t axis) {
-    return static_cast<std::size_t>(size[axis]);
-  };
-  ComplexField out(length(block.padded, 0) * length(block.padded, 1) * length(block.padded, 2), 0);
-  const std::size_t slice = length(block.size, 0) * length(block.size, 1);
-  for (std::size_t k = 0; k < length(block.size, 2); ++k) {
-    for (std::size_t j = 0; j < length(block.size, 1); ++j) {
-      for (std::size_t i = 0; i < length(block.size, 0); ++i) {
-        const std::size_t v = (static_cast<std::size_t>(number) + k) * slice + j * length(block.size, 0) + i;
-        if (signal[v] == 0) continue;
-        out[i + length(block.padded, 0) * (j + length(block.padded, 1) * k)] = data[v];
-      }
-    }
-  }
-  return out;
-}
-
 BandEnergies band_energies(const Waves& waves, const std::vector<double>& centres) {
   const Grid& grid = waves.grid;
-  const Block block = block_of(grid);
+  const SpectrumBlock block = block_of(grid);
   const FourierTransform transform(block.padded);
-  const auto directions = lobe_directions(block.size[2] > 1);
   const auto frequencies = sample_frequencies(block, grid);
+  const auto lobe = direction_lobes(block, frequencies);
   std::vector<std::vector<float>> band(centres.size(), std::vector<float>(frequencies.size(), 0));
-  std::vector<std::vector<float>> lobe(directions.size(), std::vector<float>(frequencies.size(), 0));
   for (std::size_t n = 0; n < frequencies.size(); ++n) {
     const double q = static_cast<double>(frequencies[n].norm());
     if (!(q > 0)) continue;
     for (std::size_t i = 0; i < centres.size(); ++i) {
       const double octaves = std::log(q / centres[i]);
       band[i][n] = static_cast<float>(std::exp(-sharpness * octaves * octaves));
-    }
-    for (std::size_t d = 0; d < directions.size(); ++d) {
-      const double cosine = frequencies[n].cast<double>().dot(directions[d]) / q;
-      lobe[d][n] = cosine > 0 ? static_cast<float>(cosine * cosine) : 0.0F;
     }
   }
 
@@ -216,7 +130,7 @@ BandEnergies band_energies(const Waves& waves, const std::vector<double>& centre
       parallel_for(centres.size(), 1, [&](std::size_t begin, std::size_t end) {
         ComplexField answer(spectrum.size());
         for (std::size_t i = begin; i < end; ++i) {
-          for (std::size_t d = 0; d < directions.size(); ++d) {
+          for (std::size_t d = 0; d < lobe.size(); ++d) {
             for (std::size_t n = 0; n < spectrum.size(); ++n) answer[n] = spectrum[n] * (band[i][n] * lobe[d][n]);
             transform.inverse(answer);
             for (std::size_t k = 0; k < static_cast<std::size_t>(block.size[2]); ++k) {
