@@ -1,21 +1,16 @@
 // glisson-cli study cohort FOLDER --out DIR: how stiffness varies between and within the patients of a cohort.
 
 #include <fmt/format.h>
-#include <filesystem>
 
+#include "cohort_options.h"
 #include "study/cohort.h"
 #include "study_commands.h"
 
 namespace glisson::cli {
-namespace fs = std::filesystem;
 namespace {
 
 struct Options {
-  std::string folder;
-  std::string out;
-  int simulated = 0;
-  unsigned seed = 1;
-  bool list = false;
+  CohortChoice patients;
   study::CohortOptions cohort;
 };
 
@@ -43,26 +38,13 @@ Outcome describe(const study::CohortSummary& summary) {
   return outcome;
 }
 
-Outcome list_of(const std::vector<std::string>& ids) {
-  Outcome outcome{{{"ids", ids}}, {}};
-  for (const std::string& id : ids) outcome.text += id + "\n";
-  return outcome;
-}
-
 Result<Outcome> run(Options options, const Progress& progress) {
-  if (options.simulated > 0) {
-    options.folder = (fs::path(options.out) / "simulated").string();
-    options.cohort.warning = "SIMULATED cohort, drawn to the distributions of the dissertation; nobody was measured";
-    if (auto made = study::write_simulated_cohort(options.folder, options.simulated, options.seed); !made) {
-      return failure(made.error());
-    }
-  }
-  if (options.folder.empty()) {
-    return failure("cohort-no-folder", GLISSON_TEXT("Name the cohort's folder, or ask for a simulated one with "
-                                                    "--simulated N."));
-  }
-  if (options.list) return study::cohort_patients(options.folder).map(list_of);
-  return study::run_cohort(options.folder, options.out, options.cohort, progress).map(describe);
+  const auto folder = folder_of(options.patients);
+  if (!folder) return failure(folder.error());
+  if (options.patients.list) return list_patients(*folder);
+  options.cohort.only = options.patients.only;
+  options.cohort.warning = study::cohort_warning(*folder);
+  return study::run_cohort(*folder, options.patients.out, options.cohort, progress).map(describe);
 }
 
 }  // namespace
@@ -71,15 +53,7 @@ void add_study_cohort(CLI::App& study, Action& chosen) {
   CLI::App* command = study.add_subcommand(
       "cohort", "Stiffness between and within patients, against the atlas (section 4.3); run again, it goes on");
   auto options = std::make_shared<Options>();
-  CLI::Option* folder =
-      command->add_option("folder", options->folder, "Folder with stiffness maps or cases (NAME.glisson)");
-  command->add_option("--out", options->out, "Folder for the rows, the table, the summary and the report")->required();
-  command->add_option("--simulated", options->simulated, "Instead of a folder: a SIMULATED cohort of so many patients")
-      ->check(CLI::Range(1, 100000))
-      ->excludes(folder);
-  command->add_option("--seed", options->seed, "Of the simulated cohort")->capture_default_str();
-  command->add_option("--patient", options->cohort.only, "Compute this patient alone: one job of many");
-  command->add_flag("--list", options->list, "Compute nothing: name the patients");
+  add_cohort_options(*command, options->patients);
   command->add_option("--atlas-kPa", options->cohort.atlas_kPa, "Mean shear stiffness of the atlas")
       ->capture_default_str()
       ->check(CLI::Range(0.01, 1000.0));

@@ -106,6 +106,25 @@ Result<elastography::CellStiffness> assign_stiffness(Case& patient, const Stiffn
   return stiffness;
 }
 
+Result<elastography::Reliability> reliability_of(const Case& patient) {
+  elastography::Reliability reliability;
+  if (patient.find("volumes/confidence")) {
+    const auto confidence = patient.volume("volumes/confidence");
+    if (!confidence) return failure(confidence.error());
+    reliability.confident = imaging::Mask{confidence->grid, {}};
+    // Scanners store the mask as 0 and something, or as a percentage; half of the largest value counts as confident.
+    const float half = 0.5f * *std::max_element(confidence->values.begin(), confidence->values.end());
+    for (const float value : confidence->values) reliability.confident->values.push_back(value > half ? 1 : 0);
+  }
+  if (patient.find("labels/liver")) {
+    auto liver =
+        patient.file_of("labels/liver").and_then([](const fs::path& file) { return imaging::read_mask_file(file); });
+    if (!liver) return failure(liver.error());
+    reliability.organ = std::move(liver->mask);
+  }
+  return reliability;
+}
+
 Result<PatientModel> read_model(const Case& patient) {
   auto mesh =
       patient.file_of("meshes/model").and_then([](const fs::path& file) { return geometry::read_tetrahedra(file); });
@@ -177,24 +196,11 @@ Result<elastography::CellStiffness> stiffness_from_mre(const Case& patient, cons
   }
   made.from.push_back("volumes/stiffness");
 
-  elastography::Reliability reliability;
-  if (patient.find("volumes/confidence")) {
-    const auto confidence = patient.volume("volumes/confidence");
-    if (!confidence) return failure(confidence.error());
-    reliability.confident = imaging::Mask{confidence->grid, {}};
-    // Scanners store the mask as 0 and something, or as a percentage; half of the largest value counts as confident.
-    const float half = 0.5f * *std::max_element(confidence->values.begin(), confidence->values.end());
-    for (const float value : confidence->values) reliability.confident->values.push_back(value > half ? 1 : 0);
-    made.from.push_back("volumes/confidence");
-  }
-  if (patient.find("labels/liver")) {
-    auto liver =
-        patient.file_of("labels/liver").and_then([](const fs::path& file) { return imaging::read_mask_file(file); });
-    if (!liver) return failure(liver.error());
-    reliability.organ = std::move(liver->mask);
-    made.from.push_back("labels/liver");
-  }
-  return elastography::cell_stiffness(centroids_mm(mesh), *map, reliability, options);
+  const auto reliability = reliability_of(patient);
+  if (!reliability) return failure(reliability.error());
+  if (reliability->confident) made.from.push_back("volumes/confidence");
+  if (reliability->organ) made.from.push_back("labels/liver");
+  return elastography::cell_stiffness(centroids_mm(mesh), *map, *reliability, options);
 }
 
 std::vector<Eigen::Vector3d> centroids_mm(const geometry::TetMesh& mesh) {

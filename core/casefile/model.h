@@ -39,6 +39,10 @@ Result<elastography::CellStiffness> assign_stiffness(Case& patient, const Stiffn
                                                      const elastography::StiffnessOptions& options = {},
                                                      const Progress& progress = {});
 
+// What the case knows of its map: volumes/confidence, above half of its largest value, and labels/liver; each where it
+// is there.
+Result<elastography::Reliability> reliability_of(const Case& patient);
+
 // What a rehearsal needs of a case.
 struct StructureSurface {
   std::string name;

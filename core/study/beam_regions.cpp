@@ -9,6 +9,7 @@
 #include "base/units.h"
 #include "mechanics/compliance_distance.h"
 #include "mechanics/meshfree_model.h"
+#include "mechanics/static_model.h"
 #include "report/html.h"
 #include "study/beam_mesh.h"
 
@@ -18,7 +19,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double length_mm = 50, side_mm = 10, density_kg_mm3 = 997e-9, poisson_ratio = 0.45;
-constexpr double grid_mm = 2.5;
+constexpr double grid_mm = beam_voxel_mm;
 constexpr int along = 20, across = 4;  // voxels of a beam
 
 std::size_t beams_voxel(const imaging::Grid& grid, const std::array<int, 3>& corner, int axis, int i, int j, int k);
@@ -34,8 +35,11 @@ report::Table table_of(const std::vector<BeamRow>& rows, const BeamOptions& opti
 }  // namespace
 
 Result<std::array<BeamPlace, 3>> beam_places(const geometry::TetMesh& liver, const std::vector<double>& youngs_kPa) {
-  const mechanics::VoxelBody voxels = mechanics::voxelise(liver, youngs_kPa, grid_mm);
-  const imaging::Grid& grid = voxels.body.grid;
+  return beam_places(mechanics::voxelise(liver, youngs_kPa, grid_mm));
+}
+
+Result<std::array<BeamPlace, 3>> beam_places(const mechanics::VoxelBody& tissue) {
+  const imaging::Grid& grid = tissue.body.grid;
   std::array<BeamPlace, 3> best;
   bool any = false;
   for (int axis = 0; axis < 3; ++axis) {
@@ -50,9 +54,9 @@ Result<std::array<BeamPlace, 3>> beam_places(const geometry::TetMesh& liver, con
             for (int j = 0; j < across && inside; ++j) {
               for (int i = 0; i < along && inside; ++i) {
                 const std::size_t voxel = beams_voxel(grid, {x, y, z}, axis, i, j, k);
-                inside = voxels.body.values[voxel] != 0;
-                sum += voxels.youngs_kPa[voxel];
-                squares += double(voxels.youngs_kPa[voxel]) * voxels.youngs_kPa[voxel];
+                inside = tissue.body.values[voxel] != 0;
+                sum += tissue.youngs_kPa[voxel];
+                squares += double(tissue.youngs_kPa[voxel]) * tissue.youngs_kPa[voxel];
               }
             }
           }
@@ -76,8 +80,14 @@ Result<std::array<BeamPlace, 3>> beam_places(const geometry::TetMesh& liver, con
 Result<BeamRow> compare_beams(const std::string& patient, const geometry::TetMesh& liver,
                               const std::vector<double>& youngs_kPa, const BeamOptions& options,
                               const Progress& progress) {
+  return compare_beams(patient, mechanics::voxelise(liver, youngs_kPa, grid_mm), mean_by_volume(liver, youngs_kPa),
+                       options, progress);
+}
+
+Result<BeamRow> compare_beams(const std::string& patient, const mechanics::VoxelBody& tissue, double mean_kPa,
+                              const BeamOptions& options, const Progress& progress) {
   progress.report(0.0, "Looking for the softest, stiffest and most uneven parts");
-  const auto places = beam_places(liver, youngs_kPa);
+  const auto places = beam_places(tissue);
   if (!places) return failure(places.error());
   geometry::TetMesh beam = beam_mesh({20, 4, 4}, {length_mm, side_mm, side_mm});
   geometry::Field ends{"ends", 1, {}};
@@ -86,12 +96,11 @@ Result<BeamRow> compare_beams(const std::string& patient, const geometry::TetMes
 
   BeamRow row;
   row.patient = patient;
-  row.mean_kPa = mean_by_volume(liver, youngs_kPa);
+  row.mean_kPa = mean_kPa;
   progress.report(0.2, "Hoisting the beams");
   const auto control = hoisted(beam, std::vector<double>(beam.cells.size(), row.mean_kPa), options);
   if (!control) return failure(control.error());
   row.control_displacement_mm = control->max_displacement_mm;
-  const mechanics::VoxelBody voxels = mechanics::voxelise(liver, youngs_kPa, grid_mm);
   const geometry::Field surface_points =
       *geometry::find_field(geometry::boundary_surface(beam).point_fields, "mesh_point");
   for (std::size_t r = 0; r < places->size(); ++r) {
@@ -99,7 +108,7 @@ Result<BeamRow> compare_beams(const std::string& patient, const geometry::TetMes
     if (progress.cancelled()) return cancelled();
     BeamComparison& region = row.regions[r];
     region.place = (*places)[r];
-    const auto result = hoisted(beam, sampled_kPa(beam, voxels, region.place), options);
+    const auto result = hoisted(beam, sampled_kPa(beam, tissue, region.place), options);
     if (!result) return failure(result.error());
     region.largest_displacement_mm = result->max_displacement_mm;
     for (const double p : surface_points.values) {
@@ -203,12 +212,18 @@ Result<mechanics::StaticResult> hoisted(const geometry::TetMesh& beam, const std
   mechanics::StaticOptions material;
   material.poisson_ratio = poisson_ratio;
   material.density_kg_mm3 = density_kg_mm3;
-  const auto model = mechanics::MeshfreeModel::create(
-      beam, youngs_kPa, {{mechanics::NamedPoints{"ends"}, mechanics::Foundation{options.foundation_kPa_per_mm}}},
-      mechanics::MaterialLaw::corotational, material, {.nodes = options.nodes});
-  if (!model) return failure(model.error());
-  auto result = model->solve(
-      {mechanics::ToolLoad{{length_mm / 2, side_mm / 2, 0}, side_mm / 2, {0, 0, units::mN_from_N(options.force_N)}}});
+  const std::vector<mechanics::Support> wall{
+      {mechanics::NamedPoints{"ends"}, mechanics::Foundation{options.foundation_kPa_per_mm}}};
+  const mechanics::Loads hoist{
+      mechanics::ToolLoad{{length_mm / 2, side_mm / 2, 0}, side_mm / 2, {0, 0, units::mN_from_N(options.force_N)}}};
+  Result<mechanics::StaticResult> result = tl::unexpected(Error{});
+  if (options.engine == mechanics::Engine::fem) {
+    result = mechanics::solve_static(beam, youngs_kPa, wall, hoist, material);
+  } else {
+    result = mechanics::MeshfreeModel::create(beam, youngs_kPa, wall, mechanics::MaterialLaw::corotational, material,
+                                              {.nodes = options.nodes})
+                 .and_then([&](const mechanics::MeshfreeModel& model) { return model.solve(hoist); });
+  }
   if (result && !result->may_be_used()) {
     return failure("not-converged", GLISSON_TEXT("A beam found no equilibrium: {0}"), {result->why_stopped});
   }

@@ -4,18 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 
 #include "base/files.h"
 #include "base/json.h"
-#include "casefile/case.h"
 #include "elastography/region_statistics.h"
-#include "imaging/read_series.h"
-#include "imaging/stiffness_map.h"
-#include "imaging/study.h"
-#include "imaging/volume_file.h"
 #include "report/html.h"
-#include "segmentation/resample.h"
+#include "study/subjects.h"
 
 namespace glisson::study {
 namespace fs = std::filesystem;
@@ -23,15 +17,6 @@ namespace {
 
 using elastography::RegionStatistics;
 
-// A map and where it comes from: a series of a study, or a case.
-struct Subject {
-  std::string id;
-  fs::path path;  // of the file or the case, for the fingerprint
-  std::optional<imaging::Series> series;
-};
-
-Result<std::vector<Subject>> find_subjects(const fs::path& folder);
-std::string fingerprint_of(const Subject& subject);
 Result<NamedNumbers> statistics_of_subject(const Subject& subject);
 void summarise(CohortSummary& summary, const CohortOptions& options);
 Result<void> write_report(const fs::path& file, const CohortSummary& summary, const CohortOptions& options);
@@ -43,7 +28,7 @@ Result<CohortSummary> run_cohort(const fs::path& folder, const fs::path& out, co
   const auto subjects = find_subjects(folder);
   if (!subjects) return failure(subjects.error());
   std::vector<BatchPatient> patients;
-  for (const Subject& subject : *subjects) patients.push_back({subject.id, fingerprint_of(subject)});
+  for (const Subject& subject : *subjects) patients.push_back({subject.id, "cohort/1 " + fingerprint_of(subject)});
 
   CohortSummary summary;
   auto rows = run_batch(
@@ -96,75 +81,10 @@ std::string summary_text(const CohortSummary& summary) {
 
 namespace {
 
-// "017Stiffness_warped.nii.gz" -> "017Stiffness_warped": what is left serves as a file name.
-std::string id_of(const fs::path& path) {
-  std::string name = path.filename().string();
-  name = name.substr(0, name.find('.', 1));
-  for (char& c : name) {
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_') c = '-';
-  }
-  return name;
-}
-
-Result<std::vector<Subject>> find_subjects(const fs::path& folder) {
-  std::vector<Subject> subjects;
-  std::error_code problem;
-  for (const auto& entry : fs::directory_iterator(folder, problem)) {
-    if (entry.path().extension() == ".glisson") subjects.push_back({id_of(entry.path()), entry.path(), {}});
-  }
-  const auto study = imaging::scan(folder);
-  if (!study) return failure(study.error());
-  for (const imaging::Series& series : study->series) {
-    if (series.role != imaging::Role::mre_stiffness || series.files.empty()) continue;
-    const fs::path& first = series.files.front();
-    const auto in_case = [](const fs::path& part) { return part.extension() == ".glisson"; };
-    if (std::any_of(first.begin(), first.end(), in_case)) continue;
-    // The files of a DICOM series are named by number; its folder tells more.
-    const bool one_file = series.files.size() == 1;
-    subjects.push_back({one_file ? id_of(first) : id_of(first.parent_path()), first, series});
-  }
-  std::sort(subjects.begin(), subjects.end(),
-            [](const Subject& a, const Subject& b) { return std::tie(a.id, a.path) < std::tie(b.id, b.path); });
-  std::set<std::string> taken;
-  for (Subject& subject : subjects) {
-    const std::string name = subject.id;
-    for (int n = 2; !taken.insert(subject.id).second; ++n) subject.id = fmt::format("{}-{}", name, n);
-  }
-  return subjects;
-}
-
-std::string fingerprint_of(const Subject& subject) {
-  const fs::path file = subject.series ? subject.path : subject.path / "case.json";
-  return "cohort/1 " + sha256_of_file(file).value_or("unreadable");
-}
-
-Result<imaging::Volume> map_of_case(const fs::path& folder, std::optional<imaging::Mask>& liver) {
-  const auto patient = casefile::Case::open(folder);
-  if (!patient) return failure(patient.error());
-  if (patient->find("labels/liver") != nullptr) {
-    auto label =
-        patient->file_of("labels/liver").and_then([](const fs::path& file) { return imaging::read_mask_file(file); });
-    if (!label) return failure(label.error());
-    liver = std::move(label->mask);
-  }
-  return patient->volume("volumes/stiffness");
-}
-
 Result<NamedNumbers> statistics_of_subject(const Subject& subject) {
-  std::optional<imaging::Mask> liver;
-  auto stored = subject.series ? imaging::read_series(*subject.series) : map_of_case(subject.path, liver);
-  if (!stored) return failure(stored.error());
-  const auto map =
-      imaging::stiffness_in_kPa(std::move(*stored), subject.series ? subject.series->unit_evidence : std::string());
-  if (!map) return failure(map.error());
-  const imaging::Volume& shear = map->shear_kPa;
-  if (liver) liver = segmentation::resample(*liver, shear.grid);
-  std::vector<double> values;
-  for (std::size_t v = 0; v < shear.values.size(); ++v) {
-    if (liver && liver->values[v] == 0) continue;
-    if (shear.values[v] > 0 && std::isfinite(shear.values[v])) values.push_back(static_cast<double>(shear.values[v]));
-  }
-  const auto found = elastography::statistics_of(std::move(values));
+  const auto liver = read_subject(subject);
+  if (!liver) return failure(liver.error());
+  const auto found = elastography::statistics_of(liver->values_kPa());
   if (!found) return failure(found.error());
   return NamedNumbers{{"voxels", static_cast<double>(found->voxels)},
                       {"mean_kPa", found->mean},

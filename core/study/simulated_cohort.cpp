@@ -6,20 +6,30 @@
 #include <numbers>
 #include <random>
 
+#include "base/files.h"
 #include "imaging/filters.h"
 #include "imaging/volume_file.h"
+#include "segmentation/rasterise.h"
 #include "study/cohort.h"
+#include "study/demo_anatomy.h"
 
 namespace glisson::study {
 namespace {
 
-// The slices of the dissertation's scans lie 10 mm apart; voxels are coarser here, since only statistics are drawn.
-imaging::Grid liver_grid() {
+// Voxels around the surface; slices as far apart as the dissertation's scans have them.
+imaging::Grid grid_around(const geometry::Surface& surface) {
+  const geometry::Box box = geometry::bounding_box(surface.points_mm);
   imaging::Grid grid;
-  grid.size = {40, 32, 12};
-  grid.spacing_mm = {5, 5, 10};
+  grid.spacing_mm = {3, 3, 10};
+  grid.origin_mm = box.min_mm - grid.spacing_mm;
+  for (int axis = 0; axis < 3; ++axis) {
+    grid.size[static_cast<std::size_t>(axis)] =
+        static_cast<int>(std::ceil((box.max_mm - box.min_mm)[axis] / grid.spacing_mm[axis])) + 3;
+  }
   return grid;
 }
+
+constexpr const char* simulated_note = "SIMULATED.txt";
 
 // Uniform in (0, 1), and normal, from the generator's bits: the standard library's distributions differ from one to the
 // next, and the same seed must give the same cohort everywhere.
@@ -46,8 +56,12 @@ double mean_stiffness_kPa(std::mt19937& random) {
   return from_kPa - length_kPa * std::log(uniform(random));
 }
 
-imaging::Volume liver_map(double mean_kPa, std::mt19937& random) {
-  imaging::Volume map{{liver_grid(), {}}, "kPa"};
+// Of the real liver's lengths, so that volumes are 1.2 to 2.3 litres.
+double size_of_liver(std::mt19937& random) { return 0.8 + 0.2 * uniform(random); }
+
+imaging::Volume liver_map(const geometry::Surface& liver, double mean_kPa, std::mt19937& random) {
+  imaging::Volume map{{grid_around(liver), {}}, "kPa"};
+  const imaging::Mask mask = segmentation::rasterise(liver, map.grid);
   std::vector<float> field(map.grid.voxels());
   for (float& value : field) value = static_cast<float>(normal(random));
   field = imaging::gaussian_blur(std::move(field), map.grid, 12);
@@ -55,19 +69,11 @@ imaging::Volume liver_map(double mean_kPa, std::mt19937& random) {
   std::vector<std::size_t> inside;
   double sum = 0;
   double squares = 0;
-  for (int k = 0; k < map.grid.size[2]; ++k) {
-    for (int j = 0; j < map.grid.size[1]; ++j) {
-      for (int i = 0; i < map.grid.size[0]; ++i) {
-        // An ellipsoid of about 1.4 litres.
-        const double x = (i - 19.5) / 17;
-        const double y = (j - 15.5) / 13;
-        const double z = (k - 5.5) / 5;
-        if (x * x + y * y + z * z > 1) continue;
-        inside.push_back(map.grid.offset(i, j, k));
-        sum += static_cast<double>(field[inside.back()]);
-        squares += static_cast<double>(field[inside.back()]) * static_cast<double>(field[inside.back()]);
-      }
-    }
+  for (std::size_t v = 0; v < field.size(); ++v) {
+    if (mask.values[v] == 0) continue;
+    inside.push_back(v);
+    sum += static_cast<double>(field[v]);
+    squares += static_cast<double>(field[v]) * static_cast<double>(field[v]);
   }
   const auto count = static_cast<double>(inside.size());
   const double mean = sum / count;
@@ -86,15 +92,28 @@ imaging::Volume liver_map(double mean_kPa, std::mt19937& random) {
 }  // namespace
 
 Result<void> write_simulated_cohort(const std::filesystem::path& folder, int patients, unsigned seed) {
+  const auto anatomy = resource_folder().and_then(
+      [](const auto& resources) { return read_demo_anatomy(resources / "demo" / "anatomy"); });
+  if (!anatomy) return failure(anatomy.error());
   std::mt19937 random(seed);
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
+  const std::string warning = "SIMULATED cohort, drawn to the distributions of the dissertation; nobody was measured\n";
+  if (auto written = write_text_file(folder / simulated_note, warning); !written) return written;
   for (int patient = 1; patient <= patients; ++patient) {
-    const imaging::Volume map = liver_map(mean_stiffness_kPa(random), random);
+    const double mean_kPa = mean_stiffness_kPa(random);
+    geometry::Surface liver = anatomy->liver;
+    const double size = size_of_liver(random);
+    for (Eigen::Vector3d& point : liver.points_mm) point *= size;
     const auto file = folder / fmt::format("simulated-{:03}-stiffness.nrrd", patient);
-    if (auto written = imaging::write_volume_file(file, map); !written) return written;
+    if (auto written = imaging::write_volume_file(file, liver_map(liver, mean_kPa, random)); !written) return written;
   }
   return {};
+}
+
+std::string cohort_warning(const std::filesystem::path& folder) {
+  std::string text = read_text_file(folder / simulated_note).value_or("");
+  return text.substr(0, text.find('\n'));
 }
 
 }  // namespace glisson::study

@@ -78,6 +78,26 @@ TEST(Study, ACohortRunsInAWorkflowThatIsKilledAndTakenUpAgain) {
   EXPECT_EQ(parse_json(read_text_file(out / "summary.json").value()).value().at("mean_kPa"), whole.at("mean_kPa"));
 }
 
+TEST(Study, LandmarksRunInTheSameWorkflow) {
+  const fs::path snakemake = "/usr/bin/snakemake";
+  if (!fs::exists(snakemake)) GTEST_SKIP() << "snakemake is not installed";
+  const TemporaryFolder folder;
+  const std::string maker = (folder.path() / "maker").string();
+  answer({"study", "cohort", "--simulated", "2", "--out", maker});
+  const fs::path out = folder.path() / "out";
+  const Finished finished = run(
+      snakemake, {"--snakefile", std::string(GLISSON_SOURCE_DIR) + "/packaging/cohort/Snakefile", "--directory",
+                  folder.path().string(), "--cores", "2", "--config", "study=landmarks",
+                  "folder=" + (fs::path(maker) / "simulated").string(), "out=" + out.string(),
+                  "options=--target-cells 800", std::string("glisson_cli=") + GLISSON_BINARY_DIR + "/bin/glisson-cli"});
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  const Json summary = parse_json(read_text_file(out / "summary.json").value()).value();
+  EXPECT_EQ(summary.at("patients"), 2);
+  EXPECT_EQ(summary.at("reused"), 2);
+  EXPECT_EQ(summary.at("intra_organ").size(), 3u);
+  EXPECT_TRUE(fs::exists(out / "landmarks.csv"));
+}
+
 TEST(Study, ValidatingStiffnessWithoutFilesUsesTheDissertationsFigures) {
   const TemporaryFolder folder;
   const Json validation = answer({"study", "validate-stiffness", "--out", folder.path().string()});

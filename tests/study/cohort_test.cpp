@@ -57,7 +57,8 @@ TEST(Cohort, TheSimulatedOneFollowsTheReportedFiguresAndSaysWhatItIs) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_simulated_cohort(folder.path() / "maps", 119, 1));
   CohortOptions options;
-  options.warning = "SIMULATED";
+  options.warning = cohort_warning(folder.path() / "maps");
+  EXPECT_EQ(cohort_warning(folder.path()), "");
   const auto summary = run_cohort(folder.path() / "maps", folder.path() / "out", options);
   ASSERT_TRUE(summary.has_value()) << summary.error().message();
   EXPECT_EQ(summary->patients, 119u);

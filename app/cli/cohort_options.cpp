@@ -1,0 +1,41 @@
+#include "cohort_options.h"
+
+#include <filesystem>
+
+#include "study/cohort.h"
+
+namespace glisson::cli {
+
+void add_cohort_options(CLI::App& command, CohortChoice& choice) {
+  CLI::Option* folder =
+      command.add_option("folder", choice.folder, "Folder with stiffness maps or cases (NAME.glisson)");
+  command.add_option("--out", choice.out, "Folder for the rows, the table, the summary and the report")->required();
+  command.add_option("--simulated", choice.simulated, "Instead of a folder: a SIMULATED cohort of so many patients")
+      ->check(CLI::Range(1, 100000))
+      ->excludes(folder);
+  command.add_option("--seed", choice.seed, "Of the simulated cohort")->capture_default_str();
+  command.add_option("--patient", choice.only, "Compute this patient alone: one job of many");
+  command.add_flag("--list", choice.list, "Compute nothing: name the patients");
+}
+
+Result<std::string> folder_of(const CohortChoice& choice) {
+  if (choice.simulated > 0) {
+    const std::string folder = (std::filesystem::path(choice.out) / "simulated").string();
+    return study::write_simulated_cohort(folder, choice.simulated, choice.seed).map([&] { return folder; });
+  }
+  if (choice.folder.empty()) {
+    return failure("cohort-no-folder", GLISSON_TEXT("Name the cohort's folder, or ask for a simulated one with "
+                                                    "--simulated N."));
+  }
+  return choice.folder;
+}
+
+Result<Outcome> list_patients(const std::string& folder) {
+  return study::cohort_patients(folder).map([](const std::vector<std::string>& ids) {
+    Outcome outcome{{{"ids", ids}}, {}};
+    for (const std::string& id : ids) outcome.text += id + "\n";
+    return outcome;
+  });
+}
+
+}  // namespace glisson::cli

@@ -1,0 +1,84 @@
+// glisson-cli study landmarks FOLDER --out DIR: how far an atlas, or one stiffness, misplaces landmarks over a cohort.
+
+#include <fmt/format.h>
+
+#include "cohort_options.h"
+#include "study/cohort.h"
+#include "study/landmarks.h"
+#include "study_commands.h"
+
+namespace glisson::cli {
+namespace {
+
+struct Options {
+  CohortChoice patients;
+  study::LandmarksOptions landmarks;
+};
+
+std::string described(const std::string& title, const std::vector<study::LandmarksSpread>& spreads) {
+  std::string text =
+      fmt::format("{:28} {:>8} {:>8} {:>8} {:>13}\n", title + " (mm)", "mean", "median", "largest", "5 mm or more");
+  for (const study::LandmarksSpread& spread : spreads) {
+    text += fmt::format("  {:26} {:8.1f} {:8.1f} {:8.1f} {:11.0f} %\n", spread.says, spread.mm.mean, spread.mm.median,
+                        spread.mm.max, 100 * spread.significant_fraction);
+  }
+  return text;
+}
+
+Outcome describe(const study::LandmarksSummary& summary) {
+  Outcome outcome{
+      parse_json(study::summary_text(summary)).value(),
+      fmt::format("{} patients ({} from an earlier run), {} could not be used; {:.1f} s at most a patient\n",
+                  summary.patients, summary.reused, summary.failed, summary.slowest_s) +
+          described("Between patients", summary.between) + described("Within a liver", summary.within) +
+          fmt::format("In {:.0f} % of the patients one of the three regions at least is 5 mm off\n",
+                      100 * summary.any_region_fraction)};
+  outcome.document["rows"] = Json::array();
+  for (const study::BatchRow& row : summary.rows) {
+    Json json{{"patient", row.id}};
+    for (const auto& [name, value] : row.values) json[name] = value;
+    if (!row.error.empty()) {
+      json["error"] = row.error;
+      outcome.text += fmt::format("  {}: {}\n", row.id, row.error);
+    }
+    outcome.document["rows"].push_back(std::move(json));
+  }
+  return outcome;
+}
+
+Result<Outcome> run(Options options, const Progress& progress) {
+  const auto folder = folder_of(options.patients);
+  if (!folder) return failure(folder.error());
+  if (options.patients.list) return list_patients(*folder);
+  options.landmarks.only = options.patients.only;
+  options.landmarks.warning = study::cohort_warning(*folder);
+  return study::run_landmarks(*folder, options.patients.out, options.landmarks, progress).map(describe);
+}
+
+}  // namespace
+
+void add_study_landmarks(CLI::App& study, Action& chosen) {
+  CLI::App* command =
+      study.add_subcommand("landmarks",
+                           "How far an atlas misplaces a retracted liver, and one stiffness its softest, stiffest and "
+                           "most uneven tissue (section 4.4); run again, it goes on");
+  auto options = std::make_shared<Options>();
+  add_cohort_options(*command, options->patients);
+  study::RetractionOptions& retraction = options->landmarks.retraction;
+  command->add_option("--atlas-kPa", retraction.atlas_kPa, "Mean shear stiffness of the atlas")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 1000.0));
+  command->add_option("--force-N", retraction.force_N, "Of the retractor")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 100.0));
+  command->add_option("--target-cells", retraction.target_cells, "Of a liver's mesh")
+      ->capture_default_str()
+      ->check(CLI::Range(500, 200000));
+  command->add_option("--beam-force-N", options->landmarks.beams.force_N, "That lifts a beam at its middle")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 100.0));
+  command->callback(
+      [&chosen, options] { chosen = [options](const Progress& progress) { return run(*options, progress); }; });
+}
+
+}  // namespace glisson::cli

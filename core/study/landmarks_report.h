@@ -1,0 +1,27 @@
+#pragma once
+// The landmark studies as a page: box plots with the 5 mm line (figures 4.10 and 4.13), red and blue pictures of
+// typical and extreme patients (figure 4.12), and a table.
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "report/html.h"
+#include "study/landmarks.h"
+
+namespace glisson::study {
+
+// How columns of the three regions begin, in the order of BeamRegion.
+inline constexpr std::array<const char*, 3> region_columns{"soft", "stiff", "uneven"};
+
+struct ExamplePicture {
+  std::filesystem::path file;
+  std::string patient;
+  double near_tool_mm = 0;
+};
+
+[[nodiscard]] report::Page landmarks_page(const LandmarksSummary& summary, const LandmarksOptions& options,
+                                          const std::vector<ExamplePicture>& pictures);
+
+}  // namespace glisson::study
