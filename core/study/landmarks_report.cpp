@@ -20,6 +20,22 @@ report::Plot box_plot(const std::string& caption, const std::vector<LandmarksSpr
   return plot;
 }
 
+// Figure 4.14 shows patients in whom one region agrees with the mean and the others do not; here are all of them.
+report::Plot soft_against_stiff(const LandmarksSummary& summary) {
+  report::Plot plot{.caption =
+                        "Each patient's soft and stiff region: in the lower left corner one stiffness serves both "
+                        "(fig. 4.14).",
+                    .x_title = "soft region (mm)",
+                    .y_title = "stiff region (mm)"};
+  const auto soft = column_of(summary.rows, "soft_max_mm");
+  const auto stiff = column_of(summary.rows, "stiff_max_mm");
+  report::PlotCurve each{"each patient", {}, report::PlotCurve::Style::dots};
+  for (std::size_t n = 0; n < soft.size(); ++n) each.points.emplace_back(soft[n], stiff[n]);
+  plot.curves.push_back(std::move(each));
+  plot.rules = {{report::Rule::Along::x, significant_mm, "5 mm"}, {report::Rule::Along::y, significant_mm, "5 mm"}};
+  return plot;
+}
+
 report::Table shares(const LandmarksSummary& summary) {
   report::Table table{
       "In how many patients it matters.", {"Distance", "Mean", "Median", "Largest", "5 mm or more"}, {}};
@@ -99,6 +115,7 @@ report::Page landmarks_page(const LandmarksSummary& summary, const LandmarksOpti
       options.beams.force_N, options.beams.foundation_kPa_per_mm, 100 * summary.any_region_fraction)});
   page.blocks.emplace_back(
       box_plot("How far a beam of the region is from one of the liver's mean, at most (fig. 4.13).", summary.within));
+  page.blocks.emplace_back(soft_against_stiff(summary));
   page.blocks.emplace_back(shares(summary));
   page.blocks.emplace_back(patients(summary));
   return page;

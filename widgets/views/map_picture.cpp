@@ -35,7 +35,7 @@ void MapPicture::show_slice(const imaging::Grid& grid, const std::vector<float>&
                             const std::vector<std::uint8_t>& shown, double range) {
   GLISSON_ASSERT(values.size() == static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.size[1]));
   range_ = range > 0 ? range : 1;
-  aspect_ = grid.size[0] * grid.spacing_mm[0] / (grid.size[1] * grid.spacing_mm[1]);
+  voxel_mm_ = {grid.spacing_mm[0], grid.spacing_mm[1]};
   sides_ = {side_of(-grid.direction.col(0)), side_of(grid.direction.col(0)), side_of(-grid.direction.col(1)),
             side_of(grid.direction.col(1))};
   image_ = QImage(grid.size[0], grid.size[1], QImage::Format_ARGB32);
@@ -50,8 +50,8 @@ void MapPicture::show_slice(const imaging::Grid& grid, const std::vector<float>&
   update();
 }
 
-void MapPicture::clear() {
-  image_ = {};
+void MapPicture::look_at(const QRect& part) {
+  part_ = part;
   update();
 }
 
@@ -84,11 +84,12 @@ void MapPicture::paintEvent(QPaintEvent* /*event*/) {
   const QRect room(24, line + 14, width() - 48, height() - 3 * line - 44);
   if (image_.isNull() || room.width() < 20 || room.height() < 20) return;
 
-  const double scale = std::min(room.width() / aspect_, static_cast<double>(room.height()));
-  const QSize size(static_cast<int>(scale * aspect_), static_cast<int>(scale));
+  const QRect part = part_.isNull() ? image_.rect() : part_.intersected(image_.rect());
+  const QSizeF size_mm(part.width() * voxel_mm_.width(), part.height() * voxel_mm_.height());
+  const QSize size = size_mm.scaled(room.size(), Qt::KeepAspectRatio).toSize();
   const QRect place(QPoint(room.center().x() - size.width() / 2, room.center().y() - size.height() / 2), size);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(place, image_);
+  painter.drawImage(place, image_, part);
   painter.setPen(palette().color(QPalette::PlaceholderText));
   painter.drawText(QRect(place.left() - 22, place.top(), 20, place.height()), Qt::AlignRight | Qt::AlignVCenter,
                    sides_[0]);

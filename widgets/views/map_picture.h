@@ -25,7 +25,8 @@ class MapPicture : public QWidget {
   // whose `shown` is 0 are left empty; an empty list shows all.
   void show_slice(const imaging::Grid& grid, const std::vector<float>& values, const std::vector<std::uint8_t>& shown,
                   double range);
-  void clear();
+  // Shows this part of the slices, in voxels, from now on.
+  void look_at(const QRect& part);
   [[nodiscard]] const QImage& image() const { return image_; }
 
   [[nodiscard]] QSize sizeHint() const override { return {420, 460}; }
@@ -38,7 +39,8 @@ class MapPicture : public QWidget {
   QString title_, unit_;
   Scale scale_;
   QImage image_;
-  double aspect_ = 1;  // of the slice, width over height
+  QRect part_;  // of the slice; a null rectangle: all of it
+  QSizeF voxel_mm_{1, 1};
   double range_ = 0;
   std::array<QString, 4> sides_;  // of the patient: left, right, top, bottom of the picture
 };

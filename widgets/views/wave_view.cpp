@@ -4,7 +4,6 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
@@ -27,6 +26,20 @@ double upper_range(const std::vector<float>& values, double share) {
   const auto at = positive.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(positive.size() - 1));
   std::nth_element(positive.begin(), at, positive.end());
   return static_cast<double>(*at);
+}
+
+// The voxels in a slice that hold all of the region, in whichever slice, with some room around.
+QRect surroundings_of(const imaging::Mask& region) {
+  QRect part;
+  for (int k = 0; k < region.grid.size[2]; ++k) {
+    for (int j = 0; j < region.grid.size[1]; ++j) {
+      for (int i = 0; i < region.grid.size[0]; ++i) {
+        if (region.at(i, j, k) != 0) part |= QRect(i, j, 1, 1);
+      }
+    }
+  }
+  constexpr int room = 3;
+  return part.adjusted(-room, -room, room, room);
 }
 
 template <typename Value>
@@ -211,12 +224,16 @@ QWidget* WaveView::make_foot() {
 void WaveView::show_result() {
   const elastography::ModulusMap& map = inverted_->map;
   const int slices = map.magnitude_kPa.grid.size[2];
-  wave_range_rad_ = upper_range(map.amplitude_rad.values, 0.98);
-  std::vector<float> believed;
+  // What is noise must not decide on the colours of the rest.
+  std::vector<float> amplitude, modulus;
   for (std::size_t v = 0; v < map.confidence.values.size(); ++v) {
-    if (map.confidence.values[v] >= 0.5F) believed.push_back(map.magnitude_kPa.values[v]);
+    if (map.confidence.values[v] < 0.5F) continue;
+    amplitude.push_back(std::abs(map.moving_wave_rad[v]));
+    modulus.push_back(map.magnitude_kPa.values[v]);
   }
-  modulus_range_kPa_ = 1.2 * upper_range(believed, 0.98);
+  wave_range_rad_ = upper_range(amplitude, 0.98);
+  modulus_range_kPa_ = 1.2 * upper_range(modulus, 0.98);
+  for (MapPicture* picture : {wave_, modulus_, confidence_}) picture->look_at(surroundings_of(map.region));
   slice_->setRange(0, slices - 1);
   slice_->setEnabled(slices > 1);
   slice_->setValue(slices / 2);
