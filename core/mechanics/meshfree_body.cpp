@@ -1,10 +1,21 @@
 #include "mechanics/meshfree_body.h"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "geometry/nearest.h"
 #include "mechanics/stiffness_matrix.h"
 #include "mechanics/stopwatch.h"
 
 namespace glisson::mechanics {
 namespace {
+
+// Gives what is held in all directions, in each part of the body, a node of its own: its weight is 1 at the held points
+// and falls to nothing within half the distance of two nodes, the others making room. Without it every node that
+// reaches a held point would be held by it as a whole, and with it all that the node reaches.
+void anchor_held(const Body& body, ShapeFunctions& shape);
 
 // For each held direction of a place, a spring hold_factor times the stiffness that the body has for that place alone.
 std::vector<double> springs_of_held(const Body& body, const Eigen::SparseMatrix<double>& stiffness);
@@ -14,8 +25,7 @@ std::vector<double> springs_of_held(const Body& body, const Eigen::SparseMatrix<
 Result<MeshfreeBody> prepare_meshfree_body(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
                                            const std::vector<Support>& supports, const ChosenLaw& chosen,
                                            StaticOptions options, const MeshfreeOptions& meshfree,
-                                           const std::vector<Cut>& cuts, Holding holding,
-                                           const Progress& progress) {
+                                           const std::vector<Cut>& cuts, Holding holding, const Progress& progress) {
   const Stopwatch watch;
   options.order = ElementOrder::quadratic;
   auto body = prepare_body(mesh, youngs_kPa, supports, options, holding);
@@ -23,6 +33,7 @@ Result<MeshfreeBody> prepare_meshfree_body(const geometry::TetMesh& mesh, const 
 
   auto shape = shape_functions_of(body->mesh, body->youngs_kPa, meshfree, cuts, progress.part(0.0, 0.5));
   if (!shape) return failure(std::move(shape.error()));
+  anchor_held(*body, *shape);
   if (meshfree.stiffness == MeshfreeOptions::Stiffness::of_nodes) {
     body->youngs_kPa = youngs_of_nodes_kPa(body->mesh, *shape);
     for (std::size_t c = 0; c < body->youngs_kPa.size(); ++c) {
@@ -53,6 +64,62 @@ FrameMatrix MeshfreeBody::tangent(const Eigen::VectorXd& u_mm, Tangent which, do
 }
 
 namespace {
+
+void anchor_held(const Body& body, ShapeFunctions& shape) {
+  const std::size_t points = body.mesh.points_mm.size();
+  const std::vector<int> part_of_cell = geometry::parts_by_faces(body.mesh);
+  std::vector<int> part_of_point(points, 0);
+  for (std::size_t c = 0; c < part_of_cell.size(); ++c) {
+    for (const int p : body.mesh.cells[c]) part_of_point[p] = part_of_cell[c];
+  }
+  std::map<int, std::vector<Eigen::Vector3d>> held_mm;  // by part
+  for (std::size_t p = 0; p < points; ++p) {
+    const int node = body.layout.node_of_point[p];
+    if (node < 0) continue;
+    const auto first = body.resolved.held.begin() + 3 * static_cast<std::ptrdiff_t>(node);
+    if (std::all_of(first, first + 3, [](std::uint8_t held) { return held != 0; })) {
+      held_mm[part_of_point[p]].push_back(body.mesh.points_mm[p]);
+    }
+  }
+  if (held_mm.empty()) return;
+
+  const geometry::NearestPoint others(shape.nodes_mm);
+  const double mean_volume_mm3 = geometry::volume_mm3(body.mesh) / static_cast<double>(shape.nodes_mm.size());
+  const double fade_mm = 0.5 * std::cbrt(mean_volume_mm3);
+  std::map<int, std::pair<int, geometry::NearestPoint>> anchors;
+  for (auto& [part, places_mm] : held_mm) {
+    const Eigen::Vector3d middle_mm =
+        std::accumulate(places_mm.begin(), places_mm.end(), Eigen::Vector3d(0, 0, 0)) / double(places_mm.size());
+    const auto nearest = static_cast<std::size_t>(others.nearest(middle_mm).point);
+    anchors.try_emplace(part, static_cast<int>(shape.nodes_mm.size()), geometry::NearestPoint(std::move(places_mm)));
+    shape.nodes_mm.push_back(middle_mm);
+    shape.node_volumes_mm3.push_back(mean_volume_mm3);
+    shape.node_youngs_kPa.push_back(shape.node_youngs_kPa[nearest]);
+  }
+  std::vector<std::size_t> starts{0};
+  std::vector<int> nodes;
+  std::vector<double> weights;
+  for (std::size_t p = 0; p < points; ++p) {
+    const auto anchor = anchors.find(part_of_point[p]);
+    double left = 1.0;  // for the others
+    if (anchor != anchors.end()) {
+      const double away_mm = std::sqrt(anchor->second.second.nearest(body.mesh.points_mm[p]).squared_distance_mm2);
+      left = std::min(1.0, away_mm / fade_mm);
+    }
+    for (std::size_t k = shape.starts[p]; k < shape.starts[p + 1] && left > 0; ++k) {
+      nodes.push_back(shape.nodes[k]);
+      weights.push_back(left * shape.weights[k]);
+    }
+    if (left < 1) {
+      nodes.push_back(anchor->second.first);
+      weights.push_back(1.0 - left);
+    }
+    starts.push_back(nodes.size());
+  }
+  shape.starts = std::move(starts);
+  shape.nodes = std::move(nodes);
+  shape.weights = std::move(weights);
+}
 
 std::vector<double> springs_of_held(const Body& body, const Eigen::SparseMatrix<double>& stiffness) {
   std::vector<double> springs(body.resolved.held.size(), 0.0);

@@ -4,7 +4,8 @@
 //
 // What is held is held by springs, because no unknown stands at a held point: each held direction of a place has one,
 // `hold_factor` times as stiff as the body itself is there. Held points then give way by about that part of a cell's
-// deformation, and results say by how much.
+// deformation, and results say by how much. Points held in all directions have a node of their own, one in each part of
+// the body that holds any: the others would be held with them, and all that they reach.
 
 #include <memory>
 #include <vector>
@@ -36,7 +37,7 @@ struct MeshfreeBody {
   [[nodiscard]] FrameMatrix tangent(const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa = 0) const;
 };
 
-// `mesh` is open along the cuts (open_cut). Failures: those of prepare_body and of shape_functions_of.
+// `mesh` is open along the cuts (open_cuts). Failures: those of prepare_body and of shape_functions_of.
 Result<MeshfreeBody> prepare_meshfree_body(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
                                            const std::vector<Support>& supports, const ChosenLaw& chosen,
                                            StaticOptions options, const MeshfreeOptions& meshfree,

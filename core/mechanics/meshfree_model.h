@@ -23,7 +23,7 @@ struct MeshfreeBody;
 
 class MeshfreeModel {
  public:
-  // `mesh` is open along the cuts (open_cut). `options.order` is not read. Failures: those of prepare_meshfree_body.
+  // `mesh` is open along the cuts (open_cuts). `options.order` is not read. Failures: those of prepare_meshfree_body.
   static Result<MeshfreeModel> create(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
                                       const std::vector<Support>& supports, const ChosenLaw& law,
                                       const StaticOptions& options = {}, const MeshfreeOptions& meshfree = {},

@@ -22,8 +22,8 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "geometry/tetrahedra.h"
-#include "mechanics/meshfree_options.h"
 #include "mechanics/cut.h"
+#include "mechanics/meshfree_options.h"
 
 namespace glisson::mechanics {
 
@@ -38,9 +38,9 @@ struct ShapeFunctions {
   std::vector<double> weights;
 };
 
-// The mesh must have passed check_tetrahedra, or be what open_cut made of one that has; `cuts` are the cuts that it was
-// opened along. Where a cut leaves a part without a node, that part gets one.
-// Failures: "meshfree-options" (a number out of range), those of voronoi_nodes; "cancelled".
+// The mesh must have passed check_tetrahedra, or be what open_cuts made of one that has; `cuts` are the cuts that it
+// was opened along. Where a cut leaves a part without a node, that part gets one. Failures: "meshfree-options" (a
+// number out of range), those of voronoi_nodes; "cancelled".
 Result<ShapeFunctions> shape_functions_of(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
                                           const MeshfreeOptions& options, const std::vector<Cut>& cuts = {},
                                           const Progress& progress = {});

@@ -3,6 +3,8 @@
 //   build/release/bin/bench_mechanics --benchmark_filter=SetUp
 
 #include <benchmark/benchmark.h>
+#include <chrono>
+#include <cmath>
 
 #include "base/parallel.h"
 #include "mechanics/bodies.h"
@@ -80,6 +82,64 @@ void MeshfreeSetUp(benchmark::State& state) {
   }
 }
 
+// How far the meshfree engine is from finite elements on a liver of uneven stiffness (3 to 20 kPa), by its nodes and by
+// what holds the upper rear: 1 held points, 0 the springs of a foundation.
+void MeshfreeAgainstCells(benchmark::State& state) {
+  const auto mesh = liver_sized(11);
+  std::vector<double> youngs_kPa;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const Vector3d at = geometry::cell_centroid_mm(mesh, c);
+    youngs_kPa.push_back(8.0 * std::exp(0.9 * std::sin(0.05 * at.x()) * std::cos(0.07 * at.y())));
+  }
+  auto by = supports;
+  if (state.range(1) == 0) by[0].how = mechanics::Foundation{1.1};
+  const auto cells = mechanics::solve_static(mesh, youngs_kPa, by, hoist).value();
+  for (auto _ : state) {
+    const auto model = mechanics::MeshfreeModel::create(mesh, youngs_kPa, by, mechanics::MaterialLaw::linear, {},
+                                                        {.nodes = int(state.range(0))})
+                           .value();
+    const auto frames = model.solve(hoist).value();
+    double sum_mm = 0, largest_mm = 0;
+    for (std::size_t p = 0; p < mesh.points_mm.size(); ++p) {
+      const double apart_mm = (frames.displacement_mm[p] - cells.displacement_mm[p]).norm();
+      sum_mm += apart_mm;
+      largest_mm = std::max(largest_mm, apart_mm);
+    }
+    state.counters["mean_mm"] = sum_mm / double(mesh.points_mm.size());
+    state.counters["largest_mm"] = largest_mm;
+    state.counters["moved_mm"] = cells.max_displacement_mm;
+    state.counters["work_share"] = frames.external_work_uJ / cells.external_work_uJ;
+  }
+}
+
+// A step in time of a body as large as one likes: what it costs to make and to move, and in memory.
+void CostOfCells(benchmark::State& state) {
+  const auto mesh = liver_sized(int(state.range(0)));
+  mechanics::StaticOptions options;
+  options.order = mechanics::ElementOrder::linear;
+  const auto start = std::chrono::steady_clock::now();
+  auto body = mechanics::prepare_body(mesh, mechanics::test::uniform(mesh, 6.0), supports, options,
+                                      mechanics::Holding::required)
+                  .value();
+  auto moving = mechanics::MovingBody::create(std::move(body), mechanics::MaterialLaw::corotational,
+                                              {.relative_tolerance = 1e-3, .max_iterations = 1000})
+                    .value();
+  state.counters["setup_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto force_mN = moving.force_of(hoist).value();
+  double iterations = 0, unconverged = 0, steps = 0;
+  for (auto _ : state) {
+    const auto report = moving.step(force_mN);
+    iterations += report.iterations;
+    unconverged += report.converged ? 0 : 1;
+    ++steps;
+  }
+  state.counters["cells"] = double(mesh.cells.size());
+  state.counters["nodes"] = double(moving.mass_kg().size());
+  state.counters["matrix_MB"] = double(moving.cost().product_bytes) / 1e6;
+  state.counters["iterations"] = iterations / steps;
+  state.counters["unconverged"] = unconverged;
+}
+
 // What the window waits for: a tool put down (both bodies solved), and a force changed.
 void PlacingATool(benchmark::State& state) {
   const auto mesh = liver_sized(int(state.range(0)));
@@ -147,7 +207,6 @@ void RehearsalWithTools(benchmark::State& state) {
   const auto body = mechanics::ContactBody::create(std::move(model), {}, places).value();
   mechanics::ContactOptions tight;
   tight.movement_tolerance_mm *= 0.01;
-  tight.penetration_tolerance_mm *= 0.01;
   tight.max_rounds = 500;
   auto exact = body.solve(body.untouched(), {hook}, tight).value();
   exact = body.solve(exact, {hook, probe()}, tight).value();
@@ -212,6 +271,14 @@ BENCHMARK(ReadingMemory)->Arg(12)->Arg(512)->Unit(benchmark::kMillisecond)->UseR
 BENCHMARK(SetUp)->Arg(9)->Arg(15)->Arg(25)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(OneLoad)->Arg(9)->Arg(15)->Arg(25)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(SixteenLoadsTogether)->Arg(9)->Arg(15)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(MeshfreeAgainstCells)
+    ->ArgsProduct({{30, 100, 300}, {1, 0}})
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+// 6 n^3: 1,296 to 511,104 cells.
+BENCHMARK(CostOfCells)->Arg(6)->Arg(9)->Arg(15)->Arg(25)->Iterations(10)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(CostOfCells)->Arg(44)->Iterations(3)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(MeshfreeSetUp)
     ->Args({100, 15})
     ->Args({2000, 15})
