@@ -17,23 +17,21 @@ Region region_from(const Json& json, const std::string& where) {
   const auto kinds = json.count("point_array") + json.count("sphere") + json.count("box");
   if (kinds != 1) refuse(where, GLISSON_TEXT("{0} needs exactly one of \"point_array\", \"sphere\" and \"box\"."));
 
-  if (json.contains("point_array")) {
-    return NamedPoints{name(json["point_array"], where + ", point_array")};
-  } else if (json.contains("sphere")) {
+  if (json.contains("point_array")) return NamedPoints{name(json["point_array"], where + ", point_array")};
+  if (json.contains("sphere")) {
     const Json& sphere = json["sphere"];
     known_keys(sphere, {"center_mm", "radius_mm"}, where + ", sphere");
     return Ball{vector(required(sphere, "center_mm", where + ", sphere"), where + ", center_mm"),
                 positive_number(required(sphere, "radius_mm", where + ", sphere"), where + ", radius_mm")};
-  } else {
-    const Json& box = json["box"];
-    known_keys(box, {"min_mm", "max_mm"}, where + ", box");
-    const geometry::Box region{vector(required(box, "min_mm", where + ", box"), where + ", min_mm"),
-                               vector(required(box, "max_mm", where + ", box"), where + ", max_mm")};
-    if ((region.min_mm.array() > region.max_mm.array()).any()) {
-      refuse(where, GLISSON_TEXT("In {0} the box's min_mm must not exceed its max_mm."));
-    }
-    return region;
   }
+  const Json& box = json["box"];
+  known_keys(box, {"min_mm", "max_mm"}, where + ", box");
+  const geometry::Box region{vector(required(box, "min_mm", where + ", box"), where + ", min_mm"),
+                             vector(required(box, "max_mm", where + ", box"), where + ", max_mm")};
+  if ((region.min_mm.array() > region.max_mm.array()).any()) {
+    refuse(where, GLISSON_TEXT("In {0} the box's min_mm must not exceed its max_mm."));
+  }
+  return region;
 }
 
 Cut cut_from(const Json& json, const std::string& where) {
