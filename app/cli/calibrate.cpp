@@ -38,7 +38,7 @@ Result<Outcome> run(const CalibrateCommand& command, const Progress& progress) {
     const std::string name = command.left.size() == left->size() ? command.left[i] : fmt::format("pair {}", i + 1);
     pairs.push_back({name, std::move((*left)[i]), std::move((*right)[i])});
   }
-  progress.report(0.2, "calibrating");
+  progress.report(0.2, GLISSON_TEXT("calibrating"));
   const auto fit = vision::calibrate(pairs, command.board);
   if (!fit) return failure(fit.error());
   const auto eye = [](const vision::CameraFit& camera) {

@@ -32,10 +32,10 @@ Result<scene::Scene> scene_of(const Options& options) {
 Result<Outcome> render(const Options& options, const Progress& progress) {
   const auto size = parse_size(options.size);
   if (!size) return failure(size.error());
-  progress.report(0.0, "Reading");
+  progress.report(0.0, GLISSON_TEXT("Reading"));
   const auto scene = scene_of(options);
   if (!scene) return failure(scene.error());
-  progress.report(0.5, "Drawing");
+  progress.report(0.5, GLISSON_TEXT("Drawing"));
   const auto picture = scene::draw(*scene, size->width, size->height);
   if (!picture) return failure(picture.error());
   if (auto written = scene::write_png(*picture, options.out); !written) return failure(written.error());

@@ -131,12 +131,12 @@ Outcome describe(const rehearsal::Resection& plan) {
 }
 
 Result<Outcome> resect(const Options& options, const Progress& progress) {
-  progress.report(0.0, "Reading the liver");
+  progress.report(0.0, GLISSON_TEXT("Reading the liver"));
   const auto cut = cut_of(options);
   if (!cut) return failure(cut.error());
   const auto liver = liver_of(options);
   if (!liver) return failure(liver.error());
-  progress.report(0.3, "Cutting");
+  progress.report(0.3, GLISSON_TEXT("Cutting"));
   std::optional<Eigen::Vector3d> specimen_mm;
   if (!options.specimen_mm.empty()) specimen_mm = Eigen::Vector3d(options.specimen_mm.data());
   const auto plan = rehearsal::plan_resection(liver->mesh, *cut, liver->structures, specimen_mm);

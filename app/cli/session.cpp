@@ -69,7 +69,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
   if (!text) return failure(text.error());
   auto commands = rehearsal::parse_recording(*text, options.commands_file);
   if (!commands) return failure(std::move(commands.error()));
-  progress.report(0.0, "Reading the model");
+  progress.report(0.0, GLISSON_TEXT("Reading the model"));
   auto model = casefile::Case::open(options.case_folder).and_then([](const casefile::Case& patient) {
     return casefile::read_model(patient);
   });
@@ -87,7 +87,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
   rehearsal::Recording recording;
   std::optional<std::size_t> first_other;
   for (std::size_t i = 0; i < commands->size(); ++i) {
-    progress.report(0.7 + 0.3 * double(i) / double(commands->size()), "Moving the tools");
+    progress.report(0.7 + 0.3 * double(i) / double(commands->size()), GLISSON_TEXT("Moving the tools"));
     if (progress.cancelled()) return cancelled();
     const auto& [command, recorded] = (*commands)[i];
     const rehearsal::SessionFrame& frame = engine->step(command);

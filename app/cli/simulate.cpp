@@ -64,7 +64,7 @@ Result<mechanics::SimulationOptions> simulation_options(const Options& options, 
 Result<Outcome> simulate(const Options& options, const Progress& progress) {
   auto scenario = mechanics::read_scenario(options.scenario_file);
   if (!scenario) return failure(scenario.error());
-  progress.report(0.0, "Reading the mesh");
+  progress.report(0.0, GLISSON_TEXT("Reading the mesh"));
   const auto mesh = mesh_and_defaults(options, *scenario);
   if (!mesh) return failure(mesh.error());
   const auto settings = simulation_options(options, *scenario);

@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "main_window.h"
 #include "theme.h"
+#include "words/language.h"
 
 namespace {
 
@@ -59,6 +60,7 @@ int main(int argc, char** argv) {
   name_application();
   QApplication::setApplicationDisplayName("Glisson");
   glisson::widgets::apply_dark_theme(application);
+  glisson::widgets::begin_in_kept_language();
   QApplication::setWindowIcon(QIcon(":/icons/glisson.svg"));
 
   const QStringList paths = positional_arguments(arguments, application);

@@ -86,7 +86,7 @@ Result<void> write_text_file(const fs::path& target, std::string_view text) {
     std::ofstream stream(beside, std::ios::binary);
     stream.write(text.data(), static_cast<std::streamsize>(text.size()));
     stream.close();
-    if (!stream) return cannot_write(target, "the disk or the folder refused it");
+    if (!stream) return cannot_write(target, GLISSON_TEXT("the disk or the folder refused it"));
     return {};
   });
 }

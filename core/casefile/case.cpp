@@ -55,11 +55,11 @@ Result<Case> Case::create(const fs::path& folder) {
 Result<Case> Case::open(const fs::path& folder) {
   const fs::path case_json = folder / "case.json";
   std::error_code problem;
-  if (!fs::exists(case_json, problem)) return not_a_case(folder, "it holds no case.json");
+  if (!fs::exists(case_json, problem)) return not_a_case(folder, GLISSON_TEXT("it holds no case.json"));
   const auto document = read_json_file(case_json);
   if (!document) return failure(document.error());
   if (!document->is_object() || document->value("format", Json()) != format_name) {
-    return not_a_case(folder, "case.json does not say \"format\": \"glisson-case/1\"");
+    return not_a_case(folder, GLISSON_TEXT("case.json does not say \"format\": \"glisson-case/1\""));
   }
   Case opened;
   opened.folder_ = folder;

@@ -118,7 +118,8 @@ Result<std::vector<fs::path>> export_case(const Case& patient, ExportFormat form
   std::vector<fs::path> files;
   for (const Entry* entry : entries) {
     if (progress.cancelled()) return cancelled();
-    progress.report(static_cast<double>(files.size()) / static_cast<double>(entries.size()), "Writing " + entry->id);
+    progress.report(static_cast<double>(files.size()) / static_cast<double>(entries.size()),
+                    std::string(GLISSON_TEXT("Writing")) + ": " + entry->id);
     const fs::path target = out / (fs::path(entry->id).filename().string() + named(format).extension);
     const bool label_as_nrrd = format == ExportFormat::nrrd && entry->id.starts_with("labels/");
     const bool image = format == ExportFormat::nrrd || format == ExportFormat::nifti;

@@ -29,7 +29,7 @@ std::vector<Eigen::Vector3d> centroids_mm(const geometry::TetMesh& mesh);
 }  // namespace
 
 Result<meshing::LiverMesh> mesh_liver(Case& patient, const meshing::MeshOptions& options, const Progress& progress) {
-  progress.report(0.0, "Reading the structures");
+  progress.report(0.0, GLISSON_TEXT("Reading the structures"));
   auto structures = read_structures(patient);
   if (!structures) return failure(structures.error());
   std::erase_if(*structures, [](const Structure& structure) { return !in_liver(structure); });
@@ -59,7 +59,7 @@ Result<meshing::LiverMesh> mesh_liver(Case& patient, const meshing::MeshOptions&
   // A liver that is cut by the image may lack its upper rear; then the scenario must say what holds it.
   if (auto marked = rehearsal::mark_attachments(meshed->body); !marked) made.notes.push_back(marked.error().message());
 
-  progress.report(0.9, "Saving the mesh");
+  progress.report(0.9, GLISSON_TEXT("Saving the mesh"));
   auto saved = patient.add("meshes/liver", ".vtu", made,
                            [&](const fs::path& file) { return geometry::write_tetrahedra(file, meshed->body); });
   if (!saved) return failure(saved.error());
@@ -71,7 +71,7 @@ Result<meshing::LiverMesh> mesh_liver(Case& patient, const meshing::MeshOptions&
 Result<elastography::CellStiffness> assign_stiffness(Case& patient, const StiffnessChoice& choice,
                                                      const elastography::StiffnessOptions& options,
                                                      const Progress& progress) {
-  progress.report(0.0, "Reading the mesh");
+  progress.report(0.0, GLISSON_TEXT("Reading the mesh"));
   auto mesh =
       patient.file_of("meshes/liver").and_then([](const fs::path& file) { return geometry::read_tetrahedra(file); });
   if (!mesh) return failure(mesh.error());
@@ -79,7 +79,7 @@ Result<elastography::CellStiffness> assign_stiffness(Case& patient, const Stiffn
   Made made{"stiffness", {{"poisson-ratio", fmt::format("{}", options.poisson_ratio)}}, {"meshes/liver"}, {}, {}};
   Result<elastography::CellStiffness> stiffness = tl::unexpected(Error{});
   if (std::holds_alternative<FromMre>(choice)) {
-    progress.report(0.2, "Stiffness of each cell from the MRE map");
+    progress.report(0.2, GLISSON_TEXT("Stiffness of each cell from the MRE map"));
     stiffness = stiffness_from_mre(patient, *mesh, options, made);
   } else {
     const auto* uniform = std::get_if<Uniform>(&choice);
@@ -99,7 +99,7 @@ Result<elastography::CellStiffness> assign_stiffness(Case& patient, const Stiffn
   geometry::Field source{"stiffness_source", 1, {}};
   for (const auto s : stiffness->source) source.values.push_back(static_cast<double>(s));
   geometry::set_field(mesh->cell_fields, std::move(source));
-  progress.report(0.9, "Saving the model");
+  progress.report(0.9, GLISSON_TEXT("Saving the model"));
   auto saved = patient.add("meshes/model", ".vtu", std::move(made),
                            [&](const fs::path& file) { return geometry::write_tetrahedra(file, *mesh); });
   if (!saved) return failure(saved.error());

@@ -105,13 +105,14 @@ Json steps_of(const mechanics::Simulation& simulation) {
 
 Result<rehearsal::ComparedResult> read_result(const fs::path& folder) {
   std::error_code problem;
-  if (!fs::exists(folder / "result.vtu", problem)) return not_a_result(folder, "result.vtu is missing");
+  if (!fs::exists(folder / "result.vtu", problem)) return not_a_result(folder, GLISSON_TEXT("result.vtu is missing"));
   const auto document = read_json_file(folder / "result.json");
   if (!document) return failure(document.error());
   if (document->value("format", "") != "glisson-result/1") {
-    return not_a_result(folder, "result.json does not say \"format\": \"glisson-result/1\"");
+    return not_a_result(folder, GLISSON_TEXT("result.json does not say \"format\": \"glisson-result/1\""));
   }
-  if (!document->value("converged", false)) return not_a_result(folder, "the computation did not converge");
+  if (!document->value("converged", false))
+    return not_a_result(folder, GLISSON_TEXT("the computation did not converge"));
 
   rehearsal::ComparedResult read;
   auto mesh = geometry::read_tetrahedra(folder / "result.vtu");

@@ -41,7 +41,8 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
     const Eigen::Vector3d& seed = seeds_mm[i];
     made.options[fmt::format("seed-{}_mm", i + 1)] = fmt::format("{:.2f},{:.2f},{:.2f}", seed.x(), seed.y(), seed.z());
   }
-  for (const auto& doubt : grown->doubts) made.notes.push_back(doubt.sentence);
+  std::vector<Sentence> notes;
+  for (const auto& doubt : grown->doubts) notes.push_back(doubt.sentence);
   if (name == "liver") {
     const auto known = read_structures(patient);
     if (!known) return failure(known.error());
@@ -49,15 +50,18 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
     grown->mask = std::move(whole.liver);
     for (const std::string& lesion : whole.added) {
       made.from.push_back("labels/" + lesion);
-      made.notes.push_back(fmt::format("The growing left {} out; it was added to the liver.", lesion));
+      notes.push_back({GLISSON_TEXT("The growing left {0} out; it was added to the liver."), {lesion}});
     }
   }
-  return save_structure(patient, segmentation::make_structure(name, std::move(grown->mask)), std::move(made));
+  for (const Sentence& note : notes) made.notes.push_back(note.message());
+  auto saved = save_structure(patient, segmentation::make_structure(name, std::move(grown->mask)), std::move(made));
+  if (saved) saved->notes = std::move(notes);
+  return saved;
 }
 
 Result<SavedStructure> import_structure(Case& patient, const std::string& name, const fs::path& labels,
                                         std::optional<int> label_value, const Progress& progress) {
-  progress.report(0.0, "Reading the labels");
+  progress.report(0.0, GLISSON_TEXT("Reading the labels"));
   const auto anatomy = patient.volume("volumes/anatomy");
   if (!anatomy) return failure(anatomy.error());
   auto picked = read_labelled(labels).and_then(
@@ -81,8 +85,11 @@ Result<SavedStructure> import_structure(Case& patient, const std::string& name, 
 }
 
 Result<SavedStructure> save_structure(Case& patient, const Structure& structure, Made made) {
-  SavedStructure saved{structure.name, "labels/" + structure.name, segmentation::voxel_count(structure.mask),
-                       segmentation::volume_ml(structure.mask), made.notes};
+  SavedStructure saved{structure.name,
+                       "labels/" + structure.name,
+                       segmentation::voxel_count(structure.mask),
+                       segmentation::volume_ml(structure.mask),
+                       {}};
   auto added = patient.add(saved.id, ".nrrd", std::move(made), [&](const fs::path& file) {
     return imaging::write_mask_file(file, structure.mask, {structure.name, 1, structure.color_rgb});
   });

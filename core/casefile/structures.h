@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "base/sentence.h"
 #include "casefile/case.h"
 #include "mechanics/scenario.h"
 #include "segmentation/structures.h"
@@ -18,7 +19,7 @@ struct SavedStructure {
   std::string id;  // of the entry: "labels/liver"
   std::size_t voxels = 0;
   double volume_ml = 0;
-  std::vector<std::string> notes;  // doubts about it, one sentence each
+  std::vector<Sentence> notes;  // doubts about it
 };
 
 // Grows from points inside the structure (patient LPS, mm) on volumes/anatomy and saves the outcome.

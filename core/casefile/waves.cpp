@@ -90,7 +90,7 @@ Result<elastography::SortedWaves> read_waves(const Case& patient, const elastogr
 
 Result<InvertedWaves> inverted_waves(const Case& patient, const elastography::AskedFor& asked,
                                      const elastography::InversionOptions& options, const Progress& progress) {
-  progress.report(0, "Reading the waves");
+  progress.report(0, GLISSON_TEXT("Reading the waves"));
   const auto sorted = read_waves(patient, asked);
   if (!sorted) return failure(sorted.error());
   Made made{"invert", {{"method", std::string(elastography::method_name(options.method))}}, {}, {}, {}};
@@ -120,7 +120,7 @@ Result<elastography::ModulusMap> invert_waves(Case& patient, const elastography:
                                               const elastography::InversionOptions& options, const Progress& progress) {
   auto inverted = inverted_waves(patient, asked, options, progress.part(0, 0.9));
   if (!inverted) return failure(inverted.error());
-  progress.report(0.9, "Saving the maps");
+  progress.report(0.9, GLISSON_TEXT("Saving the maps"));
   if (auto saved = accept_waves(patient, *inverted); !saved) return failure(saved.error());
   return std::move(inverted->map);
 }

@@ -118,7 +118,7 @@ Result<std::vector<History>> histories_and_loads(const Palpation& experiment, co
 }  // namespace
 
 Result<std::unique_ptr<ForwardModel>> palpation_model(Palpation experiment, const Progress& progress) {
-  progress.report(0.0, "Preparing the specimen");
+  progress.report(0.0, GLISSON_TEXT("Preparing the specimen"));
   auto specimen = specimen_body(experiment.mesh, experiment.cell_young_kPa, experiment.supports,
                                 experiment.poisson_ratio, experiment.density_kg_mm3);
   if (!specimen) return failure(std::move(specimen.error()));
@@ -187,7 +187,7 @@ Result<std::unique_ptr<ForwardModel>> palpation_model(Palpation experiment, cons
   auto solver =
       PalpationSolver::create(std::move(*specimen), std::move(loads_mN), std::move(markers), progress.part(0.1, 1.0));
   if (!solver) return failure(std::move(solver.error()));
-  progress.report(1.0, "Solved the declared specimen");
+  progress.report(1.0, GLISSON_TEXT("Solved the declared specimen"));
   return std::make_unique<PalpationModel>(std::move(experiment), std::move(*solver), columns, std::move(*histories),
                                           std::move(shots), std::move(places_mm), std::move(seen));
 }

@@ -116,7 +116,8 @@ Result<std::vector<Candidate>> Search::fit_each(const Settings& active, const st
   parallel_for(effects.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && !progress_.cancelled(); ++i) {
       candidates[i] = fit_one(active, *effects[i], residual);
-      progress.report(static_cast<double>(++done) / static_cast<double>(effects.size()), "trying effects");
+      progress.report(static_cast<double>(++done) / static_cast<double>(effects.size()),
+                      GLISSON_TEXT("trying effects"));
     }
   });
   if (progress_.cancelled()) return cancelled();

@@ -55,7 +55,7 @@ Result<Explanation> trace(const ForwardModel& model, const TraceOptions& options
 namespace {
 
 Result<Explanation> Tracing::run() {
-  progress_.report(0, "predicting with the declared model");
+  progress_.report(0, GLISSON_TEXT("predicting with the declared model"));
   const auto declared = search_.declared();
   if (!declared) return failure(declared.error());
   Explanation& e = explanation_;
@@ -72,14 +72,14 @@ Result<Explanation> Tracing::run() {
     if (!selected) return failure(std::move(selected.error()));
     chosen = std::move(*selected);
   }
-  progress_.report(0.95, "weighing the evidence");
+  progress_.report(0.95, GLISSON_TEXT("weighing the evidence"));
   rank(*declared, singles);
   decide(*declared, chosen);
   if (auto described = describe_effects(*declared, chosen); !described) return failure(std::move(described.error()));
   find_next_measurement(chosen);
   if (!search_.folds().any())
     e.notes.emplace_back("There is only one trial, so nothing could be predicted that was not fitted.");
-  progress_.report(1, "done");
+  progress_.report(1, GLISSON_TEXT("done"));
   return std::move(e);
 }
 

@@ -41,7 +41,8 @@ Result<ModulusMap> invert(const std::vector<WaveImages>& images, const std::opti
   std::vector<Prepared> prepared;
   for (std::size_t f = 0; f < images.size(); ++f) {
     if (progress.cancelled()) return cancelled();
-    progress.report(0.6 * static_cast<double>(f) / static_cast<double>(images.size()), "Unwrapping the phase");
+    progress.report(0.6 * static_cast<double>(f) / static_cast<double>(images.size()),
+                    GLISSON_TEXT("Unwrapping the phase"));
     auto one = prepare(images[f], options, map.notes);
     if (!one) return failure(one.error());
     map.frequencies_Hz.push_back(images[f].frequency_Hz);
@@ -56,7 +57,7 @@ Result<ModulusMap> invert(const std::vector<WaveImages>& images, const std::opti
                          {}});
   }
   if (progress.cancelled()) return cancelled();
-  progress.report(0.6, "Inverting the waves");
+  progress.report(0.6, GLISSON_TEXT("Inverting the waves"));
   VoxelModulus found = options.method == InversionMethod::direct ? invert_direct(prepared, map.region, options)
                                                                  : invert_by_local_frequency(prepared, map.region);
   if (options.method == InversionMethod::direct) take_time_forwards(found, map.notes);
@@ -78,7 +79,7 @@ Result<ModulusMap> invert(const std::vector<WaveImages>& images, const std::opti
   fill_pictures(prepared.front().waves, map);
   map.typical_wavelength_mm = prepared.front().wavelength_mm;
   if (auto summarised = summarise(map, options.least_confidence); !summarised) return failure(summarised.error());
-  progress.report(1.0, "Inverted");
+  progress.report(1.0, GLISSON_TEXT("Inverted"));
   return map;
 }
 

@@ -78,7 +78,7 @@ Wrong Walk::through_geometry() {
   offsets_lead = number != std::string::npos && version.substr(number + 8) >= "5.1";
   text.line();  // the title
   text.set_binary(text.word() == "binary");
-  if (text.word() != "dataset") return "it names no dataset";
+  if (text.word() != "dataset") return GLISSON_TEXT("it names no dataset");
   const std::string dataset = text.word();
   if (dataset != "polydata" && dataset != "unstructured_grid") return "it holds a " + dataset;
 
@@ -89,14 +89,14 @@ Wrong Walk::through_geometry() {
     } else if (part == "points") {
       const auto points = text.count();
       if (!points || *points > UINT64_MAX / 3 || !text.skip_values(3 * *points, text.word())) {
-        wrong = "its points are not all there";
+        wrong = GLISSON_TEXT("its points are not all there");
       }
     } else if (part == "vertices" || part == "lines" || part == "polygons" || part == "triangle_strips" ||
                part == "cells") {
       wrong = cell_list(part);
     } else if (part == "cell_types") {
       cell_types = text.count();
-      if (!cell_types || !text.integers(*cell_types, "int")) wrong = "its cell types are not all there";
+      if (!cell_types || !text.integers(*cell_types, "int")) wrong = GLISSON_TEXT("its cell types are not all there");
     } else if (part == "field") {
       wrong = field();
     } else if (part == "metadata") {
@@ -109,7 +109,7 @@ Wrong Walk::through_geometry() {
     if (wrong) return wrong;
   }
   if (dataset == "unstructured_grid" && (!cells || cells != cell_types)) {
-    return "it has not as many cell types as cells";
+    return GLISSON_TEXT("it has not as many cell types as cells");
   }
   return std::nullopt;
 }
@@ -151,13 +151,13 @@ Wrong Walk::offset_list(const std::string& name, std::uint64_t offsets, std::uin
 Wrong Walk::field() {
   text.word();  // its name
   const auto arrays = text.count();
-  if (!arrays) return "a field says not how many arrays it has";
+  if (!arrays) return GLISSON_TEXT("a field says not how many arrays it has");
   for (std::uint64_t array = 0; array < *arrays; ++array) {
     text.word();  // its name
     const auto components = text.count(), tuples = text.count();
     const bool whole = components && tuples && (*components == 0 || *tuples <= UINT64_MAX / *components) &&
                        text.skip_values(*components * *tuples, text.word());
-    if (!whole) return "an array before its cells is not all there, or is text";
+    if (!whole) return GLISSON_TEXT("an array before its cells is not all there, or is text");
   }
   return std::nullopt;
 }

@@ -123,8 +123,8 @@ namespace {
 Failure format_unknown(const fs::path& file, const std::string& known) {
   return failure(Error{"mesh-format-unknown",
                        GLISSON_TEXT("{0} has no extension that is known for such a mesh."),
-                       {file.filename().string()},
-                       GLISSON_TEXT("Known are: ") + known,
+                       {file.filename().string(), known},
+                       GLISSON_TEXT("Known are: {1}"),
                        file});
 }
 
@@ -179,7 +179,7 @@ Result<vtkSmartPointer<Data>> read_with(const fs::path& file) {
     reader->Update();
     if (!complaint->text().empty()) return invalid(file, complaint->text());
     vtkSmartPointer<Data> data = Data::SafeDownCast(reader->GetOutput());
-    if (!data || data->GetNumberOfPoints() == 0) return invalid(file, "it holds no points");
+    if (!data || data->GetNumberOfPoints() == 0) return invalid(file, GLISSON_TEXT("it holds no points"));
     return data;
   } catch (const std::exception& thrown) {
     return invalid(file, thrown.what());
@@ -278,7 +278,7 @@ Result<Surface> surface_from(vtkPolyData* polygons, const fs::path& file) {
   const vtkIdType points = polygons->GetNumberOfPoints();
   for (vtkCellArray* cells :
        {polygons->GetVerts(), polygons->GetLines(), polygons->GetPolys(), polygons->GetStrips()}) {
-    if (!checked_cells(cells, points)) return invalid(file, "a cell names a point that does not exist");
+    if (!checked_cells(cells, points)) return invalid(file, GLISSON_TEXT("a cell names a point that does not exist"));
   }
   const vtkNew<vtkTriangleFilter> triangulate;
   triangulate->SetInputData(polygons);
@@ -289,7 +289,7 @@ Result<Surface> surface_from(vtkPolyData* polygons, const fs::path& file) {
   Surface surface;
   surface.points_mm = points_from(polygons->GetPoints());
   const auto cells = checked_cells(triangulate->GetOutput()->GetPolys(), points);
-  if (!cells) return invalid(file, "its polygons cannot be cut into triangles");
+  if (!cells) return invalid(file, GLISSON_TEXT("its polygons cannot be cut into triangles"));
   for (std::size_t i = 0; i < cells->cells; ++i) {
     const vtkTypeInt64* corners = cells->connectivity + cells->offsets[i];
     surface.triangles.push_back(
@@ -323,7 +323,7 @@ vtkSmartPointer<vtkPolyData> polygons_from(const Surface& surface) {
 
 Result<TetMesh> tetrahedra_from(vtkUnstructuredGrid* grid, const fs::path& file) {
   const auto cells = checked_cells(grid->GetCells(), grid->GetNumberOfPoints());
-  if (!cells) return invalid(file, "a cell names a point that does not exist");
+  if (!cells) return invalid(file, GLISSON_TEXT("a cell names a point that does not exist"));
 
   TetMesh mesh;
   for (std::size_t i = 0; i < cells->cells; ++i) {
@@ -344,7 +344,7 @@ Result<TetMesh> tetrahedra_from(vtkUnstructuredGrid* grid, const fs::path& file)
     mesh.cells.push_back({static_cast<int>(corners[0]), static_cast<int>(corners[1]), static_cast<int>(corners[2]),
                           static_cast<int>(corners[3])});
   }
-  if (mesh.cells.empty()) return invalid(file, "it holds no tetrahedra");
+  if (mesh.cells.empty()) return invalid(file, GLISSON_TEXT("it holds no tetrahedra"));
   mesh.points_mm = points_from(grid->GetPoints());
   for (std::size_t i = 0; i < mesh.points_mm.size(); ++i) {
     if (!mesh.points_mm[i].allFinite()) return invalid(file, "point " + std::to_string(i) + " has no finite position");

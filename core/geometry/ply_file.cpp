@@ -72,7 +72,7 @@ Result<Surface> read_ply(const fs::path& file) {
   const auto text = read_text_file(file);
   if (!text) return failure(text.error());
   const auto header = read_header(*text);
-  if (!header) return invalid("its header is not that of a PLY file");
+  if (!header) return invalid(GLISSON_TEXT("its header is not that of a PLY file"));
 
   Surface surface;
   Body body(std::string_view(*text).substr(header->body), header->encoding);

@@ -129,7 +129,7 @@ Result<Layout> layout_of(DcmDataset& data_set, const fs::path& file) {
   layout.inside_from = std::max(1, layout.inside_from);
   const int frames = whole_number_of(data_set, DCM_NumberOfFrames, 0);
   if (layout.rows < 1 || layout.columns < 1 || frames < 1 || (layout.bits != 1 && layout.bits != 8)) {
-    return bad_geometry("rows, columns, frames or bits");
+    return bad_geometry(GLISSON_TEXT("rows, columns, frames or bits"));
   }
 
   DcmItem* shared = item_of(data_set, DCM_SharedFunctionalGroupsSequence);
@@ -160,7 +160,7 @@ Result<Layout> layout_of(DcmDataset& data_set, const fs::path& file) {
     return bad_geometry("orientation");
   }
   if (pixel_spacing.size() != 2 || !(pixel_spacing[0] > 0) || !(pixel_spacing[1] > 0)) {
-    return bad_geometry("pixel spacing");
+    return bad_geometry(GLISSON_TEXT("pixel spacing"));
   }
   layout.grid.direction.col(0) = row.normalized();
   layout.grid.direction.col(1) = column.normalized();

@@ -108,7 +108,7 @@ Result<Volume> read_series(const Series& series, int volume_number, const Progre
       const std::scoped_lock one_at_a_time(reporting);
       if (!read && !first_error) first_error = read.error();
       if (!read) stop = true;
-      progress.report(static_cast<double>(++done) / static_cast<double>(slices), "Reading the slices");
+      progress.report(static_cast<double>(++done) / static_cast<double>(slices), GLISSON_TEXT("Reading the slices"));
     }
   });
   if (first_error) return failure(std::move(*first_error));

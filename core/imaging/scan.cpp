@@ -75,7 +75,8 @@ Result<Study> scan(const fs::path& path, const Progress& progress) {
   }
   for (std::size_t i = 0; i < uids.size(); ++i) {
     if (progress.cancelled()) return cancelled();
-    progress.report(0.95 + 0.05 * static_cast<double>(i) / static_cast<double>(uids.size()), "Sorting the series");
+    progress.report(0.95 + 0.05 * static_cast<double>(i) / static_cast<double>(uids.size()),
+                    GLISSON_TEXT("Sorting the series"));
     for (Series& series : assemble_series(std::move(images_of_series[uids[i]]))) {
       study.series.push_back(std::move(series));
     }
@@ -83,7 +84,7 @@ Result<Study> scan(const fs::path& path, const Progress& progress) {
   std::stable_sort(study.series.begin(), study.series.end(),
                    [](const Series& a, const Series& b) { return a.number < b.number; });
   compare_frames_of_reference(study.series);
-  progress.report(1, "Sorting the series");
+  progress.report(1, GLISSON_TEXT("Sorting the series"));
   return study;
 }
 
@@ -106,7 +107,7 @@ Result<std::vector<fs::path>> files_in_folder(const fs::path& folder, const Prog
     std::error_code ignored;
     if (entry->is_directory(ignored) || is_dicomdir(entry->path())) continue;
     files.push_back(entry->path());
-    if (files.size() % 512 == 0) progress.report(0.5, fmt::format("{} files found", files.size()));
+    if (files.size() % 512 == 0) progress.report(0.5, fmt::format("{}: {}", GLISSON_TEXT("Files found"), files.size()));
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -180,7 +181,7 @@ Result<std::vector<Inspected>> inspect_all(const std::vector<fs::path>& files, c
       if (count % 32 != 0) continue;
       const std::scoped_lock one_at_a_time(reporting);
       progress.report(static_cast<double>(count) / static_cast<double>(files.size()),
-                      fmt::format("{} of {} files looked at", count, files.size()));
+                      fmt::format("{}: {} / {}", GLISSON_TEXT("Files looked at"), count, files.size()));
     }
   });
   if (progress.cancelled()) return cancelled();

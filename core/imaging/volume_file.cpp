@@ -179,10 +179,11 @@ Result<OpenedFile> open_file(const fs::path& file) {
   std::error_code problem;
   const auto bytes = fs::file_size(file, problem);
   if (problem) return unreadable(file, problem.message());
-  if (bytes == 0) return unreadable(file, "it is empty");
+  if (bytes == 0) return unreadable(file, GLISSON_TEXT("it is empty"));
   try {
     opened.io->SetFileName(file.string());
-    if (!opened.io->CanReadFile(file.string().c_str())) return unreadable(file, "its header is not of that format");
+    if (!opened.io->CanReadFile(file.string().c_str()))
+      return unreadable(file, GLISSON_TEXT("its header is not of that format"));
     opened.io->ReadImageInformation();
   } catch (const itk::ExceptionObject& exception) {
     return unreadable(file, reason_of(exception));
@@ -298,7 +299,7 @@ Result<std::vector<Value>> read_values(const OpenedFile& opened, const fs::path&
       case Type::LONGLONG: return converted<long long, Value>(io, voxels, convert);
       case Type::FLOAT: return converted<float, Value>(io, voxels, convert);
       case Type::DOUBLE: return converted<double, Value>(io, voxels, convert);
-      default: return unreadable(file, "its numbers are of an unknown type");
+      default: return unreadable(file, GLISSON_TEXT("its numbers are of an unknown type"));
     }
   } catch (const itk::ExceptionObject& exception) {
     return unreadable(file, reason_of(exception));

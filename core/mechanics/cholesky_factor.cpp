@@ -80,7 +80,7 @@ Result<CholeskyFactor> CholeskyFactor::create(const Eigen::SparseMatrix<double>&
   cholmod_common& common = state->common;
   cholmod_sparse matrix = view_of(lower);
 
-  progress.report(0.0, "Ordering the equations");
+  progress.report(0.0, GLISSON_TEXT("Ordering the equations"));
   if (progress.cancelled()) return cancelled();
   state->factor = cholmod_analyze(&matrix, &common);
   const double needed_bytes = 8.0 * common.lnz;
@@ -93,7 +93,7 @@ Result<CholeskyFactor> CholeskyFactor::create(const Eigen::SparseMatrix<double>&
                          {}});
   }
 
-  progress.report(0.1, "Factorising");
+  progress.report(0.1, GLISSON_TEXT("Factorising"));
   if (progress.cancelled()) return cancelled();
   if (state->factor != nullptr) cholmod_factorize(&matrix, state->factor, &common);
   if (common.status == CHOLMOD_NOT_POSDEF) {
@@ -110,7 +110,7 @@ Result<CholeskyFactor> CholeskyFactor::create(const Eigen::SparseMatrix<double>&
   }
   state->reciprocal_condition = cholmod_rcond(state->factor, &common);
   state->bytes = static_cast<std::uint64_t>(state->factor->xsize) * sizeof(double);
-  progress.report(1.0, "Factorised");
+  progress.report(1.0, GLISSON_TEXT("Factorised"));
   return CholeskyFactor(std::move(state));
 }
 

@@ -111,7 +111,7 @@ Result<DataDrivenResult> find_equilibrium_from_data(const geometry::TetMesh& mes
   int round = 0;
   for (; round < options.max_rounds && !settled(); ++round) {
     if (progress.cancelled()) return cancelled();
-    progress.report(0.3 + 0.7 * round / options.max_rounds, "Looking for states that the data know");
+    progress.report(0.3 + 0.7 * round / options.max_rounds, GLISSON_TEXT("Looking for states that the data know"));
     std::vector<Matrix3d> pulls_kPa(points.count()), stresses_kPa(points.count());
     for (std::size_t i = 0; i < known.size(); ++i) {
       pulls_kPa[i] = metric_stress_kPa(data, known[i].strain);

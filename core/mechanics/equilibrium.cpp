@@ -69,7 +69,7 @@ Result<StaticResult> find_equilibrium(const Body& body, const std::vector<Materi
   double carried = 0.0, part = 1.0, relative_residual = 0.0;
   int steps = 0, halvings = 0;
   while (carried < 1.0 && halvings <= options.max_halvings) {
-    progress.report(carried, "Looking for the equilibrium");
+    progress.report(carried, GLISSON_TEXT("Looking for the equilibrium"));
     const double next = std::min(1.0, carried + part);
     const Balance balance(body, materials, loads, next);
     auto descent = descend(balance, body.resolved.held, balance.scale_mN(), u_mm, descent_options, progress);
@@ -84,7 +84,7 @@ Result<StaticResult> find_equilibrium(const Body& body, const std::vector<Materi
       ++halvings;
     }
   }
-  progress.report(1.0, "Solved");
+  progress.report(1.0, GLISSON_TEXT("Solved"));
 
   StaticResult result = state_of(body, materials, u_mm, {carried * loads.dead_mN, carried * loads.gas_kPa},
                                  Eigen::VectorXd::Zero(u_mm.size()));

@@ -77,7 +77,7 @@ Matrix6d resistance(const RigidFrame& frame, const NodeLayout& layout, const std
 }
 
 std::string describe(const RigidFrame& frame, const Eigen::MatrixXd& free) {
-  if (free.cols() == 6) return "is not held at all";
+  if (free.cols() == 6) return GLISSON_TEXT("is not held at all");
 
   // Combinations of the free motions that do not turn are slides; the rest turn.
   const Eigen::MatrixXd turning = free.bottomRows<3>();
@@ -90,7 +90,7 @@ std::string describe(const RigidFrame& frame, const Eigen::MatrixXd& free) {
 
   std::vector<std::string> sentences;
   if (slides.size() == 3) {
-    sentences.emplace_back("can slide in every direction");
+    sentences.emplace_back(GLISSON_TEXT("can slide in every direction"));
   } else if (slides.size() == 2) {
     const Eigen::Vector3d across = slides[0].head<3>().cross(slides[1].head<3>());
     sentences.push_back("can slide in the plane across " + direction_name(across));

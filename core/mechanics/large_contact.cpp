@@ -174,7 +174,7 @@ Result<LargeContact> find_equilibrium_in_contact(const Body& body, const std::ve
   bool rested = true;
   AppliedLoads all = loads;
   for (; station < stations.size() && rested; ++station) {
-    progress.report(0.1 + 0.9 * double(station) / double(stations.size()), "Moving the tools");
+    progress.report(0.1 + 0.9 * double(station) / double(stations.size()), GLISSON_TEXT("Moving the tools"));
     all = with_pulls(loads, body, stations[station], grips);
     const auto came_to_rest = pressing.rest_under(stations[station], all, progress);
     if (!came_to_rest) return failure(came_to_rest.error());

@@ -41,14 +41,14 @@ Result<MeshfreeBody> prepare_meshfree_body(const geometry::TetMesh& mesh, const 
     }
   }
   if (progress.cancelled()) return cancelled();
-  progress.report(0.6, "Assembling the stiffness");
+  progress.report(0.6, GLISSON_TEXT("Assembling the stiffness"));
   const Eigen::SparseMatrix<double> stiffness = assemble_stiffness(*body);
   FrameBasis basis(body->mesh, body->layout, *shape);
   std::vector<double> hold = springs_of_held(*body, stiffness);
   FrameMatrix rest = reduced(stiffness, basis);
   add_springs(hold, basis, rest);
   std::vector<Material> materials = materials_of(*body, chosen.law, chosen.strain_stiffening);
-  progress.report(1.0, "Assembled");
+  progress.report(1.0, GLISSON_TEXT("Assembled"));
   return MeshfreeBody{std::move(*body),     chosen.law,      std::move(*shape), std::move(basis),
                       std::move(materials), std::move(hold), std::move(rest),   watch.seconds()};
 }

@@ -77,7 +77,7 @@ Result<MeshfreeModel> MeshfreeModel::create(const geometry::TetMesh& mesh, const
   auto frames = prepare_meshfree_body(mesh, youngs_kPa, supports, law, options, meshfree, cuts, Holding::required,
                                       progress.part(0.0, 0.8));
   if (!frames) return failure(std::move(frames.error()));
-  progress.report(0.8, "Factorising");
+  progress.report(0.8, GLISSON_TEXT("Factorising"));
   if (progress.cancelled()) return cancelled();
   auto preconditioner = FramePreconditioner::factorised(frames->rest_stiffness, options.memory_limit_bytes);
   return MeshfreeModel(
@@ -164,7 +164,7 @@ Result<CarriedLoad> carry(const MeshfreeBody& frames, const AppliedLoads& loads,
   carried.q_mm.setZero(frames.basis.unknowns());
   double part = 1.0;
   for (int halvings = 0; carried.share < 1.0 && halvings <= options.max_halvings;) {
-    progress.report(carried.share, "Looking for the equilibrium");
+    progress.report(carried.share, GLISSON_TEXT("Looking for the equilibrium"));
     const double next = std::min(1.0, carried.share + part);
     const FrameBalance balance(frames, loads, next);
     auto descent = descend(balance, nothing_held, balance.scale_mN(), carried.q_mm, descent_options, progress);

@@ -48,7 +48,7 @@ Result<ShapeFunctions> shape_functions_of(const geometry::TetMesh& mesh, const s
     return failure("meshfree-options", GLISSON_TEXT("{0} nodes in this body need more than 5e8 voxels: take fewer."),
                    {std::to_string(wanted)});
   }
-  progress.report(0.0, "Spreading the nodes");
+  progress.report(0.0, GLISSON_TEXT("Spreading the nodes"));
   const VoxelBody voxels = voxelise(mesh, youngs_kPa, spacing_mm);
   auto decomposition = voronoi_nodes(voxels.body, {.nodes = wanted}, progress.part(0.0, 0.3));
   if (!decomposition) return failure(std::move(decomposition.error()));
@@ -71,7 +71,7 @@ Result<ShapeFunctions> shape_functions_of(const geometry::TetMesh& mesh, const s
     node_mm = distance.center_mm(nearest);
   }
   if (progress.cancelled()) return cancelled();
-  progress.report(0.3, "Measuring how the material sees the body");
+  progress.report(0.3, GLISSON_TEXT("Measuring how the material sees the body"));
   const ComplianceDistance::Voronoi voronoi = reach_everywhere(distance, options.voxels_per_node, shape.nodes_mm);
   shape.node_volumes_mm3.assign(shape.nodes_mm.size(), 0.0);
   for (const int owner : voronoi.owner) {

@@ -57,7 +57,7 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   auto answer = options.data ? equilibrium_from_data(mesh, *options.data, scenario, *places, progress)
                              : compute(mesh, *youngs_kPa, scenario, *places, progress);
   if (!answer) return failure(std::move(answer.error()));
-  progress.report(1.0, "Solved");
+  progress.report(1.0, GLISSON_TEXT("Solved"));
 
   Simulation simulation;
   simulation.scenario = scenario;
@@ -179,7 +179,7 @@ Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<doub
   const auto model = StaticModel::create(mesh, std::move(youngs_kPa), scenario.supports, options_of(scenario),
                                          progress.part(0.0, 0.9));
   if (!model) return failure(model.error());
-  progress.report(0.9, "Solving");
+  progress.report(0.9, GLISSON_TEXT("Solving"));
   auto result = model->solve(scenario.loads);
   if (!result) return failure(std::move(result.error()));
   auto landmarks_mm = model->displacement_at(*result, places);

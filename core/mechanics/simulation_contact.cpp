@@ -32,7 +32,7 @@ Result<Answer> small_contact_equilibrium(const geometry::TetMesh& mesh, std::vec
   ContactState state = body->untouched();
   int rounds = 0;
   for (int step = 1; step <= steps; ++step) {
-    progress.report(0.5 + 0.5 * (step - 1) / steps, "Moving the tools");
+    progress.report(0.5 + 0.5 * (step - 1) / steps, GLISSON_TEXT("Moving the tools"));
     if (progress.cancelled()) return cancelled();
     auto next = body->solve(state, tools_at(scenario.tools, double(step) / steps), options);
     if (!next) return failure(std::move(next.error()));

@@ -121,7 +121,7 @@ Result<Answer> follow(const Mover& mover, const Body& body, const std::vector<Ma
   StaticResult state;
   const Stopwatch stepping;
   for (; done < motion.steps && status == SolveStatus::converged; ++done) {
-    progress.report(double(done) / motion.steps, "Moving");
+    progress.report(double(done) / motion.steps, GLISSON_TEXT("Moving"));
     if (progress.cancelled()) return cancelled();
     auto report = mover.step();
     if (!report) return failure(std::move(report.error()));

@@ -24,7 +24,7 @@ Result<StaticModel> StaticModel::create(geometry::TetMesh mesh, std::vector<doub
                                         std::vector<Support> supports, StaticOptions options,
                                         const Progress& progress) {
   const Stopwatch watch;
-  progress.report(0.0, "Checking the model");
+  progress.report(0.0, GLISSON_TEXT("Checking the model"));
   auto body = prepare_body(std::move(mesh), std::move(youngs_kPa), std::move(supports), options, Holding::required);
   if (!body) return failure(std::move(body.error()));
   if (!body->resolved.ligaments.empty()) {
@@ -34,7 +34,7 @@ Result<StaticModel> StaticModel::create(geometry::TetMesh mesh, std::vector<doub
   auto parts = std::make_shared<Parts>();
   static_cast<Body&>(*parts) = std::move(*body);
 
-  progress.report(0.05, "Assembling the stiffness");
+  progress.report(0.05, GLISSON_TEXT("Assembling the stiffness"));
   if (progress.cancelled()) return cancelled();
   auto system = ConstrainedSystem::create(assemble_stiffness(*parts), parts->resolved.held, options.memory_limit_bytes,
                                           progress.part(0.1, 1.0));

@@ -57,7 +57,8 @@ Result<VoronoiNodes> voronoi_nodes(const imaging::Mask& body, const VoronoiOptio
   result.energies_mm5.push_back(energy_mm5(voxels, assignment));
   for (int round = 0;; ++round) {
     if (progress.cancelled()) return cancelled();
-    progress.report(std::min(1.0, static_cast<double>(round) / options.most_rounds), "Spreading the nodes");
+    progress.report(std::min(1.0, static_cast<double>(round) / options.most_rounds),
+                    GLISSON_TEXT("Spreading the nodes"));
     result.positions_mm = centroids(voxels, assignment, nodes);
     assignment = assign(voxels, result.positions_mm);
     counts = voxels_of_nodes(assignment, nodes);

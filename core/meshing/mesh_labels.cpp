@@ -63,7 +63,7 @@ TetMesh in_patient_coordinates(TetMesh local, const PieceMap& map);
 
 Result<LiverMesh> mesh_labels(const imaging::LabelMap& labels, const MeshOptions& options, const Progress& progress) {
   if (auto checked = check_options(options); !checked) return failure(checked.error());
-  progress.report(0.0, "Preparing the labels");
+  progress.report(0.0, GLISSON_TEXT("Preparing the labels"));
   Result<PieceMap> found = find_pieces(labels, {options.names});
   if (!found) return failure(found.error());
   PieceMap& map = *found;
@@ -74,7 +74,7 @@ Result<LiverMesh> mesh_labels(const imaging::LabelMap& labels, const MeshOptions
   const LabelField field(map);
   auto refined = refine_to_target(field, options, progress.part(0.1, 0.5));
   if (!refined) return failure(refined.error());
-  progress.report(0.5, "Removing slivers");
+  progress.report(0.5, GLISSON_TEXT("Removing slivers"));
   if (auto improved = refined->remove_slivers(progress); !improved) return failure(improved.error());
 
   LiverMesh liver;
@@ -83,7 +83,7 @@ Result<LiverMesh> mesh_labels(const imaging::LabelMap& labels, const MeshOptions
   const std::vector<double> mesh_volume_mm3 = volume_by_piece_mm3(local, map.pieces.size());
   if (auto checked = check_that_none_was_lost(map, mesh_volume_mm3, options); !checked) return failure(checked.error());
 
-  progress.report(0.8, "Measuring the distance to the label boundary");
+  progress.report(0.8, GLISSON_TEXT("Measuring the distance to the label boundary"));
   const double spacing_mm = map.grid.spacing_mm.maxCoeff();
   const auto gap = gap_between(boundary_surface(local), voxel_faces(map), spacing_mm);
   liver.hausdorff_mm = gap.hausdorff_mm;
@@ -107,7 +107,7 @@ Result<LiverMesh> mesh_labels(const imaging::LabelMap& labels, const MeshOptions
   if (!is_watertight(liver.surface) || !pinched_points(liver.surface).empty()) {
     return failure("mesh-not-manifold", GLISSON_TEXT("The surface of the mesh is not a closed manifold."));
   }
-  progress.report(1.0, "Meshed");
+  progress.report(1.0, GLISSON_TEXT("Meshed"));
   return liver;
 }
 
@@ -203,7 +203,7 @@ Result<DelaunayRefinement> refine_to_target(const LabelField& field, const MeshO
   double last_excess = 0;
   double last_step = 0;
   for (int round = 0; round < most_refinements; ++round) {
-    progress.report(static_cast<double>(round) / most_refinements, "Filling the body with tetrahedra");
+    progress.report(static_cast<double>(round) / most_refinements, GLISSON_TEXT("Filling the body with tetrahedra"));
     auto refined = DelaunayRefinement::refine(field, cell_radii_mm(map, radius_mm), progress);
     if (!refined) return refined;
     const double excess = std::log(std::max(static_cast<double>(refined->cells()), 1.0) / options.target_cells);

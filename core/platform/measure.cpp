@@ -42,7 +42,7 @@ Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, con
   measurement.remarks = missing;
   if (meter != nullptr) {
     measurement.meter = meter->name;
-    progress.report(0, "Idle power");
+    progress.report(0, GLISSON_TEXT("Idle power"));
     const auto idle_W = idle_power_W(*meter, std::max(options.idle_s, meter->shortest_useful_s()));
     if (!idle_W) return failure(idle_W.error());
     measurement.device.idle_W = {*idle_W, Source::measured, meter->name + ", with nothing running"};
@@ -55,7 +55,7 @@ Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, con
   }
 
   std::vector<std::size_t> sizes = sizes_of(options.grid);
-  progress.report(0.05, "Memory bandwidth");
+  progress.report(0.05, GLISSON_TEXT("Memory bandwidth"));
   measurement.bandwidth_GB_s = memory_bandwidth_GB_s(options.bandwidth_array_bytes);
   const auto prepared = prepare_largest(kernel, sizes, measurement.remarks);
   if (!prepared) return failure(prepared.error());
@@ -67,7 +67,8 @@ Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, con
   std::vector<double> spreads;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     if (progress.cancelled()) return cancelled();
-    progress.report(0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(sizes.size()), "Block products");
+    progress.report(0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(sizes.size()),
+                    GLISSON_TEXT("Block products"));
     const bool metered = meter != nullptr && i % meter_every == 0;
     const auto timing = time_product(kernel, sizes[i], metered ? meter : nullptr, measurement.device.idle_W.value,
                                      metered ? metered_s : options.seconds_per_point);

@@ -1,18 +1,10 @@
 #pragma once
-// Something that a person should read, with its figures apart so that it can be translated.
+// Sentences under the room's own name.
 
-#include <string>
-#include <vector>
-
-#include "base/result.h"
+#include "base/sentence.h"
 
 namespace glisson::platform {
 
-struct Sentence {
-  std::string text;  // GLISSON_TEXT, with {0}, {1}, ... for the arguments
-  std::vector<std::string> arguments;
-
-  [[nodiscard]] std::string message() const { return fill_in(text, arguments); }
-};
+using glisson::Sentence;
 
 }  // namespace glisson::platform

@@ -41,12 +41,13 @@ Result<SequenceFiles> read_sequence(const fs::path& file) {
     if (!object.is_object() || !object.contains(key) || !object[key].is_string()) return std::nullopt;
     return object[key].get<std::string>();
   };
-  if (!json.is_object()) return invalid(file, "it is not an object");
+  if (!json.is_object()) return invalid(file, GLISSON_TEXT("it is not an object"));
   if (auto known = refuse_unknown_keys(json, {"frames", "landmarks", "model", "camera", "registered"}, "sequence");
       !known) {
     return failure(std::move(known.error()).in_file(file));
   }
-  if (!json.contains("frames") || !json["frames"].is_array()) return invalid(file, "it has no list of frames");
+  if (!json.contains("frames") || !json["frames"].is_array())
+    return invalid(file, GLISSON_TEXT("it has no list of frames"));
 
   SequenceFiles sequence;
   for (const Json& frame : json["frames"]) {
@@ -58,16 +59,17 @@ Result<SequenceFiles> read_sequence(const fs::path& file) {
   }
   if (json.contains("registered")) {
     if (!json["registered"].is_array() || json["registered"].size() != sequence.clouds.size()) {
-      return invalid(file, "registered does not name one cloud a frame");
+      return invalid(file, GLISSON_TEXT("registered does not name one cloud a frame"));
     }
     for (const Json& cloud : json["registered"]) {
-      if (!cloud.is_string()) return invalid(file, "registered holds something that is no file name");
+      if (!cloud.is_string()) return invalid(file, GLISSON_TEXT("registered holds something that is no file name"));
       sequence.registered.push_back(folder / cloud.get<std::string>());
     }
   }
   if (json.contains("camera")) {
     auto camera = vision::camera_from_json(json["camera"].dump());
-    if (!camera) return invalid(file, "camera has no 3 x 3 matrix, or a distortion that is no list of numbers");
+    if (!camera)
+      return invalid(file, GLISSON_TEXT("camera has no 3 x 3 matrix, or a distortion that is no list of numbers"));
     sequence.camera = std::move(*camera);
   }
   if (const auto model = text_of(json, "model")) sequence.model = folder / *model;
@@ -82,7 +84,7 @@ Result<SequenceFiles> read_sequence(const fs::path& file) {
     }
   }
   const auto tracks = text_of(json, "landmarks");
-  if (!tracks) return invalid(file, "it names no file of landmarks");
+  if (!tracks) return invalid(file, GLISSON_TEXT("it names no file of landmarks"));
   auto landmarks = read_tracks(folder / *tracks, sequence.clouds.size());
   if (!landmarks) return failure(landmarks.error());
   sequence.landmarks = std::move(*landmarks);

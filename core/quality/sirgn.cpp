@@ -76,7 +76,8 @@ Result<Quality> sirgn(const RegisteredSequence& sequence, const SirgnOptions& op
                      {std::to_string(frames.size() - 1)});
     }
     if (progress.cancelled()) return cancelled();
-    progress.report(0.4 * static_cast<double>(frames.size()) / static_cast<double>(sequence.frames.size()), "frames");
+    progress.report(0.4 * static_cast<double>(frames.size()) / static_cast<double>(sequence.frames.size()),
+                    GLISSON_TEXT("frames"));
   }
 
   Quality quality;
@@ -91,10 +92,10 @@ Result<Quality> sirgn(const RegisteredSequence& sequence, const SirgnOptions& op
                          GLISSON_TEXT("Track more features, or mark them by hand."),
                          {}});
   }
-  progress.report(0.5, "warps");
+  progress.report(0.5, GLISSON_TEXT("warps"));
   const SharedCentreWarps warps = fit_warps(frames, options);
   if (progress.cancelled()) return cancelled();
-  progress.report(0.7, "triangles");
+  progress.report(0.7, GLISSON_TEXT("triangles"));
   rate_triangles(landmarks, warps, frames.size(), quality);
   place_mesh(warps, frames.size(), quality);
   quality.doubt_mm = doubt_mm(quality, landmarks.placed_mm);

@@ -92,7 +92,7 @@ Result<VideoSequence> record(vision::FrameSource& left, vision::FrameSource& rig
     if (!*from_left) break;
     if (number % options.every != 0) continue;
     if (auto added = recording.add(**from_left, **from_right, number); !added) return failure(added.error());
-    progress.report(0.8 * ++taken / expected, "frames");
+    progress.report(0.8 * ++taken / expected, GLISSON_TEXT("frames"));
   }
   return recording.finish(progress.part(0.8, 1));
 }

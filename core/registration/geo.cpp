@@ -62,7 +62,7 @@ Result<SurfaceMatch> match_surfaces(const Surface& source, const Surface& target
   if (options.prior == Prior::positions || (options.prior == Prior::automatic && partial)) {
     problem.seed = position_seed(nodes, labels, problem.tau_mm, options.prior_weight);
   }
-  progress.report(0.9, "matching");
+  progress.report(0.9, GLISSON_TEXT("matching"));
   auto solution = solve(problem, options);
   if (!solution) return failure(solution.error());
   match.orientation_kept = orientation_kept(nodes, labels, solution->labels);

@@ -174,7 +174,7 @@ Result<GlobalAlignment> align_globally(const Sightings& sightings, const GlobalA
   while (alignment.iterations < options.iterations) {
     if (progress.cancelled()) return cancelled();
     ++alignment.iterations;
-    progress.report(0.5 * alignment.iterations / options.iterations, "aligning frames");
+    progress.report(0.5 * alignment.iterations / options.iterations, GLISSON_TEXT("aligning frames"));
     if (state.step() < options.smallest_step_mm) break;
   }
 

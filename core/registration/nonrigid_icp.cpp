@@ -128,7 +128,7 @@ Result<NonrigidIcpResult> nonrigid_icp(const Surface& source, const Surface& tar
       }
       result.surface = std::move(next);
       ++result.iterations;
-      progress.report(result.iterations / most_iterations, "non-rigid alignment");
+      progress.report(result.iterations / most_iterations, GLISSON_TEXT("non-rigid alignment"));
       if (std::sqrt(squared_step_mm2 / static_cast<double>(source.points_mm.size())) < options.smallest_step_mm) break;
     }
   }

@@ -126,7 +126,7 @@ Result<RigidIcpResult> rigid_icp(const Surface& source, const Surface& target, c
                            (step.linear() - Eigen::Matrix3d::Identity()).norm() * reach_mm;
     to_whole = *next;
     ++result.iterations;
-    progress.report(static_cast<double>(result.iterations) / options.iterations, "rigid alignment");
+    progress.report(static_cast<double>(result.iterations) / options.iterations, GLISSON_TEXT("rigid alignment"));
     if (step_mm < options.smallest_step_mm) {
       result.stopped = IcpStop::converged;
     } else if (progress.cancelled()) {

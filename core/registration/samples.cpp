@@ -35,7 +35,7 @@ Result<GeodesicSamples> sample_surface(const geometry::Surface& surface, int cou
   Eigen::VectorXd to_nearest_mm;
   for (int sample = 0; sample < count; ++sample) {
     if (progress.cancelled()) return cancelled();
-    progress.report(static_cast<double>(sample) / count, "geodesic distances");
+    progress.report(static_cast<double>(sample) / count, GLISSON_TEXT("geodesic distances"));
     samples.points.push_back(next);
     const std::vector<double> distances = distances_from(next);
     samples.to_surface_mm.row(sample) = Distances(distances.data(), points);

@@ -171,7 +171,7 @@ MatchingSolution Trwls<Word>::run(const Progress& progress) {
       solution.labels = std::move(labels);
     }
     solution.stopped = progress.cancelled() ? StopReason::cancelled : reason_to_stop(solution.passes, options_);
-    progress.report(static_cast<double>(pass + 1) / options_.passes, "matching");
+    progress.report(static_cast<double>(pass + 1) / options_.passes, GLISSON_TEXT("matching"));
   }
   schedule_.call_off();
   return solution;

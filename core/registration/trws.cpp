@@ -68,7 +68,7 @@ MatchingSolution trws(const StoredMrf& mrf, const SolverOptions& options, const 
       solution.labels = std::move(labels);
     }
     solution.stopped = progress.cancelled() ? StopReason::cancelled : reason_to_stop(solution.passes, options);
-    progress.report(static_cast<double>(solution.passes.size()) / options.passes, "matching");
+    progress.report(static_cast<double>(solution.passes.size()) / options.passes, GLISSON_TEXT("matching"));
   }
   solution.solve_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return solution;

@@ -97,7 +97,7 @@ Result<StaticRehearsal> StaticRehearsal::create(RehearsalSetup setup, const Prog
     parts->atlas = std::move(*atlas);
   }
 
-  progress.report(0.95, "Placing landmarks and structures");
+  progress.report(0.95, GLISSON_TEXT("Placing landmarks and structures"));
   auto places = mechanics::locate_landmarks(setup.mesh, setup.landmarks, setup.landmark_tolerance_mm);
   if (!places) return failure(std::move(places.error()));
   parts->landmark_places = std::move(*places);
@@ -112,7 +112,7 @@ Result<StaticRehearsal> StaticRehearsal::create(RehearsalSetup setup, const Prog
     parts->mesh_point.push_back(static_cast<std::size_t>(p));
   }
   parts->setup_s = 1e-3 * milliseconds_since(start);
-  progress.report(1.0, "Ready");
+  progress.report(1.0, GLISSON_TEXT("Ready"));
   return StaticRehearsal(std::move(parts));
 }
 

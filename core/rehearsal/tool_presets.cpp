@@ -24,17 +24,21 @@ std::vector<Face> faces_of(const geometry::Surface& surface);
 
 const std::vector<ToolPreset>& tool_presets() {
   static const std::vector<ToolPreset> presets{
-      {"nathanson-retractor", "Nathanson liver retractor", 35.0, 2.0, 10.0,
-       "A bent rod that lies under the liver as a hook some centimetres across, sold in several sizes. We found no "
-       "published drawing and no measured force: that it spreads its pull over a disc of 70 mm is our assumption, and "
-       "2 N is the weight of 190 ml of liver (1.06 kg/l), what lifting the lower part of segment VI takes. On a real "
-       "liver's shape with a uniform 6 kPa, 2 N hoist it by 18 mm; linear elasticity is strained beyond."},
-      {"grasper", "Grasper", 6.0, 1.75, 3.4,
-       "Grip forces in porcine laparoscopic liver resection: 1.75 N on average, 3.38 N at most (Minimally Invasive "
-       "Therapy & Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). The jaw's patch of "
-       "12 mm is our assumption."},
-      {"palpation-probe", "Palpation probe", 5.0, 1.0, 3.0,
-       "A sphere of 10 mm pressed lightly; size and force are our assumption."},
+      {"nathanson-retractor", GLISSON_TEXT("Nathanson liver retractor"), 35.0, 2.0, 10.0,
+       GLISSON_TEXT(
+           "A bent rod that lies under the liver as a hook some centimetres across, sold in several sizes. We found no "
+           "published drawing and no measured force: that it spreads its pull over a disc of 70 mm is our assumption, "
+           "and "
+           "2 N is the weight of 190 ml of liver (1.06 kg/l), what lifting the lower part of segment VI takes. On a "
+           "real "
+           "liver's shape with a uniform 6 kPa, 2 N hoist it by 18 mm; linear elasticity is strained beyond.")},
+      {"grasper", GLISSON_TEXT("Grasper"), 6.0, 1.75, 3.4,
+       GLISSON_TEXT(
+           "Grip forces in porcine laparoscopic liver resection: 1.75 N on average, 3.38 N at most (Minimally Invasive "
+           "Therapy & Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). The jaw's patch of "
+           "12 mm is our assumption.")},
+      {"palpation-probe", GLISSON_TEXT("Palpation probe"), 5.0, 1.0, 3.0,
+       GLISSON_TEXT("A sphere of 10 mm pressed lightly; size and force are our assumption.")},
   };
   return presets;
 }

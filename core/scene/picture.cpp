@@ -44,7 +44,7 @@ Result<Picture> read_png(const std::filesystem::path& file) {
   if (png_image_begin_read_from_file(&header, file.c_str()) == 0) return unreadable(header.message);
   if (header.width > largest_side_px || header.height > largest_side_px) {
     png_image_free(&header);
-    return unreadable("it is larger than 16384 pixels a side");
+    return unreadable(GLISSON_TEXT("it is larger than 16384 pixels a side"));
   }
   header.format = PNG_FORMAT_RGB;
   Picture picture{static_cast<int>(header.width), static_cast<int>(header.height), {}};

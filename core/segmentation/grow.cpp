@@ -237,17 +237,17 @@ std::vector<GrowResult::Doubt> doubts_about(const GrowResult& result, const std:
   if (brightest->brightness - darkest->brightness > 3 * result.tissue_sd) {
     doubts.push_back(
         {GrowthDoubt::seeds_disagree,
-         fmt::format("Seed {} is much brighter ({:.0f}) than seed {} ({:.0f}): one of them is probably not "
-                     "in the liver. Take it away.",
-                     brightest - seeds.begin() + 1, brightest->brightness, darkest - seeds.begin() + 1,
-                     darkest->brightness)});
+         {GLISSON_TEXT("Seed {0} is much brighter ({1}) than seed {2} ({3}): one of them is probably not in the liver. "
+                       "Take it away."),
+          {std::to_string(brightest - seeds.begin() + 1), fmt::format("{:.0f}", brightest->brightness),
+           std::to_string(darkest - seeds.begin() + 1), fmt::format("{:.0f}", darkest->brightness)}}});
   }
   for (std::size_t n = 0; n < seeds.size(); ++n) {
     if (region.holds_seed[n]) continue;
     doubts.push_back({GrowthDoubt::seed_ignored,
-                      fmt::format("Nothing grew from seed {}: the tissue around it is too thin or uneven. Move it to "
-                                  "the middle of the liver.",
-                                  n + 1)});
+                      {GLISSON_TEXT("Nothing grew from seed {0}: the tissue around it is too thin or uneven. Move it "
+                                    "to the middle of the liver."),
+                       {std::to_string(n + 1)}}});
   }
 
   bool first_or_last_slice = false, other_face = false;
@@ -261,27 +261,30 @@ std::vector<GrowResult::Doubt> doubts_about(const GrowResult& result, const std:
       }
     }
   }
+  const std::string volume_ml = fmt::format("{:.0f}", result.volume_ml);
   if (other_face) {
     doubts.push_back({GrowthDoubt::leaves_image,
-                      "The region reaches the side of the image: it has probably leaked into the body wall. Cut it "
-                      "there, or raise neck_radius_mm."});
+                      {GLISSON_TEXT("The region reaches the side of the image: it has probably leaked into the body "
+                                    "wall. Cut it there, or raise neck_radius_mm."),
+                       {}}});
   }
   if (first_or_last_slice) {
     doubts.push_back({GrowthDoubt::cut_by_image,
-                      "The region reaches the first or last slice: the liver is not wholly in the image, and its "
-                      "volume is that of the part seen."});
+                      {GLISSON_TEXT("The region reaches the first or last slice: the liver is not wholly in the image, "
+                                    "and its volume is that of the part seen."),
+                       {}}});
   }
   if (result.volume_ml > largest_liver_ml) {
     doubts.push_back({GrowthDoubt::too_large,
-                      fmt::format("{:.0f} ml is more than a liver holds: the region has probably leaked into a "
-                                  "neighbour. Raise neck_radius_mm, or cut it by hand.",
-                                  result.volume_ml)});
+                      {GLISSON_TEXT("{0} ml is more than a liver holds: the region has probably leaked into a "
+                                    "neighbour. Raise neck_radius_mm, or cut it by hand."),
+                       {volume_ml}}});
   }
   if (result.volume_ml < smallest_liver_ml && !first_or_last_slice) {
     doubts.push_back({GrowthDoubt::too_small,
-                      fmt::format("{:.0f} ml is less than an adult's liver holds: the growth has probably stopped "
-                                  "early. Add a seed in the part that is missing, or raise tolerance_sd.",
-                                  result.volume_ml)});
+                      {GLISSON_TEXT("{0} ml is less than an adult's liver holds: the growth has probably stopped "
+                                    "early. Add a seed in the part that is missing, or raise tolerance_sd."),
+                       {volume_ml}}});
   }
   return doubts;
 }

@@ -7,6 +7,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "base/sentence.h"
 #include "imaging/image.h"
 
 namespace glisson::segmentation {
@@ -58,7 +59,7 @@ struct GrowResult {
   int rounds = 0;          // until the region stayed the same
   struct Doubt {
     GrowthDoubt kind;
-    std::string sentence;  // what was seen and what to do
+    Sentence sentence;  // what was seen and what to do
   };
   std::vector<Doubt> doubts;
   [[nodiscard]] bool probably_leaked() const;  // leaves_image, too_large or seeds_disagree

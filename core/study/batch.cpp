@@ -84,7 +84,8 @@ Result<std::vector<BatchRow>> run_batch(const fs::path& out, const std::vector<B
         if (!saved) not_saved = saved.error();
       }
       const std::lock_guard lock(reporting);
-      progress.report(static_cast<double>(++done) / static_cast<double>(patients.size()), "Patient " + patients[p].id);
+      progress.report(static_cast<double>(++done) / static_cast<double>(patients.size()),
+                      std::string(GLISSON_TEXT("Patient")) + ": " + patients[p].id);
     }
   });
   if (not_saved) return failure(*not_saved);

@@ -235,7 +235,7 @@ Result<void> draw_pictures(Run& run, const Case& patient, const Progress& progre
     return scene::draw(*scene, width, height);
   };
 
-  progress.report(0.0, "Drawing");
+  progress.report(0.0, GLISSON_TEXT("Drawing"));
   for (const std::string& name : scene::case_scene_names()) {
     if (auto saved = save(draw(scene::case_scene(patient, name)), name); !saved) return saved;
   }

@@ -134,7 +134,7 @@ Result<void> draw_all(const StoredQuality& judged, const quality::SequenceFiles&
     if (auto written = vision::write_frame(scene::heat_overlay(*frame, *files.camera, mesh, scale), file); !written) {
       return written;
     }
-    progress.report(static_cast<double>(t + 1) / static_cast<double>(frames), "pictures");
+    progress.report(static_cast<double>(t + 1) / static_cast<double>(frames), GLISSON_TEXT("pictures"));
   }
   return {};
 }

@@ -103,7 +103,7 @@ TEST_P(RealLiver, IsFoundFromWhereverTheSeedsLie) {
   std::cout << GetParam().first << ": from the deepest point Dice " << from_centre << ", " << grown->volume_ml
             << " ml of " << volume_ml(c.liver) << " ml, tissue " << grown->tissue_mean << " +- " << grown->tissue_sd
             << ", " << grown->rounds << " rounds\n";
-  for (const auto& doubt : grown->doubts) std::cout << "    " << doubt.sentence << "\n";
+  for (const auto& doubt : grown->doubts) std::cout << "    " << doubt.sentence.message() << "\n";
   const std::vector<double> one = dice_from_random_seeds(c, c.image.grid.size[2] > 50 ? 1 : 6, 1, 6);
   const std::vector<double> three = dice_from_random_seeds(c, c.image.grid.size[2] > 50 ? 1 : 3, 3, 6);
   print_row("one seed, 6 mm or deeper", one);

@@ -67,7 +67,7 @@ OpenedThing kind_of(const fs::path& path) {
 }
 
 Result<Patient> load_patient(const fs::path& case_folder, const Progress& progress) {
-  progress.report(0, "Reading the case");
+  progress.report(0, GLISSON_TEXT("Reading the case"));
   const auto opened = casefile::Case::open(case_folder);
   if (!opened) return failure(opened.error());
   Patient patient;
@@ -81,7 +81,7 @@ Result<Patient> load_patient(const fs::path& case_folder, const Progress& progre
   if (!stiffness) return failure(stiffness.error());
   patient.stiffness = *stiffness;
   if (progress.cancelled()) return cancelled();
-  progress.report(0.2, "Preparing the model");
+  progress.report(0.2, GLISSON_TEXT("Preparing the model"));
   const auto prepared = opened->find("meshes/model") != nullptr
                             ? prepare_rehearsal(*opened, patient, progress.part(0.2, 1))
                             : show_outlines(*opened, patient);
