@@ -1,0 +1,3662 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>errors</name>
+    <message>
+        <source>There is no column &quot;{0}&quot;.</source>
+        <translation>Es gibt keine Spalte „{0}“.</translation>
+    </message>
+    <message>
+        <source>The columns are {1}.</source>
+        <translation>Die Spalten sind {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has too many columns.</source>
+        <translation>{0} hat zu viele Spalten.</translation>
+    </message>
+    <message>
+        <source>{0} holds no rows of numbers.</source>
+        <translation>{0} enthält keine Zeilen mit Zahlen.</translation>
+    </message>
+    <message>
+        <source>The file {0} cannot be read.</source>
+        <translation>Die Datei {0} kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Check that it exists and that you may read it.</source>
+        <translation>Prüfen Sie, ob sie vorhanden ist und Sie sie lesen dürfen.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be written: {1}.</source>
+        <translation>{0} kann nicht geschrieben werden: {1}.</translation>
+    </message>
+    <message>
+        <source>Check the folder, your rights there and the free space.</source>
+        <translation>Prüfen Sie den Ordner, Ihre Rechte dort und den freien Speicherplatz.</translation>
+    </message>
+    <message>
+        <source>the disk or the folder refused it</source>
+        <translation>der Datenträger oder der Ordner hat es verweigert</translation>
+    </message>
+    <message>
+        <source>The file {0} has {1} bytes; at most {2} are read.</source>
+        <translation>Die Datei {0} hat {1} Bytes; höchstens {2} werden gelesen.</translation>
+    </message>
+    <message>
+        <source>The files that ship with Glisson were not found.</source>
+        <translation>Die mit Glisson gelieferten Dateien wurden nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>Set GLISSON_RESOURCES to the folder named resources.</source>
+        <translation>Setzen Sie GLISSON_RESOURCES auf den Ordner namens resources.</translation>
+    </message>
+    <message>
+        <source>{0} is nested too deep to be one of our files.</source>
+        <translation>{0} ist zu tief verschachtelt, um eine unserer Dateien zu sein.</translation>
+    </message>
+    <message>
+        <source>{0} is not valid JSON at line {1}.</source>
+        <translation>{0} ist in Zeile {1} kein gültiges JSON.</translation>
+    </message>
+    <message>
+        <source>Look for a missing comma, quote or bracket there.</source>
+        <translation>Suchen Sie dort nach einem fehlenden Komma, Anführungszeichen oder einer fehlenden Klammer.</translation>
+    </message>
+    <message>
+        <source>{0} holds a number too large for a computer&apos;s arithmetic.</source>
+        <translation>{0} enthält eine Zahl, die zu groß für die Rechnung eines Computers ist.</translation>
+    </message>
+    <message>
+        <source>{0} should be an object in braces.</source>
+        <translation>{0} muss ein Objekt in geschweiften Klammern sein.</translation>
+    </message>
+    <message>
+        <source>{0} has a key that is not known: &quot;{1}&quot;.</source>
+        <translation>{0} hat einen unbekannten Schlüssel: „{1}“.</translation>
+    </message>
+    <message>
+        <source>Did you mean &quot;{2}&quot;?</source>
+        <translation>Meinten Sie „{2}“?</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>{0} is there already.</source>
+        <translation>{0} ist schon vorhanden.</translation>
+    </message>
+    <message>
+        <source>Choose another name, or remove it first.</source>
+        <translation>Wählen Sie einen anderen Namen, oder entfernen Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>The folder {0} cannot be made: {1}.</source>
+        <translation>Der Ordner {0} kann nicht angelegt werden: {1}.</translation>
+    </message>
+    <message>
+        <source>it holds no case.json</source>
+        <translation>er enthält keine case.json</translation>
+    </message>
+    <message>
+        <source>case.json does not say &quot;format&quot;: &quot;glisson-case/1&quot;</source>
+        <translation>case.json sagt nicht &quot;format&quot;: &quot;glisson-case/1&quot;</translation>
+    </message>
+    <message>
+        <source>The case {0} has no {1} yet.</source>
+        <translation>Der Fall {0} hat noch kein {1}.</translation>
+    </message>
+    <message>
+        <source>Import a study first (glisson-cli import).</source>
+        <translation>Importieren Sie zuerst eine Studie (glisson-cli import).</translation>
+    </message>
+    <message>
+        <source>Segment it first (glisson-cli segment).</source>
+        <translation>Segmentieren Sie es zuerst (glisson-cli segment).</translation>
+    </message>
+    <message>
+        <source>Mesh the liver first (glisson-cli mesh).</source>
+        <translation>Vernetzen Sie zuerst die Leber (glisson-cli mesh).</translation>
+    </message>
+    <message>
+        <source>{0} cannot be put in its place: {1}.</source>
+        <translation>{0} kann nicht an seinen Platz gebracht werden: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} names a file outside the case folder: {1}.</source>
+        <translation>{0} nennt eine Datei außerhalb des Fallordners: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: {1}.</source>
+        <translation>{0} ist beschädigt: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is not a Glisson case: {1}.</source>
+        <translation>{0} ist kein Glisson-Fall: {1}.</translation>
+    </message>
+    <message>
+        <source>Make one with: glisson-cli import STUDY --case NAME.glisson</source>
+        <translation>Legen Sie einen an mit: glisson-cli import STUDIE --case NAME.glisson</translation>
+    </message>
+    <message>
+        <source>{0} holds nothing that could be written as {1}.</source>
+        <translation>{0} enthält nichts, was als {1} geschrieben werden könnte.</translation>
+    </message>
+    <message>
+        <source>Run the stage that makes it first.</source>
+        <translation>Führen Sie zuerst den Schritt aus, der es erzeugt.</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>SIMULATED from a real patient&apos;s anatomy, not measured</source>
+        <translation>SIMULIERT nach der Anatomie eines wirklichen Patienten, nicht gemessen</translation>
+    </message>
+    <message>
+        <source>The study has no series {0}.</source>
+        <translation>Die Studie hat keine Serie {0}.</translation>
+    </message>
+    <message>
+        <source>glisson-cli scan lists them.</source>
+        <translation>glisson-cli scan führt sie auf.</translation>
+    </message>
+    <message>
+        <source>{0} series could be the {1}:{2}</source>
+        <translation>{0} Serien kommen als {1} infrage:{2}</translation>
+    </message>
+    <message>
+        <source>Name one with {3} UID.</source>
+        <translation>Nennen Sie eine mit {3} UID.</translation>
+    </message>
+    <message>
+        <source>No series is recognised as the anatomy.{0}</source>
+        <translation>Keine Serie ist als Anatomie erkannt.{0}</translation>
+    </message>
+    <message>
+        <source>glisson-cli scan says what is there, and what was skipped.</source>
+        <translation>glisson-cli scan sagt, was da ist und was übergangen wurde.</translation>
+    </message>
+    <message>
+        <source>Name one with --anatomy UID.</source>
+        <translation>Nennen Sie eine mit --anatomy UID.</translation>
+    </message>
+    <message>
+        <source>Reading the structures</source>
+        <translation>Strukturen werden gelesen</translation>
+    </message>
+    <message>
+        <source>Saving the mesh</source>
+        <translation>Netz wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Reading the mesh</source>
+        <translation>Netz wird gelesen</translation>
+    </message>
+    <message>
+        <source>Stiffness of each cell from the MRE map</source>
+        <translation>Steifigkeit jeder Zelle aus der MRE-Karte</translation>
+    </message>
+    <message>
+        <source>A Young&apos;s modulus of {0} kPa is not possible.</source>
+        <translation>Ein Elastizitätsmodul von {0} kPa ist nicht möglich.</translation>
+    </message>
+    <message>
+        <source>Saving the model</source>
+        <translation>Modell wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Give the mesh its stiffness first (glisson-cli stiffness).</source>
+        <translation>Geben Sie dem Netz zuerst seine Steifigkeit (glisson-cli stiffness).</translation>
+    </message>
+    <message>
+        <source>The model of {0} has no stiffness.</source>
+        <translation>Das Modell von {0} hat keine Steifigkeit.</translation>
+    </message>
+    <message>
+        <source>Run glisson-cli stiffness again.</source>
+        <translation>Führen Sie glisson-cli stiffness erneut aus.</translation>
+    </message>
+    <message>
+        <source>Import a study with MR elastography, or choose --uniform-kPa or --atlas.</source>
+        <translation>Importieren Sie eine Studie mit MR-Elastographie, oder wählen Sie --uniform-kPa oder --atlas.</translation>
+    </message>
+    <message>
+        <source>{0} does not hold a simulation&apos;s result: {1}.</source>
+        <translation>{0} enthält kein Ergebnis einer Simulation: {1}.</translation>
+    </message>
+    <message>
+        <source>Make one with glisson-cli simulate --out DIR.</source>
+        <translation>Erzeugen Sie eines mit glisson-cli simulate --out ORDNER.</translation>
+    </message>
+    <message>
+        <source>result.vtu is missing</source>
+        <translation>result.vtu fehlt</translation>
+    </message>
+    <message>
+        <source>result.json does not say &quot;format&quot;: &quot;glisson-result/1&quot;</source>
+        <translation>result.json sagt nicht &quot;format&quot;: &quot;glisson-result/1&quot;</translation>
+    </message>
+    <message>
+        <source>the computation did not converge</source>
+        <translation>die Rechnung ist nicht konvergiert</translation>
+    </message>
+    <message>
+        <source>The growing left {0} out; it was added to the liver.</source>
+        <translation>{0} wurde beim Wachsen ausgelassen und der Leber hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>Reading the labels</source>
+        <translation>Segmentierung wird gelesen</translation>
+    </message>
+    <message>
+        <source>No voxel of label {0} in {1} lies inside the anatomy.</source>
+        <translation>Kein Voxel des Labels {0} in {1} liegt innerhalb der Anatomie.</translation>
+    </message>
+    <message>
+        <source>Check that both belong to the same patient and frame of reference.</source>
+        <translation>Prüfen Sie, ob beide zum selben Patienten und Bezugssystem gehören.</translation>
+    </message>
+    <message>
+        <source>{0} has no labelled voxel.</source>
+        <translation>{0} hat kein markiertes Voxel.</translation>
+    </message>
+    <message>
+        <source>{0} has no label {2}; it holds {1}.</source>
+        <translation>{0} hat kein Label {2}; enthalten ist {1}.</translation>
+    </message>
+    <message>
+        <source>{0} holds several labels: {1}.</source>
+        <translation>{0} enthält mehrere Labels: {1}.</translation>
+    </message>
+    <message>
+        <source>Choose one with --label-value.</source>
+        <translation>Wählen Sie eines mit --label-value.</translation>
+    </message>
+    <message>
+        <source>The magnitude images do not lie on the grid of the waves.</source>
+        <translation>Die Magnitudenbilder liegen nicht auf dem Gitter der Wellen.</translation>
+    </message>
+    <message>
+        <source>{0} holds no wave or phase images.</source>
+        <translation>{0} enthält keine Wellen- oder Phasenbilder.</translation>
+    </message>
+    <message>
+        <source>Import the phase series of an elastography scan (glisson-cli import --phase).</source>
+        <translation>Importieren Sie die Phasenserie einer Elastographie (glisson-cli import --phase).</translation>
+    </message>
+    <message>
+        <source>Reading the waves</source>
+        <translation>Wellen werden gelesen</translation>
+    </message>
+    <message>
+        <source>Saving the maps</source>
+        <translation>Karten werden gespeichert</translation>
+    </message>
+    <message>
+        <source>{0} is not an experiment of the format &quot;glisson-experiment/1&quot;.</source>
+        <translation>{0} ist kein Experiment im Format &quot;glisson-experiment/1&quot;.</translation>
+    </message>
+    <message>
+        <source>An experiment begins with &quot;format&quot;: &quot;glisson-experiment/1&quot; and &quot;kind&quot;.</source>
+        <translation>Ein Experiment beginnt mit &quot;format&quot;: &quot;glisson-experiment/1&quot; und &quot;kind&quot;.</translation>
+    </message>
+    <message>
+        <source>There is no kind of experiment called &quot;{0}&quot;.</source>
+        <translation>Es gibt keine Art von Experiment namens „{0}“.</translation>
+    </message>
+    <message>
+        <source>The kinds are palpation, material and platform.</source>
+        <translation>Die Arten sind palpation, material und platform.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} names {2}, which is not there.</source>
+        <translation>Zeile {0} von {1} nennt {2}, das nicht vorhanden ist.</translation>
+    </message>
+    <message>
+        <source>Files are looked for beside the experiment: was it copied without them, or is the name misspelt?</source>
+        <translation>Dateien werden neben dem Experiment gesucht: Wurde es ohne sie kopiert, oder ist der Name falsch geschrieben?</translation>
+    </message>
+    <message>
+        <source>{0} lacks &quot;{1}&quot;.</source>
+        <translation>{0} fehlt &quot;{1}&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} must be a finite number.</source>
+        <translation>{0} muss eine endliche Zahl sein.</translation>
+    </message>
+    <message>
+        <source>{0} must be above zero.</source>
+        <translation>{0} muss größer als null sein.</translation>
+    </message>
+    <message>
+        <source>{0} must be a text in quotes.</source>
+        <translation>{0} muss ein Text in Anführungszeichen sein.</translation>
+    </message>
+    <message>
+        <source>{0} must be three numbers [x, y, z].</source>
+        <translation>{0} muss aus drei Zahlen [x, y, z] bestehen.</translation>
+    </message>
+    <message>
+        <source>&quot;trials&quot; must be a list with at least one trial.</source>
+        <translation>&quot;trials&quot; muss eine Liste mit mindestens einem Versuch sein.</translation>
+    </message>
+    <message>
+        <source>{0} must be an object in braces.</source>
+        <translation>{0} muss ein Objekt in geschweiften Klammern sein.</translation>
+    </message>
+    <message>
+        <source>Two trials have the id &quot;{0}&quot;.</source>
+        <translation>Zwei Versuche haben die Kennung „{0}“.</translation>
+    </message>
+    <message>
+        <source>{0} has no column &quot;{1}&quot;, which the experiment names for {2}; line {3} has: {4}.</source>
+        <translation>{0} hat keine Spalte „{1}“, die das Experiment für {2} nennt; Zeile {3} hat: {4}.</translation>
+    </message>
+    <message>
+        <source>Is the name misspelt, or is this the table of another trial?</source>
+        <translation>Ist der Name falsch geschrieben, oder ist dies die Tabelle eines anderen Versuchs?</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} has no number under &quot;{2}&quot;.</source>
+        <translation>Zeile {0} von {1} hat unter „{2}“ keine Zahl.</translation>
+    </message>
+    <message>
+        <source>Is the table cut off, or written with decimal commas?</source>
+        <translation>Ist die Tabelle abgeschnitten oder mit Dezimalkommas geschrieben?</translation>
+    </message>
+    <message>
+        <source>Time goes back at line {0} of {1}: from {2} s to {3} s.</source>
+        <translation>In Zeile {0} von {1} läuft die Zeit zurück: von {2} s auf {3} s.</translation>
+    </message>
+    <message>
+        <source>Are two recordings in one table, or is this not the column of times?</source>
+        <translation>Stehen zwei Aufzeichnungen in einer Tabelle, oder ist dies nicht die Zeitspalte?</translation>
+    </message>
+    <message>
+        <source>{0} is {1} kPa, stiffer than any soft tissue.</source>
+        <translation>{0} ist {1} kPa, steifer als jedes Weichgewebe.</translation>
+    </message>
+    <message>
+        <source>Was it given in Pa?</source>
+        <translation>Wurde es in Pa angegeben?</translation>
+    </message>
+    <message>
+        <source>Use the model.json that glisson-cli explain wrote for an experiment of this kind.</source>
+        <translation>Verwenden Sie die model.json, die glisson-cli explain für ein Experiment dieser Art geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>{0} is not a model of the format {1}.</source>
+        <translation>{0} ist kein Modell im Format {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was not learnt from an experiment of the kind {1}.</source>
+        <translation>{0} wurde nicht aus einem Experiment der Art {1} gelernt.</translation>
+    </message>
+    <message>
+        <source>{0} is not a complete model.</source>
+        <translation>{0} ist kein vollständiges Modell.</translation>
+    </message>
+    <message>
+        <source>The effect {0} is unknown to this experiment.</source>
+        <translation>Der Effekt {0} ist diesem Experiment unbekannt.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} is no number.</source>
+        <translation>{0} von {1} ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The smooth correction was made for other quantities than this experiment has.</source>
+        <translation>Die glatte Korrektur wurde für andere Größen gemacht, als dieses Experiment hat.</translation>
+    </message>
+    <message>
+        <source>The smooth correction is not complete.</source>
+        <translation>Die glatte Korrektur ist nicht vollständig.</translation>
+    </message>
+    <message>
+        <source>The search for parameters failed: {0}.</source>
+        <translation>Die Suche nach Parametern ist fehlgeschlagen: {0}.</translation>
+    </message>
+    <message>
+        <source>The model has no solution where the search ended.</source>
+        <translation>Das Modell hat dort, wo die Suche endete, keine Lösung.</translation>
+    </message>
+    <message>
+        <source>This experiment proposes no further trials.</source>
+        <translation>Dieses Experiment schlägt keine weiteren Versuche vor.</translation>
+    </message>
+    <message>
+        <source>The specimen is stiffer or softer than declared, everywhere and at every load.</source>
+        <translation>Die Probe ist steifer oder weicher als angegeben, überall und bei jeder Last.</translation>
+    </message>
+    <message>
+        <source>The specimen is not equally stiff under tension and under compression.</source>
+        <translation>Die Probe ist auf Zug und auf Druck nicht gleich steif.</translation>
+    </message>
+    <message>
+        <source>The tissue gets stiffer (or softer) the further it is deformed: its law is not a straight line.</source>
+        <translation>Das Gewebe wird mit zunehmender Verformung steifer (oder weicher): Sein Gesetz ist keine Gerade.</translation>
+    </message>
+    <message>
+        <source>The tissue gives way slowly under a load that is held, and recovers slowly after it.</source>
+        <translation>Das Gewebe gibt unter gehaltener Last langsam nach und erholt sich danach langsam.</translation>
+    </message>
+    <message>
+        <source>Once stretched, the tissue stays softer up to the deformation that it has seen (Mullins effect).</source>
+        <translation>Einmal gedehnt, bleibt das Gewebe bis zu der erlebten Verformung weicher (Mullins-Effekt).</translation>
+    </message>
+    <message>
+        <source>Less force comes back on the way out than went in on the way in, in every cycle and at any speed.</source>
+        <translation>Beim Entlasten kommt weniger Kraft zurück, als beim Belasten hineinging, in jedem Zyklus und bei jeder Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>The load cell is at fault: it does not read zero without load, or its scale is off.</source>
+        <translation>Die Kraftmessdose ist fehlerhaft: Sie zeigt ohne Last nicht null, oder ihr Maßstab stimmt nicht.</translation>
+    </message>
+    <message>
+        <source>The specimen was already loaded when the test began.</source>
+        <translation>Die Probe war schon belastet, als der Versuch begann.</translation>
+    </message>
+    <message>
+        <source>The mode &quot;{0}&quot; is not known.</source>
+        <translation>Der Modus „{0}“ ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The modes are compression, tension and shear.</source>
+        <translation>Die Modi sind compression, tension und shear.</translation>
+    </message>
+    <message>
+        <source>The declared law &quot;{0}&quot; is not known.</source>
+        <translation>Das angegebene Gesetz „{0}“ ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The laws are linear and neo-hookean.</source>
+        <translation>Die Gesetze sind linear und neo-hookean.</translation>
+    </message>
+    <message>
+        <source>{0} gives &quot;{1}&quot;, which needs the specimen&apos;s {2}.</source>
+        <translation>{0} gibt &quot;{1}&quot; an; dazu wird {2} der Probe gebraucht.</translation>
+    </message>
+    <message>
+        <source>Give the specimen&apos;s diameter_mm (or width_mm and thickness_mm, or area_mm2) and height_mm.</source>
+        <translation>Geben Sie diameter_mm der Probe an (oder width_mm und thickness_mm, oder area_mm2) sowie height_mm.</translation>
+    </message>
+    <message>
+        <source>In {0} stress and strain mostly have opposite signs.</source>
+        <translation>In {0} haben Spannung und Dehnung meist entgegengesetzte Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>In compression stretch is below 1, and displacement, force and stress are negative.</source>
+        <translation>Bei Druck ist die Streckung kleiner als 1, und Weg, Kraft und Spannung sind negativ.</translation>
+    </message>
+    <message>
+        <source>{0} names no column for &quot;stretch&quot; or &quot;displacement_mm&quot;.</source>
+        <translation>{0} nennt keine Spalte für &quot;stretch&quot; oder &quot;displacement_mm&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} names no column for &quot;stress_kPa&quot; or &quot;force_N&quot;.</source>
+        <translation>{0} nennt keine Spalte für &quot;stress_kPa&quot; oder &quot;force_N&quot;.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} gives a stretch of {2}, which no specimen survives.</source>
+        <translation>Zeile {0} von {1} gibt eine Streckung von {2} an, die keine Probe übersteht.</translation>
+    </message>
+    <message>
+        <source>Is it strain, or a percentage? Stretch is length over length at rest.</source>
+        <translation>Ist es die Dehnung oder ein Prozentwert? Streckung ist Länge durch Ruhelänge.</translation>
+    </message>
+    <message>
+        <source>The material law is used beyond the stretch it allows.</source>
+        <translation>Das Materialgesetz wird jenseits der Streckung benutzt, die es zulässt.</translation>
+    </message>
+    <message>
+        <source>The specimen in {0} is {1} mm across.</source>
+        <translation>Die Probe in {0} misst {1} mm.</translation>
+    </message>
+    <message>
+        <source>Is the mesh in metres or micrometres?</source>
+        <translation>Ist das Netz in Metern oder Mikrometern?</translation>
+    </message>
+    <message>
+        <source>{0} has no cell array &quot;{1}&quot; with one number a cell.</source>
+        <translation>{0} hat kein Zellfeld „{1}“ mit einer Zahl je Zelle.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus must be above zero in every cell.</source>
+        <translation>Der Elastizitätsmodul muss in jeder Zelle größer als null sein.</translation>
+    </message>
+    <message>
+        <source>{0} must lie between -1 and 0.5, both excluded.</source>
+        <translation>{0} muss zwischen -1 und 0.5 liegen, beide ausgeschlossen.</translation>
+    </message>
+    <message>
+        <source>Line 1 of {0} names no column &quot;{1}&quot;.</source>
+        <translation>Zeile 1 von {0} nennt keine Spalte „{1}“.</translation>
+    </message>
+    <message>
+        <source>A table of markers has id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</source>
+        <translation>Eine Tabelle von Markern hat id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</translation>
+    </message>
+    <message>
+        <source>{0} holds no markers.</source>
+        <translation>{0} enthält keine Marker.</translation>
+    </message>
+    <message>
+        <source>All markers of {0} lie within {1} mm (line 2 on), on a specimen of {2} mm.</source>
+        <translation>Alle Marker von {0} liegen innerhalb von {1} mm (ab Zeile 2), auf einer Probe von {2} mm.</translation>
+    </message>
+    <message>
+        <source>Are they in metres?</source>
+        <translation>Sind sie in Metern?</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1}: marker {2} lies {3} mm outside the specimen at rest.</source>
+        <translation>Zeile {0} von {1}: Marker {2} liegt {3} mm außerhalb der ruhenden Probe.</translation>
+    </message>
+    <message>
+        <source>Are markers and mesh in one frame (patient coordinates) and both in mm?</source>
+        <translation>Sind Marker und Netz im selben Bezugssystem (Patientenkoordinaten) und beide in mm?</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1}: marker {2} moved by {3} mm, more than the specimen is long.</source>
+        <translation>Zeile {0} von {1}: Marker {2} hat sich um {3} mm bewegt, mehr als die Länge der Probe.</translation>
+    </message>
+    <message>
+        <source>Are the positions in another unit or frame than the positions at rest?</source>
+        <translation>Haben die Positionen eine andere Einheit oder ein anderes Bezugssystem als die Ruhepositionen?</translation>
+    </message>
+    <message>
+        <source>{0}: a force of {1} N presses no soft specimen.</source>
+        <translation>{0}: Eine Kraft von {1} N drückt auf keine weiche Probe.</translation>
+    </message>
+    <message>
+        <source>Was it given in mN?</source>
+        <translation>Wurde sie in mN angegeben?</translation>
+    </message>
+    <message>
+        <source>{0} must not be zero.</source>
+        <translation>{0} darf nicht null sein.</translation>
+    </message>
+    <message>
+        <source>Trial {0} (line {1} of {2}) has no samples.</source>
+        <translation>Versuch {0} (Zeile {1} von {2}) hat keine Messpunkte.</translation>
+    </message>
+    <message>
+        <source>Was the recording interrupted?</source>
+        <translation>Wurde die Aufzeichnung unterbrochen?</translation>
+    </message>
+    <message>
+        <source>In trial {0} (line {1} of {2}) time goes back at sample {3}.</source>
+        <translation>In Versuch {0} (Zeile {1} von {2}) läuft die Zeit bei Messpunkt {3} zurück.</translation>
+    </message>
+    <message>
+        <source>Are two recordings in one trial?</source>
+        <translation>Stehen zwei Aufzeichnungen in einem Versuch?</translation>
+    </message>
+    <message>
+        <source>No sample of trial {0} (line {1} of {2}) names markers.</source>
+        <translation>Kein Messpunkt von Versuch {0} (Zeile {1} von {2}) nennt Marker.</translation>
+    </message>
+    <message>
+        <source>Preparing the specimen</source>
+        <translation>Probe wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>No sample of the experiment has markers.</source>
+        <translation>Kein Messpunkt des Experiments hat Marker.</translation>
+    </message>
+    <message>
+        <source>Solved the declared specimen</source>
+        <translation>Angegebene Probe gelöst</translation>
+    </message>
+    <message>
+        <source>The specimen&apos;s equations are too badly conditioned to be solved.</source>
+        <translation>Die Gleichungen der Probe sind zu schlecht konditioniert, um gelöst zu werden.</translation>
+    </message>
+    <message>
+        <source>No equilibrium of a specimen that stiffens so strongly was found under these loads.</source>
+        <translation>Für eine Probe, die sich so stark versteift, wurde unter diesen Lasten kein Gleichgewicht gefunden.</translation>
+    </message>
+    <message>
+        <source>The battery&apos;s voltage falls under load: its own resistance turns energy into heat.</source>
+        <translation>Die Spannung des Akkus sinkt unter Last: Sein Innenwiderstand macht aus Energie Wärme.</translation>
+    </message>
+    <message>
+        <source>The battery&apos;s voltage falls under load, and what is lost there is what warms it.</source>
+        <translation>Die Spannung des Akkus sinkt unter Last, und was dort verloren geht, erwärmt ihn.</translation>
+    </message>
+    <message>
+        <source>The faster the battery is emptied, the less it gives (Peukert).</source>
+        <translation>Je schneller der Akku entladen wird, desto weniger gibt er her (Peukert).</translation>
+    </message>
+    <message>
+        <source>The battery gives less when it is cold and more when it is warm.</source>
+        <translation>Der Akku gibt bei Kälte weniger und bei Wärme mehr her.</translation>
+    </message>
+    <message>
+        <source>The battery&apos;s voltage falls while it empties, which a constant voltage leaves out.</source>
+        <translation>Die Spannung des Akkus sinkt beim Entladen, was eine konstante Spannung nicht erfasst.</translation>
+    </message>
+    <message>
+        <source>The computer draws power whatever it does, more than was declared.</source>
+        <translation>Der Rechner nimmt, was immer er tut, mehr Leistung auf als angegeben.</translation>
+    </message>
+    <message>
+        <source>A part of the power is lost in the supply before it reaches the computer.</source>
+        <translation>Ein Teil der Leistung geht in der Versorgung verloren, bevor er den Rechner erreicht.</translation>
+    </message>
+    <message>
+        <source>The warmer the computer gets, the more power it draws.</source>
+        <translation>Je wärmer der Rechner wird, desto mehr Leistung nimmt er auf.</translation>
+    </message>
+    <message>
+        <source>The work itself takes power that was not declared.</source>
+        <translation>Die Arbeit selbst braucht Leistung, die nicht angegeben war.</translation>
+    </message>
+    <message>
+        <source>The computer slows itself down to stay below a temperature.</source>
+        <translation>Der Rechner drosselt sich, um unter einer Temperatur zu bleiben.</translation>
+    </message>
+    <message>
+        <source>Heat leaves the computer better or worse than declared.</source>
+        <translation>Die Wärme verlässt den Rechner besser oder schlechter als angegeben.</translation>
+    </message>
+    <message>
+        <source>The computer takes time to warm up, longer or shorter than declared.</source>
+        <translation>Der Rechner braucht Zeit, um warm zu werden, länger oder kürzer als angegeben.</translation>
+    </message>
+    <message>
+        <source>&quot;noise&quot; names no quantity, so that nothing can be judged.</source>
+        <translation>&quot;noise&quot; nennt keine Größe, sodass sich nichts beurteilen lässt.</translation>
+    </message>
+    <message>
+        <source>Give voltage_V, temperature_C or power_W: the standard deviation of that reading.</source>
+        <translation>Geben Sie voltage_V, temperature_C oder power_W an: die Standardabweichung dieser Ablesung.</translation>
+    </message>
+    <message>
+        <source>The law of platforms is constant: a battery that gives all of its energy at any load.</source>
+        <translation>Das Gesetz der Geräte ist konstant: ein Akku, der bei jeder Last seine ganze Energie abgibt.</translation>
+    </message>
+    <message>
+        <source>{0} must not be below zero.</source>
+        <translation>{0} darf nicht kleiner als null sein.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} gives a {2} of {3}, which no worn computer reaches.</source>
+        <translation>Zeile {0} von {1} gibt {2} mit {3} an, was kein getragener Rechner erreicht.</translation>
+    </message>
+    <message>
+        <source>{0} has no column for a quantity whose noise is given.</source>
+        <translation>{0} hat keine Spalte für eine Größe, deren Rauschen angegeben ist.</translation>
+    </message>
+    <message>
+        <source>The declared figures predict none of the recorded quantities.</source>
+        <translation>Die angegebenen Werte sagen keine der aufgezeichneten Größen vorher.</translation>
+    </message>
+    <message>
+        <source>Voltage needs nominal_voltage_V, temperature needs thermal_resistance_C_per_W and a power, power needs a current or a load.</source>
+        <translation>Für die Spannung wird nominal_voltage_V gebraucht, für die Temperatur thermal_resistance_C_per_W und eine Leistung, für die Leistung ein Strom oder eine Last.</translation>
+    </message>
+    <message>
+        <source>The model of the platform has no finite answer here.</source>
+        <translation>Das Modell des Geräts hat hier keine endliche Antwort.</translation>
+    </message>
+    <message>
+        <source>it is proportional to the prediction</source>
+        <translation>es ist proportional zur Vorhersage</translation>
+    </message>
+    <message>
+        <source>it changes with the load</source>
+        <translation>es ändert sich mit der Last</translation>
+    </message>
+    <message>
+        <source>it changes with time</source>
+        <translation>es ändert sich mit der Zeit</translation>
+    </message>
+    <message>
+        <source>it has a mean in some direction</source>
+        <translation>es hat in einer Richtung einen Mittelwert</translation>
+    </message>
+    <message>
+        <source>it changes across the specimen</source>
+        <translation>es ändert sich über die Probe hinweg</translation>
+    </message>
+    <message>
+        <source>it differs from trial to trial</source>
+        <translation>es unterscheidet sich von Versuch zu Versuch</translation>
+    </message>
+    <message>
+        <source>it is larger than the noise</source>
+        <translation>es ist größer als das Rauschen</translation>
+    </message>
+    <message>
+        <source>neighbours are off in the same way</source>
+        <translation>Nachbarn weichen auf gleiche Weise ab</translation>
+    </message>
+    <message>
+        <source>trying effects</source>
+        <translation>Effekte werden probiert</translation>
+    </message>
+    <message>
+        <source>Only an experiment whose trials are measured can be explained.</source>
+        <translation>Nur ein Experiment, dessen Versuche gemessen sind, kann erklärt werden.</translation>
+    </message>
+    <message>
+        <source>predicting with the declared model</source>
+        <translation>Vorhersage mit dem angegebenen Modell</translation>
+    </message>
+    <message>
+        <source>weighing the evidence</source>
+        <translation>Belege werden abgewogen</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>No voxel of the stiffness map is reliable: none is positive, confident, inside the organ and {0} mm away from its border at once.</source>
+        <translation>Kein Voxel der Steifigkeitskarte ist verlässlich: Keines ist zugleich positiv, vertrauenswürdig, im Organ und {0} mm von dessen Rand entfernt.</translation>
+    </message>
+    <message>
+        <source>Check that map, confidence mask and segmentation belong together, or trust voxels nearer to the border.</source>
+        <translation>Prüfen Sie, ob Karte, Konfidenzmaske und Segmentierung zusammengehören, oder vertrauen Sie Voxeln näher am Rand.</translation>
+    </message>
+    <message>
+        <source>The model does not lie in the stiffness map: {0} mm are between their boxes (model around {1}, map around {2}).</source>
+        <translation>Das Modell liegt nicht in der Steifigkeitskarte: {0} mm trennen ihre Quader (Modell um {1}, Karte um {2}).</translation>
+    </message>
+    <message>
+        <source>They are probably in different frames of reference: take the stiffness series of the same study, or register the two.</source>
+        <translation>Wahrscheinlich sind sie in verschiedenen Bezugssystemen: Nehmen Sie die Steifigkeitsserie derselben Studie, oder registrieren Sie beide.</translation>
+    </message>
+    <message>
+        <source>There are no cells to give a stiffness to.</source>
+        <translation>Es gibt keine Zellen, denen eine Steifigkeit zu geben wäre.</translation>
+    </message>
+    <message>
+        <source>The stiffness map holds no voxels.</source>
+        <translation>Die Steifigkeitskarte enthält keine Voxel.</translation>
+    </message>
+    <message>
+        <source>The axes of the stiffness map are not at right angles, so that the nearest voxel is not to be told.</source>
+        <translation>Die Achsen der Steifigkeitskarte stehen nicht senkrecht aufeinander, sodass sich das nächste Voxel nicht bestimmen lässt.</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio must lie in (-1, 0.5], the border must not be negative and the averaging length must be positive; they are {0}, {1} mm and {2} mm.</source>
+        <translation>Die Querkontraktionszahl muss in (-1, 0.5] liegen, der Rand darf nicht negativ und die Mittelungslänge muss positiv sein; sie sind {0}, {1} mm und {2} mm.</translation>
+    </message>
+    <message>
+        <source>There are no wave or phase images.</source>
+        <translation>Es gibt keine Wellen- oder Phasenbilder.</translation>
+    </message>
+    <message>
+        <source>Unwrapping the phase</source>
+        <translation>Phase wird entfaltet</translation>
+    </message>
+    <message>
+        <source>The waves give no signal inside the organ.</source>
+        <translation>Die Wellen geben im Organ kein Signal.</translation>
+    </message>
+    <message>
+        <source>Check that the segmentation and the wave images belong together.</source>
+        <translation>Prüfen Sie, ob Segmentierung und Wellenbilder zusammengehören.</translation>
+    </message>
+    <message>
+        <source>Inverting the waves</source>
+        <translation>Wellen werden invertiert</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Invertiert</translation>
+    </message>
+    <message>
+        <source>Not one voxel could be inverted with confidence: there is no wave in these images, or it drowns in noise.</source>
+        <translation>Kein einziges Voxel ließ sich mit Konfidenz invertieren: In diesen Bildern ist keine Welle, oder sie geht im Rauschen unter.</translation>
+    </message>
+    <message>
+        <source>Check that the phase series and the frequency are the right ones.</source>
+        <translation>Prüfen Sie, ob Phasenserie und Frequenz die richtigen sind.</translation>
+    </message>
+    <message>
+        <source>The region lies on another voxel grid than the map.</source>
+        <translation>Die Region liegt auf einem anderen Voxelgitter als die Karte.</translation>
+    </message>
+    <message>
+        <source>The region holds no value.</source>
+        <translation>Die Region enthält keinen Wert.</translation>
+    </message>
+    <message>
+        <source>The wave images do not all lie on one grid.</source>
+        <translation>Die Wellenbilder liegen nicht alle auf einem Gitter.</translation>
+    </message>
+    <message>
+        <source>The headers do not say at which frequency the organ was shaken.</source>
+        <translation>Die Kopfdaten sagen nicht, mit welcher Frequenz das Organ in Schwingung versetzt wurde.</translation>
+    </message>
+    <message>
+        <source>Give it with --frequency-Hz; liver scans mostly use 60.</source>
+        <translation>Geben Sie sie mit --frequency-Hz an; bei der Leber sind es meist 60.</translation>
+    </message>
+    <message>
+        <source>A vibration of {0} Hz is not possible.</source>
+        <translation>Eine Schwingung von {0} Hz ist nicht möglich.</translation>
+    </message>
+    <message>
+        <source>The headers do not say which of the {0} wave images belong to which direction.</source>
+        <translation>Die Kopfdaten sagen nicht, welche der {0} Wellenbilder zu welcher Richtung gehören.</translation>
+    </message>
+    <message>
+        <source>Say how many directions were measured with --directions; mostly 1 or 3.</source>
+        <translation>Sagen Sie mit --directions, wie viele Richtungen gemessen wurden; meist 1 oder 3.</translation>
+    </message>
+    <message>
+        <source>{0} wave images cannot be shared out among {1} directions.</source>
+        <translation>{0} Wellenbilder lassen sich nicht auf {1} Richtungen aufteilen.</translation>
+    </message>
+    <message>
+        <source>At {0} Hz direction {1} has {2} instants and the first direction {3}.</source>
+        <translation>Bei {0} Hz hat Richtung {1} {2} Zeitpunkte und die erste Richtung {3}.</translation>
+    </message>
+    <message>
+        <source>Only {0} instants of the wave were measured; at least {1} are needed to tell the wave from noise.</source>
+        <translation>Nur {0} Zeitpunkte der Welle wurden gemessen; mindestens {1} sind nötig, um Welle und Rauschen zu trennen.</translation>
+    </message>
+    <message>
+        <source>The curl needs the motion along three known directions, in at least three slices.</source>
+        <translation>Die Rotation braucht die Bewegung in drei bekannten Richtungen, in mindestens drei Schichten.</translation>
+    </message>
+    <message>
+        <source>Take long waves off with the high-pass instead.</source>
+        <translation>Entfernen Sie lange Wellen stattdessen mit dem Hochpass.</translation>
+    </message>
+    <message>
+        <source>A cutting plane needs a finite point and a normal that is not zero.</source>
+        <translation>Eine Schnittebene braucht einen endlichen Punkt und eine Normale ungleich null.</translation>
+    </message>
+    <message>
+        <source>A cutting sheet needs 3 to {0} points; there are {1}.</source>
+        <translation>Eine Schnittfläche braucht 3 bis {0} Punkte; es sind {1}.</translation>
+    </message>
+    <message>
+        <source>A point of the cutting sheet is not finite.</source>
+        <translation>Ein Punkt der Schnittfläche ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>The points of the cutting sheet lie almost on a line, which does not say which way to cut: add points away from it, or give a plane.</source>
+        <translation>Die Punkte der Schnittfläche liegen fast auf einer Geraden, was nicht sagt, wie zu schneiden ist: Fügen Sie Punkte abseits davon hinzu, oder geben Sie eine Ebene an.</translation>
+    </message>
+    <message>
+        <source>Points {0} and {1} of the cutting sheet lie above each other: no smooth sheet over their plane passes through both.</source>
+        <translation>Die Punkte {0} und {1} der Schnittfläche liegen übereinander: Keine glatte Fläche über ihrer Ebene geht durch beide.</translation>
+    </message>
+    <message>
+        <source>No smooth sheet passes through the points of the cut.</source>
+        <translation>Keine glatte Fläche geht durch die Punkte des Schnitts.</translation>
+    </message>
+    <message>
+        <source>The surface is in pieces, between which there is no way along it.</source>
+        <translation>Die Oberfläche besteht aus Stücken, zwischen denen kein Weg auf ihr liegt.</translation>
+    </message>
+    <message>
+        <source>Keep its largest piece.</source>
+        <translation>Behalten Sie ihr größtes Stück.</translation>
+    </message>
+    <message>
+        <source>Triangle {0} does not fit its neighbours: an edge has more than two triangles, or they are turned against each other.</source>
+        <translation>Dreieck {0} passt nicht zu seinen Nachbarn: Eine Kante hat mehr als zwei Dreiecke, oder sie sind gegeneinander gedreht.</translation>
+    </message>
+    <message>
+        <source>Heat cannot spread over the surface: it has flat triangles.</source>
+        <translation>Wärme kann sich auf der Oberfläche nicht ausbreiten: Sie hat entartete Dreiecke.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read as a mesh: {1}.</source>
+        <translation>{0} kann nicht als Netz gelesen werden: {1}.</translation>
+    </message>
+    <message>
+        <source>Open it in ParaView to see whether it is damaged.</source>
+        <translation>Öffnen Sie es in ParaView, um zu sehen, ob es beschädigt ist.</translation>
+    </message>
+    <message>
+        <source>it names no dataset</source>
+        <translation>es nennt keinen Datensatz</translation>
+    </message>
+    <message>
+        <source>its points are not all there</source>
+        <translation>seine Punkte sind nicht vollständig</translation>
+    </message>
+    <message>
+        <source>its cell types are not all there</source>
+        <translation>seine Zelltypen sind nicht vollständig</translation>
+    </message>
+    <message>
+        <source>it has not as many cell types as cells</source>
+        <translation>es hat nicht so viele Zelltypen wie Zellen</translation>
+    </message>
+    <message>
+        <source>a field says not how many arrays it has</source>
+        <translation>ein Feld sagt nicht, wie viele Arrays es hat</translation>
+    </message>
+    <message>
+        <source>an array before its cells is not all there, or is text</source>
+        <translation>ein Array vor seinen Zellen ist nicht vollständig oder ist Text</translation>
+    </message>
+    <message>
+        <source>{0} has no extension that is known for such a mesh.</source>
+        <translation>{0} hat keine Endung, die für ein solches Netz bekannt ist.</translation>
+    </message>
+    <message>
+        <source>it holds no points</source>
+        <translation>es enthält keine Punkte</translation>
+    </message>
+    <message>
+        <source>a cell names a point that does not exist</source>
+        <translation>eine Zelle nennt einen Punkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>its polygons cannot be cut into triangles</source>
+        <translation>seine Polygone lassen sich nicht in Dreiecke zerlegen</translation>
+    </message>
+    <message>
+        <source>Cell {1} of {0} is a {2} of {3} points; only tetrahedra are used.</source>
+        <translation>Zelle {1} von {0} ist {2} mit {3} Punkten; nur Tetraeder werden verwendet.</translation>
+    </message>
+    <message>
+        <source>Cut it into tetrahedra first, for example with ParaView&apos;s Tetrahedralize.</source>
+        <translation>Zerlegen Sie es zuerst in Tetraeder, zum Beispiel mit Tetrahedralize von ParaView.</translation>
+    </message>
+    <message>
+        <source>it holds no tetrahedra</source>
+        <translation>es enthält keine Tetraeder</translation>
+    </message>
+    <message>
+        <source>The header of {0} announces {1} items; a file of {2} bytes cannot hold them.</source>
+        <translation>Die Kopfdaten von {0} kündigen {1} Einträge an; eine Datei von {2} Bytes kann sie nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>The file is damaged or cut off; get it again from where it came.</source>
+        <translation>Die Datei ist beschädigt oder abgeschnitten; holen Sie sie erneut von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>Line {1} of {0} is neither a point nor a face.</source>
+        <translation>Zeile {1} von {0} ist weder ein Punkt noch eine Fläche.</translation>
+    </message>
+    <message>
+        <source>Line {1} of {0} is not what an OFF file holds there.</source>
+        <translation>Zeile {1} von {0} ist nicht das, was dort in einer OFF-Datei steht.</translation>
+    </message>
+    <message>
+        <source>its header is not that of a PLY file</source>
+        <translation>seine Kopfdaten sind nicht die einer PLY-Datei</translation>
+    </message>
+    <message>
+        <source>Point {0} of the surface has no finite position.</source>
+        <translation>Punkt {0} der Oberfläche hat keine endliche Position.</translation>
+    </message>
+    <message>
+        <source>Triangle {0} names point {1}; the surface has {2} points.</source>
+        <translation>Dreieck {0} nennt Punkt {1}; die Oberfläche hat {2} Punkte.</translation>
+    </message>
+    <message>
+        <source>The surface holds no triangles.</source>
+        <translation>Die Oberfläche enthält keine Dreiecke.</translation>
+    </message>
+    <message>
+        <source>The mesh holds no tetrahedra.</source>
+        <translation>Das Netz enthält keine Tetraeder.</translation>
+    </message>
+    <message>
+        <source>Tetrahedron {0} names point {1}; the mesh has {2} points.</source>
+        <translation>Tetraeder {0} nennt Punkt {1}; das Netz hat {2} Punkte.</translation>
+    </message>
+    <message>
+        <source>Point {0} of the mesh has no finite position.</source>
+        <translation>Punkt {0} des Netzes hat keine endliche Position.</translation>
+    </message>
+    <message>
+        <source>Tetrahedron {0} is flat or inside out: its volume is {1} mm3.</source>
+        <translation>Tetraeder {0} ist flach oder umgestülpt: Sein Volumen ist {1} mm3.</translation>
+    </message>
+    <message>
+        <source>The face of the points {0}, {1} and {2} belongs to {3} tetrahedra; at most two can.</source>
+        <translation>Die Fläche der Punkte {0}, {1} und {2} gehört zu {3} Tetraedern; höchstens zwei sind möglich.</translation>
+    </message>
+    <message>
+        <source>The mesh falls in {0} parts that share no face, of {1} tetrahedra.</source>
+        <translation>Das Netz zerfällt in {0} Teile ohne gemeinsame Fläche, mit {1} Tetraedern.</translation>
+    </message>
+    <message>
+        <source>Keep the largest part, or join them before meshing.</source>
+        <translation>Behalten Sie den größten Teil, oder verbinden Sie die Teile vor dem Vernetzen.</translation>
+    </message>
+    <message>
+        <source>{0} is deflated as a whole, which is not read.</source>
+        <translation>{0} ist als Ganzes komprimiert (Deflate); das wird nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>Convert it first, for example with dcmconv +te.</source>
+        <translation>Wandeln Sie es zuerst um, zum Beispiel mit dcmconv +te.</translation>
+    </message>
+    <message>
+        <source>{0} is empty.</source>
+        <translation>{0} ist leer.</translation>
+    </message>
+    <message>
+        <source>{0} declares a length beyond its end in its first lines.</source>
+        <translation>{0} gibt in seinen ersten Zeilen eine Länge jenseits seines Endes an.</translation>
+    </message>
+    <message>
+        <source>{0} is no DICOM file, nor named as one of the volume files that are read.</source>
+        <translation>{0} ist keine DICOM-Datei und heißt auch nicht wie eine lesbare Volumendatei.</translation>
+    </message>
+    <message>
+        <source>The header of {0} is too large to be that of an image.</source>
+        <translation>Die Kopfdaten von {0} sind zu groß für die eines Bildes.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: an item stands outside a sequence at byte {1}.</source>
+        <translation>{0} ist beschädigt: Bei Byte {1} steht ein Eintrag außerhalb einer Sequenz.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: a value without a length stands at byte {1}.</source>
+        <translation>{0} ist beschädigt: Bei Byte {1} steht ein Wert ohne Länge.</translation>
+    </message>
+    <message>
+        <source>{0} ends at byte {1}, in the middle of its header.</source>
+        <translation>{0} endet bei Byte {1}, mitten in den Kopfdaten.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: the length at byte {1} leaves what encloses it.</source>
+        <translation>{0} ist beschädigt: Die Länge bei Byte {1} verlässt, was sie umschließt.</translation>
+    </message>
+    <message>
+        <source>{0} ends at byte {1}, in the middle of a sequence.</source>
+        <translation>{0} endet bei Byte {1}, mitten in einer Sequenz.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: a sequence holds something else than items at byte {1}.</source>
+        <translation>{0} ist beschädigt: Bei Byte {1} enthält eine Sequenz anderes als Einträge.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its pixels are not stored in the way its transfer syntax {1} says.</source>
+        <translation>{0} ist beschädigt: Seine Pixel sind nicht so gespeichert, wie seine Transfersyntax {1} sagt.</translation>
+    </message>
+    <message>
+        <source>{0} is cut short: {1} of {2} bytes of its pixels are there.</source>
+        <translation>{0} ist abgeschnitten: {1} von {2} Bytes seiner Pixel sind da.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its compressed pixels are broken at byte {1}.</source>
+        <translation>{0} ist beschädigt: Seine komprimierten Pixel sind bei Byte {1} zerstört.</translation>
+    </message>
+    <message>
+        <source>The pixels of {0} are in too many pieces.</source>
+        <translation>Die Pixel von {0} sind in zu vielen Stücken.</translation>
+    </message>
+    <message>
+        <source>{0} is cut short in its compressed pixels, at byte {1}.</source>
+        <translation>{0} ist in seinen komprimierten Pixeln abgeschnitten, bei Byte {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: no value type is known for what stands at byte {1}.</source>
+        <translation>{0} ist beschädigt: Für das, was bei Byte {1} steht, ist kein Werttyp bekannt.</translation>
+    </message>
+    <message>
+        <source>{0} nests its sequences more than {1} deep, which no image does.</source>
+        <translation>{0} verschachtelt seine Sequenzen mehr als {1} tief, was kein Bild tut.</translation>
+    </message>
+    <message>
+        <source>Copy the file again from where it came.</source>
+        <translation>Kopieren Sie die Datei erneut von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>The compressed pixels of {0} are damaged.</source>
+        <translation>Die komprimierten Pixel von {0} sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>{0} is compressed in a way that is not read (transfer syntax {1}).</source>
+        <translation>{0} ist auf eine Art komprimiert, die nicht gelesen wird (Transfersyntax {1}).</translation>
+    </message>
+    <message>
+        <source>Convert it to an uncompressed or JPEG form first.</source>
+        <translation>Wandeln Sie es zuerst in eine unkomprimierte oder JPEG-Form um.</translation>
+    </message>
+    <message>
+        <source>The compressed picture of {0} is {1} x {2} with {3} bits, where its header says {4} x {5} with {6}.</source>
+        <translation>Das komprimierte Bild von {0} hat {1} x {2} Pixel mit {3} Bit, wo die Kopfdaten {4} x {5} mit {6} sagen.</translation>
+    </message>
+    <message>
+        <source>{0} lies inside {1}, which is only read.</source>
+        <translation>{0} liegt in {1}, das nur gelesen wird.</translation>
+    </message>
+    <message>
+        <source>Choose a folder elsewhere for the files without identity.</source>
+        <translation>Wählen Sie für die Dateien ohne Identität einen Ordner anderswo.</translation>
+    </message>
+    <message>
+        <source>removing identity</source>
+        <translation>Identität wird entfernt</translation>
+    </message>
+    <message>
+        <source>{0} holds no DICOM file.</source>
+        <translation>{0} enthält keine DICOM-Datei.</translation>
+    </message>
+    <message>
+        <source>Give the folder or the file that holds the images.</source>
+        <translation>Geben Sie den Ordner oder die Datei an, die die Bilder enthält.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read: {1}.</source>
+        <translation>{0} kann nicht gelesen werden: {1}.</translation>
+    </message>
+    <message>
+        <source>Check the path and your rights there.</source>
+        <translation>Prüfen Sie den Pfad und Ihre Rechte dort.</translation>
+    </message>
+    <message>
+        <source>{0} holds no image, or is damaged.</source>
+        <translation>{0} enthält kein Bild oder ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
+        <translation>{0} gibt eine unmögliche Größe an: {1} x {2} Pixel in {3} Bildern.</translation>
+    </message>
+    <message>
+        <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
+        <translation>{0} gibt unmögliche Pixel an: {1} von {2} Bit, das höchste {3}.</translation>
+    </message>
+    <message>
+        <source>{0} declares compressed pictures too large to be true.</source>
+        <translation>{0} gibt komprimierte Bilder an, die zu groß sind, um wahr zu sein.</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} of the {2} frames that it declares.</source>
+        <translation>{0} enthält {1} der {2} Bilder, die es angibt.</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} bytes of pixels, but its size in pixels asks for {2}.</source>
+        <translation>{0} enthält {1} Bytes an Pixeln, aber seine Größe verlangt {2}.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its header cannot be understood.</source>
+        <translation>{0} ist beschädigt: Die Kopfdaten sind nicht zu verstehen.</translation>
+    </message>
+    <message>
+        <source>{0} is DICOM, but holds no picture ({1}).</source>
+        <translation>{0} ist DICOM, enthält aber kein Bild ({1}).</translation>
+    </message>
+    <message>
+        <source>{0} is no directory of DICOM files.</source>
+        <translation>{0} ist kein Verzeichnis von DICOM-Dateien (DICOMDIR).</translation>
+    </message>
+    <message>
+        <source>Open the folder itself instead.</source>
+        <translation>Öffnen Sie stattdessen den Ordner selbst.</translation>
+    </message>
+    <message>
+        <source>Export the segmentation again, as binary and uncompressed DICOM SEG.</source>
+        <translation>Exportieren Sie die Segmentierung erneut, als binäres, unkomprimiertes DICOM SEG.</translation>
+    </message>
+    <message>
+        <source>{0} is not a DICOM segmentation.</source>
+        <translation>{0} ist keine DICOM-Segmentierung.</translation>
+    </message>
+    <message>
+        <source>The segmentation {0} is compressed (or big endian).</source>
+        <translation>Die Segmentierung {0} ist komprimiert (oder Big Endian).</translation>
+    </message>
+    <message>
+        <source>The segmentation {0} names no segment, or too many for its size: {1}.</source>
+        <translation>Die Segmentierung {0} nennt kein Segment oder zu viele für ihre Größe: {1}.</translation>
+    </message>
+    <message>
+        <source>The headers of {0} are damaged.</source>
+        <translation>Die Kopfdaten von {0} sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>The segmentation {0} does not say where its frames are: {1}.</source>
+        <translation>Die Segmentierung {0} sagt nicht, wo ihre Bilder liegen: {1}.</translation>
+    </message>
+    <message>
+        <source>rows, columns, frames or bits</source>
+        <translation>Zeilen, Spalten, Bilder oder Bits</translation>
+    </message>
+    <message>
+        <source>pixel spacing</source>
+        <translation>Pixelabstand</translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation {0} are not above each other.</source>
+        <translation>Die Bilder der Segmentierung {0} liegen nicht übereinander.</translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation {0} are not evenly spaced.</source>
+        <translation>Die Bilder der Segmentierung {0} haben keine gleichmäßigen Abstände.</translation>
+    </message>
+    <message>
+        <source>The segmentation {0} holds fewer frames than it declares.</source>
+        <translation>Die Segmentierung {0} enthält weniger Bilder, als sie angibt.</translation>
+    </message>
+    <message>
+        <source>The segmentation {0} ends before its last frame.</source>
+        <translation>Die Segmentierung {0} endet vor ihrem letzten Bild.</translation>
+    </message>
+    <message>
+        <source>There is no segment to write.</source>
+        <translation>Es gibt kein Segment zu schreiben.</translation>
+    </message>
+    <message>
+        <source>A segmentation needs the identifiers of the study, the series and the frame of reference that it was drawn on.</source>
+        <translation>Eine Segmentierung braucht die Kennungen der Studie, der Serie und des Bezugssystems, in dem sie gezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>The segments {0} and {1} lie on different grids; one file holds one grid.</source>
+        <translation>Die Segmente {0} und {1} liegen auf verschiedenen Gittern; eine Datei fasst ein Gitter.</translation>
+    </message>
+    <message>
+        <source>The grid of the segment {0} is skewed, left-handed or too large for DICOM.</source>
+        <translation>Das Gitter des Segments {0} ist schief, linkshändig oder zu groß für DICOM.</translation>
+    </message>
+    <message>
+        <source>The volume holds no voxels, so no series can be written to {0}.</source>
+        <translation>Das Volumen enthält keine Voxel, also kann keine Serie nach {0} geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The slices have {0} x {1} voxels; DICOM counts rows and columns up to 65535.</source>
+        <translation>Die Schichten haben {0} x {1} Voxel; DICOM zählt Zeilen und Spalten bis 65535.</translation>
+    </message>
+    <message>
+        <source>The series {0} needs the identifiers of its study, of itself and of its frame of reference.</source>
+        <translation>Die Serie {0} braucht die Kennungen ihrer Studie, ihrer selbst und ihres Bezugssystems.</translation>
+    </message>
+    <message>
+        <source>The volume holds values that are not finite; DICOM cannot.</source>
+        <translation>Das Volumen enthält Werte, die nicht endlich sind; DICOM kann das nicht.</translation>
+    </message>
+    <message>
+        <source>Slice {0} holds the value {1}, which the rescale {2} x + {3} cannot hold in 16 bits.</source>
+        <translation>Schicht {0} enthält den Wert {1}, den die Umskalierung {2} x + {3} in 16 Bit nicht fassen kann.</translation>
+    </message>
+    <message>
+        <source>{0} may not be read by you.</source>
+        <translation>{0} dürfen Sie nicht lesen.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be opened: it has gone, or is no ordinary file.</source>
+        <translation>{0} kann nicht geöffnet werden: Es ist verschwunden oder keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>{0} is not any more as it was when the folder was scanned.</source>
+        <translation>{0} ist nicht mehr so wie beim Durchsuchen des Ordners.</translation>
+    </message>
+    <message>
+        <source>Scan the folder again.</source>
+        <translation>Durchsuchen Sie den Ordner erneut.</translation>
+    </message>
+    <message>
+        <source>{0} does not say which of its compressed pieces belong to frame {1}.</source>
+        <translation>{0} sagt nicht, welche seiner komprimierten Stücke zu Bild {1} gehören.</translation>
+    </message>
+    <message>
+        <source>The series {0} has {1} volumes, counted from 0, and no {2}.</source>
+        <translation>Die Serie {0} hat {1} Volumina, gezählt ab 0, und kein {2}.</translation>
+    </message>
+    <message>
+        <source>The series {0} is a segmentation, not an image.</source>
+        <translation>Die Serie {0} ist eine Segmentierung, kein Bild.</translation>
+    </message>
+    <message>
+        <source>Import it as labels of a structure.</source>
+        <translation>Importieren Sie sie als Labels einer Struktur.</translation>
+    </message>
+    <message>
+        <source>The series {0} holds pictures in colour and no values to measure.</source>
+        <translation>Die Serie {0} enthält Farbbilder und keine messbaren Werte.</translation>
+    </message>
+    <message>
+        <source>Choose the grey-scale series that it was made from.</source>
+        <translation>Wählen Sie die Graustufenserie, aus der sie entstanden ist.</translation>
+    </message>
+    <message>
+        <source>The series {0} needs {1} GiB of memory, more than this computer has.</source>
+        <translation>Die Serie {0} braucht {1} GiB Speicher, mehr als dieser Rechner hat.</translation>
+    </message>
+    <message>
+        <source>Reading the slices</source>
+        <translation>Schichten werden gelesen</translation>
+    </message>
+    <message>
+        <source>Sorting the series</source>
+        <translation>Serien werden sortiert</translation>
+    </message>
+    <message>
+        <source>The folder {0} cannot be read.</source>
+        <translation>Der Ordner {0} kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Check your rights there.</source>
+        <translation>Prüfen Sie Ihre Rechte dort.</translation>
+    </message>
+    <message>
+        <source>Files found</source>
+        <translation>Gefundene Dateien</translation>
+    </message>
+    <message>
+        <source>There is nothing at {0}.</source>
+        <translation>Unter {0} ist nichts vorhanden.</translation>
+    </message>
+    <message>
+        <source>Check the path.</source>
+        <translation>Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <source>Files looked at</source>
+        <translation>Durchgesehene Dateien</translation>
+    </message>
+    <message>
+        <source>The map is in {0}, which is no unit of stiffness.</source>
+        <translation>Die Karte ist in {0}, was keine Einheit der Steifigkeit ist.</translation>
+    </message>
+    <message>
+        <source>The stiffness map holds no value above zero.</source>
+        <translation>Die Steifigkeitskarte enthält keinen Wert über null.</translation>
+    </message>
+    <message>
+        <source>It cannot be decided whether the stiffness map is in Pa or kPa: its median, {0}, is no stiffness of soft tissue in either.</source>
+        <translation>Ob die Steifigkeitskarte in Pa oder kPa ist, lässt sich nicht entscheiden: Ihr Median, {0}, ist in keiner von beiden eine Steifigkeit von Weichgewebe.</translation>
+    </message>
+    <message>
+        <source>The stiffness map is marked as {0}, but its median, {1}, is a stiffness of soft tissue only in {2}.</source>
+        <translation>Die Steifigkeitskarte ist als {0} gekennzeichnet, aber ihr Median, {1}, ist nur in {2} eine Steifigkeit von Weichgewebe.</translation>
+    </message>
+    <message>
+        <source>Correct the unit in the file after asking where it came from.</source>
+        <translation>Berichtigen Sie die Einheit in der Datei, nachdem Sie bei deren Herkunft nachgefragt haben.</translation>
+    </message>
+    <message>
+        <source>{0} is not a label map: it holds the value {1}.</source>
+        <translation>{0} ist keine Labelkarte: Sie enthält den Wert {1}.</translation>
+    </message>
+    <message>
+        <source>A label map holds whole numbers from 0 to 65535.</source>
+        <translation>Eine Labelkarte enthält ganze Zahlen von 0 bis 65535.</translation>
+    </message>
+    <message>
+        <source>{0} is not of a known kind of volume file.</source>
+        <translation>{0} ist keine bekannte Art von Volumendatei.</translation>
+    </message>
+    <message>
+        <source>Known are .nii, .nii.gz, .nrrd, .nhdr, .mha and .mhd.</source>
+        <translation>Bekannt sind .nii, .nii.gz, .nrrd, .nhdr, .mha und .mhd.</translation>
+    </message>
+    <message>
+        <source>Check that the file is whole, for example by opening it in 3D Slicer.</source>
+        <translation>Prüfen Sie, ob die Datei vollständig ist, zum Beispiel durch Öffnen in 3D Slicer.</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>sie ist leer</translation>
+    </message>
+    <message>
+        <source>its header is not of that format</source>
+        <translation>ihre Kopfdaten sind nicht von diesem Format</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} values at each voxel; one is needed.</source>
+        <translation>{0} enthält {1} Werte je Voxel; einer wird gebraucht.</translation>
+    </message>
+    <message>
+        <source>Save one component (or a grey image in place of a colour one).</source>
+        <translation>Speichern Sie eine Komponente (oder ein Graubild statt eines Farbbilds).</translation>
+    </message>
+    <message>
+        <source>{0} is not a three-dimensional volume: it has {1} axes.</source>
+        <translation>{0} ist kein dreidimensionales Volumen: Es hat {1} Achsen.</translation>
+    </message>
+    <message>
+        <source>Save one volume (one point in time) to a file.</source>
+        <translation>Speichern Sie ein Volumen (einen Zeitpunkt) in eine Datei.</translation>
+    </message>
+    <message>
+        <source>The header of {0} gives no usable grid: sizes and spacings must be positive and the axes at right angles.</source>
+        <translation>Die Kopfdaten von {0} ergeben kein brauchbares Gitter: Größen und Abstände müssen positiv und die Achsen rechtwinklig sein.</translation>
+    </message>
+    <message>
+        <source>Resample the volume onto a regular grid and save it again.</source>
+        <translation>Rechnen Sie das Volumen auf ein regelmäßiges Gitter um, und speichern Sie es neu.</translation>
+    </message>
+    <message>
+        <source>{0} is too short: its header declares {1} bytes of voxels and the file can hold {2} at most.</source>
+        <translation>{0} ist zu kurz: Die Kopfdaten geben {1} Bytes an Voxeln an, und die Datei kann höchstens {2} enthalten.</translation>
+    </message>
+    <message>
+        <source>its numbers are of an unknown type</source>
+        <translation>ihre Zahlen sind von unbekanntem Typ</translation>
+    </message>
+    <message>
+        <source>The supports do not hold the body: it {0}, so no equilibrium exists.</source>
+        <translation>Die Lagerung hält den Körper nicht: Er {0}, also gibt es kein Gleichgewicht.</translation>
+    </message>
+    <message>
+        <source>Hold more of it, or put a foundation under part of its surface.</source>
+        <translation>Halten Sie mehr davon fest, oder legen Sie eine Bettung unter einen Teil seiner Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The mesh has {0} cells; at most {1} can be solved.</source>
+        <translation>Das Netz hat {0} Zellen; höchstens {1} sind lösbar.</translation>
+    </message>
+    <message>
+        <source>Mesh with fewer cells.</source>
+        <translation>Vernetzen Sie mit weniger Zellen.</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio must lie between -1 and 0.5, both excluded; it is {0}.</source>
+        <translation>Die Querkontraktionszahl muss zwischen -1 und 0.5 liegen, beide ausgeschlossen; sie ist {0}.</translation>
+    </message>
+    <message>
+        <source>For tissue that is nearly incompressible take 0.45 to 0.499.</source>
+        <translation>Für fast inkompressibles Gewebe nehmen Sie 0.45 bis 0.499.</translation>
+    </message>
+    <message>
+        <source>The density must be a finite number, zero or above.</source>
+        <translation>Die Dichte muss eine endliche Zahl sein, null oder größer.</translation>
+    </message>
+    <message>
+        <source>There are {0} values of Young&apos;s modulus for {1} cells.</source>
+        <translation>Es gibt {0} Werte des Elastizitätsmoduls für {1} Zellen.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of cell {0} is {1} kPa; it must be a number above zero.</source>
+        <translation>Der Elastizitätsmodul der Zelle {0} ist {1} kPa; er muss eine Zahl größer als null sein.</translation>
+    </message>
+    <message>
+        <source>Fill the cells without data before simulating.</source>
+        <translation>Füllen Sie die Zellen ohne Daten vor der Simulation.</translation>
+    </message>
+    <message>
+        <source>The tool at ({0}, {1}, {2}) mm with radius {3} mm touches nothing: the centre of the nearest face of the surface is {4} mm away.</source>
+        <translation>Das Werkzeug bei ({0}, {1}, {2}) mm mit dem Radius {3} mm berührt nichts: Die Mitte der nächsten Fläche der Oberfläche ist {4} mm entfernt.</translation>
+    </message>
+    <message>
+        <source>Move its centre onto the surface, or make its radius larger than {4} mm.</source>
+        <translation>Verschieben Sie seine Mitte auf die Oberfläche, oder machen Sie seinen Radius größer als {4} mm.</translation>
+    </message>
+    <message>
+        <source>Ordering the equations</source>
+        <translation>Gleichungen werden geordnet</translation>
+    </message>
+    <message>
+        <source>Solving for {0} unknowns would take {1} GB of memory; the limit is {2} GB.</source>
+        <translation>Die Lösung für {0} Unbekannte bräuchte {1} GB Speicher; die Grenze ist {2} GB.</translation>
+    </message>
+    <message>
+        <source>Factorising</source>
+        <translation>Faktorisierung</translation>
+    </message>
+    <message>
+        <source>The stiffness matrix is not positive definite (column {0} of {1}).</source>
+        <translation>Die Steifigkeitsmatrix ist nicht positiv definit (Spalte {0} von {1}).</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio may be too near 1/2, or cells may be flat: look at the mesh&apos;s quality.</source>
+        <translation>Die Querkontraktionszahl liegt vielleicht zu nahe bei 1/2, oder Zellen sind flach: Sehen Sie sich die Qualität des Netzes an.</translation>
+    </message>
+    <message>
+        <source>The solver ran out of memory for {0} unknowns.</source>
+        <translation>Dem Löser fehlte der Speicher für {0} Unbekannte.</translation>
+    </message>
+    <message>
+        <source>Factorised</source>
+        <translation>Faktorisiert</translation>
+    </message>
+    <message>
+        <source>The equilibrium was not found. {0}</source>
+        <translation>Das Gleichgewicht wurde nicht gefunden. {0}</translation>
+    </message>
+    <message>
+        <source>The body&apos;s answer to a force on its surface was not found: the relative residual stayed at {0}.</source>
+        <translation>Die Antwort des Körpers auf eine Kraft an seiner Oberfläche wurde nicht gefunden: Das relative Residuum blieb bei {0}.</translation>
+    </message>
+    <message>
+        <source>The tool at ({0}, {1}, {2}) mm meets no surface on its way.</source>
+        <translation>Das Werkzeug bei ({0}, {1}, {2}) mm trifft auf seinem Weg keine Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Move it in front of the liver, or turn it towards it.</source>
+        <translation>Verschieben Sie es vor die Leber, oder drehen Sie es zu ihr hin.</translation>
+    </message>
+    <message>
+        <source>A grasper needs a finite place and a radius above zero.</source>
+        <translation>Eine Fasszange braucht einen endlichen Ort und einen Radius größer als null.</translation>
+    </message>
+    <message>
+        <source>The grasper holds no point of the surface.</source>
+        <translation>Die Fasszange hält keinen Punkt der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Move it onto the surface, or open its jaws wider.</source>
+        <translation>Verschieben Sie sie auf die Oberfläche, oder öffnen Sie ihre Branchen weiter.</translation>
+    </message>
+    <message>
+        <source>A body computed straight from data can be held, but not stand on a foundation.</source>
+        <translation>Ein direkt aus Daten berechneter Körper kann gehalten werden, aber nicht auf einer Bettung stehen.</translation>
+    </message>
+    <message>
+        <source>Looking for states that the data know</source>
+        <translation>Suche nach Zuständen, die die Daten kennen</translation>
+    </message>
+    <message>
+        <source>Looking for the equilibrium</source>
+        <translation>Suche nach dem Gleichgewicht</translation>
+    </message>
+    <message>
+        <source>Solved</source>
+        <translation>Gelöst</translation>
+    </message>
+    <message>
+        <source>is not held at all</source>
+        <translation>ist überhaupt nicht gehalten</translation>
+    </message>
+    <message>
+        <source>can slide in every direction</source>
+        <translation>kann in jede Richtung gleiten</translation>
+    </message>
+    <message>
+        <source>The tool of load {0} needs a finite centre and force.</source>
+        <translation>Das Werkzeug der Last {0} braucht eine endliche Mitte und Kraft.</translation>
+    </message>
+    <message>
+        <source>The tool of load {0} needs a radius above zero.</source>
+        <translation>Das Werkzeug der Last {0} braucht einen Radius größer als null.</translation>
+    </message>
+    <message>
+        <source>The pressure of load {0} is not a finite number.</source>
+        <translation>Der Druck der Last {0} ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>The gravity of load {0} is not a finite vector.</source>
+        <translation>Die Schwerkraft der Last {0} ist kein endlicher Vektor.</translation>
+    </message>
+    <message>
+        <source>A material needs at least 3 measurements of strain and stress.</source>
+        <translation>Ein Material braucht mindestens 3 Messungen von Dehnung und Spannung.</translation>
+    </message>
+    <message>
+        <source>A measurement of strain and stress is not a finite number.</source>
+        <translation>Eine Messung von Dehnung und Spannung ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio must lie between -1 and 0.5, and one neighbour or more is needed for a hull.</source>
+        <translation>Die Querkontraktionszahl muss zwischen -1 und 0.5 liegen, und für eine Hülle ist mindestens ein Nachbar nötig.</translation>
+    </message>
+    <message>
+        <source>The measured stress does not grow with the strain.</source>
+        <translation>Die gemessene Spannung wächst nicht mit der Dehnung.</translation>
+    </message>
+    <message>
+        <source>Assembling the stiffness</source>
+        <translation>Steifigkeit wird zusammengestellt</translation>
+    </message>
+    <message>
+        <source>Assembled</source>
+        <translation>Zusammengestellt</translation>
+    </message>
+    <message>
+        <source>A motion needs a step and a tolerance above zero, and damping not below it.</source>
+        <translation>Eine Bewegung braucht einen Schritt und eine Toleranz größer als null und eine Dämpfung nicht kleiner.</translation>
+    </message>
+    <message>
+        <source>{0} nodes in this body need more than 5e8 voxels: take fewer.</source>
+        <translation>{0} Knoten in diesem Körper brauchen mehr als 5e8 Voxel: Nehmen Sie weniger.</translation>
+    </message>
+    <message>
+        <source>Spreading the nodes</source>
+        <translation>Knoten werden verteilt</translation>
+    </message>
+    <message>
+        <source>Measuring how the material sees the body</source>
+        <translation>Messung, wie das Material den Körper sieht</translation>
+    </message>
+    <message>
+        <source>{0} nodes, {1} voxels a node and an overlap of {2} cannot be: the last two must be at least 1 and above 1.</source>
+        <translation>{0} Knoten, {1} Voxel je Knoten und eine Überlappung von {2} sind nicht möglich: Die letzten beiden müssen mindestens 1 und größer als 1 sein.</translation>
+    </message>
+    <message>
+        <source>One linear solve a step moves the materials &quot;linear&quot; and &quot;corotational&quot;, without ligaments or a capsule.</source>
+        <translation>Mit einer linearen Lösung je Schritt bewegen sich die Materialien &quot;linear&quot; und &quot;corotational&quot;, ohne Bänder oder Kapsel.</translation>
+    </message>
+    <message>
+        <source>The cut does not cross the body.</source>
+        <translation>Der Schnitt durchquert den Körper nicht.</translation>
+    </message>
+    <message>
+        <source>Check that cut and mesh are in the same coordinates (LPS, mm).</source>
+        <translation>Prüfen Sie, ob Schnitt und Netz in denselben Koordinaten sind (LPS, mm).</translation>
+    </message>
+    <message>
+        <source>A tool needs rods with finite ends and a radius above zero, and a pose that turns and moves it.</source>
+        <translation>Ein Werkzeug braucht Stäbe mit endlichen Enden und einem Radius größer als null und eine Lage, die es dreht und bewegt.</translation>
+    </message>
+    <message>
+        <source>{0} must be a name in quotes.</source>
+        <translation>{0} muss ein Name in Anführungszeichen sein.</translation>
+    </message>
+    <message>
+        <source>{0} must be one of {1}.</source>
+        <translation>{0} muss eines von {1} sein.</translation>
+    </message>
+    <message>
+        <source>{0} must be a list in brackets.</source>
+        <translation>{0} muss eine Liste in eckigen Klammern sein.</translation>
+    </message>
+    <message>
+        <source>{0} goes with the material &quot;veronda-westmann&quot;: give both or neither.</source>
+        <translation>{0} gehört zum Material &quot;veronda-westmann&quot;: Geben Sie beide an oder keines.</translation>
+    </message>
+    <message>
+        <source>{0} and &quot;youngs_modulus_kPa&quot; both say how stiff the body is: give one.</source>
+        <translation>{0} und &quot;youngs_modulus_kPa&quot; sagen beide, wie steif der Körper ist: Geben Sie eines an.</translation>
+    </message>
+    <message>
+        <source>{0} has the same id &quot;{1}&quot; as another.</source>
+        <translation>{0} hat dieselbe Kennung „{1}“ wie ein anderes.</translation>
+    </message>
+    <message>
+        <source>{0} needs exactly one of &quot;point_array&quot;, &quot;sphere&quot; and &quot;box&quot;.</source>
+        <translation>{0} braucht genau eines von &quot;point_array&quot;, &quot;sphere&quot; und &quot;box&quot;.</translation>
+    </message>
+    <message>
+        <source>In {0} the box&apos;s min_mm must not exceed its max_mm.</source>
+        <translation>In {0} darf min_mm des Quaders sein max_mm nicht übersteigen.</translation>
+    </message>
+    <message>
+        <source>{0} is a ligament: it takes neither &quot;foundation_kPa_per_mm&quot; nor &quot;directions&quot;.</source>
+        <translation>{0} ist ein Band: Es nimmt weder &quot;foundation_kPa_per_mm&quot; noch &quot;directions&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} has both &quot;foundation_kPa_per_mm&quot; and &quot;directions&quot;: a foundation acts in all directions.</source>
+        <translation>{0} hat sowohl &quot;foundation_kPa_per_mm&quot; als auch &quot;directions&quot;: Eine Bettung wirkt in alle Richtungen.</translation>
+    </message>
+    <message>
+        <source>The directions of {0} must be a list such as [&quot;x&quot;, &quot;z&quot;].</source>
+        <translation>Die Richtungen von {0} müssen eine Liste sein, etwa [&quot;x&quot;, &quot;z&quot;].</translation>
+    </message>
+    <message>
+        <source>{0} needs exactly one of &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; and &quot;gravity_of_patient&quot;.</source>
+        <translation>{0} braucht genau eines von &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; und &quot;gravity_of_patient&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} must lie between -90 and 90 degrees.</source>
+        <translation>{0} muss zwischen -90 und 90 Grad liegen.</translation>
+    </message>
+    <message>
+        <source>{0} has both &quot;left_tilt_deg&quot; and &quot;right_tilt_deg&quot;: give one.</source>
+        <translation>{0} hat sowohl &quot;left_tilt_deg&quot; als auch &quot;right_tilt_deg&quot;: Geben Sie eines an.</translation>
+    </message>
+    <message>
+        <source>{0} must be true or false.</source>
+        <translation>{0} muss true oder false sein.</translation>
+    </message>
+    <message>
+        <source>The steps of {0} must be a whole number from 1 to 1000000.</source>
+        <translation>Die Schritte von {0} müssen eine ganze Zahl von 1 bis 1000000 sein.</translation>
+    </message>
+    <message>
+        <source>The normal of {0} must not be zero.</source>
+        <translation>Die Normale von {0} darf nicht null sein.</translation>
+    </message>
+    <message>
+        <source>The nodes of {0} must be a whole number from 1 to 1000000.</source>
+        <translation>Die Knoten von {0} müssen eine ganze Zahl von 1 bis 1000000 sein.</translation>
+    </message>
+    <message>
+        <source>The mesh has no cell array {0} with one value a cell.</source>
+        <translation>Das Netz hat kein Zellfeld {0} mit einem Wert je Zelle.</translation>
+    </message>
+    <message>
+        <source>Give the scenario &quot;youngs_modulus_kPa&quot;, a number or the name of a cell array; the mesh&apos;s cell arrays are: {1}.</source>
+        <translation>Geben Sie dem Szenario &quot;youngs_modulus_kPa&quot;, eine Zahl oder den Namen eines Zellfelds; die Zellfelder des Netzes sind: {1}.</translation>
+    </message>
+    <message>
+        <source>The position of landmark {0} is not a finite point.</source>
+        <translation>Die Position der Landmarke {0} ist kein endlicher Punkt.</translation>
+    </message>
+    <message>
+        <source>Landmark {0} lies {1} mm outside the body.</source>
+        <translation>Landmarke {0} liegt {1} mm außerhalb des Körpers.</translation>
+    </message>
+    <message>
+        <source>Check that landmarks and mesh are in the same coordinates (LPS, mm).</source>
+        <translation>Prüfen Sie, ob Landmarken und Netz in denselben Koordinaten sind (LPS, mm).</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments or the meshfree engine.</source>
+        <translation>Direkt aus Daten gibt es Gleichgewichte mit finiten Elementen: ohne Bewegung, Kapsel, Bänder oder das netzfreie Verfahren.</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Checking the model</source>
+        <translation>Modell wird geprüft</translation>
+    </message>
+    <message>
+        <source>A ligament only pulls, so it is not linear: look for the equilibrium by steps.</source>
+        <translation>Ein Band zieht nur, ist also nicht linear: Suchen Sie das Gleichgewicht schrittweise.</translation>
+    </message>
+    <message>
+        <source>Nodal loads need {0} values: three a node.</source>
+        <translation>Knotenlasten brauchen {0} Werte: drei je Knoten.</translation>
+    </message>
+    <message>
+        <source>A nodal load is not a finite number.</source>
+        <translation>Eine Knotenlast ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>Support {0} names no point of the mesh.</source>
+        <translation>Lagerung {0} nennt keinen Punkt des Netzes.</translation>
+    </message>
+    <message>
+        <source>Move or enlarge its region, or name another point array.</source>
+        <translation>Verschieben oder vergrößern Sie ihre Region, oder nennen Sie ein anderes Punktfeld.</translation>
+    </message>
+    <message>
+        <source>The foundation of support {0} needs a stiffness above zero, not {1} kPa/mm.</source>
+        <translation>Die Bettung der Lagerung {0} braucht eine Steifigkeit größer als null, nicht {1} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>The foundation of support {0} covers no face: no face of the surface has all three points named.</source>
+        <translation>Die Bettung der Lagerung {0} bedeckt keine Fläche: Bei keiner Fläche der Oberfläche sind alle drei Punkte genannt.</translation>
+    </message>
+    <message>
+        <source>Move or enlarge its region.</source>
+        <translation>Verschieben oder vergrößern Sie ihre Region.</translation>
+    </message>
+    <message>
+        <source>Support {0} asks for the point array {1}, which the mesh does not have with one value a point.</source>
+        <translation>Lagerung {0} verlangt das Punktfeld {1}, das das Netz nicht mit einem Wert je Punkt hat.</translation>
+    </message>
+    <message>
+        <source>The mesh&apos;s point arrays are: {2}.</source>
+        <translation>Die Punktfelder des Netzes sind: {2}.</translation>
+    </message>
+    <message>
+        <source>The point array {0} is not a number at point {1}.</source>
+        <translation>Das Punktfeld {0} ist bei Punkt {1} keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The sphere of support {0} needs a finite centre and a radius above zero.</source>
+        <translation>Die Kugel der Lagerung {0} braucht eine endliche Mitte und einen Radius größer als null.</translation>
+    </message>
+    <message>
+        <source>The box of support {0} needs finite corners, the smaller one first.</source>
+        <translation>Der Quader der Lagerung {0} braucht endliche Ecken, die kleinere zuerst.</translation>
+    </message>
+    <message>
+        <source>The ligament of support {0} needs a finite anchor, a stiffness above zero and a slack not below it.</source>
+        <translation>Das Band der Lagerung {0} braucht einen endlichen Ankerpunkt, eine Steifigkeit größer als null und eine nicht negative Schlaffheit.</translation>
+    </message>
+    <message>
+        <source>The ligament of support {0} names no point of the surface.</source>
+        <translation>Das Band der Lagerung {0} nennt keinen Punkt der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>There is no published tissue {0}.</source>
+        <translation>Es gibt kein veröffentlichtes Gewebe {0}.</translation>
+    </message>
+    <message>
+        <source>The tissues are: {1}.</source>
+        <translation>Die Gewebe sind: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} nodes in {1} rounds cannot be made; both must be at least 1.</source>
+        <translation>{0} Knoten in {1} Runden sind nicht möglich; beide müssen mindestens 1 sein.</translation>
+    </message>
+    <message>
+        <source>The body holds no voxels.</source>
+        <translation>Der Körper enthält keine Voxel.</translation>
+    </message>
+    <message>
+        <source>{0} nodes are more than the body has voxels ({1}).</source>
+        <translation>{0} Knoten sind mehr, als der Körper Voxel hat ({1}).</translation>
+    </message>
+    <message>
+        <source>The mesh generator gave up: {0}.</source>
+        <translation>Der Netzgenerator hat aufgegeben: {0}.</translation>
+    </message>
+    <message>
+        <source>Ask for another number of cells, or smooth the labels.</source>
+        <translation>Verlangen Sie eine andere Zahl von Zellen, oder glätten Sie die Labels.</translation>
+    </message>
+    <message>
+        <source>The label map holds no labelled voxel, so there is no body to mesh.</source>
+        <translation>Die Labelkarte enthält kein markiertes Voxel, also gibt es keinen Körper zu vernetzen.</translation>
+    </message>
+    <message>
+        <source>Segment the liver first.</source>
+        <translation>Segmentieren Sie zuerst die Leber.</translation>
+    </message>
+    <message>
+        <source>The label map has {0} values for a grid of {1} x {2} x {3} voxels.</source>
+        <translation>Die Labelkarte hat {0} Werte für ein Gitter von {1} x {2} x {3} Voxeln.</translation>
+    </message>
+    <message>
+        <source>The label map&apos;s axes are not at right angles, or its spacing is not positive.</source>
+        <translation>Die Achsen der Labelkarte sind nicht rechtwinklig, oder ihr Abstand ist nicht positiv.</translation>
+    </message>
+    <message>
+        <source>A structure without voxels has no surface.</source>
+        <translation>Eine Struktur ohne Voxel hat keine Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Preparing the labels</source>
+        <translation>Labels werden vorbereitet</translation>
+    </message>
+    <message>
+        <source>Removing slivers</source>
+        <translation>Flache Tetraeder werden entfernt</translation>
+    </message>
+    <message>
+        <source>Measuring the distance to the label boundary</source>
+        <translation>Abstand zur Grenze der Labels wird gemessen</translation>
+    </message>
+    <message>
+        <source>The surface of the mesh is not a closed manifold.</source>
+        <translation>Die Oberfläche des Netzes ist keine geschlossene Mannigfaltigkeit.</translation>
+    </message>
+    <message>
+        <source>Meshed</source>
+        <translation>Vernetzt</translation>
+    </message>
+    <message>
+        <source>A mesh of {0} cells cannot be made; from {1} to {2} can.</source>
+        <translation>Ein Netz mit {0} Zellen ist nicht möglich; von {1} bis {2} geht es.</translation>
+    </message>
+    <message>
+        <source>The share of cells for inner structures is {0}; it must be in 0 to 1.</source>
+        <translation>Der Anteil der Zellen für innere Strukturen ist {0}; er muss in 0 bis 1 liegen.</translation>
+    </message>
+    <message>
+        <source>Filling the body with tetrahedra</source>
+        <translation>Körper wird mit Tetraedern gefüllt</translation>
+    </message>
+    <message>
+        <source>A piece of {0} has {1} ml, but its cells only {2} ml: the mesh has lost it.</source>
+        <translation>Ein Stück von {0} hat {1} ml, seine Zellen aber nur {2} ml: Das Netz hat es verloren.</translation>
+    </message>
+    <message>
+        <source>Ask for more cells.</source>
+        <translation>Verlangen Sie mehr Zellen.</translation>
+    </message>
+    <message>
+        <source>A battery with a {0} of {1} does not exist.</source>
+        <translation>Einen Akku mit {0} = {1} gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Correct the device&apos;s battery.</source>
+        <translation>Berichtigen Sie den Akku des Geräts.</translation>
+    </message>
+    <message>
+        <source>A load of {0} W is more than the battery&apos;s internal resistance lets through.</source>
+        <translation>Eine Last von {0} W ist mehr, als der Innenwiderstand des Akkus durchlässt.</translation>
+    </message>
+    <message>
+        <source>A batch of {0} nodes takes more than the {1} MB there are for it.</source>
+        <translation>Ein Paket von {0} Knoten braucht mehr als die vorhandenen {1} MB.</translation>
+    </message>
+    <message>
+        <source>{0} lacks a reading within the discharge.</source>
+        <translation>{0} fehlt eine Ablesung während der Entladung.</translation>
+    </message>
+    <message>
+        <source>The time goes back in {0}.</source>
+        <translation>In {0} läuft die Zeit zurück.</translation>
+    </message>
+    <message>
+        <source>{0} holds no discharge.</source>
+        <translation>{0} enthält keine Entladung.</translation>
+    </message>
+    <message>
+        <source>{0} lacks a reading of the ambient.</source>
+        <translation>{0} fehlt eine Ablesung der Umgebung.</translation>
+    </message>
+    <message>
+        <source>A cell is set up from one slow discharge and at least two that are five times as fast.</source>
+        <translation>Eine Zelle wird aus einer langsamen Entladung und mindestens zwei fünfmal so schnellen bestimmt.</translation>
+    </message>
+    <message>
+        <source>A convergence curve has 2 to {0} points; this one has {1}.</source>
+        <translation>Eine Konvergenzkurve hat 2 bis {0} Punkte; diese hat {1}.</translation>
+    </message>
+    <message>
+        <source>Point {0} of the convergence curve, {1} mm3 and {2} mm, is not positive or does not increase from the point before.</source>
+        <translation>Punkt {0} der Konvergenzkurve, {1} mm3 und {2} mm, ist nicht positiv oder steigt gegenüber dem vorigen Punkt nicht an.</translation>
+    </message>
+    <message>
+        <source>{0} has no list of points.</source>
+        <translation>{0} hat keine Liste von Punkten.</translation>
+    </message>
+    <message>
+        <source>An accuracy of {0} mm is finer than the convergence study reaches ({1} mm at {2} mm3 a node).</source>
+        <translation>Eine Genauigkeit von {0} mm ist feiner, als die Konvergenzstudie reicht ({1} mm bei {2} mm3 je Knoten).</translation>
+    </message>
+    <message>
+        <source>Ask for {1} mm or more.</source>
+        <translation>Verlangen Sie {1} mm oder mehr.</translation>
+    </message>
+    <message>
+        <source>Device {0} has {1} {2}; it must lie between {3} and {4}.</source>
+        <translation>Gerät {0} hat {1} {2}; es muss zwischen {3} und {4} liegen.</translation>
+    </message>
+    <message>
+        <source>Correct that figure in the device&apos;s file.</source>
+        <translation>Berichtigen Sie diesen Wert in der Datei des Geräts.</translation>
+    </message>
+    <message>
+        <source>Device {0} has measured points that are not positive, not by increasing nodes, or more than {1}.</source>
+        <translation>Gerät {0} hat Messpunkte, die nicht positiv, nicht nach steigenden Knoten geordnet oder mehr als {1} sind.</translation>
+    </message>
+    <message>
+        <source>{0} has no list &quot;devices&quot; of 1 to {1} devices.</source>
+        <translation>{0} hat keine Liste &quot;devices&quot; von 1 bis {1} Geräten.</translation>
+    </message>
+    <message>
+        <source>Two devices have the id &quot;{0}&quot;.</source>
+        <translation>Zwei Geräte haben die Kennung „{0}“.</translation>
+    </message>
+    <message>
+        <source>Give each its own.</source>
+        <translation>Geben Sie jedem seine eigene.</translation>
+    </message>
+    <message>
+        <source>{0} has the id &quot;{1}&quot;.</source>
+        <translation>{0} hat die Kennung „{1}“.</translation>
+    </message>
+    <message>
+        <source>Use up to 64 small letters, digits and dashes.</source>
+        <translation>Verwenden Sie bis zu 64 Kleinbuchstaben, Ziffern und Bindestriche.</translation>
+    </message>
+    <message>
+        <source>{0} is worn &quot;{1}&quot;.</source>
+        <translation>{0} wird als „{1}“ getragen.</translation>
+    </message>
+    <message>
+        <source>Use head, belt or back.</source>
+        <translation>Verwenden Sie head, belt oder back.</translation>
+    </message>
+    <message>
+        <source>The energy meter {0} stopped answering.</source>
+        <translation>Das Energiemessgerät {0} antwortet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The processor&apos;s energy counters (RAPL) at {0} may be read by root only.</source>
+        <translation>Die Energiezähler des Prozessors (RAPL) bei {0} darf nur root lesen.</translation>
+    </message>
+    <message>
+        <source>No energy counters of the processor (RAPL) at {0}.</source>
+        <translation>Keine Energiezähler des Prozessors (RAPL) bei {0}.</translation>
+    </message>
+    <message>
+        <source>No current sensors (INA) at {0}.</source>
+        <translation>Keine Stromsensoren (INA) bei {0}.</translation>
+    </message>
+    <message>
+        <source>The battery is not discharging: unplug the machine to measure by its gauge.</source>
+        <translation>Der Akku entlädt sich nicht: Ziehen Sie den Netzstecker, um mit seiner Anzeige zu messen.</translation>
+    </message>
+    <message>
+        <source>No battery gauge at {0}.</source>
+        <translation>Keine Akkuanzeige bei {0}.</translation>
+    </message>
+    <message>
+        <source>{0} does not say &quot;format&quot;: &quot;{1}&quot;.</source>
+        <translation>{0} sagt nicht &quot;format&quot;: &quot;{1}&quot;.</translation>
+    </message>
+    <message>
+        <source>Check that it is the file you meant.</source>
+        <translation>Prüfen Sie, ob es die gemeinte Datei ist.</translation>
+    </message>
+    <message>
+        <source>{0} has no &quot;{1}&quot;, or not of the right kind.</source>
+        <translation>{0} hat kein &quot;{1}&quot; oder nicht von der richtigen Art.</translation>
+    </message>
+    <message>
+        <source>The shipped devices.json shows every key.</source>
+        <translation>Die mitgelieferte devices.json zeigt jeden Schlüssel.</translation>
+    </message>
+    <message>
+        <source>{0} has &quot;{1}&quot; {2}; it must lie between {3} and {4}.</source>
+        <translation>{0} hat &quot;{1}&quot; {2}; es muss zwischen {3} und {4} liegen.</translation>
+    </message>
+    <message>
+        <source>{0} has &quot;{1}&quot; empty or longer than {2} characters.</source>
+        <translation>{0} hat &quot;{1}&quot; leer oder länger als {2} Zeichen.</translation>
+    </message>
+    <message>
+        <source>{0} has the source &quot;{1}&quot;.</source>
+        <translation>{0} hat die Quelle „{1}“.</translation>
+    </message>
+    <message>
+        <source>A figure is measured, from the dissertation, or assumed.</source>
+        <translation>Ein Wert ist gemessen, aus der Dissertation oder angenommen.</translation>
+    </message>
+    <message>
+        <source>Idle power</source>
+        <translation>Leistung im Leerlauf</translation>
+    </message>
+    <message>
+        <source>Nothing on this machine tells its energy: idle and active power are assumed. Measure them with a current clamp or a power meter, and give them.</source>
+        <translation>Nichts auf diesem Rechner sagt seine Energie: Leerlauf- und Arbeitsleistung sind angenommen. Messen Sie sie mit einer Stromzange oder einem Leistungsmesser, und geben Sie sie an.</translation>
+    </message>
+    <message>
+        <source>Memory bandwidth</source>
+        <translation>Speicherbandbreite</translation>
+    </message>
+    <message>
+        <source>Block products</source>
+        <translation>Blockprodukte</translation>
+    </message>
+    <message>
+        <source>Other work disturbed the timing: batches usually took {0} times as long as the fastest one. Measure again on a quiet machine.</source>
+        <translation>Andere Arbeit hat die Zeitmessung gestört: Pakete dauerten meist {0}-mal so lange wie das schnellste. Messen Sie erneut auf einem ruhigen Rechner.</translation>
+    </message>
+    <message>
+        <source>The grid holds no problem.</source>
+        <translation>Das Raster enthält kein Problem.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} problems are larger than the memory allowed and were left out; beyond {2} nodes the plan goes on in proportion.</source>
+        <translation>{0} von {1} Problemen sind größer, als der Speicher erlaubt, und wurden ausgelassen; über {2} Knoten hinaus rechnet der Plan proportional weiter.</translation>
+    </message>
+    <message>
+        <source>This build has no OpenCL.</source>
+        <translation>Diese Version hat kein OpenCL.</translation>
+    </message>
+    <message>
+        <source>Build with -DGLISSON_OPENCL=ON.</source>
+        <translation>Bauen Sie mit -DGLISSON_OPENCL=ON.</translation>
+    </message>
+    <message>
+        <source>OpenCL&apos;s {0} failed with {1}.</source>
+        <translation>{0} von OpenCL ist mit {1} fehlgeschlagen.</translation>
+    </message>
+    <message>
+        <source>There is no OpenCL device &quot;{0}&quot;.</source>
+        <translation>Es gibt kein OpenCL-Gerät „{0}“.</translation>
+    </message>
+    <message>
+        <source>Found: {1}. A device shows once its driver is installed (pocl-opencl-icd for processors).</source>
+        <translation>Gefunden: {1}. Ein Gerät erscheint, sobald sein Treiber installiert ist (pocl-opencl-icd für Prozessoren).</translation>
+    </message>
+    <message>
+        <source>{0} of {1} is not between {2} and {3}.</source>
+        <translation>{0} von {1} liegt nicht zwischen {2} und {3}.</translation>
+    </message>
+    <message>
+        <source>Correct the question.</source>
+        <translation>Berichtigen Sie die Frage.</translation>
+    </message>
+    <message>
+        <source>A room of {0} C is not cooler than the limit of {1} C.</source>
+        <translation>Ein Raum von {0} C ist nicht kühler als die Grenze von {1} C.</translation>
+    </message>
+    <message>
+        <source>It draws {0} W when idle; its battery allows {1} W over {2} h, and is empty after {3} h without computing anything.</source>
+        <translation>Es nimmt im Leerlauf {0} W auf; sein Akku erlaubt {1} W über {2} h und ist nach {3} h leer, ohne dass etwas gerechnet wurde.</translation>
+    </message>
+    <message>
+        <source>Its battery is empty after {0} h of {1} h: only {2} W of headroom over idling.</source>
+        <translation>Sein Akku ist nach {0} h von {1} h leer: nur {2} W Spielraum über dem Leerlauf.</translation>
+    </message>
+    <message>
+        <source>It reaches {0} C when idle; the limit is {1} C.</source>
+        <translation>Es erreicht im Leerlauf {0} C; die Grenze ist {1} C.</translation>
+    </message>
+    <message>
+        <source>It reaches {0} C; the limit is {1} C.</source>
+        <translation>Es erreicht {0} C; die Grenze ist {1} C.</translation>
+    </message>
+    <message>
+        <source>It computes {0} frames a second of {1}.</source>
+        <translation>Es rechnet {0} von {1} Bildern je Sekunde.</translation>
+    </message>
+    <message>
+        <source>The resolution for {0} mm comes from this curve: {1}</source>
+        <translation>Die Auflösung für {0} mm stammt aus dieser Kurve: {1}</translation>
+    </message>
+    <message>
+        <source>{0} mm is coarser than the convergence study reaches; planned is its coarsest resolution, {1} mm3 a node.</source>
+        <translation>{0} mm ist gröber, als die Konvergenzstudie reicht; geplant wird mit ihrer gröbsten Auflösung, {1} mm3 je Knoten.</translation>
+    </message>
+    <message>
+        <source>A frame is {0} block products as in the dissertation, without the vector updates of conjugate gradients; a simulation that couples 27 nodes moves {1} times as much.</source>
+        <translation>Ein Bild sind {0} Blockprodukte wie in der Dissertation, ohne die Vektorschritte des Verfahrens der konjugierten Gradienten; eine Simulation, die 27 Knoten koppelt, bewegt {1}-mal so viel.</translation>
+    </message>
+    <message>
+        <source>{0} holds with next to no headroom: its battery allows {1} W over {2} h, and idling takes {3} W of them.</source>
+        <translation>{0} hält fast ohne Spielraum: Sein Akku erlaubt {1} W über {2} h, und der Leerlauf nimmt davon {3} W.</translation>
+    </message>
+    <message>
+        <source>{0}: after {1} s comes {2} s.</source>
+        <translation>{0}: Nach {1} s kommt {2} s.</translation>
+    </message>
+    <message>
+        <source>Give the column that holds the time, or cut the file there.</source>
+        <translation>Nennen Sie die Spalte mit der Zeit, oder schneiden Sie die Datei dort ab.</translation>
+    </message>
+    <message>
+        <source>{0} has {1} samples and {2} rows without a reading.</source>
+        <translation>{0} hat {1} Messpunkte und {2} Zeilen ohne Ablesung.</translation>
+    </message>
+    <message>
+        <source>Check the columns; at most every tenth row may be empty.</source>
+        <translation>Prüfen Sie die Spalten; höchstens jede zehnte Zeile darf leer sein.</translation>
+    </message>
+    <message>
+        <source>The trace holds {0} runs, the log {1}.</source>
+        <translation>Die Aufzeichnung enthält {0} Läufe, das Protokoll {1}.</translation>
+    </message>
+    <message>
+        <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
+        <translation>Ändern Sie den kürzesten Lauf und die kürzeste Pause, oder schneiden Sie die Aufzeichnung auf die protokollierten Läufe zu.</translation>
+    </message>
+    <message>
+        <source>Run {0} drew nothing above idle, or nothing was run in it.</source>
+        <translation>Lauf {0} nahm nichts über dem Leerlauf auf, oder es lief nichts darin.</translation>
+    </message>
+    <message>
+        <source>A trace needs a channel, and factors and a range that are positive.</source>
+        <translation>Eine Aufzeichnung braucht einen Kanal sowie positive Faktoren und einen positiven Bereich.</translation>
+    </message>
+    <message>
+        <source>The power does not move between two levels, so no runs can be told from pauses.</source>
+        <translation>Die Leistung bewegt sich nicht zwischen zwei Stufen, sodass sich Läufe nicht von Pausen unterscheiden lassen.</translation>
+    </message>
+    <message>
+        <source>Record pauses between the runs; check that the right column was read.</source>
+        <translation>Zeichnen Sie Pausen zwischen den Läufen auf; prüfen Sie, ob die richtige Spalte gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
+        <translation>Die Aufzeichnung hat {0} Lücken; Läufe enden dort, und für die Lücken wird nichts erfunden.</translation>
+    </message>
+    <message>
+        <source>{0} rows held no reading.</source>
+        <translation>{0} Zeilen enthielten keine Ablesung.</translation>
+    </message>
+    <message>
+        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
+        <translation>{0} Läufe erreichen das Ende des Bereichs eines Kanals: Ihre Leistung ist eine untere Schranke. Zeichnen Sie erneut mit größerem Bereich auf.</translation>
+    </message>
+    <message>
+        <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
+        <translation>Die Leerlaufleistung ändert sich während der Aufzeichnung um {0} W; jeder Lauf wird mit den Pausen daneben verglichen.</translation>
+    </message>
+    <message>
+        <source>A liver of {0} cm3 is outside {1} to {2} cm3.</source>
+        <translation>Eine Leber von {0} cm3 liegt außerhalb von {1} bis {2} cm3.</translation>
+    </message>
+    <message>
+        <source>Check the volume and its unit: 1 litre is 1000 cm3.</source>
+        <translation>Prüfen Sie das Volumen und seine Einheit: 1 Liter sind 1000 cm3.</translation>
+    </message>
+    <message>
+        <source>A node cannot stand for {0} mm3.</source>
+        <translation>Ein Knoten kann nicht für {0} mm3 stehen.</translation>
+    </message>
+    <message>
+        <source>A domain of influence of {0} nodes is no cube around a node.</source>
+        <translation>Ein Einflussbereich von {0} Knoten ist kein Würfel um einen Knoten.</translation>
+    </message>
+    <message>
+        <source>Use 1, 27 or 125.</source>
+        <translation>Verwenden Sie 1, 27 oder 125.</translation>
+    </message>
+    <message>
+        <source>{0} products a frame are not between 1 and 100000.</source>
+        <translation>{0} Produkte je Bild liegen nicht zwischen 1 und 100000.</translation>
+    </message>
+    <message>
+        <source>The folder {0} holds no judgement of a registration.</source>
+        <translation>Der Ordner {0} enthält kein Urteil über eine Registrierung.</translation>
+    </message>
+    <message>
+        <source>Make one: glisson-cli sirgn SEQUENCE.json --method icp --out FOLDER.</source>
+        <translation>Erzeugen Sie eines: glisson-cli sirgn SEQUENZ.json --method icp --out ORDNER.</translation>
+    </message>
+    <message>
+        <source>{0}: {1}.</source>
+        <translation>{0}: {1}.</translation>
+    </message>
+    <message>
+        <source>A sequence names frames with a cloud each, and landmarks.</source>
+        <translation>Eine Sequenz nennt Bilder mit je einer Punktwolke sowie Landmarken.</translation>
+    </message>
+    <message>
+        <source>it is not an object</source>
+        <translation>sie ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>it has no list of frames</source>
+        <translation>sie hat keine Liste von Bildern</translation>
+    </message>
+    <message>
+        <source>registered does not name one cloud a frame</source>
+        <translation>registered nennt nicht je Bild eine Punktwolke</translation>
+    </message>
+    <message>
+        <source>registered holds something that is no file name</source>
+        <translation>registered enthält etwas, das kein Dateiname ist</translation>
+    </message>
+    <message>
+        <source>camera has no 3 x 3 matrix, or a distortion that is no list of numbers</source>
+        <translation>camera hat keine 3 x 3-Matrix oder eine Verzeichnung, die keine Liste von Zahlen ist</translation>
+    </message>
+    <message>
+        <source>Frame {0} is missing: there is no file {1}.</source>
+        <translation>Bild {0} fehlt: Es gibt keine Datei {1}.</translation>
+    </message>
+    <message>
+        <source>Remove the frame from the sequence (and number the tracks anew), or add it.</source>
+        <translation>Entfernen Sie das Bild aus der Sequenz (und nummerieren Sie die Spuren neu), oder fügen Sie es hinzu.</translation>
+    </message>
+    <message>
+        <source>it names no file of landmarks</source>
+        <translation>sie nennt keine Datei mit Landmarken</translation>
+    </message>
+    <message>
+        <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm with a frame below {2}.</source>
+        <translation>Zeile {1} von {0} ist nicht landmark,frame,x_mm,y_mm,z_mm mit einem Bild unter {2}.</translation>
+    </message>
+    <message>
+        <source>Frame {0} holds no point that is finite.</source>
+        <translation>Bild {0} enthält keinen endlichen Punkt.</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
+        <translation>{0} Landmarken wurden in drei oder mehr Bildern gesehen; vier, die nicht auf einer Geraden liegen, sind nötig.</translation>
+    </message>
+    <message>
+        <source>Track more features, or mark them by hand.</source>
+        <translation>Verfolgen Sie mehr Merkmale, oder markieren Sie sie von Hand.</translation>
+    </message>
+    <message>
+        <source>warps</source>
+        <translation>Verformungen</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>{0} frames are too few to correlate; {1} are needed.</source>
+        <translation>{0} Bilder sind zu wenige für eine Korrelation; {1} sind nötig.</translation>
+    </message>
+    <message>
+        <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
+        <translation>Bild {0} hat {1} Punkte und nach der Registrierung {2}: Sie müssen einzeln übereinstimmen.</translation>
+    </message>
+    <message>
+        <source>Landmark {0} was followed through {1} frames of {2}.</source>
+        <translation>Landmarke {0} wurde durch {1} von {2} Bildern verfolgt.</translation>
+    </message>
+    <message>
+        <source>A tolerance must be a positive number of mm.</source>
+        <translation>Eine Toleranz muss eine positive Zahl in mm sein.</translation>
+    </message>
+    <message>
+        <source>The folder {0} is not empty.</source>
+        <translation>Der Ordner {0} ist nicht leer.</translation>
+    </message>
+    <message>
+        <source>Name a new folder for the sequence.</source>
+        <translation>Nennen Sie einen neuen Ordner für die Sequenz.</translation>
+    </message>
+    <message>
+        <source>The {0} video ends after {1} frames, before the other.</source>
+        <translation>Das Video {0} endet nach {1} Bildern, vor dem anderen.</translation>
+    </message>
+    <message>
+        <source>{0} frames show something; {1} are needed.</source>
+        <translation>{0} Bilder zeigen etwas; {1} sind nötig.</translation>
+    </message>
+    <message>
+        <source>No feature could be followed through {0} frames.</source>
+        <translation>Kein Merkmal ließ sich durch {0} Bilder verfolgen.</translation>
+    </message>
+    <message>
+        <source>Take more frames, or give landmarks and a model of your own.</source>
+        <translation>Nehmen Sie mehr Bilder, oder geben Sie eigene Landmarken und ein eigenes Modell an.</translation>
+    </message>
+    <message>
+        <source>matching</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>No two frames share four landmarks.</source>
+        <translation>Keine zwei Bilder haben vier gemeinsame Landmarken.</translation>
+    </message>
+    <message>
+        <source>Track more features, or leave out fewer frames.</source>
+        <translation>Verfolgen Sie mehr Merkmale, oder lassen Sie weniger Bilder aus.</translation>
+    </message>
+    <message>
+        <source>Two frames or more can be aligned.</source>
+        <translation>Ausrichten lassen sich zwei Bilder oder mehr.</translation>
+    </message>
+    <message>
+        <source>A landmark was followed through {0} frames of {1}.</source>
+        <translation>Eine Landmarke wurde durch {0} von {1} Bildern verfolgt.</translation>
+    </message>
+    <message>
+        <source>aligning frames</source>
+        <translation>Bilder werden ausgerichtet</translation>
+    </message>
+    <message>
+        <source>The distances between the points of the {0} are not square.</source>
+        <translation>Die Abstände zwischen den Punkten von {0} sind nicht quadratisch angeordnet.</translation>
+    </message>
+    <message>
+        <source>The {0} has fewer than two points to match.</source>
+        <translation>{0} hat weniger als zwei Punkte zum Zuordnen.</translation>
+    </message>
+    <message>
+        <source>The {0} has {1} points to match; {2} is the most.</source>
+        <translation>{0} hat {1} Punkte zum Zuordnen; höchstens {2} sind möglich.</translation>
+    </message>
+    <message>
+        <source>Some points of the {0} are not connected over the surface.</source>
+        <translation>Einige Punkte von {0} sind über die Oberfläche nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>Keep the largest connected piece, or bridge the gap before matching.</source>
+        <translation>Behalten Sie das größte zusammenhängende Stück, oder schließen Sie die Lücke vor der Zuordnung.</translation>
+    </message>
+    <message>
+        <source>The distances between the points of the {0} are not those of a metric.</source>
+        <translation>Die Abstände zwischen den Punkten von {0} sind nicht die einer Metrik.</translation>
+    </message>
+    <message>
+        <source>The seed must hold one finite cost a source point and target point.</source>
+        <translation>Der Startwert muss endliche Kosten für jedes Paar aus Quell- und Zielpunkt enthalten.</translation>
+    </message>
+    <message>
+        <source>sigma, tau and q must be positive.</source>
+        <translation>sigma, tau und q müssen positiv sein.</translation>
+    </message>
+    <message>
+        <source>The written-out field needs {0} MB; {1} MB are allowed.</source>
+        <translation>Das ausgeschriebene Feld braucht {0} MB; {1} MB sind erlaubt.</translation>
+    </message>
+    <message>
+        <source>No point of one surface has a partner on the other.</source>
+        <translation>Kein Punkt der einen Oberfläche hat einen Partner auf der anderen.</translation>
+    </message>
+    <message>
+        <source>Align the surfaces roughly first, or give landmarks.</source>
+        <translation>Richten Sie die Oberflächen zuerst grob aus, oder geben Sie Landmarken an.</translation>
+    </message>
+    <message>
+        <source>non-rigid alignment</source>
+        <translation>nichtstarre Ausrichtung</translation>
+    </message>
+    <message>
+        <source>A landmark names point {0}, which cannot be led anywhere.</source>
+        <translation>Eine Landmarke nennt Punkt {0}, der nirgendwohin geführt werden kann.</translation>
+    </message>
+    <message>
+        <source>The step of the non-rigid alignment has no solution.</source>
+        <translation>Der Schritt der nichtstarren Ausrichtung hat keine Lösung.</translation>
+    </message>
+    <message>
+        <source>By their geodesic distances the surfaces match only inside out.</source>
+        <translation>Nach ihren geodätischen Abständen passen die Oberflächen nur umgestülpt zueinander.</translation>
+    </message>
+    <message>
+        <source>Align them roughly and match with positions as prior, or use more points.</source>
+        <translation>Richten Sie sie grob aus, und ordnen Sie mit den Positionen als Vorwissen zu, oder verwenden Sie mehr Punkte.</translation>
+    </message>
+    <message>
+        <source>{0} points cannot be aligned to {1}.</source>
+        <translation>{0} Punkte lassen sich nicht auf {1} ausrichten.</translation>
+    </message>
+    <message>
+        <source>A rigid alignment needs three pairs of points that do not lie on one line.</source>
+        <translation>Eine starre Ausrichtung braucht drei Punktpaare, die nicht auf einer Geraden liegen.</translation>
+    </message>
+    <message>
+        <source>Some of the points to align are not finite.</source>
+        <translation>Einige der auszurichtenden Punkte sind nicht endlich.</translation>
+    </message>
+    <message>
+        <source>rigid alignment</source>
+        <translation>starre Ausrichtung</translation>
+    </message>
+    <message>
+        <source>A surface of {0} points cannot give {1} samples.</source>
+        <translation>Eine Oberfläche mit {0} Punkten kann keine {1} Stützpunkte liefern.</translation>
+    </message>
+    <message>
+        <source>geodesic distances</source>
+        <translation>geodätische Abstände</translation>
+    </message>
+    <message>
+        <source>A spline needs as many finite points to start from as to lead to.</source>
+        <translation>Ein Spline braucht ebenso viele endliche Ausgangs- wie Zielpunkte.</translation>
+    </message>
+    <message>
+        <source>{0} points are too many for a spline; {1} is the most.</source>
+        <translation>{0} Punkte sind zu viele für einen Spline; höchstens {1} sind möglich.</translation>
+    </message>
+    <message>
+        <source>A spline needs four matched points that do not lie in one plane.</source>
+        <translation>Ein Spline braucht vier zugeordnete Punkte, die nicht in einer Ebene liegen.</translation>
+    </message>
+    <message>
+        <source>A result that did not converge cannot be compared: {0}</source>
+        <translation>Ein nicht konvergiertes Ergebnis kann nicht verglichen werden: {0}</translation>
+    </message>
+    <message>
+        <source>A result lacks the point array {0} with three values a point.</source>
+        <translation>Einem Ergebnis fehlt das Punktfeld {0} mit drei Werten je Punkt.</translation>
+    </message>
+    <message>
+        <source>Compare results of the same mesh.</source>
+        <translation>Vergleichen Sie Ergebnisse desselben Netzes.</translation>
+    </message>
+    <message>
+        <source>The two results are not of the same mesh: {0} points and {1} cells against {2} and {3}.</source>
+        <translation>Die beiden Ergebnisse sind nicht vom selben Netz: {0} Punkte und {1} Zellen gegen {2} und {3}.</translation>
+    </message>
+    <message>
+        <source>The two results are not of the same mesh: point {0} rests at different places.</source>
+        <translation>Die beiden Ergebnisse sind nicht vom selben Netz: Punkt {0} ruht an verschiedenen Orten.</translation>
+    </message>
+    <message>
+        <source>No part of the surface looks like the liver&apos;s bare area (its upper rear).</source>
+        <translation>Kein Teil der Oberfläche sieht wie die Area nuda der Leber aus (oben hinten).</translation>
+    </message>
+    <message>
+        <source>Name the supports in the scenario, by a sphere or a box.</source>
+        <translation>Benennen Sie die Lagerungen im Szenario, durch eine Kugel oder einen Quader.</translation>
+    </message>
+    <message>
+        <source>{0} of the session cannot be read: {1}.</source>
+        <translation>{0} der Sitzung kann nicht gelesen werden: {1}.</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} or {&quot;undo&quot;: true}.</source>
+        <translation>Ein Befehl ist {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} oder {&quot;undo&quot;: true}.</translation>
+    </message>
+    <message>
+        <source>The cut passes the liver by.</source>
+        <translation>Der Schnitt geht an der Leber vorbei.</translation>
+    </message>
+    <message>
+        <source>Move it through the liver; positions are patient coordinates (LPS, mm).</source>
+        <translation>Verschieben Sie ihn durch die Leber; Positionen sind Patientenkoordinaten (LPS, mm).</translation>
+    </message>
+    <message>
+        <source>The point of the specimen lies on the cut, or is not finite.</source>
+        <translation>Der Punkt des Resektats liegt auf dem Schnitt oder ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>The step did not converge: after {0} rounds a tool still reaches {1} mm into the surface, which still moves by {2} mm.</source>
+        <translation>Der Schritt ist nicht konvergiert: Nach {0} Runden reicht ein Werkzeug noch {1} mm in die Oberfläche, die sich noch um {2} mm bewegt.</translation>
+    </message>
+    <message>
+        <source>Placing landmarks and structures</source>
+        <translation>Landmarken und Strukturen werden eingefügt</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Nathanson liver retractor</source>
+        <translation>Nathanson-Leberretraktor</translation>
+    </message>
+    <message>
+        <source>A bent rod that lies under the liver as a hook some centimetres across, sold in several sizes. We found no published drawing and no measured force: that it spreads its pull over a disc of 70 mm is our assumption, and 2 N is the weight of 190 ml of liver (1.06 kg/l), what lifting the lower part of segment VI takes. On a real liver&apos;s shape with a uniform 6 kPa, 2 N hoist it by 18 mm; linear elasticity is strained beyond.</source>
+        <translation>Ein gebogener Stab, der als einige Zentimeter breiter Haken unter der Leber liegt und in mehreren Größen verkauft wird. Wir fanden keine veröffentlichte Zeichnung und keine gemessene Kraft: Dass er seinen Zug auf eine Scheibe von 70 mm verteilt, ist unsere Annahme, und 2 N sind das Gewicht von 190 ml Leber (1.06 kg/l), so viel, wie das Anheben des unteren Teils von Segment VI braucht. An der Form einer wirklichen Leber mit gleichmäßig 6 kPa heben 2 N sie um 18 mm an; darüber hinaus ist die lineare Elastizität überfordert.</translation>
+    </message>
+    <message>
+        <source>Grasper</source>
+        <translation>Fasszange</translation>
+    </message>
+    <message>
+        <source>Grip forces in porcine laparoscopic liver resection: 1.75 N on average, 3.38 N at most (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). The jaw&apos;s patch of 12 mm is our assumption.</source>
+        <translation>Griffkräfte bei der laparoskopischen Leberresektion am Schwein: im Mittel 1.75 N, höchstens 3.38 N (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). Die Auflage der Branche von 12 mm ist unsere Annahme.</translation>
+    </message>
+    <message>
+        <source>Palpation probe</source>
+        <translation>Palpationssonde</translation>
+    </message>
+    <message>
+        <source>A sphere of 10 mm pressed lightly; size and force are our assumption.</source>
+        <translation>Eine leicht angedrückte Kugel von 10 mm; Größe und Kraft sind unsere Annahme.</translation>
+    </message>
+    <message>
+        <source>There is no tool {0}.</source>
+        <translation>Es gibt kein Werkzeug {0}.</translation>
+    </message>
+    <message>
+        <source>The tools are: {1}.</source>
+        <translation>Die Werkzeuge sind: {1}.</translation>
+    </message>
+    <message>
+        <source>A case has no scene named {0}; it has {1}.</source>
+        <translation>Ein Fall hat keine Szene namens {0}; er hat {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has no displacement.</source>
+        <translation>{0} hat keine Verschiebung.</translation>
+    </message>
+    <message>
+        <source>A picture has from {0} to {1} pixels a side; {2} x {3} were asked for.</source>
+        <translation>Ein Bild hat {0} bis {1} Pixel je Seite; {2} x {3} wurden verlangt.</translation>
+    </message>
+    <message>
+        <source>There is nothing to draw with: neither EGL with OpenGL 3.2 nor an X server.</source>
+        <translation>Es gibt nichts, womit gezeichnet werden könnte: weder EGL mit OpenGL 3.2 noch einen X-Server.</translation>
+    </message>
+    <message>
+        <source>Install Mesa&apos;s drivers (on Debian: libegl-mesa0 and libgl1-mesa-dri).</source>
+        <translation>Installieren Sie die Treiber von Mesa (unter Debian: libegl-mesa0 und libgl1-mesa-dri).</translation>
+    </message>
+    <message>
+        <source>The picture could not be written: {0}.</source>
+        <translation>Das Bild konnte nicht geschrieben werden: {0}.</translation>
+    </message>
+    <message>
+        <source>Choose a folder that you may write to, on a disk with room.</source>
+        <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen, auf einem Datenträger mit freiem Platz.</translation>
+    </message>
+    <message>
+        <source>This is not a PNG picture that can be read: {0}.</source>
+        <translation>Dies ist kein lesbares PNG-Bild: {0}.</translation>
+    </message>
+    <message>
+        <source>Check that the file is whole.</source>
+        <translation>Prüfen Sie, ob die Datei vollständig ist.</translation>
+    </message>
+    <message>
+        <source>it is larger than 16384 pixels a side</source>
+        <translation>es ist größer als 16384 Pixel je Seite</translation>
+    </message>
+    <message>
+        <source>The picture cannot be drawn: {0}.</source>
+        <translation>Das Bild kann nicht gezeichnet werden: {0}.</translation>
+    </message>
+    <message>
+        <source>Every voxel of the image has the same value: there is nothing to grow in.</source>
+        <translation>Jedes Voxel des Bildes hat denselben Wert: Es gibt nichts, worin etwas wachsen könnte.</translation>
+    </message>
+    <message>
+        <source>Growing</source>
+        <translation>Region wächst</translation>
+    </message>
+    <message>
+        <source>No tissue thick enough to be an organ hangs together with the seeds.</source>
+        <translation>Kein Gewebe, das dick genug für ein Organ wäre, hängt mit den Saatpunkten zusammen.</translation>
+    </message>
+    <message>
+        <source>Move the seed into the middle of the liver, away from vessels and edges.</source>
+        <translation>Setzen Sie den Saatpunkt in die Mitte der Leber, fern von Gefäßen und Rändern.</translation>
+    </message>
+    <message>
+        <source>Smoothing the outline</source>
+        <translation>Kontur wird geglättet</translation>
+    </message>
+    <message>
+        <source>There is no image value around seed {0}.</source>
+        <translation>Um Saatpunkt {0} gibt es keinen Bildwert.</translation>
+    </message>
+    <message>
+        <source>Seed {0} is much brighter ({1}) than seed {2} ({3}): one of them is probably not in the liver. Take it away.</source>
+        <translation>Saatpunkt {0} ist viel heller ({1}) als Saatpunkt {2} ({3}): Einer davon liegt wahrscheinlich nicht in der Leber. Nehmen Sie ihn weg.</translation>
+    </message>
+    <message>
+        <source>Nothing grew from seed {0}: the tissue around it is too thin or uneven. Move it to the middle of the liver.</source>
+        <translation>Von Saatpunkt {0} ist nichts gewachsen: Das Gewebe ringsum ist zu dünn oder zu ungleichmäßig. Setzen Sie ihn in die Mitte der Leber.</translation>
+    </message>
+    <message>
+        <source>The region reaches the side of the image: it has probably leaked into the body wall. Cut it there, or raise neck_radius_mm.</source>
+        <translation>Die Region reicht bis zur Seite des Bildes: Sie ist wahrscheinlich in die Bauchwand ausgelaufen. Schneiden Sie sie dort ab, oder erhöhen Sie neck_radius_mm.</translation>
+    </message>
+    <message>
+        <source>The region reaches the first or last slice: the liver is not wholly in the image, and its volume is that of the part seen.</source>
+        <translation>Die Region reicht bis zur ersten oder letzten Schicht: Die Leber ist nicht ganz im Bild, und ihr Volumen ist das des sichtbaren Teils.</translation>
+    </message>
+    <message>
+        <source>{0} ml is more than a liver holds: the region has probably leaked into a neighbour. Raise neck_radius_mm, or cut it by hand.</source>
+        <translation>{0} ml sind mehr, als eine Leber fasst: Die Region ist wahrscheinlich in ein Nachbarorgan ausgelaufen. Erhöhen Sie neck_radius_mm, oder schneiden Sie sie von Hand.</translation>
+    </message>
+    <message>
+        <source>{0} ml is less than an adult&apos;s liver holds: the growth has probably stopped early. Add a seed in the part that is missing, or raise tolerance_sd.</source>
+        <translation>{0} ml sind weniger, als die Leber eines Erwachsenen fasst: Das Wachstum hat wahrscheinlich zu früh aufgehört. Setzen Sie einen Saatpunkt in den fehlenden Teil, oder erhöhen Sie tolerance_sd.</translation>
+    </message>
+    <message>
+        <source>An image of {0} x {1} x {2} voxels is too thin to grow in.</source>
+        <translation>Ein Bild von {0} x {1} x {2} Voxeln ist zu dünn, um darin zu wachsen.</translation>
+    </message>
+    <message>
+        <source>The options of growing must be positive, and one is {0}.</source>
+        <translation>Die Optionen des Wachsens müssen positiv sein, und eine ist {0}.</translation>
+    </message>
+    <message>
+        <source>There is no seed to grow from.</source>
+        <translation>Es gibt keinen Saatpunkt.</translation>
+    </message>
+    <message>
+        <source>Give at least one point in the middle of the liver.</source>
+        <translation>Geben Sie mindestens einen Punkt in der Mitte der Leber an.</translation>
+    </message>
+    <message>
+        <source>Seed {0} at ({1}) mm lies {2} mm outside the image.</source>
+        <translation>Saatpunkt {0} bei ({1}) mm liegt {2} mm außerhalb des Bildes.</translation>
+    </message>
+    <message>
+        <source>Seeds are DICOM patient coordinates (LPS) in mm, not voxel indices.</source>
+        <translation>Saatpunkte sind DICOM-Patientenkoordinaten (LPS) in mm, keine Voxelindizes.</translation>
+    </message>
+    <message>
+        <source>There is no structure to label.</source>
+        <translation>Es gibt keine Struktur, die ein Label bekommen könnte.</translation>
+    </message>
+    <message>
+        <source>The structures {0} and {1} lie on different voxel grids.</source>
+        <translation>Die Strukturen {0} und {1} liegen auf verschiedenen Voxelgittern.</translation>
+    </message>
+    <message>
+        <source>None of the structures is the liver.</source>
+        <translation>Keine der Strukturen ist die Leber.</translation>
+    </message>
+    <message>
+        <source>Segment it first, or name a structure &quot;liver&quot;.</source>
+        <translation>Segmentieren Sie sie zuerst, oder nennen Sie eine Struktur &quot;liver&quot;.</translation>
+    </message>
+    <message>
+        <source>The structure {0} holds no voxels.</source>
+        <translation>Die Struktur {0} enthält keine Voxel.</translation>
+    </message>
+    <message>
+        <source>The two masks lie on different voxel grids.</source>
+        <translation>Die beiden Masken liegen auf verschiedenen Voxelgittern.</translation>
+    </message>
+    <message>
+        <source>There are no patients in this cohort.</source>
+        <translation>Diese Kohorte enthält keine Patienten.</translation>
+    </message>
+    <message>
+        <source>The cohort has no patient {0}.</source>
+        <translation>Die Kohorte hat keinen Patienten {0}.</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>None of the {0} patients could be used; the first one: {1}</source>
+        <translation>Keiner der {0} Patienten war verwendbar; der erste: {1}</translation>
+    </message>
+    <message>
+        <source>{0} holds files that are not an earlier demo&apos;s.</source>
+        <translation>{0} enthält Dateien, die nicht von einer früheren Demonstration sind.</translation>
+    </message>
+    <message>
+        <source>Choose an empty or a new folder.</source>
+        <translation>Wählen Sie einen leeren oder neuen Ordner.</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>The surface in {0} is not closed, so nothing lies inside it.</source>
+        <translation>Die Oberfläche in {0} ist nicht geschlossen, also liegt nichts in ihr.</translation>
+    </message>
+    <message>
+        <source>Use the anatomy that ships with the program.</source>
+        <translation>Verwenden Sie die mitgelieferte Anatomie.</translation>
+    </message>
+    <message>
+        <source>{0} does not list the demo&apos;s landmarks: {1}.</source>
+        <translation>{0} führt die Landmarken der Demonstration nicht auf: {1}.</translation>
+    </message>
+    <message>
+        <source>reading the anatomy</source>
+        <translation>Anatomie wird gelesen</translation>
+    </message>
+    <message>
+        <source>simulating the MR images</source>
+        <translation>MR-Bilder werden simuliert</translation>
+    </message>
+    <message>
+        <source>simulating the elastography</source>
+        <translation>Elastographie wird simuliert</translation>
+    </message>
+    <message>
+        <source>writing the study</source>
+        <translation>Studie wird geschrieben</translation>
+    </message>
+    <message>
+        <source>writing the truth</source>
+        <translation>Sollwerte werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Check the folder and your rights there.</source>
+        <translation>Prüfen Sie den Ordner und Ihre Rechte dort.</translation>
+    </message>
+    <message>
+        <source>{0} holds none of the scans, such as A-1.69N.ply.</source>
+        <translation>{0} enthält keinen der Scans, etwa A-1.69N.ply.</translation>
+    </message>
+    <message>
+        <source>None of the trials could be compared; the first one: {0}</source>
+        <translation>Keiner der Versuche ließ sich vergleichen; der erste: {0}</translation>
+    </message>
+    <message>
+        <source>The phantom&apos;s equilibrium was not reached: {0}</source>
+        <translation>Das Gleichgewicht des Phantoms wurde nicht erreicht: {0}</translation>
+    </message>
+    <message>
+        <source>The two judge different videos: {0} and {1}.</source>
+        <translation>Die beiden beurteilen verschiedene Videos: {0} und {1}.</translation>
+    </message>
+    <message>
+        <source>Judge both registrations on the same sequence.json.</source>
+        <translation>Beurteilen Sie beide Registrierungen an derselben sequence.json.</translation>
+    </message>
+    <message>
+        <source>The sequence names no camera to draw with.</source>
+        <translation>Die Sequenz nennt keine Kamera zum Zeichnen.</translation>
+    </message>
+    <message>
+        <source>Add &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</source>
+        <translation>Fügen Sie hinzu: &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</translation>
+    </message>
+    <message>
+        <source>Frame {0} of the sequence names no image.</source>
+        <translation>Bild {0} der Sequenz nennt keine Bilddatei.</translation>
+    </message>
+    <message>
+        <source>Add &quot;image&quot; to each frame.</source>
+        <translation>Fügen Sie jedem Bild &quot;image&quot; hinzu.</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Sample {0} of {1} has a size, a way or a force that is not positive.</source>
+        <translation>Messung {0} von {1} hat eine Größe, einen Weg oder eine Kraft, die nicht positiv ist.</translation>
+    </message>
+    <message>
+        <source>No labelled voxel of {0} lies where {1} has a stiffness.</source>
+        <translation>Kein markiertes Voxel von {0} liegt dort, wo {1} eine Steifigkeit hat.</translation>
+    </message>
+    <message>
+        <source>Material {0} was never put under the testing machine.</source>
+        <translation>Material {0} war nie in der Prüfmaschine.</translation>
+    </message>
+    <message>
+        <source>Give its samples in the file of tests, or leave the region out.</source>
+        <translation>Geben Sie seine Messungen in der Datei der Prüfungen an, oder lassen Sie die Region aus.</translation>
+    </message>
+    <message>
+        <source>A board has from {0} to {1} points a side and a positive spacing; {2} x {3} at {4} mm were given.</source>
+        <translation>Eine Tafel hat {0} bis {1} Punkte je Seite und einen positiven Abstand; angegeben wurden {2} x {3} mit {4} mm.</translation>
+    </message>
+    <message>
+        <source>The picture shows no board of {0} x {1} points.</source>
+        <translation>Das Bild zeigt keine Tafel von {0} x {1} Punkten.</translation>
+    </message>
+    <message>
+        <source>Count inner corners or circles, columns first; the board must be sharp and lit.</source>
+        <translation>Zählen Sie die inneren Ecken oder Kreise, Spalten zuerst; die Tafel muss scharf und beleuchtet sein.</translation>
+    </message>
+    <message>
+        <source>{0} has {1} x {2} pixels, the first picture has {3} x {4}.</source>
+        <translation>{0} hat {1} x {2} Pixel, das erste Bild hat {3} x {4}.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} pairs show the board to both eyes; {2} are needed.</source>
+        <translation>{0} von {1} Paaren zeigen beiden Augen die Tafel; {2} sind nötig.</translation>
+    </message>
+    <message>
+        <source>Check the board&apos;s kind, its columns and rows; take it from several sides.</source>
+        <translation>Prüfen Sie Art, Spalten und Zeilen der Tafel; nehmen Sie sie aus mehreren Richtungen auf.</translation>
+    </message>
+    <message>
+        <source>The calibration did not converge: {0}.</source>
+        <translation>Die Kalibrierung ist nicht konvergiert: {0}.</translation>
+    </message>
+    <message>
+        <source>By these pictures the right eye lies to the left of the left one.</source>
+        <translation>Nach diesen Bildern liegt das rechte Auge links vom linken.</translation>
+    </message>
+    <message>
+        <source>Exchange the left and the right pictures.</source>
+        <translation>Vertauschen Sie die linken und rechten Bilder.</translation>
+    </message>
+    <message>
+        <source>The calibration {0} has no {1}.</source>
+        <translation>Der Kalibrierung {0} fehlt: {1}.</translation>
+    </message>
+    <message>
+        <source>It needs left and right, each with a matrix and distortion, and left_to_right.</source>
+        <translation>Sie braucht left und right, jeweils mit Matrix und Verzeichnung, und left_to_right.</translation>
+    </message>
+    <message>
+        <source>A camera&apos;s focal length is not positive.</source>
+        <translation>Die Brennweite einer Kamera ist nicht positiv.</translation>
+    </message>
+    <message>
+        <source>A coefficient of distortion is not finite.</source>
+        <translation>Ein Koeffizient der Verzeichnung ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>Both eyes are in one place: there is no depth to see.</source>
+        <translation>Beide Augen sind an einem Ort: Es ist keine Tiefe zu sehen.</translation>
+    </message>
+    <message>
+        <source>left_to_right does not hold a rotation: R R^T or the last row is off by {0}.</source>
+        <translation>left_to_right enthält keine Drehung: R R^T oder die letzte Zeile weicht um {0} ab.</translation>
+    </message>
+    <message>
+        <source>The picture {0} cannot be read.</source>
+        <translation>Das Bild {0} kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, TIFF and BMP are read.</source>
+        <translation>Gelesen werden PNG, JPEG, TIFF und BMP.</translation>
+    </message>
+    <message>
+        <source>The picture {0} cannot be written.</source>
+        <translation>Das Bild {0} kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The folder must exist, and the name end in .png or .jpg.</source>
+        <translation>Der Ordner muss vorhanden sein und der Name auf .png oder .jpg enden.</translation>
+    </message>
+    <message>
+        <source>The folder {0} holds no pictures.</source>
+        <translation>Der Ordner {0} enthält keine Bilder.</translation>
+    </message>
+    <message>
+        <source>The video {0} cannot be read.</source>
+        <translation>Das Video {0} kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Give a video file that OpenCV (FFmpeg) reads, or a folder of pictures.</source>
+        <translation>Geben Sie eine Videodatei an, die OpenCV (FFmpeg) liest, oder einen Ordner mit Bildern.</translation>
+    </message>
+    <message>
+        <source>The video {0} cannot be decoded: {1}.</source>
+        <translation>Das Video {0} kann nicht dekodiert werden: {1}.</translation>
+    </message>
+    <message>
+        <source>A picture of {0} has {1} x {2} pixels, the first has {3} x {4}.</source>
+        <translation>Ein Bild von {0} hat {1} x {2} Pixel, das erste hat {3} x {4}.</translation>
+    </message>
+    <message>
+        <source>The pair could not be matched: {0}.</source>
+        <translation>Das Paar ließ sich nicht zuordnen: {0}.</translation>
+    </message>
+    <message>
+        <source>The calibration is not of these pictures: half of the {0} features that both show miss their epipolar lines by {1} pixels or more.</source>
+        <translation>Die Kalibrierung gehört nicht zu diesen Bildern: Die Hälfte der {0} Merkmale, die beide zeigen, verfehlt ihre Epipolarlinien um {1} Pixel oder mehr.</translation>
+    </message>
+    <message>
+        <source>Check that the calibration is this camera&apos;s, at this size of picture, and that left and right are not exchanged.</source>
+        <translation>Prüfen Sie, ob die Kalibrierung zu dieser Kamera und Bildgröße gehört und links und rechts nicht vertauscht sind.</translation>
+    </message>
+    <message>
+        <source>By the calibration, {0} % of what both pictures show would lie behind the camera.</source>
+        <translation>Nach der Kalibrierung lägen {0} % dessen, was beide Bilder zeigen, hinter der Kamera.</translation>
+    </message>
+    <message>
+        <source>Left and right pictures are exchanged, or the calibration is of another camera.</source>
+        <translation>Linkes und rechtes Bild sind vertauscht, oder die Kalibrierung gehört zu einer anderen Kamera.</translation>
+    </message>
+    <message>
+        <source>The nearest depth must be positive and less than the farthest.</source>
+        <translation>Die kleinste Tiefe muss positiv und kleiner als die größte sein.</translation>
+    </message>
+    <message>
+        <source>The calibration is of pictures of another size: its principal point {0}, {1} lies outside {2} x {3} pixels.</source>
+        <translation>Die Kalibrierung gehört zu Bildern anderer Größe: Ihr Hauptpunkt {0}, {1} liegt außerhalb von {2} x {3} Pixeln.</translation>
+    </message>
+    <message>
+        <source>Calibrate at the size of the video, or scale the calibration&apos;s matrices.</source>
+        <translation>Kalibrieren Sie in der Größe des Videos, oder skalieren Sie die Matrizen der Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>The left image is {0} x {1} pixels, the right one {2} x {3}.</source>
+        <translation>Das linke Bild hat {0} x {1} Pixel, das rechte {2} x {3}.</translation>
+    </message>
+    <message>
+        <source>The images are {0} x {1} pixels; {2} x {3} were expected.</source>
+        <translation>Die Bilder haben {0} x {1} Pixel; erwartet wurden {2} x {3}.</translation>
+    </message>
+    <message>
+        <source>There are {0} left and {1} right pictures: they must be taken in pairs.</source>
+        <translation>Es gibt {0} linke und {1} rechte Bilder: Sie müssen paarweise aufgenommen sein.</translation>
+    </message>
+    <message>
+        <source>calibrating</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Dafür reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>--channel wants COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], not &quot;{0}&quot;.</source>
+        <translation>--channel erwartet COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], nicht „{0}“.</translation>
+    </message>
+    <message>
+        <source>A column that holds watts is just COLUMN.</source>
+        <translation>Eine Spalte mit Watt ist einfach COLUMN.</translation>
+    </message>
+    <message>
+        <source>Nothing was measured.</source>
+        <translation>Es wurde nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>There is no device &quot;{0}&quot;.</source>
+        <translation>Es gibt kein Gerät „{0}“.</translation>
+    </message>
+    <message>
+        <source>glisson-cli platform list shows their ids.</source>
+        <translation>glisson-cli platform list zeigt ihre Kennungen.</translation>
+    </message>
+    <message>
+        <source>A result has no scene named {0}; it has displacement.</source>
+        <translation>Ein Ergebnis hat keine Szene namens {0}; es hat displacement.</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>The points of a cut need three columns: x_mm, y_mm, z_mm.</source>
+        <translation>Die Punkte eines Schnitts brauchen drei Spalten: x_mm, y_mm, z_mm.</translation>
+    </message>
+    <message>
+        <source>Reading the liver</source>
+        <translation>Leber wird gelesen</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Reading the model</source>
+        <translation>Modell wird gelesen</translation>
+    </message>
+    <message>
+        <source>Moving the tools</source>
+        <translation>Werkzeuge werden bewegt</translation>
+    </message>
+    <message>
+        <source>Command {0} led to another state than was recorded.</source>
+        <translation>Befehl {0} führte zu einem anderen Zustand, als aufgezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>Replay with the case and the version that it was recorded with.</source>
+        <translation>Spielen Sie mit dem Fall und der Version ab, mit denen aufgezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>{0} wants a position X,Y,Z in mm, not &quot;{1}&quot;.</source>
+        <translation>{0} erwartet eine Position X,Y,Z in mm, nicht „{1}“.</translation>
+    </message>
+    <message>
+        <source>--size wants WxH in pixels, 16 to 16384 each, not &quot;{0}&quot;.</source>
+        <translation>--size erwartet BxH in Pixeln, jeweils 16 bis 16384, nicht „{0}“.</translation>
+    </message>
+    <message>
+        <source>The computation did not converge: {0}</source>
+        <translation>Die Rechnung ist nicht konvergiert: {0}</translation>
+    </message>
+    <message>
+        <source>The sequence names no registered clouds.</source>
+        <translation>Die Sequenz nennt keine registrierten Punktwolken.</translation>
+    </message>
+    <message>
+        <source>Add &quot;registered&quot;, or choose --method icp or geo.</source>
+        <translation>Fügen Sie &quot;registered&quot; hinzu, oder wählen Sie --method icp oder geo.</translation>
+    </message>
+    <message>
+        <source>The sequence names no model to register its clouds to.</source>
+        <translation>Die Sequenz nennt kein Modell, auf das ihre Punktwolken registriert werden könnten.</translation>
+    </message>
+    <message>
+        <source>Add &quot;model&quot;: a surface file.</source>
+        <translation>Fügen Sie &quot;model&quot; hinzu: eine Oberflächendatei.</translation>
+    </message>
+    <message>
+        <source>Frame {0} shares too few landmarks with the others.</source>
+        <translation>Bild {0} hat zu wenige Landmarken mit den anderen gemeinsam.</translation>
+    </message>
+    <message>
+        <source>The two pictures agree nowhere.</source>
+        <translation>Die beiden Bilder stimmen nirgends überein.</translation>
+    </message>
+    <message>
+        <source>Check that left and right are not exchanged and that the calibration is theirs.</source>
+        <translation>Prüfen Sie, ob links und rechts nicht vertauscht sind und die Kalibrierung zu ihnen gehört.</translation>
+    </message>
+    <message>
+        <source>Name the cohort&apos;s folder, or ask for a simulated one with --simulated N.</source>
+        <translation>Nennen Sie den Ordner der Kohorte, oder verlangen Sie eine simulierte mit --simulated N.</translation>
+    </message>
+    <message>
+        <source>Reading the case</source>
+        <translation>Fall wird gelesen</translation>
+    </message>
+    <message>
+        <source>Preparing the model</source>
+        <translation>Modell wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Known are: {1}</source>
+        <translation>Bekannt sind: {1}</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ComparisonChoice</name>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>With this patient&apos;s own stiffness, from MR elastography</source>
+        <translation>Mit der eigenen Steifigkeit dieses Patienten, aus der MR-Elastographie</translation>
+    </message>
+    <message>
+        <source>Atlas</source>
+        <translation>Atlas</translation>
+    </message>
+    <message>
+        <source>With one stiffness for the whole liver, as an atlas gives it</source>
+        <translation>Mit einer einzigen Steifigkeit für die ganze Leber, wie ein Atlas sie angibt</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beide</translation>
+    </message>
+    <message>
+        <source>Atlas in red, patient in blue: purple where they agree</source>
+        <translation>Atlas in Rot, Patient in Blau: violett, wo sie übereinstimmen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::LandmarkTable</name>
+    <message>
+        <source>Landmark</source>
+        <translation>Landmarke</translation>
+    </message>
+    <message>
+        <source>Moves
+mm</source>
+        <translation>Weg
+mm</translation>
+    </message>
+    <message>
+        <source>Atlas off
+mm</source>
+        <translation>Atlas irrt
+mm</translation>
+    </message>
+    <message>
+        <source>From 5 mm</source>
+        <translation>Ab 5 mm</translation>
+    </message>
+    <message>
+        <source>How far the landmark moves with the patient&apos;s own stiffness</source>
+        <translation>Wie weit sich die Landmarke mit der eigenen Steifigkeit des Patienten bewegt</translation>
+    </message>
+    <message>
+        <source>How far from there the atlas&apos;s stiffness puts it</source>
+        <translation>Wie weit entfernt davon die Steifigkeit des Atlas sie platziert</translation>
+    </message>
+    <message>
+        <source>5 mm and more matters to a surgeon</source>
+        <translation>5 mm und mehr sind für Chirurgen von Bedeutung</translation>
+    </message>
+    <message>
+        <source>▲ Atlas off</source>
+        <translation>▲ Atlas irrt</translation>
+    </message>
+    <message>
+        <source>● Moves</source>
+        <translation>● Bewegt sich</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::LanguageMenu</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>System language</source>
+        <translation>Sprache des Systems</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::LinkedViews</name>
+    <message>
+        <source>Transverse</source>
+        <translation>Transversal</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
+Ctrl+wheel: zoom. Shift+drag: shift.</source>
+        <translation>Klick: Fadenkreuz. Rechts ziehen: Helligkeit und Kontrast. Rad: nächste Schicht.
+Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
+    </message>
+    <message>
+        <source>Drag: turn. Shift+drag: shift. Wheel: zoom. Click: crosshair there.</source>
+        <translation>Ziehen: Drehen. Umschalt+Ziehen: Verschieben. Rad: Zoom. Klick: Fadenkreuz dorthin.</translation>
+    </message>
+    <message>
+        <source>Surgeon</source>
+        <translation>Chirurg</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Below</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Look from here, everything in view</source>
+        <translation>Von hier blicken, alles im Bild</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::MainWindow</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Looking for images</source>
+        <translation>Bilder werden gesucht</translation>
+    </message>
+    <message>
+        <source>Opening the demo patient</source>
+        <translation>Demopatient wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Glisson</source>
+        <translation>Glisson</translation>
+    </message>
+    <message>
+        <source>%1 - Glisson</source>
+        <translation>%1 - Glisson</translation>
+    </message>
+    <message>
+        <source>Next: put the crosshair inside the liver, away from large vessels.</source>
+        <translation>Als Nächstes: Setzen Sie das Fadenkreuz in die Leber, fern von großen Gefäßen.</translation>
+    </message>
+    <message>
+        <source>Next: build the model of the liver from its outline and stiffness.</source>
+        <translation>Als Nächstes: Erstellen Sie das Modell der Leber aus ihrer Kontur und Steifigkeit.</translation>
+    </message>
+    <message>
+        <source>Outline the liver from here</source>
+        <translation>Leber von hier aus umreißen</translation>
+    </message>
+    <message>
+        <source>Build the model</source>
+        <translation>Modell erstellen</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Open a case...</source>
+        <translation>Fall ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open &amp;images (DICOM folder)...</source>
+        <translation>&amp;Bilder öffnen (DICOM-Ordner) …</translation>
+    </message>
+    <message>
+        <source>Open the &amp;demo patient</source>
+        <translation>&amp;Demopatienten öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save the picture...</source>
+        <translation>Bild &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;About Glisson</source>
+        <translation>&amp;Über Glisson</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Plan a liver operation</source>
+        <translation>Eine Leberoperation planen</translation>
+    </message>
+    <message>
+        <source>Drop a case or a folder of DICOM images here, or begin with the demo patient.</source>
+        <translation>Ziehen Sie einen Fall oder einen Ordner mit DICOM-Bildern hierher, oder beginnen Sie mit dem Demopatienten.</translation>
+    </message>
+    <message>
+        <source>Open the demo patient</source>
+        <translation>Demopatienten öffnen</translation>
+    </message>
+    <message>
+        <source>Open a case...</source>
+        <translation>Fall öffnen …</translation>
+    </message>
+    <message>
+        <source>Open images...</source>
+        <translation>Bilder öffnen …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Not a medical device</source>
+        <translation>Kein Medizinprodukt</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>A defect in Glisson stopped this: %1</source>
+        <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
+    </message>
+    <message>
+        <source>Click on the liver where the tool is to touch it.</source>
+        <translation>Klicken Sie auf die Leber, wo das Werkzeug sie berühren soll.</translation>
+    </message>
+    <message>
+        <source>Solving...</source>
+        <translation>Es wird gelöst …</translation>
+    </message>
+    <message>
+        <source>Tool placed in %1 ms.</source>
+        <translation>Werkzeug in %1 ms gesetzt.</translation>
+    </message>
+    <message>
+        <source>Open a case (a folder NAME.glisson)</source>
+        <translation>Fall öffnen (ein Ordner NAME.glisson)</translation>
+    </message>
+    <message>
+        <source>Open a folder of images</source>
+        <translation>Ordner mit Bildern öffnen</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture could not be written to %1.</source>
+        <translation>Das Bild konnte nicht nach %1 geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>About Glisson</source>
+        <translation>Über Glisson</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planning and reviewing liver surgery.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not a medical device.&lt;/b&gt; Not for diagnosis or treatment.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planung und Auswertung von Leberoperationen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Kein Medizinprodukt.&lt;/b&gt; Nicht für Diagnose oder Behandlung.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Something else is still under way. Wait for it, or cancel it first.</source>
+        <translation>Etwas anderes läuft noch. Warten Sie darauf, oder brechen Sie es zuerst ab.</translation>
+    </message>
+    <message>
+        <source>%1 %2 (%3 × %4 × %5)</source>
+        <translation>%1 %2 (%3 × %4 × %5)</translation>
+    </message>
+    <message>
+        <source>No anatomical images were found in %1.</source>
+        <translation>In %1 wurden keine anatomischen Bilder gefunden.</translation>
+    </message>
+    <message>
+        <source>Which images show the anatomy?</source>
+        <translation>Welche Bilder zeigen die Anatomie?</translation>
+    </message>
+    <message>
+        <source>The study holds several series:</source>
+        <translation>Die Studie enthält mehrere Serien:</translation>
+    </message>
+    <message>
+        <source>Keep the case as</source>
+        <translation>Fall aufbewahren als</translation>
+    </message>
+    <message>
+        <source>Cases (*.glisson)</source>
+        <translation>Fälle (*.glisson)</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>Import läuft</translation>
+    </message>
+    <message>
+        <source>Outlining the liver</source>
+        <translation>Leber wird umrissen</translation>
+    </message>
+    <message>
+        <source>Building the model</source>
+        <translation>Modell wird erstellt</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Relative residual %1, answered in %2 ms</source>
+        <translation>Relatives Residuum %1, Antwort in %2 ms</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PatientViews</name>
+    <message>
+        <source>Displacement (mm)</source>
+        <translation>Verschiebung (mm)</translation>
+    </message>
+    <message>
+        <source>Red: one stiffness from the atlas</source>
+        <translation>Rot: eine Steifigkeit aus dem Atlas</translation>
+    </message>
+    <message>
+        <source>Blue: the patient&apos;s own stiffness</source>
+        <translation>Blau: die eigene Steifigkeit des Patienten</translation>
+    </message>
+    <message>
+        <source>Purple: both agree</source>
+        <translation>Violett: beide stimmen überein</translation>
+    </message>
+    <message>
+        <source>Shear stiffness (kPa)</source>
+        <translation>Schersteifigkeit (kPa)</translation>
+    </message>
+    <message>
+        <source>%1  %2 mm</source>
+        <translation>%1  %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::RehearsePanel</name>
+    <message>
+        <source>Rehearse</source>
+        <translation>Proben</translation>
+    </message>
+    <message>
+        <source>Open a case with a model of the liver, or the demo patient, to rehearse a retraction.</source>
+        <translation>Öffnen Sie einen Fall mit einem Modell der Leber oder den Demopatienten, um eine Retraktion zu proben.</translation>
+    </message>
+    <message>
+        <source>Show the liver with the stiffness of</source>
+        <translation>Leber zeigen mit der Steifigkeit von</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Place by click</source>
+        <translation>Per Klick setzen</translation>
+    </message>
+    <message>
+        <source>Then click on the liver where the tool is to touch it</source>
+        <translation>Klicken Sie dann auf die Leber, wo das Werkzeug sie berühren soll</translation>
+    </message>
+    <message>
+        <source>Hoist segment VI</source>
+        <translation>Segment VI anheben</translation>
+    </message>
+    <message>
+        <source>Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head</source>
+        <translation>Setzt das Werkzeug unter den rechten, unteren, hinteren Teil der Leber und hebt ihn nach vorn und kopfwärts an</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Hoist to front and head</source>
+        <translation>Nach vorn und kopfwärts anheben</translation>
+    </message>
+    <message>
+        <source>Pull away from the surface</source>
+        <translation>Von der Oberfläche wegziehen</translation>
+    </message>
+    <message>
+        <source>Push into the surface</source>
+        <translation>In die Oberfläche drücken</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>Take the tool away</source>
+        <translation>Werkzeug wegnehmen</translation>
+    </message>
+    <message>
+        <source>Colour the liver by how far it moves</source>
+        <translation>Leber nach ihrer Bewegung einfärben</translation>
+    </message>
+    <message>
+        <source>Place the tool to see what moves.</source>
+        <translation>Setzen Sie das Werkzeug, um zu sehen, was sich bewegt.</translation>
+    </message>
+    <message>
+        <source>The liver moves by up to %1 mm.</source>
+        <translation>Die Leber bewegt sich um bis zu %1 mm.</translation>
+    </message>
+    <message>
+        <source>The atlas is off by up to %1 mm.</source>
+        <translation>Der Atlas irrt um bis zu %1 mm.</translation>
+    </message>
+    <message>
+        <source>Strains may reach %1 %, more than this linear model is made for.</source>
+        <translation>Dehnungen können %1 % erreichen, mehr, als dieses lineare Modell abbilden kann.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::StudyPanel</name>
+    <message>
+        <source>Slices show</source>
+        <translation>Schichten zeigen</translation>
+    </message>
+    <message>
+        <source>Anatomy</source>
+        <translation>Anatomie</translation>
+    </message>
+    <message>
+        <source>Stiffness (MR elastography)</source>
+        <translation>Steifigkeit (MR-Elastographie)</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Strukturen</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>No patient open</source>
+        <translation>Kein Patient geöffnet</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 voxels,
+%4 × %5 × %6 mm each</source>
+        <translation>%1 × %2 × %3 Voxel
+von je %4 × %5 × %6 mm</translation>
+    </message>
+    <message>
+        <source>%1 cells
+Young&apos;s modulus %2 kPa (mean)</source>
+        <translation>%1 Zellen
+Elastizitätsmodul %2 kPa (Mittel)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ViewFrame</name>
+    <message>
+        <source>Show all four views</source>
+        <translation>Alle vier Ansichten zeigen</translation>
+    </message>
+    <message>
+        <source>Fill the window with this view</source>
+        <translation>Fenster mit dieser Ansicht füllen</translation>
+    </message>
+</context>
+<context>
+    <name>patients</name>
+    <message>
+        <source>Demo patient</source>
+        <translation>Demopatient</translation>
+    </message>
+</context>
+<context>
+    <name>structures</name>
+    <message>
+        <source>Liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source>Tumour</source>
+        <translation>Tumor</translation>
+    </message>
+    <message>
+        <source>Cyst</source>
+        <translation>Zyste</translation>
+    </message>
+    <message>
+        <source>Portal vein</source>
+        <translation>Pfortader</translation>
+    </message>
+    <message>
+        <source>Hepatic vein</source>
+        <translation>Lebervene</translation>
+    </message>
+    <message>
+        <source>Artery</source>
+        <translation>Arterie</translation>
+    </message>
+    <message>
+        <source>Biliary tract</source>
+        <translation>Gallenwege</translation>
+    </message>
+    <message>
+        <source>Necrosis</source>
+        <translation>Nekrose</translation>
+    </message>
+    <message>
+        <source>Gallbladder</source>
+        <translation>Gallenblase</translation>
+    </message>
+    <message>
+        <source>Gastric vein</source>
+        <translation>Magenvene</translation>
+    </message>
+    <message>
+        <source>Aorta</source>
+        <translation>Aorta</translation>
+    </message>
+    <message>
+        <source>Heart</source>
+        <translation>Herz</translation>
+    </message>
+    <message>
+        <source>Stomach</source>
+        <translation>Magen</translation>
+    </message>
+    <message>
+        <source>Kidney</source>
+        <translation>Niere</translation>
+    </message>
+    <message>
+        <source>Spleen</source>
+        <translation>Milz</translation>
+    </message>
+    <message>
+        <source>Pancreas</source>
+        <translation>Pankreas</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Hilum</source>
+        <translation>Leberhilus</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,3664 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es" sourcelanguage="en">
+<context>
+    <name>errors</name>
+    <message>
+        <source>There is no column &quot;{0}&quot;.</source>
+        <translation>No hay ninguna columna «{0}».</translation>
+    </message>
+    <message>
+        <source>The columns are {1}.</source>
+        <translation>Las columnas son {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has too many columns.</source>
+        <translation>{0} tiene demasiadas columnas.</translation>
+    </message>
+    <message>
+        <source>{0} holds no rows of numbers.</source>
+        <translation>{0} no contiene ninguna fila de números.</translation>
+    </message>
+    <message>
+        <source>The file {0} cannot be read.</source>
+        <translation>No se puede leer el archivo {0}.</translation>
+    </message>
+    <message>
+        <source>Check that it exists and that you may read it.</source>
+        <translation>Compruebe que existe y que tiene permiso para leerlo.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be written: {1}.</source>
+        <translation>No se puede escribir {0}: {1}.</translation>
+    </message>
+    <message>
+        <source>Check the folder, your rights there and the free space.</source>
+        <translation>Compruebe la carpeta, sus permisos en ella y el espacio libre.</translation>
+    </message>
+    <message>
+        <source>the disk or the folder refused it</source>
+        <translation>el disco o la carpeta lo ha rechazado</translation>
+    </message>
+    <message>
+        <source>The file {0} has {1} bytes; at most {2} are read.</source>
+        <translation>El archivo {0} tiene {1} bytes; se leen como máximo {2}.</translation>
+    </message>
+    <message>
+        <source>The files that ship with Glisson were not found.</source>
+        <translation>No se han encontrado los archivos que acompañan a Glisson.</translation>
+    </message>
+    <message>
+        <source>Set GLISSON_RESOURCES to the folder named resources.</source>
+        <translation>Asigne a GLISSON_RESOURCES la ruta de la carpeta resources.</translation>
+    </message>
+    <message>
+        <source>{0} is nested too deep to be one of our files.</source>
+        <translation>{0} está anidado a demasiada profundidad para ser uno de nuestros archivos.</translation>
+    </message>
+    <message>
+        <source>{0} is not valid JSON at line {1}.</source>
+        <translation>{0} no es JSON válido en la línea {1}.</translation>
+    </message>
+    <message>
+        <source>Look for a missing comma, quote or bracket there.</source>
+        <translation>Busque ahí una coma, unas comillas o un corchete que falte.</translation>
+    </message>
+    <message>
+        <source>{0} holds a number too large for a computer&apos;s arithmetic.</source>
+        <translation>{0} contiene un número demasiado grande para la aritmética de un ordenador.</translation>
+    </message>
+    <message>
+        <source>{0} should be an object in braces.</source>
+        <translation>{0} debe ser un objeto entre llaves.</translation>
+    </message>
+    <message>
+        <source>{0} has a key that is not known: &quot;{1}&quot;.</source>
+        <translation>{0} tiene una clave desconocida: «{1}».</translation>
+    </message>
+    <message>
+        <source>Did you mean &quot;{2}&quot;?</source>
+        <translation>¿Quería decir «{2}»?</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Cancelado.</translation>
+    </message>
+    <message>
+        <source>{0} is there already.</source>
+        <translation>{0} ya existe.</translation>
+    </message>
+    <message>
+        <source>Choose another name, or remove it first.</source>
+        <translation>Elija otro nombre o elimínelo antes.</translation>
+    </message>
+    <message>
+        <source>The folder {0} cannot be made: {1}.</source>
+        <translation>No se puede crear la carpeta {0}: {1}.</translation>
+    </message>
+    <message>
+        <source>it holds no case.json</source>
+        <translation>no contiene case.json</translation>
+    </message>
+    <message>
+        <source>case.json does not say &quot;format&quot;: &quot;glisson-case/1&quot;</source>
+        <translation>case.json no indica &quot;format&quot;: &quot;glisson-case/1&quot;</translation>
+    </message>
+    <message>
+        <source>The case {0} has no {1} yet.</source>
+        <translation>El caso {0} no tiene todavía {1}.</translation>
+    </message>
+    <message>
+        <source>Import a study first (glisson-cli import).</source>
+        <translation>Importe antes un estudio (glisson-cli import).</translation>
+    </message>
+    <message>
+        <source>Segment it first (glisson-cli segment).</source>
+        <translation>Segméntelo antes (glisson-cli segment).</translation>
+    </message>
+    <message>
+        <source>Mesh the liver first (glisson-cli mesh).</source>
+        <translation>Malle antes el hígado (glisson-cli mesh).</translation>
+    </message>
+    <message>
+        <source>{0} cannot be put in its place: {1}.</source>
+        <translation>No se puede poner {0} en su lugar: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} names a file outside the case folder: {1}.</source>
+        <translation>{0} nombra un archivo fuera de la carpeta del caso: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: {1}.</source>
+        <translation>{0} está dañado: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is not a Glisson case: {1}.</source>
+        <translation>{0} no es un caso de Glisson: {1}.</translation>
+    </message>
+    <message>
+        <source>Make one with: glisson-cli import STUDY --case NAME.glisson</source>
+        <translation>Cree uno con: glisson-cli import ESTUDIO --case NOMBRE.glisson</translation>
+    </message>
+    <message>
+        <source>{0} holds nothing that could be written as {1}.</source>
+        <translation>{0} no contiene nada que pueda escribirse como {1}.</translation>
+    </message>
+    <message>
+        <source>Run the stage that makes it first.</source>
+        <translation>Ejecute antes el paso que lo genera.</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Escribiendo</translation>
+    </message>
+    <message>
+        <source>SIMULATED from a real patient&apos;s anatomy, not measured</source>
+        <translation>SIMULADO a partir de la anatomía de un paciente real, no medido</translation>
+    </message>
+    <message>
+        <source>The study has no series {0}.</source>
+        <translation>El estudio no tiene la serie {0}.</translation>
+    </message>
+    <message>
+        <source>glisson-cli scan lists them.</source>
+        <translation>glisson-cli scan las enumera.</translation>
+    </message>
+    <message>
+        <source>{0} series could be the {1}:{2}</source>
+        <translation>{0} series podrían ser {1}:{2}</translation>
+    </message>
+    <message>
+        <source>Name one with {3} UID.</source>
+        <translation>Indique una con {3} UID.</translation>
+    </message>
+    <message>
+        <source>No series is recognised as the anatomy.{0}</source>
+        <translation>No se reconoce ninguna serie como anatomía.{0}</translation>
+    </message>
+    <message>
+        <source>glisson-cli scan says what is there, and what was skipped.</source>
+        <translation>glisson-cli scan indica qué hay y qué se ha omitido.</translation>
+    </message>
+    <message>
+        <source>Name one with --anatomy UID.</source>
+        <translation>Indique una con --anatomy UID.</translation>
+    </message>
+    <message>
+        <source>Reading the structures</source>
+        <translation>Leyendo las estructuras</translation>
+    </message>
+    <message>
+        <source>Saving the mesh</source>
+        <translation>Guardando la malla</translation>
+    </message>
+    <message>
+        <source>Reading the mesh</source>
+        <translation>Leyendo la malla</translation>
+    </message>
+    <message>
+        <source>Stiffness of each cell from the MRE map</source>
+        <translation>Rigidez de cada celda a partir del mapa de ERM</translation>
+    </message>
+    <message>
+        <source>A Young&apos;s modulus of {0} kPa is not possible.</source>
+        <translation>Un módulo de Young de {0} kPa no es posible.</translation>
+    </message>
+    <message>
+        <source>Saving the model</source>
+        <translation>Guardando el modelo</translation>
+    </message>
+    <message>
+        <source>Give the mesh its stiffness first (glisson-cli stiffness).</source>
+        <translation>Dé antes a la malla su rigidez (glisson-cli stiffness).</translation>
+    </message>
+    <message>
+        <source>The model of {0} has no stiffness.</source>
+        <translation>El modelo de {0} no tiene rigidez.</translation>
+    </message>
+    <message>
+        <source>Run glisson-cli stiffness again.</source>
+        <translation>Ejecute de nuevo glisson-cli stiffness.</translation>
+    </message>
+    <message>
+        <source>Import a study with MR elastography, or choose --uniform-kPa or --atlas.</source>
+        <translation>Importe un estudio con elastografía por RM o elija --uniform-kPa o --atlas.</translation>
+    </message>
+    <message>
+        <source>{0} does not hold a simulation&apos;s result: {1}.</source>
+        <translation>{0} no contiene el resultado de una simulación: {1}.</translation>
+    </message>
+    <message>
+        <source>Make one with glisson-cli simulate --out DIR.</source>
+        <translation>Genere uno con glisson-cli simulate --out CARPETA.</translation>
+    </message>
+    <message>
+        <source>result.vtu is missing</source>
+        <translation>falta result.vtu</translation>
+    </message>
+    <message>
+        <source>result.json does not say &quot;format&quot;: &quot;glisson-result/1&quot;</source>
+        <translation>result.json no indica &quot;format&quot;: &quot;glisson-result/1&quot;</translation>
+    </message>
+    <message>
+        <source>the computation did not converge</source>
+        <translation>el cálculo no ha convergido</translation>
+    </message>
+    <message>
+        <source>The growing left {0} out; it was added to the liver.</source>
+        <translation>El crecimiento dejó fuera {0}; se ha añadido al hígado.</translation>
+    </message>
+    <message>
+        <source>Reading the labels</source>
+        <translation>Leyendo la segmentación</translation>
+    </message>
+    <message>
+        <source>No voxel of label {0} in {1} lies inside the anatomy.</source>
+        <translation>Ningún vóxel de la etiqueta {0} de {1} está dentro de la anatomía.</translation>
+    </message>
+    <message>
+        <source>Check that both belong to the same patient and frame of reference.</source>
+        <translation>Compruebe que ambos pertenecen al mismo paciente y al mismo marco de referencia.</translation>
+    </message>
+    <message>
+        <source>{0} has no labelled voxel.</source>
+        <translation>{0} no tiene ningún vóxel etiquetado.</translation>
+    </message>
+    <message>
+        <source>{0} has no label {2}; it holds {1}.</source>
+        <translation>{0} no tiene la etiqueta {2}; contiene {1}.</translation>
+    </message>
+    <message>
+        <source>{0} holds several labels: {1}.</source>
+        <translation>{0} contiene varias etiquetas: {1}.</translation>
+    </message>
+    <message>
+        <source>Choose one with --label-value.</source>
+        <translation>Elija una con --label-value.</translation>
+    </message>
+    <message>
+        <source>The magnitude images do not lie on the grid of the waves.</source>
+        <translation>Las imágenes de magnitud no están en la cuadrícula de las ondas.</translation>
+    </message>
+    <message>
+        <source>{0} holds no wave or phase images.</source>
+        <translation>{0} no contiene imágenes de ondas ni de fase.</translation>
+    </message>
+    <message>
+        <source>Import the phase series of an elastography scan (glisson-cli import --phase).</source>
+        <translation>Importe la serie de fase de una elastografía (glisson-cli import --phase).</translation>
+    </message>
+    <message>
+        <source>Reading the waves</source>
+        <translation>Leyendo las ondas</translation>
+    </message>
+    <message>
+        <source>Saving the maps</source>
+        <translation>Guardando los mapas</translation>
+    </message>
+    <message>
+        <source>{0} is not an experiment of the format &quot;glisson-experiment/1&quot;.</source>
+        <translation>{0} no es un experimento con el formato &quot;glisson-experiment/1&quot;.</translation>
+    </message>
+    <message>
+        <source>An experiment begins with &quot;format&quot;: &quot;glisson-experiment/1&quot; and &quot;kind&quot;.</source>
+        <translation>Un experimento empieza por &quot;format&quot;: &quot;glisson-experiment/1&quot; y &quot;kind&quot;.</translation>
+    </message>
+    <message>
+        <source>There is no kind of experiment called &quot;{0}&quot;.</source>
+        <translation>No hay ningún tipo de experimento llamado «{0}».</translation>
+    </message>
+    <message>
+        <source>The kinds are palpation, material and platform.</source>
+        <translation>Los tipos son palpation, material y platform.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} names {2}, which is not there.</source>
+        <translation>La línea {0} de {1} nombra {2}, que no existe.</translation>
+    </message>
+    <message>
+        <source>Files are looked for beside the experiment: was it copied without them, or is the name misspelt?</source>
+        <translation>Los archivos se buscan junto al experimento: ¿se copió sin ellos o está mal escrito el nombre?</translation>
+    </message>
+    <message>
+        <source>{0} lacks &quot;{1}&quot;.</source>
+        <translation>A {0} le falta &quot;{1}&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} must be a finite number.</source>
+        <translation>{0} debe ser un número finito.</translation>
+    </message>
+    <message>
+        <source>{0} must be above zero.</source>
+        <translation>{0} debe ser mayor que cero.</translation>
+    </message>
+    <message>
+        <source>{0} must be a text in quotes.</source>
+        <translation>{0} debe ser un texto entre comillas.</translation>
+    </message>
+    <message>
+        <source>{0} must be three numbers [x, y, z].</source>
+        <translation>{0} debe constar de tres números [x, y, z].</translation>
+    </message>
+    <message>
+        <source>&quot;trials&quot; must be a list with at least one trial.</source>
+        <translation>&quot;trials&quot; debe ser una lista con al menos un ensayo.</translation>
+    </message>
+    <message>
+        <source>{0} must be an object in braces.</source>
+        <translation>{0} debe ser un objeto entre llaves.</translation>
+    </message>
+    <message>
+        <source>Two trials have the id &quot;{0}&quot;.</source>
+        <translation>Dos ensayos tienen el identificador «{0}».</translation>
+    </message>
+    <message>
+        <source>{0} has no column &quot;{1}&quot;, which the experiment names for {2}; line {3} has: {4}.</source>
+        <translation>{0} no tiene la columna «{1}», que el experimento nombra para {2}; la línea {3} tiene: {4}.</translation>
+    </message>
+    <message>
+        <source>Is the name misspelt, or is this the table of another trial?</source>
+        <translation>¿Está mal escrito el nombre o es la tabla de otro ensayo?</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} has no number under &quot;{2}&quot;.</source>
+        <translation>La línea {0} de {1} no tiene ningún número en «{2}».</translation>
+    </message>
+    <message>
+        <source>Is the table cut off, or written with decimal commas?</source>
+        <translation>¿Está cortada la tabla o escrita con comas decimales?</translation>
+    </message>
+    <message>
+        <source>Time goes back at line {0} of {1}: from {2} s to {3} s.</source>
+        <translation>El tiempo retrocede en la línea {0} de {1}: de {2} s a {3} s.</translation>
+    </message>
+    <message>
+        <source>Are two recordings in one table, or is this not the column of times?</source>
+        <translation>¿Hay dos registros en una tabla o no es esta la columna de los tiempos?</translation>
+    </message>
+    <message>
+        <source>{0} is {1} kPa, stiffer than any soft tissue.</source>
+        <translation>{0} es {1} kPa, más rígido que cualquier tejido blando.</translation>
+    </message>
+    <message>
+        <source>Was it given in Pa?</source>
+        <translation>¿Se indicó en Pa?</translation>
+    </message>
+    <message>
+        <source>Use the model.json that glisson-cli explain wrote for an experiment of this kind.</source>
+        <translation>Use el model.json que glisson-cli explain escribió para un experimento de este tipo.</translation>
+    </message>
+    <message>
+        <source>{0} is not a model of the format {1}.</source>
+        <translation>{0} no es un modelo con el formato {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was not learnt from an experiment of the kind {1}.</source>
+        <translation>{0} no se aprendió de un experimento del tipo {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is not a complete model.</source>
+        <translation>{0} no es un modelo completo.</translation>
+    </message>
+    <message>
+        <source>The effect {0} is unknown to this experiment.</source>
+        <translation>El efecto {0} es desconocido para este experimento.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} is no number.</source>
+        <translation>{0} de {1} no es un número.</translation>
+    </message>
+    <message>
+        <source>The smooth correction was made for other quantities than this experiment has.</source>
+        <translation>La corrección suave se hizo para otras magnitudes que las de este experimento.</translation>
+    </message>
+    <message>
+        <source>The smooth correction is not complete.</source>
+        <translation>La corrección suave no está completa.</translation>
+    </message>
+    <message>
+        <source>The search for parameters failed: {0}.</source>
+        <translation>La búsqueda de parámetros ha fallado: {0}.</translation>
+    </message>
+    <message>
+        <source>The model has no solution where the search ended.</source>
+        <translation>El modelo no tiene solución donde terminó la búsqueda.</translation>
+    </message>
+    <message>
+        <source>This experiment proposes no further trials.</source>
+        <translation>Este experimento no propone más ensayos.</translation>
+    </message>
+    <message>
+        <source>The specimen is stiffer or softer than declared, everywhere and at every load.</source>
+        <translation>La muestra es más rígida o más blanda de lo declarado, en todas partes y con cualquier carga.</translation>
+    </message>
+    <message>
+        <source>The specimen is not equally stiff under tension and under compression.</source>
+        <translation>La muestra no es igual de rígida a tracción que a compresión.</translation>
+    </message>
+    <message>
+        <source>The tissue gets stiffer (or softer) the further it is deformed: its law is not a straight line.</source>
+        <translation>El tejido se vuelve más rígido (o más blando) cuanto más se deforma: su ley no es una recta.</translation>
+    </message>
+    <message>
+        <source>The tissue gives way slowly under a load that is held, and recovers slowly after it.</source>
+        <translation>El tejido cede despacio bajo una carga mantenida y se recupera despacio después.</translation>
+    </message>
+    <message>
+        <source>Once stretched, the tissue stays softer up to the deformation that it has seen (Mullins effect).</source>
+        <translation>Una vez estirado, el tejido queda más blando hasta la deformación ya sufrida (efecto Mullins).</translation>
+    </message>
+    <message>
+        <source>Less force comes back on the way out than went in on the way in, in every cycle and at any speed.</source>
+        <translation>A la vuelta se recupera menos fuerza que la aplicada a la ida, en cada ciclo y a cualquier velocidad.</translation>
+    </message>
+    <message>
+        <source>The load cell is at fault: it does not read zero without load, or its scale is off.</source>
+        <translation>La célula de carga falla: no marca cero sin carga o su escala no es correcta.</translation>
+    </message>
+    <message>
+        <source>The specimen was already loaded when the test began.</source>
+        <translation>La muestra ya estaba cargada cuando empezó el ensayo.</translation>
+    </message>
+    <message>
+        <source>The mode &quot;{0}&quot; is not known.</source>
+        <translation>El modo «{0}» no se conoce.</translation>
+    </message>
+    <message>
+        <source>The modes are compression, tension and shear.</source>
+        <translation>Los modos son compression, tension y shear.</translation>
+    </message>
+    <message>
+        <source>The declared law &quot;{0}&quot; is not known.</source>
+        <translation>La ley declarada «{0}» no se conoce.</translation>
+    </message>
+    <message>
+        <source>The laws are linear and neo-hookean.</source>
+        <translation>Las leyes son linear y neo-hookean.</translation>
+    </message>
+    <message>
+        <source>{0} gives &quot;{1}&quot;, which needs the specimen&apos;s {2}.</source>
+        <translation>{0} indica &quot;{1}&quot;, que necesita {2} de la muestra.</translation>
+    </message>
+    <message>
+        <source>Give the specimen&apos;s diameter_mm (or width_mm and thickness_mm, or area_mm2) and height_mm.</source>
+        <translation>Indique diameter_mm de la muestra (o width_mm y thickness_mm, o area_mm2) y height_mm.</translation>
+    </message>
+    <message>
+        <source>In {0} stress and strain mostly have opposite signs.</source>
+        <translation>En {0} la tensión y la deformación tienen casi siempre signos opuestos.</translation>
+    </message>
+    <message>
+        <source>In compression stretch is below 1, and displacement, force and stress are negative.</source>
+        <translation>En compresión el estiramiento es menor que 1, y el desplazamiento, la fuerza y la tensión son negativos.</translation>
+    </message>
+    <message>
+        <source>{0} names no column for &quot;stretch&quot; or &quot;displacement_mm&quot;.</source>
+        <translation>{0} no nombra ninguna columna para &quot;stretch&quot; o &quot;displacement_mm&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} names no column for &quot;stress_kPa&quot; or &quot;force_N&quot;.</source>
+        <translation>{0} no nombra ninguna columna para &quot;stress_kPa&quot; o &quot;force_N&quot;.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} gives a stretch of {2}, which no specimen survives.</source>
+        <translation>La línea {0} de {1} da un estiramiento de {2}, que ninguna muestra soporta.</translation>
+    </message>
+    <message>
+        <source>Is it strain, or a percentage? Stretch is length over length at rest.</source>
+        <translation>¿Es la deformación o un porcentaje? El estiramiento es la longitud dividida por la longitud en reposo.</translation>
+    </message>
+    <message>
+        <source>The material law is used beyond the stretch it allows.</source>
+        <translation>La ley del material se usa más allá del estiramiento que permite.</translation>
+    </message>
+    <message>
+        <source>The specimen in {0} is {1} mm across.</source>
+        <translation>La muestra de {0} mide {1} mm.</translation>
+    </message>
+    <message>
+        <source>Is the mesh in metres or micrometres?</source>
+        <translation>¿Está la malla en metros o en micrómetros?</translation>
+    </message>
+    <message>
+        <source>{0} has no cell array &quot;{1}&quot; with one number a cell.</source>
+        <translation>{0} no tiene una matriz de celdas «{1}» con un número por celda.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus must be above zero in every cell.</source>
+        <translation>El módulo de Young debe ser mayor que cero en cada celda.</translation>
+    </message>
+    <message>
+        <source>{0} must lie between -1 and 0.5, both excluded.</source>
+        <translation>{0} debe estar entre -1 y 0.5, ambos excluidos.</translation>
+    </message>
+    <message>
+        <source>Line 1 of {0} names no column &quot;{1}&quot;.</source>
+        <translation>La línea 1 de {0} no nombra ninguna columna «{1}».</translation>
+    </message>
+    <message>
+        <source>A table of markers has id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</source>
+        <translation>Una tabla de marcadores tiene id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</translation>
+    </message>
+    <message>
+        <source>{0} holds no markers.</source>
+        <translation>{0} no contiene marcadores.</translation>
+    </message>
+    <message>
+        <source>All markers of {0} lie within {1} mm (line 2 on), on a specimen of {2} mm.</source>
+        <translation>Todos los marcadores de {0} caben en {1} mm (desde la línea 2), en una muestra de {2} mm.</translation>
+    </message>
+    <message>
+        <source>Are they in metres?</source>
+        <translation>¿Están en metros?</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1}: marker {2} lies {3} mm outside the specimen at rest.</source>
+        <translation>Línea {0} de {1}: el marcador {2} está a {3} mm fuera de la muestra en reposo.</translation>
+    </message>
+    <message>
+        <source>Are markers and mesh in one frame (patient coordinates) and both in mm?</source>
+        <translation>¿Están los marcadores y la malla en el mismo sistema (coordenadas del paciente) y ambos en mm?</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1}: marker {2} moved by {3} mm, more than the specimen is long.</source>
+        <translation>Línea {0} de {1}: el marcador {2} se ha movido {3} mm, más que la longitud de la muestra.</translation>
+    </message>
+    <message>
+        <source>Are the positions in another unit or frame than the positions at rest?</source>
+        <translation>¿Están las posiciones en otra unidad u otro sistema que las posiciones en reposo?</translation>
+    </message>
+    <message>
+        <source>{0}: a force of {1} N presses no soft specimen.</source>
+        <translation>{0}: una fuerza de {1} N no se ejerce sobre ninguna muestra blanda.</translation>
+    </message>
+    <message>
+        <source>Was it given in mN?</source>
+        <translation>¿Se indicó en mN?</translation>
+    </message>
+    <message>
+        <source>{0} must not be zero.</source>
+        <translation>{0} no debe ser cero.</translation>
+    </message>
+    <message>
+        <source>Trial {0} (line {1} of {2}) has no samples.</source>
+        <translation>El ensayo {0} (línea {1} de {2}) no tiene mediciones.</translation>
+    </message>
+    <message>
+        <source>Was the recording interrupted?</source>
+        <translation>¿Se interrumpió el registro?</translation>
+    </message>
+    <message>
+        <source>In trial {0} (line {1} of {2}) time goes back at sample {3}.</source>
+        <translation>En el ensayo {0} (línea {1} de {2}) el tiempo retrocede en la medición {3}.</translation>
+    </message>
+    <message>
+        <source>Are two recordings in one trial?</source>
+        <translation>¿Hay dos registros en un ensayo?</translation>
+    </message>
+    <message>
+        <source>No sample of trial {0} (line {1} of {2}) names markers.</source>
+        <translation>Ninguna medición del ensayo {0} (línea {1} de {2}) nombra marcadores.</translation>
+    </message>
+    <message>
+        <source>Preparing the specimen</source>
+        <translation>Preparando la muestra</translation>
+    </message>
+    <message>
+        <source>No sample of the experiment has markers.</source>
+        <translation>Ninguna medición del experimento tiene marcadores.</translation>
+    </message>
+    <message>
+        <source>Solved the declared specimen</source>
+        <translation>Muestra declarada resuelta</translation>
+    </message>
+    <message>
+        <source>The specimen&apos;s equations are too badly conditioned to be solved.</source>
+        <translation>Las ecuaciones de la muestra están demasiado mal condicionadas para resolverse.</translation>
+    </message>
+    <message>
+        <source>No equilibrium of a specimen that stiffens so strongly was found under these loads.</source>
+        <translation>No se ha encontrado equilibrio bajo estas cargas para una muestra que se rigidiza tanto.</translation>
+    </message>
+    <message>
+        <source>The battery&apos;s voltage falls under load: its own resistance turns energy into heat.</source>
+        <translation>La tensión de la batería cae con la carga: su resistencia interna convierte energía en calor.</translation>
+    </message>
+    <message>
+        <source>The battery&apos;s voltage falls under load, and what is lost there is what warms it.</source>
+        <translation>La tensión de la batería cae con la carga, y lo que allí se pierde es lo que la calienta.</translation>
+    </message>
+    <message>
+        <source>The faster the battery is emptied, the less it gives (Peukert).</source>
+        <translation>Cuanto más deprisa se vacía la batería, menos entrega (Peukert).</translation>
+    </message>
+    <message>
+        <source>The battery gives less when it is cold and more when it is warm.</source>
+        <translation>La batería entrega menos en frío y más en caliente.</translation>
+    </message>
+    <message>
+        <source>The battery&apos;s voltage falls while it empties, which a constant voltage leaves out.</source>
+        <translation>La tensión de la batería cae mientras se vacía, algo que una tensión constante no recoge.</translation>
+    </message>
+    <message>
+        <source>The computer draws power whatever it does, more than was declared.</source>
+        <translation>El ordenador consume, haga lo que haga, más potencia de la declarada.</translation>
+    </message>
+    <message>
+        <source>A part of the power is lost in the supply before it reaches the computer.</source>
+        <translation>Una parte de la potencia se pierde en la alimentación antes de llegar al ordenador.</translation>
+    </message>
+    <message>
+        <source>The warmer the computer gets, the more power it draws.</source>
+        <translation>Cuanto más se calienta el ordenador, más consume.</translation>
+    </message>
+    <message>
+        <source>The work itself takes power that was not declared.</source>
+        <translation>El propio trabajo consume una potencia que no se declaró.</translation>
+    </message>
+    <message>
+        <source>The computer slows itself down to stay below a temperature.</source>
+        <translation>El ordenador se ralentiza para no superar una temperatura.</translation>
+    </message>
+    <message>
+        <source>Heat leaves the computer better or worse than declared.</source>
+        <translation>El calor sale del ordenador mejor o peor de lo declarado.</translation>
+    </message>
+    <message>
+        <source>The computer takes time to warm up, longer or shorter than declared.</source>
+        <translation>El ordenador tarda en calentarse, más o menos de lo declarado.</translation>
+    </message>
+    <message>
+        <source>&quot;noise&quot; names no quantity, so that nothing can be judged.</source>
+        <translation>&quot;noise&quot; no nombra ninguna magnitud, de modo que no se puede juzgar nada.</translation>
+    </message>
+    <message>
+        <source>Give voltage_V, temperature_C or power_W: the standard deviation of that reading.</source>
+        <translation>Indique voltage_V, temperature_C o power_W: la desviación típica de esa lectura.</translation>
+    </message>
+    <message>
+        <source>The law of platforms is constant: a battery that gives all of its energy at any load.</source>
+        <translation>La ley de las plataformas es constante: una batería que entrega toda su energía con cualquier carga.</translation>
+    </message>
+    <message>
+        <source>{0} must not be below zero.</source>
+        <translation>{0} no debe ser menor que cero.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} gives a {2} of {3}, which no worn computer reaches.</source>
+        <translation>La línea {0} de {1} da {2} = {3}, algo que ningún ordenador portátil sobre el cuerpo alcanza.</translation>
+    </message>
+    <message>
+        <source>{0} has no column for a quantity whose noise is given.</source>
+        <translation>{0} no tiene columna para una magnitud cuyo ruido se indica.</translation>
+    </message>
+    <message>
+        <source>The declared figures predict none of the recorded quantities.</source>
+        <translation>Las cifras declaradas no predicen ninguna de las magnitudes registradas.</translation>
+    </message>
+    <message>
+        <source>Voltage needs nominal_voltage_V, temperature needs thermal_resistance_C_per_W and a power, power needs a current or a load.</source>
+        <translation>La tensión necesita nominal_voltage_V, la temperatura thermal_resistance_C_per_W y una potencia, la potencia una corriente o una carga.</translation>
+    </message>
+    <message>
+        <source>The model of the platform has no finite answer here.</source>
+        <translation>El modelo de la plataforma no tiene aquí una respuesta finita.</translation>
+    </message>
+    <message>
+        <source>it is proportional to the prediction</source>
+        <translation>es proporcional a la predicción</translation>
+    </message>
+    <message>
+        <source>it changes with the load</source>
+        <translation>cambia con la carga</translation>
+    </message>
+    <message>
+        <source>it changes with time</source>
+        <translation>cambia con el tiempo</translation>
+    </message>
+    <message>
+        <source>it has a mean in some direction</source>
+        <translation>tiene una media en alguna dirección</translation>
+    </message>
+    <message>
+        <source>it changes across the specimen</source>
+        <translation>cambia a lo largo de la muestra</translation>
+    </message>
+    <message>
+        <source>it differs from trial to trial</source>
+        <translation>difiere de un ensayo a otro</translation>
+    </message>
+    <message>
+        <source>it is larger than the noise</source>
+        <translation>es mayor que el ruido</translation>
+    </message>
+    <message>
+        <source>neighbours are off in the same way</source>
+        <translation>los vecinos se desvían del mismo modo</translation>
+    </message>
+    <message>
+        <source>trying effects</source>
+        <translation>probando efectos</translation>
+    </message>
+    <message>
+        <source>Only an experiment whose trials are measured can be explained.</source>
+        <translation>Solo se puede explicar un experimento cuyos ensayos se hayan medido.</translation>
+    </message>
+    <message>
+        <source>predicting with the declared model</source>
+        <translation>prediciendo con el modelo declarado</translation>
+    </message>
+    <message>
+        <source>weighing the evidence</source>
+        <translation>sopesando las pruebas</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>terminado</translation>
+    </message>
+    <message>
+        <source>No voxel of the stiffness map is reliable: none is positive, confident, inside the organ and {0} mm away from its border at once.</source>
+        <translation>Ningún vóxel del mapa de rigidez es fiable: ninguno es a la vez positivo, de confianza, interior al órgano y alejado {0} mm de su borde.</translation>
+    </message>
+    <message>
+        <source>Check that map, confidence mask and segmentation belong together, or trust voxels nearer to the border.</source>
+        <translation>Compruebe que el mapa, la máscara de confianza y la segmentación corresponden entre sí o acepte vóxeles más próximos al borde.</translation>
+    </message>
+    <message>
+        <source>The model does not lie in the stiffness map: {0} mm are between their boxes (model around {1}, map around {2}).</source>
+        <translation>El modelo no está dentro del mapa de rigidez: {0} mm separan sus cajas (modelo en torno a {1}, mapa en torno a {2}).</translation>
+    </message>
+    <message>
+        <source>They are probably in different frames of reference: take the stiffness series of the same study, or register the two.</source>
+        <translation>Probablemente están en marcos de referencia distintos: tome la serie de rigidez del mismo estudio o registre ambos.</translation>
+    </message>
+    <message>
+        <source>There are no cells to give a stiffness to.</source>
+        <translation>No hay celdas a las que dar una rigidez.</translation>
+    </message>
+    <message>
+        <source>The stiffness map holds no voxels.</source>
+        <translation>El mapa de rigidez no contiene vóxeles.</translation>
+    </message>
+    <message>
+        <source>The axes of the stiffness map are not at right angles, so that the nearest voxel is not to be told.</source>
+        <translation>Los ejes del mapa de rigidez no son perpendiculares, de modo que no se puede determinar el vóxel más próximo.</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio must lie in (-1, 0.5], the border must not be negative and the averaging length must be positive; they are {0}, {1} mm and {2} mm.</source>
+        <translation>El coeficiente de Poisson debe estar en (-1, 0.5], el borde no debe ser negativo y la longitud de promediado debe ser positiva; son {0}, {1} mm y {2} mm.</translation>
+    </message>
+    <message>
+        <source>There are no wave or phase images.</source>
+        <translation>No hay imágenes de ondas ni de fase.</translation>
+    </message>
+    <message>
+        <source>Unwrapping the phase</source>
+        <translation>Desenrollando la fase</translation>
+    </message>
+    <message>
+        <source>The waves give no signal inside the organ.</source>
+        <translation>Las ondas no dan señal dentro del órgano.</translation>
+    </message>
+    <message>
+        <source>Check that the segmentation and the wave images belong together.</source>
+        <translation>Compruebe que la segmentación y las imágenes de ondas corresponden entre sí.</translation>
+    </message>
+    <message>
+        <source>Inverting the waves</source>
+        <translation>Invirtiendo las ondas</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Invertido</translation>
+    </message>
+    <message>
+        <source>Not one voxel could be inverted with confidence: there is no wave in these images, or it drowns in noise.</source>
+        <translation>No se ha podido invertir con confianza ni un solo vóxel: no hay onda en estas imágenes o se pierde en el ruido.</translation>
+    </message>
+    <message>
+        <source>Check that the phase series and the frequency are the right ones.</source>
+        <translation>Compruebe que la serie de fase y la frecuencia son las correctas.</translation>
+    </message>
+    <message>
+        <source>The region lies on another voxel grid than the map.</source>
+        <translation>La región está en otra cuadrícula de vóxeles que el mapa.</translation>
+    </message>
+    <message>
+        <source>The region holds no value.</source>
+        <translation>La región no contiene ningún valor.</translation>
+    </message>
+    <message>
+        <source>The wave images do not all lie on one grid.</source>
+        <translation>Las imágenes de ondas no están todas en una misma cuadrícula.</translation>
+    </message>
+    <message>
+        <source>The headers do not say at which frequency the organ was shaken.</source>
+        <translation>Las cabeceras no indican con qué frecuencia se hizo vibrar el órgano.</translation>
+    </message>
+    <message>
+        <source>Give it with --frequency-Hz; liver scans mostly use 60.</source>
+        <translation>Indíquela con --frequency-Hz; en el hígado suele ser 60.</translation>
+    </message>
+    <message>
+        <source>A vibration of {0} Hz is not possible.</source>
+        <translation>Una vibración de {0} Hz no es posible.</translation>
+    </message>
+    <message>
+        <source>The headers do not say which of the {0} wave images belong to which direction.</source>
+        <translation>Las cabeceras no indican cuáles de las {0} imágenes de ondas pertenecen a cada dirección.</translation>
+    </message>
+    <message>
+        <source>Say how many directions were measured with --directions; mostly 1 or 3.</source>
+        <translation>Indique con --directions cuántas direcciones se midieron; casi siempre 1 o 3.</translation>
+    </message>
+    <message>
+        <source>{0} wave images cannot be shared out among {1} directions.</source>
+        <translation>{0} imágenes de ondas no se pueden repartir entre {1} direcciones.</translation>
+    </message>
+    <message>
+        <source>At {0} Hz direction {1} has {2} instants and the first direction {3}.</source>
+        <translation>A {0} Hz la dirección {1} tiene {2} instantes y la primera dirección {3}.</translation>
+    </message>
+    <message>
+        <source>Only {0} instants of the wave were measured; at least {1} are needed to tell the wave from noise.</source>
+        <translation>Solo se midieron {0} instantes de la onda; hacen falta al menos {1} para distinguir la onda del ruido.</translation>
+    </message>
+    <message>
+        <source>The curl needs the motion along three known directions, in at least three slices.</source>
+        <translation>El rotacional necesita el movimiento en tres direcciones conocidas, en al menos tres cortes.</translation>
+    </message>
+    <message>
+        <source>Take long waves off with the high-pass instead.</source>
+        <translation>Elimine en su lugar las ondas largas con el paso alto.</translation>
+    </message>
+    <message>
+        <source>A cutting plane needs a finite point and a normal that is not zero.</source>
+        <translation>Un plano de corte necesita un punto finito y una normal distinta de cero.</translation>
+    </message>
+    <message>
+        <source>A cutting sheet needs 3 to {0} points; there are {1}.</source>
+        <translation>Una superficie de corte necesita de 3 a {0} puntos; hay {1}.</translation>
+    </message>
+    <message>
+        <source>A point of the cutting sheet is not finite.</source>
+        <translation>Un punto de la superficie de corte no es finito.</translation>
+    </message>
+    <message>
+        <source>The points of the cutting sheet lie almost on a line, which does not say which way to cut: add points away from it, or give a plane.</source>
+        <translation>Los puntos de la superficie de corte están casi alineados, lo que no indica cómo cortar: añada puntos fuera de la línea o indique un plano.</translation>
+    </message>
+    <message>
+        <source>Points {0} and {1} of the cutting sheet lie above each other: no smooth sheet over their plane passes through both.</source>
+        <translation>Los puntos {0} y {1} de la superficie de corte están uno sobre otro: ninguna superficie suave sobre su plano pasa por ambos.</translation>
+    </message>
+    <message>
+        <source>No smooth sheet passes through the points of the cut.</source>
+        <translation>Ninguna superficie suave pasa por los puntos del corte.</translation>
+    </message>
+    <message>
+        <source>The surface is in pieces, between which there is no way along it.</source>
+        <translation>La superficie está en trozos entre los que no hay camino sobre ella.</translation>
+    </message>
+    <message>
+        <source>Keep its largest piece.</source>
+        <translation>Conserve su trozo mayor.</translation>
+    </message>
+    <message>
+        <source>Triangle {0} does not fit its neighbours: an edge has more than two triangles, or they are turned against each other.</source>
+        <translation>El triángulo {0} no encaja con sus vecinos: una arista tiene más de dos triángulos o están orientados al revés.</translation>
+    </message>
+    <message>
+        <source>Heat cannot spread over the surface: it has flat triangles.</source>
+        <translation>El calor no puede propagarse por la superficie: tiene triángulos planos.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read as a mesh: {1}.</source>
+        <translation>No se puede leer {0} como malla: {1}.</translation>
+    </message>
+    <message>
+        <source>Open it in ParaView to see whether it is damaged.</source>
+        <translation>Ábralo en ParaView para ver si está dañado.</translation>
+    </message>
+    <message>
+        <source>it names no dataset</source>
+        <translation>no nombra ningún conjunto de datos</translation>
+    </message>
+    <message>
+        <source>its points are not all there</source>
+        <translation>no están todos sus puntos</translation>
+    </message>
+    <message>
+        <source>its cell types are not all there</source>
+        <translation>no están todos sus tipos de celda</translation>
+    </message>
+    <message>
+        <source>it has not as many cell types as cells</source>
+        <translation>no tiene tantos tipos de celda como celdas</translation>
+    </message>
+    <message>
+        <source>a field says not how many arrays it has</source>
+        <translation>un campo no indica cuántas matrices tiene</translation>
+    </message>
+    <message>
+        <source>an array before its cells is not all there, or is text</source>
+        <translation>una matriz anterior a sus celdas no está completa o es texto</translation>
+    </message>
+    <message>
+        <source>{0} has no extension that is known for such a mesh.</source>
+        <translation>{0} no tiene una extensión conocida para una malla así.</translation>
+    </message>
+    <message>
+        <source>it holds no points</source>
+        <translation>no contiene puntos</translation>
+    </message>
+    <message>
+        <source>a cell names a point that does not exist</source>
+        <translation>una celda nombra un punto que no existe</translation>
+    </message>
+    <message>
+        <source>its polygons cannot be cut into triangles</source>
+        <translation>sus polígonos no se pueden dividir en triángulos</translation>
+    </message>
+    <message>
+        <source>Cell {1} of {0} is a {2} of {3} points; only tetrahedra are used.</source>
+        <translation>La celda {1} de {0} es {2} de {3} puntos; solo se usan tetraedros.</translation>
+    </message>
+    <message>
+        <source>Cut it into tetrahedra first, for example with ParaView&apos;s Tetrahedralize.</source>
+        <translation>Divídala antes en tetraedros, por ejemplo con Tetrahedralize de ParaView.</translation>
+    </message>
+    <message>
+        <source>it holds no tetrahedra</source>
+        <translation>no contiene tetraedros</translation>
+    </message>
+    <message>
+        <source>The header of {0} announces {1} items; a file of {2} bytes cannot hold them.</source>
+        <translation>La cabecera de {0} anuncia {1} elementos; un archivo de {2} bytes no puede contenerlos.</translation>
+    </message>
+    <message>
+        <source>The file is damaged or cut off; get it again from where it came.</source>
+        <translation>El archivo está dañado o cortado; vuelva a obtenerlo de su origen.</translation>
+    </message>
+    <message>
+        <source>Line {1} of {0} is neither a point nor a face.</source>
+        <translation>La línea {1} de {0} no es ni un punto ni una cara.</translation>
+    </message>
+    <message>
+        <source>Line {1} of {0} is not what an OFF file holds there.</source>
+        <translation>La línea {1} de {0} no es lo que un archivo OFF contiene ahí.</translation>
+    </message>
+    <message>
+        <source>its header is not that of a PLY file</source>
+        <translation>su cabecera no es la de un archivo PLY</translation>
+    </message>
+    <message>
+        <source>Point {0} of the surface has no finite position.</source>
+        <translation>El punto {0} de la superficie no tiene una posición finita.</translation>
+    </message>
+    <message>
+        <source>Triangle {0} names point {1}; the surface has {2} points.</source>
+        <translation>El triángulo {0} nombra el punto {1}; la superficie tiene {2} puntos.</translation>
+    </message>
+    <message>
+        <source>The surface holds no triangles.</source>
+        <translation>La superficie no contiene triángulos.</translation>
+    </message>
+    <message>
+        <source>The mesh holds no tetrahedra.</source>
+        <translation>La malla no contiene tetraedros.</translation>
+    </message>
+    <message>
+        <source>Tetrahedron {0} names point {1}; the mesh has {2} points.</source>
+        <translation>El tetraedro {0} nombra el punto {1}; la malla tiene {2} puntos.</translation>
+    </message>
+    <message>
+        <source>Point {0} of the mesh has no finite position.</source>
+        <translation>El punto {0} de la malla no tiene una posición finita.</translation>
+    </message>
+    <message>
+        <source>Tetrahedron {0} is flat or inside out: its volume is {1} mm3.</source>
+        <translation>El tetraedro {0} es plano o está invertido: su volumen es {1} mm3.</translation>
+    </message>
+    <message>
+        <source>The face of the points {0}, {1} and {2} belongs to {3} tetrahedra; at most two can.</source>
+        <translation>La cara de los puntos {0}, {1} y {2} pertenece a {3} tetraedros; como máximo pueden ser dos.</translation>
+    </message>
+    <message>
+        <source>The mesh falls in {0} parts that share no face, of {1} tetrahedra.</source>
+        <translation>La malla se divide en {0} partes sin cara común, de {1} tetraedros.</translation>
+    </message>
+    <message>
+        <source>Keep the largest part, or join them before meshing.</source>
+        <translation>Conserve la parte mayor o únalas antes de mallar.</translation>
+    </message>
+    <message>
+        <source>{0} is deflated as a whole, which is not read.</source>
+        <translation>{0} está comprimido por completo (deflate), lo que no se lee.</translation>
+    </message>
+    <message>
+        <source>Convert it first, for example with dcmconv +te.</source>
+        <translation>Conviértalo antes, por ejemplo con dcmconv +te.</translation>
+    </message>
+    <message>
+        <source>{0} is empty.</source>
+        <translation>{0} está vacío.</translation>
+    </message>
+    <message>
+        <source>{0} declares a length beyond its end in its first lines.</source>
+        <translation>{0} declara en sus primeras líneas una longitud que rebasa su final.</translation>
+    </message>
+    <message>
+        <source>{0} is no DICOM file, nor named as one of the volume files that are read.</source>
+        <translation>{0} no es un archivo DICOM ni se llama como uno de los archivos de volumen que se leen.</translation>
+    </message>
+    <message>
+        <source>The header of {0} is too large to be that of an image.</source>
+        <translation>La cabecera de {0} es demasiado grande para ser la de una imagen.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: an item stands outside a sequence at byte {1}.</source>
+        <translation>{0} está dañado: hay un elemento fuera de una secuencia en el byte {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: a value without a length stands at byte {1}.</source>
+        <translation>{0} está dañado: hay un valor sin longitud en el byte {1}.</translation>
+    </message>
+    <message>
+        <source>{0} ends at byte {1}, in the middle of its header.</source>
+        <translation>{0} termina en el byte {1}, en mitad de su cabecera.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: the length at byte {1} leaves what encloses it.</source>
+        <translation>{0} está dañado: la longitud en el byte {1} se sale de lo que la contiene.</translation>
+    </message>
+    <message>
+        <source>{0} ends at byte {1}, in the middle of a sequence.</source>
+        <translation>{0} termina en el byte {1}, en mitad de una secuencia.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: a sequence holds something else than items at byte {1}.</source>
+        <translation>{0} está dañado: una secuencia contiene algo que no son elementos en el byte {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its pixels are not stored in the way its transfer syntax {1} says.</source>
+        <translation>{0} está dañado: sus píxeles no están almacenados como dice su sintaxis de transferencia {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is cut short: {1} of {2} bytes of its pixels are there.</source>
+        <translation>{0} está cortado: hay {1} de {2} bytes de sus píxeles.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its compressed pixels are broken at byte {1}.</source>
+        <translation>{0} está dañado: sus píxeles comprimidos están rotos en el byte {1}.</translation>
+    </message>
+    <message>
+        <source>The pixels of {0} are in too many pieces.</source>
+        <translation>Los píxeles de {0} están en demasiados trozos.</translation>
+    </message>
+    <message>
+        <source>{0} is cut short in its compressed pixels, at byte {1}.</source>
+        <translation>{0} está cortado en sus píxeles comprimidos, en el byte {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: no value type is known for what stands at byte {1}.</source>
+        <translation>{0} está dañado: no se conoce ningún tipo de valor para lo que hay en el byte {1}.</translation>
+    </message>
+    <message>
+        <source>{0} nests its sequences more than {1} deep, which no image does.</source>
+        <translation>{0} anida sus secuencias a más de {1} niveles, algo que ninguna imagen hace.</translation>
+    </message>
+    <message>
+        <source>Copy the file again from where it came.</source>
+        <translation>Copie de nuevo el archivo desde su origen.</translation>
+    </message>
+    <message>
+        <source>The compressed pixels of {0} are damaged.</source>
+        <translation>Los píxeles comprimidos de {0} están dañados.</translation>
+    </message>
+    <message>
+        <source>{0} is compressed in a way that is not read (transfer syntax {1}).</source>
+        <translation>{0} está comprimido de una forma que no se lee (sintaxis de transferencia {1}).</translation>
+    </message>
+    <message>
+        <source>Convert it to an uncompressed or JPEG form first.</source>
+        <translation>Conviértalo antes a una forma sin comprimir o JPEG.</translation>
+    </message>
+    <message>
+        <source>The compressed picture of {0} is {1} x {2} with {3} bits, where its header says {4} x {5} with {6}.</source>
+        <translation>La imagen comprimida de {0} tiene {1} x {2} píxeles con {3} bits, mientras que su cabecera dice {4} x {5} con {6}.</translation>
+    </message>
+    <message>
+        <source>{0} lies inside {1}, which is only read.</source>
+        <translation>{0} está dentro de {1}, que solo se lee.</translation>
+    </message>
+    <message>
+        <source>Choose a folder elsewhere for the files without identity.</source>
+        <translation>Elija una carpeta en otro lugar para los archivos sin identidad.</translation>
+    </message>
+    <message>
+        <source>removing identity</source>
+        <translation>eliminando la identidad</translation>
+    </message>
+    <message>
+        <source>{0} holds no DICOM file.</source>
+        <translation>{0} no contiene ningún archivo DICOM.</translation>
+    </message>
+    <message>
+        <source>Give the folder or the file that holds the images.</source>
+        <translation>Indique la carpeta o el archivo que contiene las imágenes.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read: {1}.</source>
+        <translation>No se puede leer {0}: {1}.</translation>
+    </message>
+    <message>
+        <source>Check the path and your rights there.</source>
+        <translation>Compruebe la ruta y sus permisos en ella.</translation>
+    </message>
+    <message>
+        <source>{0} holds no image, or is damaged.</source>
+        <translation>{0} no contiene ninguna imagen o está dañado.</translation>
+    </message>
+    <message>
+        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
+        <translation>{0} declara un tamaño imposible: {1} x {2} píxeles en {3} fotogramas.</translation>
+    </message>
+    <message>
+        <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
+        <translation>{0} declara píxeles imposibles: {1} de {2} bits, el más alto {3}.</translation>
+    </message>
+    <message>
+        <source>{0} declares compressed pictures too large to be true.</source>
+        <translation>{0} declara imágenes comprimidas demasiado grandes para ser ciertas.</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} of the {2} frames that it declares.</source>
+        <translation>{0} contiene {1} de los {2} fotogramas que declara.</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} bytes of pixels, but its size in pixels asks for {2}.</source>
+        <translation>{0} contiene {1} bytes de píxeles, pero su tamaño exige {2}.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its header cannot be understood.</source>
+        <translation>{0} está dañado: su cabecera no se entiende.</translation>
+    </message>
+    <message>
+        <source>{0} is DICOM, but holds no picture ({1}).</source>
+        <translation>{0} es DICOM, pero no contiene ninguna imagen ({1}).</translation>
+    </message>
+    <message>
+        <source>{0} is no directory of DICOM files.</source>
+        <translation>{0} no es un directorio de archivos DICOM (DICOMDIR).</translation>
+    </message>
+    <message>
+        <source>Open the folder itself instead.</source>
+        <translation>Abra en su lugar la propia carpeta.</translation>
+    </message>
+    <message>
+        <source>Export the segmentation again, as binary and uncompressed DICOM SEG.</source>
+        <translation>Exporte de nuevo la segmentación, como DICOM SEG binario y sin comprimir.</translation>
+    </message>
+    <message>
+        <source>{0} is not a DICOM segmentation.</source>
+        <translation>{0} no es una segmentación DICOM.</translation>
+    </message>
+    <message>
+        <source>The segmentation {0} is compressed (or big endian).</source>
+        <translation>La segmentación {0} está comprimida (o en big endian).</translation>
+    </message>
+    <message>
+        <source>The segmentation {0} names no segment, or too many for its size: {1}.</source>
+        <translation>La segmentación {0} no nombra ningún segmento o demasiados para su tamaño: {1}.</translation>
+    </message>
+    <message>
+        <source>The headers of {0} are damaged.</source>
+        <translation>Las cabeceras de {0} están dañadas.</translation>
+    </message>
+    <message>
+        <source>The segmentation {0} does not say where its frames are: {1}.</source>
+        <translation>La segmentación {0} no indica dónde están sus fotogramas: {1}.</translation>
+    </message>
+    <message>
+        <source>rows, columns, frames or bits</source>
+        <translation>filas, columnas, fotogramas o bits</translation>
+    </message>
+    <message>
+        <source>pixel spacing</source>
+        <translation>espaciado de los píxeles</translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation {0} are not above each other.</source>
+        <translation>Los fotogramas de la segmentación {0} no están superpuestos.</translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation {0} are not evenly spaced.</source>
+        <translation>Los fotogramas de la segmentación {0} no están espaciados por igual.</translation>
+    </message>
+    <message>
+        <source>The segmentation {0} holds fewer frames than it declares.</source>
+        <translation>La segmentación {0} contiene menos fotogramas de los que declara.</translation>
+    </message>
+    <message>
+        <source>The segmentation {0} ends before its last frame.</source>
+        <translation>La segmentación {0} termina antes de su último fotograma.</translation>
+    </message>
+    <message>
+        <source>There is no segment to write.</source>
+        <translation>No hay ningún segmento que escribir.</translation>
+    </message>
+    <message>
+        <source>A segmentation needs the identifiers of the study, the series and the frame of reference that it was drawn on.</source>
+        <translation>Una segmentación necesita los identificadores del estudio, de la serie y del marco de referencia sobre los que se dibujó.</translation>
+    </message>
+    <message>
+        <source>The segments {0} and {1} lie on different grids; one file holds one grid.</source>
+        <translation>Los segmentos {0} y {1} están en cuadrículas distintas; un archivo contiene una sola.</translation>
+    </message>
+    <message>
+        <source>The grid of the segment {0} is skewed, left-handed or too large for DICOM.</source>
+        <translation>La cuadrícula del segmento {0} está sesgada, es levógira o demasiado grande para DICOM.</translation>
+    </message>
+    <message>
+        <source>The volume holds no voxels, so no series can be written to {0}.</source>
+        <translation>El volumen no contiene vóxeles, así que no se puede escribir ninguna serie en {0}.</translation>
+    </message>
+    <message>
+        <source>The slices have {0} x {1} voxels; DICOM counts rows and columns up to 65535.</source>
+        <translation>Los cortes tienen {0} x {1} vóxeles; DICOM cuenta filas y columnas hasta 65535.</translation>
+    </message>
+    <message>
+        <source>The series {0} needs the identifiers of its study, of itself and of its frame of reference.</source>
+        <translation>La serie {0} necesita los identificadores de su estudio, de sí misma y de su marco de referencia.</translation>
+    </message>
+    <message>
+        <source>The volume holds values that are not finite; DICOM cannot.</source>
+        <translation>El volumen contiene valores no finitos; DICOM no lo permite.</translation>
+    </message>
+    <message>
+        <source>Slice {0} holds the value {1}, which the rescale {2} x + {3} cannot hold in 16 bits.</source>
+        <translation>El corte {0} contiene el valor {1}, que el reescalado {2} x + {3} no puede guardar en 16 bits.</translation>
+    </message>
+    <message>
+        <source>{0} may not be read by you.</source>
+        <translation>No tiene permiso para leer {0}.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be opened: it has gone, or is no ordinary file.</source>
+        <translation>No se puede abrir {0}: ha desaparecido o no es un archivo ordinario.</translation>
+    </message>
+    <message>
+        <source>{0} is not any more as it was when the folder was scanned.</source>
+        <translation>{0} ya no está como cuando se examinó la carpeta.</translation>
+    </message>
+    <message>
+        <source>Scan the folder again.</source>
+        <translation>Examine de nuevo la carpeta.</translation>
+    </message>
+    <message>
+        <source>{0} does not say which of its compressed pieces belong to frame {1}.</source>
+        <translation>{0} no indica cuáles de sus trozos comprimidos pertenecen al fotograma {1}.</translation>
+    </message>
+    <message>
+        <source>The series {0} has {1} volumes, counted from 0, and no {2}.</source>
+        <translation>La serie {0} tiene {1} volúmenes, contados desde 0, y ninguno {2}.</translation>
+    </message>
+    <message>
+        <source>The series {0} is a segmentation, not an image.</source>
+        <translation>La serie {0} es una segmentación, no una imagen.</translation>
+    </message>
+    <message>
+        <source>Import it as labels of a structure.</source>
+        <translation>Impórtela como etiquetas de una estructura.</translation>
+    </message>
+    <message>
+        <source>The series {0} holds pictures in colour and no values to measure.</source>
+        <translation>La serie {0} contiene imágenes en color y ningún valor que medir.</translation>
+    </message>
+    <message>
+        <source>Choose the grey-scale series that it was made from.</source>
+        <translation>Elija la serie en escala de grises de la que procede.</translation>
+    </message>
+    <message>
+        <source>The series {0} needs {1} GiB of memory, more than this computer has.</source>
+        <translation>La serie {0} necesita {1} GiB de memoria, más de la que tiene este ordenador.</translation>
+    </message>
+    <message>
+        <source>Reading the slices</source>
+        <translation>Leyendo los cortes</translation>
+    </message>
+    <message>
+        <source>Sorting the series</source>
+        <translation>Ordenando las series</translation>
+    </message>
+    <message>
+        <source>The folder {0} cannot be read.</source>
+        <translation>No se puede leer la carpeta {0}.</translation>
+    </message>
+    <message>
+        <source>Check your rights there.</source>
+        <translation>Compruebe sus permisos en ella.</translation>
+    </message>
+    <message>
+        <source>Files found</source>
+        <translation>Archivos encontrados</translation>
+    </message>
+    <message>
+        <source>There is nothing at {0}.</source>
+        <translation>No hay nada en {0}.</translation>
+    </message>
+    <message>
+        <source>Check the path.</source>
+        <translation>Compruebe la ruta.</translation>
+    </message>
+    <message>
+        <source>Files looked at</source>
+        <translation>Archivos examinados</translation>
+    </message>
+    <message>
+        <source>The map is in {0}, which is no unit of stiffness.</source>
+        <translation>El mapa está en {0}, que no es una unidad de rigidez.</translation>
+    </message>
+    <message>
+        <source>The stiffness map holds no value above zero.</source>
+        <translation>El mapa de rigidez no contiene ningún valor mayor que cero.</translation>
+    </message>
+    <message>
+        <source>It cannot be decided whether the stiffness map is in Pa or kPa: its median, {0}, is no stiffness of soft tissue in either.</source>
+        <translation>No se puede decidir si el mapa de rigidez está en Pa o en kPa: su mediana, {0}, no es una rigidez de tejido blando en ninguna de las dos.</translation>
+    </message>
+    <message>
+        <source>The stiffness map is marked as {0}, but its median, {1}, is a stiffness of soft tissue only in {2}.</source>
+        <translation>El mapa de rigidez está marcado como {0}, pero su mediana, {1}, solo es una rigidez de tejido blando en {2}.</translation>
+    </message>
+    <message>
+        <source>Correct the unit in the file after asking where it came from.</source>
+        <translation>Corrija la unidad en el archivo después de consultar a quien lo generó.</translation>
+    </message>
+    <message>
+        <source>{0} is not a label map: it holds the value {1}.</source>
+        <translation>{0} no es un mapa de etiquetas: contiene el valor {1}.</translation>
+    </message>
+    <message>
+        <source>A label map holds whole numbers from 0 to 65535.</source>
+        <translation>Un mapa de etiquetas contiene números enteros de 0 a 65535.</translation>
+    </message>
+    <message>
+        <source>{0} is not of a known kind of volume file.</source>
+        <translation>{0} no es de un tipo conocido de archivo de volumen.</translation>
+    </message>
+    <message>
+        <source>Known are .nii, .nii.gz, .nrrd, .nhdr, .mha and .mhd.</source>
+        <translation>Se conocen .nii, .nii.gz, .nrrd, .nhdr, .mha y .mhd.</translation>
+    </message>
+    <message>
+        <source>Check that the file is whole, for example by opening it in 3D Slicer.</source>
+        <translation>Compruebe que el archivo está completo, por ejemplo abriéndolo en 3D Slicer.</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>está vacío</translation>
+    </message>
+    <message>
+        <source>its header is not of that format</source>
+        <translation>su cabecera no es de ese formato</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} values at each voxel; one is needed.</source>
+        <translation>{0} contiene {1} valores por vóxel; se necesita uno.</translation>
+    </message>
+    <message>
+        <source>Save one component (or a grey image in place of a colour one).</source>
+        <translation>Guarde una sola componente (o una imagen gris en lugar de una en color).</translation>
+    </message>
+    <message>
+        <source>{0} is not a three-dimensional volume: it has {1} axes.</source>
+        <translation>{0} no es un volumen tridimensional: tiene {1} ejes.</translation>
+    </message>
+    <message>
+        <source>Save one volume (one point in time) to a file.</source>
+        <translation>Guarde un solo volumen (un solo instante) en un archivo.</translation>
+    </message>
+    <message>
+        <source>The header of {0} gives no usable grid: sizes and spacings must be positive and the axes at right angles.</source>
+        <translation>La cabecera de {0} no da una cuadrícula utilizable: los tamaños y espaciados deben ser positivos y los ejes perpendiculares.</translation>
+    </message>
+    <message>
+        <source>Resample the volume onto a regular grid and save it again.</source>
+        <translation>Remuestree el volumen en una cuadrícula regular y guárdelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>{0} is too short: its header declares {1} bytes of voxels and the file can hold {2} at most.</source>
+        <translation>{0} es demasiado corto: su cabecera declara {1} bytes de vóxeles y el archivo puede contener {2} como máximo.</translation>
+    </message>
+    <message>
+        <source>its numbers are of an unknown type</source>
+        <translation>sus números son de un tipo desconocido</translation>
+    </message>
+    <message>
+        <source>The supports do not hold the body: it {0}, so no equilibrium exists.</source>
+        <translation>Los apoyos no sujetan el cuerpo: {0}, así que no existe equilibrio.</translation>
+    </message>
+    <message>
+        <source>Hold more of it, or put a foundation under part of its surface.</source>
+        <translation>Sujete una parte mayor o ponga una cimentación bajo parte de su superficie.</translation>
+    </message>
+    <message>
+        <source>The mesh has {0} cells; at most {1} can be solved.</source>
+        <translation>La malla tiene {0} celdas; se pueden resolver como máximo {1}.</translation>
+    </message>
+    <message>
+        <source>Mesh with fewer cells.</source>
+        <translation>Malle con menos celdas.</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio must lie between -1 and 0.5, both excluded; it is {0}.</source>
+        <translation>El coeficiente de Poisson debe estar entre -1 y 0.5, ambos excluidos; es {0}.</translation>
+    </message>
+    <message>
+        <source>For tissue that is nearly incompressible take 0.45 to 0.499.</source>
+        <translation>Para tejido casi incompresible tome de 0.45 a 0.499.</translation>
+    </message>
+    <message>
+        <source>The density must be a finite number, zero or above.</source>
+        <translation>La densidad debe ser un número finito, cero o mayor.</translation>
+    </message>
+    <message>
+        <source>There are {0} values of Young&apos;s modulus for {1} cells.</source>
+        <translation>Hay {0} valores del módulo de Young para {1} celdas.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of cell {0} is {1} kPa; it must be a number above zero.</source>
+        <translation>El módulo de Young de la celda {0} es {1} kPa; debe ser un número mayor que cero.</translation>
+    </message>
+    <message>
+        <source>Fill the cells without data before simulating.</source>
+        <translation>Complete las celdas sin datos antes de simular.</translation>
+    </message>
+    <message>
+        <source>The tool at ({0}, {1}, {2}) mm with radius {3} mm touches nothing: the centre of the nearest face of the surface is {4} mm away.</source>
+        <translation>El instrumento en ({0}, {1}, {2}) mm, de radio {3} mm, no toca nada: el centro de la cara más próxima de la superficie está a {4} mm.</translation>
+    </message>
+    <message>
+        <source>Move its centre onto the surface, or make its radius larger than {4} mm.</source>
+        <translation>Mueva su centro a la superficie o haga su radio mayor que {4} mm.</translation>
+    </message>
+    <message>
+        <source>Ordering the equations</source>
+        <translation>Ordenando las ecuaciones</translation>
+    </message>
+    <message>
+        <source>Solving for {0} unknowns would take {1} GB of memory; the limit is {2} GB.</source>
+        <translation>Resolver {0} incógnitas requeriría {1} GB de memoria; el límite es {2} GB.</translation>
+    </message>
+    <message>
+        <source>Factorising</source>
+        <translation>Factorizando</translation>
+    </message>
+    <message>
+        <source>The stiffness matrix is not positive definite (column {0} of {1}).</source>
+        <translation>La matriz de rigidez no es definida positiva (columna {0} de {1}).</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio may be too near 1/2, or cells may be flat: look at the mesh&apos;s quality.</source>
+        <translation>El coeficiente de Poisson puede estar demasiado cerca de 1/2 o haber celdas planas: mire la calidad de la malla.</translation>
+    </message>
+    <message>
+        <source>The solver ran out of memory for {0} unknowns.</source>
+        <translation>Al solucionador le faltó memoria para {0} incógnitas.</translation>
+    </message>
+    <message>
+        <source>Factorised</source>
+        <translation>Factorizado</translation>
+    </message>
+    <message>
+        <source>The equilibrium was not found. {0}</source>
+        <translation>No se ha encontrado el equilibrio. {0}</translation>
+    </message>
+    <message>
+        <source>The body&apos;s answer to a force on its surface was not found: the relative residual stayed at {0}.</source>
+        <translation>No se ha encontrado la respuesta del cuerpo a una fuerza en su superficie: el residuo relativo se quedó en {0}.</translation>
+    </message>
+    <message>
+        <source>The tool at ({0}, {1}, {2}) mm meets no surface on its way.</source>
+        <translation>El instrumento en ({0}, {1}, {2}) mm no encuentra ninguna superficie en su camino.</translation>
+    </message>
+    <message>
+        <source>Move it in front of the liver, or turn it towards it.</source>
+        <translation>Muévalo delante del hígado o gírelo hacia él.</translation>
+    </message>
+    <message>
+        <source>A grasper needs a finite place and a radius above zero.</source>
+        <translation>Una pinza necesita un lugar finito y un radio mayor que cero.</translation>
+    </message>
+    <message>
+        <source>The grasper holds no point of the surface.</source>
+        <translation>La pinza no sujeta ningún punto de la superficie.</translation>
+    </message>
+    <message>
+        <source>Move it onto the surface, or open its jaws wider.</source>
+        <translation>Muévala a la superficie o abra más sus mordazas.</translation>
+    </message>
+    <message>
+        <source>A body computed straight from data can be held, but not stand on a foundation.</source>
+        <translation>Un cuerpo calculado directamente a partir de datos se puede sujetar, pero no apoyar en una cimentación.</translation>
+    </message>
+    <message>
+        <source>Looking for states that the data know</source>
+        <translation>Buscando estados que los datos conocen</translation>
+    </message>
+    <message>
+        <source>Looking for the equilibrium</source>
+        <translation>Buscando el equilibrio</translation>
+    </message>
+    <message>
+        <source>Solved</source>
+        <translation>Resuelto</translation>
+    </message>
+    <message>
+        <source>is not held at all</source>
+        <translation>no está sujeto en absoluto</translation>
+    </message>
+    <message>
+        <source>can slide in every direction</source>
+        <translation>puede deslizarse en todas las direcciones</translation>
+    </message>
+    <message>
+        <source>The tool of load {0} needs a finite centre and force.</source>
+        <translation>El instrumento de la carga {0} necesita un centro y una fuerza finitos.</translation>
+    </message>
+    <message>
+        <source>The tool of load {0} needs a radius above zero.</source>
+        <translation>El instrumento de la carga {0} necesita un radio mayor que cero.</translation>
+    </message>
+    <message>
+        <source>The pressure of load {0} is not a finite number.</source>
+        <translation>La presión de la carga {0} no es un número finito.</translation>
+    </message>
+    <message>
+        <source>The gravity of load {0} is not a finite vector.</source>
+        <translation>La gravedad de la carga {0} no es un vector finito.</translation>
+    </message>
+    <message>
+        <source>A material needs at least 3 measurements of strain and stress.</source>
+        <translation>Un material necesita al menos 3 mediciones de deformación y tensión.</translation>
+    </message>
+    <message>
+        <source>A measurement of strain and stress is not a finite number.</source>
+        <translation>Una medición de deformación y tensión no es un número finito.</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio must lie between -1 and 0.5, and one neighbour or more is needed for a hull.</source>
+        <translation>El coeficiente de Poisson debe estar entre -1 y 0.5, y hace falta al menos un vecino para una envolvente.</translation>
+    </message>
+    <message>
+        <source>The measured stress does not grow with the strain.</source>
+        <translation>La tensión medida no crece con la deformación.</translation>
+    </message>
+    <message>
+        <source>Assembling the stiffness</source>
+        <translation>Ensamblando la rigidez</translation>
+    </message>
+    <message>
+        <source>Assembled</source>
+        <translation>Ensamblado</translation>
+    </message>
+    <message>
+        <source>A motion needs a step and a tolerance above zero, and damping not below it.</source>
+        <translation>Un movimiento necesita un paso y una tolerancia mayores que cero y un amortiguamiento no negativo.</translation>
+    </message>
+    <message>
+        <source>{0} nodes in this body need more than 5e8 voxels: take fewer.</source>
+        <translation>{0} nodos en este cuerpo necesitan más de 5e8 vóxeles: tome menos.</translation>
+    </message>
+    <message>
+        <source>Spreading the nodes</source>
+        <translation>Repartiendo los nodos</translation>
+    </message>
+    <message>
+        <source>Measuring how the material sees the body</source>
+        <translation>Midiendo cómo ve el material el cuerpo</translation>
+    </message>
+    <message>
+        <source>{0} nodes, {1} voxels a node and an overlap of {2} cannot be: the last two must be at least 1 and above 1.</source>
+        <translation>{0} nodos, {1} vóxeles por nodo y un solapamiento de {2} no son posibles: los dos últimos deben ser al menos 1 y mayor que 1.</translation>
+    </message>
+    <message>
+        <source>One linear solve a step moves the materials &quot;linear&quot; and &quot;corotational&quot;, without ligaments or a capsule.</source>
+        <translation>Una resolución lineal por paso mueve los materiales &quot;linear&quot; y &quot;corotational&quot;, sin ligamentos ni cápsula.</translation>
+    </message>
+    <message>
+        <source>The cut does not cross the body.</source>
+        <translation>El corte no atraviesa el cuerpo.</translation>
+    </message>
+    <message>
+        <source>Check that cut and mesh are in the same coordinates (LPS, mm).</source>
+        <translation>Compruebe que el corte y la malla están en las mismas coordenadas (LPS, mm).</translation>
+    </message>
+    <message>
+        <source>A tool needs rods with finite ends and a radius above zero, and a pose that turns and moves it.</source>
+        <translation>Un instrumento necesita barras con extremos finitos y radio mayor que cero, y una pose que lo gire y lo mueva.</translation>
+    </message>
+    <message>
+        <source>{0} must be a name in quotes.</source>
+        <translation>{0} debe ser un nombre entre comillas.</translation>
+    </message>
+    <message>
+        <source>{0} must be one of {1}.</source>
+        <translation>{0} debe ser uno de {1}.</translation>
+    </message>
+    <message>
+        <source>{0} must be a list in brackets.</source>
+        <translation>{0} debe ser una lista entre corchetes.</translation>
+    </message>
+    <message>
+        <source>{0} goes with the material &quot;veronda-westmann&quot;: give both or neither.</source>
+        <translation>{0} va con el material &quot;veronda-westmann&quot;: indique ambos o ninguno.</translation>
+    </message>
+    <message>
+        <source>{0} and &quot;youngs_modulus_kPa&quot; both say how stiff the body is: give one.</source>
+        <translation>{0} y &quot;youngs_modulus_kPa&quot; indican ambos la rigidez del cuerpo: indique solo uno.</translation>
+    </message>
+    <message>
+        <source>{0} has the same id &quot;{1}&quot; as another.</source>
+        <translation>{0} tiene el mismo identificador «{1}» que otro.</translation>
+    </message>
+    <message>
+        <source>{0} needs exactly one of &quot;point_array&quot;, &quot;sphere&quot; and &quot;box&quot;.</source>
+        <translation>{0} necesita exactamente uno de &quot;point_array&quot;, &quot;sphere&quot; y &quot;box&quot;.</translation>
+    </message>
+    <message>
+        <source>In {0} the box&apos;s min_mm must not exceed its max_mm.</source>
+        <translation>En {0} el min_mm de la caja no debe superar su max_mm.</translation>
+    </message>
+    <message>
+        <source>{0} is a ligament: it takes neither &quot;foundation_kPa_per_mm&quot; nor &quot;directions&quot;.</source>
+        <translation>{0} es un ligamento: no admite ni &quot;foundation_kPa_per_mm&quot; ni &quot;directions&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} has both &quot;foundation_kPa_per_mm&quot; and &quot;directions&quot;: a foundation acts in all directions.</source>
+        <translation>{0} tiene a la vez &quot;foundation_kPa_per_mm&quot; y &quot;directions&quot;: una cimentación actúa en todas las direcciones.</translation>
+    </message>
+    <message>
+        <source>The directions of {0} must be a list such as [&quot;x&quot;, &quot;z&quot;].</source>
+        <translation>Las direcciones de {0} deben ser una lista, por ejemplo [&quot;x&quot;, &quot;z&quot;].</translation>
+    </message>
+    <message>
+        <source>{0} needs exactly one of &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; and &quot;gravity_of_patient&quot;.</source>
+        <translation>{0} necesita exactamente uno de &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; y &quot;gravity_of_patient&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} must lie between -90 and 90 degrees.</source>
+        <translation>{0} debe estar entre -90 y 90 grados.</translation>
+    </message>
+    <message>
+        <source>{0} has both &quot;left_tilt_deg&quot; and &quot;right_tilt_deg&quot;: give one.</source>
+        <translation>{0} tiene a la vez &quot;left_tilt_deg&quot; y &quot;right_tilt_deg&quot;: indique solo uno.</translation>
+    </message>
+    <message>
+        <source>{0} must be true or false.</source>
+        <translation>{0} debe ser true o false.</translation>
+    </message>
+    <message>
+        <source>The steps of {0} must be a whole number from 1 to 1000000.</source>
+        <translation>Los pasos de {0} deben ser un número entero de 1 a 1000000.</translation>
+    </message>
+    <message>
+        <source>The normal of {0} must not be zero.</source>
+        <translation>La normal de {0} no debe ser cero.</translation>
+    </message>
+    <message>
+        <source>The nodes of {0} must be a whole number from 1 to 1000000.</source>
+        <translation>Los nodos de {0} deben ser un número entero de 1 a 1000000.</translation>
+    </message>
+    <message>
+        <source>The mesh has no cell array {0} with one value a cell.</source>
+        <translation>La malla no tiene una matriz de celdas {0} con un valor por celda.</translation>
+    </message>
+    <message>
+        <source>Give the scenario &quot;youngs_modulus_kPa&quot;, a number or the name of a cell array; the mesh&apos;s cell arrays are: {1}.</source>
+        <translation>Dé al escenario &quot;youngs_modulus_kPa&quot;, un número o el nombre de una matriz de celdas; las matrices de celdas de la malla son: {1}.</translation>
+    </message>
+    <message>
+        <source>The position of landmark {0} is not a finite point.</source>
+        <translation>La posición del punto de referencia {0} no es un punto finito.</translation>
+    </message>
+    <message>
+        <source>Landmark {0} lies {1} mm outside the body.</source>
+        <translation>El punto de referencia {0} está a {1} mm fuera del cuerpo.</translation>
+    </message>
+    <message>
+        <source>Check that landmarks and mesh are in the same coordinates (LPS, mm).</source>
+        <translation>Compruebe que los puntos de referencia y la malla están en las mismas coordenadas (LPS, mm).</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Resolviendo</translation>
+    </message>
+    <message>
+        <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments or the meshfree engine.</source>
+        <translation>Directamente a partir de datos hay equilibrios por elementos finitos: sin movimiento, cápsula, ligamentos ni motor sin malla.</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>Moviendo</translation>
+    </message>
+    <message>
+        <source>Checking the model</source>
+        <translation>Comprobando el modelo</translation>
+    </message>
+    <message>
+        <source>A ligament only pulls, so it is not linear: look for the equilibrium by steps.</source>
+        <translation>Un ligamento solo tira, así que no es lineal: busque el equilibrio por pasos.</translation>
+    </message>
+    <message>
+        <source>Nodal loads need {0} values: three a node.</source>
+        <translation>Las cargas nodales necesitan {0} valores: tres por nodo.</translation>
+    </message>
+    <message>
+        <source>A nodal load is not a finite number.</source>
+        <translation>Una carga nodal no es un número finito.</translation>
+    </message>
+    <message>
+        <source>Support {0} names no point of the mesh.</source>
+        <translation>El apoyo {0} no nombra ningún punto de la malla.</translation>
+    </message>
+    <message>
+        <source>Move or enlarge its region, or name another point array.</source>
+        <translation>Mueva o amplíe su región o nombre otra matriz de puntos.</translation>
+    </message>
+    <message>
+        <source>The foundation of support {0} needs a stiffness above zero, not {1} kPa/mm.</source>
+        <translation>La cimentación del apoyo {0} necesita una rigidez mayor que cero, no {1} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>The foundation of support {0} covers no face: no face of the surface has all three points named.</source>
+        <translation>La cimentación del apoyo {0} no cubre ninguna cara: ninguna cara de la superficie tiene nombrados sus tres puntos.</translation>
+    </message>
+    <message>
+        <source>Move or enlarge its region.</source>
+        <translation>Mueva o amplíe su región.</translation>
+    </message>
+    <message>
+        <source>Support {0} asks for the point array {1}, which the mesh does not have with one value a point.</source>
+        <translation>El apoyo {0} pide la matriz de puntos {1}, que la malla no tiene con un valor por punto.</translation>
+    </message>
+    <message>
+        <source>The mesh&apos;s point arrays are: {2}.</source>
+        <translation>Las matrices de puntos de la malla son: {2}.</translation>
+    </message>
+    <message>
+        <source>The point array {0} is not a number at point {1}.</source>
+        <translation>La matriz de puntos {0} no es un número en el punto {1}.</translation>
+    </message>
+    <message>
+        <source>The sphere of support {0} needs a finite centre and a radius above zero.</source>
+        <translation>La esfera del apoyo {0} necesita un centro finito y un radio mayor que cero.</translation>
+    </message>
+    <message>
+        <source>The box of support {0} needs finite corners, the smaller one first.</source>
+        <translation>La caja del apoyo {0} necesita esquinas finitas, la menor primero.</translation>
+    </message>
+    <message>
+        <source>The ligament of support {0} needs a finite anchor, a stiffness above zero and a slack not below it.</source>
+        <translation>El ligamento del apoyo {0} necesita un anclaje finito, una rigidez mayor que cero y una holgura no negativa.</translation>
+    </message>
+    <message>
+        <source>The ligament of support {0} names no point of the surface.</source>
+        <translation>El ligamento del apoyo {0} no nombra ningún punto de la superficie.</translation>
+    </message>
+    <message>
+        <source>There is no published tissue {0}.</source>
+        <translation>No hay ningún tejido publicado {0}.</translation>
+    </message>
+    <message>
+        <source>The tissues are: {1}.</source>
+        <translation>Los tejidos son: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} nodes in {1} rounds cannot be made; both must be at least 1.</source>
+        <translation>{0} nodos en {1} rondas no son posibles; ambos deben ser al menos 1.</translation>
+    </message>
+    <message>
+        <source>The body holds no voxels.</source>
+        <translation>El cuerpo no contiene vóxeles.</translation>
+    </message>
+    <message>
+        <source>{0} nodes are more than the body has voxels ({1}).</source>
+        <translation>{0} nodos son más que los vóxeles del cuerpo ({1}).</translation>
+    </message>
+    <message>
+        <source>The mesh generator gave up: {0}.</source>
+        <translation>El generador de mallas ha desistido: {0}.</translation>
+    </message>
+    <message>
+        <source>Ask for another number of cells, or smooth the labels.</source>
+        <translation>Pida otro número de celdas o suavice las etiquetas.</translation>
+    </message>
+    <message>
+        <source>The label map holds no labelled voxel, so there is no body to mesh.</source>
+        <translation>El mapa de etiquetas no contiene ningún vóxel etiquetado, así que no hay cuerpo que mallar.</translation>
+    </message>
+    <message>
+        <source>Segment the liver first.</source>
+        <translation>Segmente antes el hígado.</translation>
+    </message>
+    <message>
+        <source>The label map has {0} values for a grid of {1} x {2} x {3} voxels.</source>
+        <translation>El mapa de etiquetas tiene {0} valores para una cuadrícula de {1} x {2} x {3} vóxeles.</translation>
+    </message>
+    <message>
+        <source>The label map&apos;s axes are not at right angles, or its spacing is not positive.</source>
+        <translation>Los ejes del mapa de etiquetas no son perpendiculares o su espaciado no es positivo.</translation>
+    </message>
+    <message>
+        <source>A structure without voxels has no surface.</source>
+        <translation>Una estructura sin vóxeles no tiene superficie.</translation>
+    </message>
+    <message>
+        <source>Preparing the labels</source>
+        <translation>Preparando las etiquetas</translation>
+    </message>
+    <message>
+        <source>Removing slivers</source>
+        <translation>Eliminando los tetraedros planos</translation>
+    </message>
+    <message>
+        <source>Measuring the distance to the label boundary</source>
+        <translation>Midiendo la distancia al límite de las etiquetas</translation>
+    </message>
+    <message>
+        <source>The surface of the mesh is not a closed manifold.</source>
+        <translation>La superficie de la malla no es una variedad cerrada.</translation>
+    </message>
+    <message>
+        <source>Meshed</source>
+        <translation>Mallado</translation>
+    </message>
+    <message>
+        <source>A mesh of {0} cells cannot be made; from {1} to {2} can.</source>
+        <translation>No se puede hacer una malla de {0} celdas; sí de {1} a {2}.</translation>
+    </message>
+    <message>
+        <source>The share of cells for inner structures is {0}; it must be in 0 to 1.</source>
+        <translation>La proporción de celdas para estructuras internas es {0}; debe estar entre 0 y 1.</translation>
+    </message>
+    <message>
+        <source>Filling the body with tetrahedra</source>
+        <translation>Rellenando el cuerpo con tetraedros</translation>
+    </message>
+    <message>
+        <source>A piece of {0} has {1} ml, but its cells only {2} ml: the mesh has lost it.</source>
+        <translation>Un trozo de {0} tiene {1} ml, pero sus celdas solo {2} ml: la malla lo ha perdido.</translation>
+    </message>
+    <message>
+        <source>Ask for more cells.</source>
+        <translation>Pida más celdas.</translation>
+    </message>
+    <message>
+        <source>A battery with a {0} of {1} does not exist.</source>
+        <translation>No existe una batería con {0} = {1}.</translation>
+    </message>
+    <message>
+        <source>Correct the device&apos;s battery.</source>
+        <translation>Corrija la batería del dispositivo.</translation>
+    </message>
+    <message>
+        <source>A load of {0} W is more than the battery&apos;s internal resistance lets through.</source>
+        <translation>Una carga de {0} W es más de lo que deja pasar la resistencia interna de la batería.</translation>
+    </message>
+    <message>
+        <source>A batch of {0} nodes takes more than the {1} MB there are for it.</source>
+        <translation>Un lote de {0} nodos ocupa más que los {1} MB disponibles.</translation>
+    </message>
+    <message>
+        <source>{0} lacks a reading within the discharge.</source>
+        <translation>A {0} le falta una lectura durante la descarga.</translation>
+    </message>
+    <message>
+        <source>The time goes back in {0}.</source>
+        <translation>El tiempo retrocede en {0}.</translation>
+    </message>
+    <message>
+        <source>{0} holds no discharge.</source>
+        <translation>{0} no contiene ninguna descarga.</translation>
+    </message>
+    <message>
+        <source>{0} lacks a reading of the ambient.</source>
+        <translation>A {0} le falta una lectura del ambiente.</translation>
+    </message>
+    <message>
+        <source>A cell is set up from one slow discharge and at least two that are five times as fast.</source>
+        <translation>Una celda se determina con una descarga lenta y al menos dos cinco veces más rápidas.</translation>
+    </message>
+    <message>
+        <source>A convergence curve has 2 to {0} points; this one has {1}.</source>
+        <translation>Una curva de convergencia tiene de 2 a {0} puntos; esta tiene {1}.</translation>
+    </message>
+    <message>
+        <source>Point {0} of the convergence curve, {1} mm3 and {2} mm, is not positive or does not increase from the point before.</source>
+        <translation>El punto {0} de la curva de convergencia, {1} mm3 y {2} mm, no es positivo o no aumenta respecto al anterior.</translation>
+    </message>
+    <message>
+        <source>{0} has no list of points.</source>
+        <translation>{0} no tiene ninguna lista de puntos.</translation>
+    </message>
+    <message>
+        <source>An accuracy of {0} mm is finer than the convergence study reaches ({1} mm at {2} mm3 a node).</source>
+        <translation>Una precisión de {0} mm es más fina de lo que alcanza el estudio de convergencia ({1} mm a {2} mm3 por nodo).</translation>
+    </message>
+    <message>
+        <source>Ask for {1} mm or more.</source>
+        <translation>Pida {1} mm o más.</translation>
+    </message>
+    <message>
+        <source>Device {0} has {1} {2}; it must lie between {3} and {4}.</source>
+        <translation>El dispositivo {0} tiene {1} {2}; debe estar entre {3} y {4}.</translation>
+    </message>
+    <message>
+        <source>Correct that figure in the device&apos;s file.</source>
+        <translation>Corrija esa cifra en el archivo del dispositivo.</translation>
+    </message>
+    <message>
+        <source>Device {0} has measured points that are not positive, not by increasing nodes, or more than {1}.</source>
+        <translation>El dispositivo {0} tiene puntos medidos que no son positivos, no están por nodos crecientes o son más de {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has no list &quot;devices&quot; of 1 to {1} devices.</source>
+        <translation>{0} no tiene una lista &quot;devices&quot; de 1 a {1} dispositivos.</translation>
+    </message>
+    <message>
+        <source>Two devices have the id &quot;{0}&quot;.</source>
+        <translation>Dos dispositivos tienen el identificador «{0}».</translation>
+    </message>
+    <message>
+        <source>Give each its own.</source>
+        <translation>Dé a cada uno el suyo.</translation>
+    </message>
+    <message>
+        <source>{0} has the id &quot;{1}&quot;.</source>
+        <translation>{0} tiene el identificador «{1}».</translation>
+    </message>
+    <message>
+        <source>Use up to 64 small letters, digits and dashes.</source>
+        <translation>Use hasta 64 letras minúsculas, cifras y guiones.</translation>
+    </message>
+    <message>
+        <source>{0} is worn &quot;{1}&quot;.</source>
+        <translation>{0} se lleva «{1}».</translation>
+    </message>
+    <message>
+        <source>Use head, belt or back.</source>
+        <translation>Use head, belt o back.</translation>
+    </message>
+    <message>
+        <source>The energy meter {0} stopped answering.</source>
+        <translation>El medidor de energía {0} ha dejado de responder.</translation>
+    </message>
+    <message>
+        <source>The processor&apos;s energy counters (RAPL) at {0} may be read by root only.</source>
+        <translation>Solo root puede leer los contadores de energía del procesador (RAPL) en {0}.</translation>
+    </message>
+    <message>
+        <source>No energy counters of the processor (RAPL) at {0}.</source>
+        <translation>No hay contadores de energía del procesador (RAPL) en {0}.</translation>
+    </message>
+    <message>
+        <source>No current sensors (INA) at {0}.</source>
+        <translation>No hay sensores de corriente (INA) en {0}.</translation>
+    </message>
+    <message>
+        <source>The battery is not discharging: unplug the machine to measure by its gauge.</source>
+        <translation>La batería no se descarga: desenchufe la máquina para medir con su indicador.</translation>
+    </message>
+    <message>
+        <source>No battery gauge at {0}.</source>
+        <translation>No hay indicador de batería en {0}.</translation>
+    </message>
+    <message>
+        <source>{0} does not say &quot;format&quot;: &quot;{1}&quot;.</source>
+        <translation>{0} no indica &quot;format&quot;: &quot;{1}&quot;.</translation>
+    </message>
+    <message>
+        <source>Check that it is the file you meant.</source>
+        <translation>Compruebe que es el archivo que quería.</translation>
+    </message>
+    <message>
+        <source>{0} has no &quot;{1}&quot;, or not of the right kind.</source>
+        <translation>{0} no tiene &quot;{1}&quot; o no es del tipo correcto.</translation>
+    </message>
+    <message>
+        <source>The shipped devices.json shows every key.</source>
+        <translation>El archivo devices.json incluido muestra todas las claves.</translation>
+    </message>
+    <message>
+        <source>{0} has &quot;{1}&quot; {2}; it must lie between {3} and {4}.</source>
+        <translation>{0} tiene &quot;{1}&quot; {2}; debe estar entre {3} y {4}.</translation>
+    </message>
+    <message>
+        <source>{0} has &quot;{1}&quot; empty or longer than {2} characters.</source>
+        <translation>{0} tiene &quot;{1}&quot; vacío o de más de {2} caracteres.</translation>
+    </message>
+    <message>
+        <source>{0} has the source &quot;{1}&quot;.</source>
+        <translation>{0} tiene la fuente «{1}».</translation>
+    </message>
+    <message>
+        <source>A figure is measured, from the dissertation, or assumed.</source>
+        <translation>Una cifra está medida, procede de la tesis o es supuesta.</translation>
+    </message>
+    <message>
+        <source>Idle power</source>
+        <translation>Potencia en reposo</translation>
+    </message>
+    <message>
+        <source>Nothing on this machine tells its energy: idle and active power are assumed. Measure them with a current clamp or a power meter, and give them.</source>
+        <translation>Nada en esta máquina indica su energía: las potencias en reposo y en carga son supuestas. Mídalas con una pinza amperimétrica o un vatímetro e indíquelas.</translation>
+    </message>
+    <message>
+        <source>Memory bandwidth</source>
+        <translation>Ancho de banda de la memoria</translation>
+    </message>
+    <message>
+        <source>Block products</source>
+        <translation>Productos por bloques</translation>
+    </message>
+    <message>
+        <source>Other work disturbed the timing: batches usually took {0} times as long as the fastest one. Measure again on a quiet machine.</source>
+        <translation>Otro trabajo ha perturbado la medida del tiempo: los lotes tardaron por lo general {0} veces más que el más rápido. Mida de nuevo en una máquina sin carga.</translation>
+    </message>
+    <message>
+        <source>The grid holds no problem.</source>
+        <translation>La cuadrícula no contiene ningún problema.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} problems are larger than the memory allowed and were left out; beyond {2} nodes the plan goes on in proportion.</source>
+        <translation>{0} de {1} problemas superan la memoria permitida y se han omitido; más allá de {2} nodos el plan continúa en proporción.</translation>
+    </message>
+    <message>
+        <source>This build has no OpenCL.</source>
+        <translation>Esta versión no tiene OpenCL.</translation>
+    </message>
+    <message>
+        <source>Build with -DGLISSON_OPENCL=ON.</source>
+        <translation>Compile con -DGLISSON_OPENCL=ON.</translation>
+    </message>
+    <message>
+        <source>OpenCL&apos;s {0} failed with {1}.</source>
+        <translation>{0} de OpenCL ha fallado con {1}.</translation>
+    </message>
+    <message>
+        <source>There is no OpenCL device &quot;{0}&quot;.</source>
+        <translation>No hay ningún dispositivo OpenCL «{0}».</translation>
+    </message>
+    <message>
+        <source>Found: {1}. A device shows once its driver is installed (pocl-opencl-icd for processors).</source>
+        <translation>Encontrado: {1}. Un dispositivo aparece cuando su controlador está instalado (pocl-opencl-icd para procesadores).</translation>
+    </message>
+    <message>
+        <source>{0} of {1} is not between {2} and {3}.</source>
+        <translation>{0} de {1} no está entre {2} y {3}.</translation>
+    </message>
+    <message>
+        <source>Correct the question.</source>
+        <translation>Corrija la pregunta.</translation>
+    </message>
+    <message>
+        <source>A room of {0} C is not cooler than the limit of {1} C.</source>
+        <translation>Una sala a {0} C no está más fría que el límite de {1} C.</translation>
+    </message>
+    <message>
+        <source>It draws {0} W when idle; its battery allows {1} W over {2} h, and is empty after {3} h without computing anything.</source>
+        <translation>Consume {0} W en reposo; su batería permite {1} W durante {2} h y se vacía en {3} h sin calcular nada.</translation>
+    </message>
+    <message>
+        <source>Its battery is empty after {0} h of {1} h: only {2} W of headroom over idling.</source>
+        <translation>Su batería se vacía tras {0} h de {1} h: solo {2} W de margen sobre el reposo.</translation>
+    </message>
+    <message>
+        <source>It reaches {0} C when idle; the limit is {1} C.</source>
+        <translation>Alcanza {0} C en reposo; el límite es {1} C.</translation>
+    </message>
+    <message>
+        <source>It reaches {0} C; the limit is {1} C.</source>
+        <translation>Alcanza {0} C; el límite es {1} C.</translation>
+    </message>
+    <message>
+        <source>It computes {0} frames a second of {1}.</source>
+        <translation>Calcula {0} fotogramas por segundo de {1}.</translation>
+    </message>
+    <message>
+        <source>The resolution for {0} mm comes from this curve: {1}</source>
+        <translation>La resolución para {0} mm procede de esta curva: {1}</translation>
+    </message>
+    <message>
+        <source>{0} mm is coarser than the convergence study reaches; planned is its coarsest resolution, {1} mm3 a node.</source>
+        <translation>{0} mm es más grueso de lo que alcanza el estudio de convergencia; se planifica con su resolución más gruesa, {1} mm3 por nodo.</translation>
+    </message>
+    <message>
+        <source>A frame is {0} block products as in the dissertation, without the vector updates of conjugate gradients; a simulation that couples 27 nodes moves {1} times as much.</source>
+        <translation>Un fotograma son {0} productos por bloques como en la tesis, sin las actualizaciones de vectores del gradiente conjugado; una simulación que acopla 27 nodos mueve {1} veces más datos.</translation>
+    </message>
+    <message>
+        <source>{0} holds with next to no headroom: its battery allows {1} W over {2} h, and idling takes {3} W of them.</source>
+        <translation>{0} aguanta casi sin margen: su batería permite {1} W durante {2} h, y el reposo consume {3} W de ellos.</translation>
+    </message>
+    <message>
+        <source>{0}: after {1} s comes {2} s.</source>
+        <translation>{0}: después de {1} s viene {2} s.</translation>
+    </message>
+    <message>
+        <source>Give the column that holds the time, or cut the file there.</source>
+        <translation>Indique la columna que contiene el tiempo o corte ahí el archivo.</translation>
+    </message>
+    <message>
+        <source>{0} has {1} samples and {2} rows without a reading.</source>
+        <translation>{0} tiene {1} mediciones y {2} filas sin lectura.</translation>
+    </message>
+    <message>
+        <source>Check the columns; at most every tenth row may be empty.</source>
+        <translation>Compruebe las columnas; como máximo una de cada diez filas puede estar vacía.</translation>
+    </message>
+    <message>
+        <source>The trace holds {0} runs, the log {1}.</source>
+        <translation>El registro contiene {0} ejecuciones, el diario {1}.</translation>
+    </message>
+    <message>
+        <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
+        <translation>Cambie la ejecución y la pausa más cortas o recorte el registro a las ejecuciones del diario.</translation>
+    </message>
+    <message>
+        <source>Run {0} drew nothing above idle, or nothing was run in it.</source>
+        <translation>La ejecución {0} no consumió nada por encima del reposo o no se ejecutó nada en ella.</translation>
+    </message>
+    <message>
+        <source>A trace needs a channel, and factors and a range that are positive.</source>
+        <translation>Un registro necesita un canal, y factores y un intervalo positivos.</translation>
+    </message>
+    <message>
+        <source>The power does not move between two levels, so no runs can be told from pauses.</source>
+        <translation>La potencia no se mueve entre dos niveles, de modo que no se distinguen las ejecuciones de las pausas.</translation>
+    </message>
+    <message>
+        <source>Record pauses between the runs; check that the right column was read.</source>
+        <translation>Registre pausas entre las ejecuciones; compruebe que se leyó la columna correcta.</translation>
+    </message>
+    <message>
+        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
+        <translation>El registro tiene {0} huecos; las ejecuciones terminan ahí y no se inventa nada para ellos.</translation>
+    </message>
+    <message>
+        <source>{0} rows held no reading.</source>
+        <translation>{0} filas no contenían ninguna lectura.</translation>
+    </message>
+    <message>
+        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
+        <translation>{0} ejecuciones alcanzan el final del intervalo de un canal: su potencia es una cota inferior. Registre de nuevo con un intervalo mayor.</translation>
+    </message>
+    <message>
+        <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
+        <translation>La potencia en reposo varía {0} W durante el registro; cada ejecución se compara con las pausas contiguas.</translation>
+    </message>
+    <message>
+        <source>A liver of {0} cm3 is outside {1} to {2} cm3.</source>
+        <translation>Un hígado de {0} cm3 está fuera del intervalo de {1} a {2} cm3.</translation>
+    </message>
+    <message>
+        <source>Check the volume and its unit: 1 litre is 1000 cm3.</source>
+        <translation>Compruebe el volumen y su unidad: 1 litro son 1000 cm3.</translation>
+    </message>
+    <message>
+        <source>A node cannot stand for {0} mm3.</source>
+        <translation>Un nodo no puede representar {0} mm3.</translation>
+    </message>
+    <message>
+        <source>A domain of influence of {0} nodes is no cube around a node.</source>
+        <translation>Un dominio de influencia de {0} nodos no es un cubo alrededor de un nodo.</translation>
+    </message>
+    <message>
+        <source>Use 1, 27 or 125.</source>
+        <translation>Use 1, 27 o 125.</translation>
+    </message>
+    <message>
+        <source>{0} products a frame are not between 1 and 100000.</source>
+        <translation>{0} productos por fotograma no están entre 1 y 100000.</translation>
+    </message>
+    <message>
+        <source>The folder {0} holds no judgement of a registration.</source>
+        <translation>La carpeta {0} no contiene ninguna valoración de un registro.</translation>
+    </message>
+    <message>
+        <source>Make one: glisson-cli sirgn SEQUENCE.json --method icp --out FOLDER.</source>
+        <translation>Genere una: glisson-cli sirgn SECUENCIA.json --method icp --out CARPETA.</translation>
+    </message>
+    <message>
+        <source>{0}: {1}.</source>
+        <translation>{0}: {1}.</translation>
+    </message>
+    <message>
+        <source>A sequence names frames with a cloud each, and landmarks.</source>
+        <translation>Una secuencia nombra fotogramas con una nube de puntos cada uno y puntos de referencia.</translation>
+    </message>
+    <message>
+        <source>it is not an object</source>
+        <translation>no es un objeto</translation>
+    </message>
+    <message>
+        <source>it has no list of frames</source>
+        <translation>no tiene lista de fotogramas</translation>
+    </message>
+    <message>
+        <source>registered does not name one cloud a frame</source>
+        <translation>registered no nombra una nube de puntos por fotograma</translation>
+    </message>
+    <message>
+        <source>registered holds something that is no file name</source>
+        <translation>registered contiene algo que no es un nombre de archivo</translation>
+    </message>
+    <message>
+        <source>camera has no 3 x 3 matrix, or a distortion that is no list of numbers</source>
+        <translation>camera no tiene una matriz de 3 x 3 o su distorsión no es una lista de números</translation>
+    </message>
+    <message>
+        <source>Frame {0} is missing: there is no file {1}.</source>
+        <translation>Falta el fotograma {0}: no hay ningún archivo {1}.</translation>
+    </message>
+    <message>
+        <source>Remove the frame from the sequence (and number the tracks anew), or add it.</source>
+        <translation>Quite el fotograma de la secuencia (y renumere los seguimientos) o añádalo.</translation>
+    </message>
+    <message>
+        <source>it names no file of landmarks</source>
+        <translation>no nombra ningún archivo de puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm with a frame below {2}.</source>
+        <translation>La línea {1} de {0} no es landmark,frame,x_mm,y_mm,z_mm con un fotograma menor que {2}.</translation>
+    </message>
+    <message>
+        <source>Frame {0} holds no point that is finite.</source>
+        <translation>El fotograma {0} no contiene ningún punto finito.</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>fotogramas</translation>
+    </message>
+    <message>
+        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
+        <translation>{0} puntos de referencia se vieron en tres o más fotogramas; hacen falta cuatro no alineados.</translation>
+    </message>
+    <message>
+        <source>Track more features, or mark them by hand.</source>
+        <translation>Siga más rasgos o márquelos a mano.</translation>
+    </message>
+    <message>
+        <source>warps</source>
+        <translation>deformaciones</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>triángulos</translation>
+    </message>
+    <message>
+        <source>{0} frames are too few to correlate; {1} are needed.</source>
+        <translation>{0} fotogramas son demasiado pocos para correlacionar; hacen falta {1}.</translation>
+    </message>
+    <message>
+        <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
+        <translation>El fotograma {0} tiene {1} puntos, y {2} tras el registro: deben corresponderse uno a uno.</translation>
+    </message>
+    <message>
+        <source>Landmark {0} was followed through {1} frames of {2}.</source>
+        <translation>El punto de referencia {0} se siguió en {1} fotogramas de {2}.</translation>
+    </message>
+    <message>
+        <source>A tolerance must be a positive number of mm.</source>
+        <translation>Una tolerancia debe ser un número positivo de mm.</translation>
+    </message>
+    <message>
+        <source>The folder {0} is not empty.</source>
+        <translation>La carpeta {0} no está vacía.</translation>
+    </message>
+    <message>
+        <source>Name a new folder for the sequence.</source>
+        <translation>Indique una carpeta nueva para la secuencia.</translation>
+    </message>
+    <message>
+        <source>The {0} video ends after {1} frames, before the other.</source>
+        <translation>El vídeo {0} termina tras {1} fotogramas, antes que el otro.</translation>
+    </message>
+    <message>
+        <source>{0} frames show something; {1} are needed.</source>
+        <translation>{0} fotogramas muestran algo; hacen falta {1}.</translation>
+    </message>
+    <message>
+        <source>No feature could be followed through {0} frames.</source>
+        <translation>Ningún rasgo se pudo seguir a lo largo de {0} fotogramas.</translation>
+    </message>
+    <message>
+        <source>Take more frames, or give landmarks and a model of your own.</source>
+        <translation>Tome más fotogramas o indique puntos de referencia y un modelo propios.</translation>
+    </message>
+    <message>
+        <source>matching</source>
+        <translation>emparejando</translation>
+    </message>
+    <message>
+        <source>No two frames share four landmarks.</source>
+        <translation>No hay dos fotogramas que compartan cuatro puntos de referencia.</translation>
+    </message>
+    <message>
+        <source>Track more features, or leave out fewer frames.</source>
+        <translation>Siga más rasgos u omita menos fotogramas.</translation>
+    </message>
+    <message>
+        <source>Two frames or more can be aligned.</source>
+        <translation>Se pueden alinear dos fotogramas o más.</translation>
+    </message>
+    <message>
+        <source>A landmark was followed through {0} frames of {1}.</source>
+        <translation>Un punto de referencia se siguió en {0} fotogramas de {1}.</translation>
+    </message>
+    <message>
+        <source>aligning frames</source>
+        <translation>alineando fotogramas</translation>
+    </message>
+    <message>
+        <source>The distances between the points of the {0} are not square.</source>
+        <translation>Las distancias entre los puntos de {0} no forman una matriz cuadrada.</translation>
+    </message>
+    <message>
+        <source>The {0} has fewer than two points to match.</source>
+        <translation>{0} tiene menos de dos puntos que emparejar.</translation>
+    </message>
+    <message>
+        <source>The {0} has {1} points to match; {2} is the most.</source>
+        <translation>{0} tiene {1} puntos que emparejar; el máximo es {2}.</translation>
+    </message>
+    <message>
+        <source>Some points of the {0} are not connected over the surface.</source>
+        <translation>Algunos puntos de {0} no están conectados sobre la superficie.</translation>
+    </message>
+    <message>
+        <source>Keep the largest connected piece, or bridge the gap before matching.</source>
+        <translation>Conserve el mayor trozo conexo o cierre el hueco antes de emparejar.</translation>
+    </message>
+    <message>
+        <source>The distances between the points of the {0} are not those of a metric.</source>
+        <translation>Las distancias entre los puntos de {0} no son las de una métrica.</translation>
+    </message>
+    <message>
+        <source>The seed must hold one finite cost a source point and target point.</source>
+        <translation>La semilla debe contener un coste finito por cada punto de origen y de destino.</translation>
+    </message>
+    <message>
+        <source>sigma, tau and q must be positive.</source>
+        <translation>sigma, tau y q deben ser positivos.</translation>
+    </message>
+    <message>
+        <source>The written-out field needs {0} MB; {1} MB are allowed.</source>
+        <translation>El campo desarrollado necesita {0} MB; se permiten {1} MB.</translation>
+    </message>
+    <message>
+        <source>No point of one surface has a partner on the other.</source>
+        <translation>Ningún punto de una superficie tiene pareja en la otra.</translation>
+    </message>
+    <message>
+        <source>Align the surfaces roughly first, or give landmarks.</source>
+        <translation>Alinee antes las superficies de forma aproximada o indique puntos de referencia.</translation>
+    </message>
+    <message>
+        <source>non-rigid alignment</source>
+        <translation>alineación no rígida</translation>
+    </message>
+    <message>
+        <source>A landmark names point {0}, which cannot be led anywhere.</source>
+        <translation>Un punto de referencia nombra el punto {0}, que no se puede llevar a ninguna parte.</translation>
+    </message>
+    <message>
+        <source>The step of the non-rigid alignment has no solution.</source>
+        <translation>El paso de la alineación no rígida no tiene solución.</translation>
+    </message>
+    <message>
+        <source>By their geodesic distances the surfaces match only inside out.</source>
+        <translation>Por sus distancias geodésicas, las superficies solo encajan invertidas.</translation>
+    </message>
+    <message>
+        <source>Align them roughly and match with positions as prior, or use more points.</source>
+        <translation>Alinéelas de forma aproximada y empareje con las posiciones como información previa, o use más puntos.</translation>
+    </message>
+    <message>
+        <source>{0} points cannot be aligned to {1}.</source>
+        <translation>{0} puntos no se pueden alinear con {1}.</translation>
+    </message>
+    <message>
+        <source>A rigid alignment needs three pairs of points that do not lie on one line.</source>
+        <translation>Una alineación rígida necesita tres pares de puntos no alineados.</translation>
+    </message>
+    <message>
+        <source>Some of the points to align are not finite.</source>
+        <translation>Algunos de los puntos que alinear no son finitos.</translation>
+    </message>
+    <message>
+        <source>rigid alignment</source>
+        <translation>alineación rígida</translation>
+    </message>
+    <message>
+        <source>A surface of {0} points cannot give {1} samples.</source>
+        <translation>Una superficie de {0} puntos no puede dar {1} muestras.</translation>
+    </message>
+    <message>
+        <source>geodesic distances</source>
+        <translation>distancias geodésicas</translation>
+    </message>
+    <message>
+        <source>A spline needs as many finite points to start from as to lead to.</source>
+        <translation>Una spline necesita tantos puntos finitos de partida como de llegada.</translation>
+    </message>
+    <message>
+        <source>{0} points are too many for a spline; {1} is the most.</source>
+        <translation>{0} puntos son demasiados para una spline; el máximo es {1}.</translation>
+    </message>
+    <message>
+        <source>A spline needs four matched points that do not lie in one plane.</source>
+        <translation>Una spline necesita cuatro puntos emparejados que no estén en un plano.</translation>
+    </message>
+    <message>
+        <source>A result that did not converge cannot be compared: {0}</source>
+        <translation>Un resultado que no ha convergido no se puede comparar: {0}</translation>
+    </message>
+    <message>
+        <source>A result lacks the point array {0} with three values a point.</source>
+        <translation>A un resultado le falta la matriz de puntos {0} con tres valores por punto.</translation>
+    </message>
+    <message>
+        <source>Compare results of the same mesh.</source>
+        <translation>Compare resultados de la misma malla.</translation>
+    </message>
+    <message>
+        <source>The two results are not of the same mesh: {0} points and {1} cells against {2} and {3}.</source>
+        <translation>Los dos resultados no son de la misma malla: {0} puntos y {1} celdas frente a {2} y {3}.</translation>
+    </message>
+    <message>
+        <source>The two results are not of the same mesh: point {0} rests at different places.</source>
+        <translation>Los dos resultados no son de la misma malla: el punto {0} reposa en lugares distintos.</translation>
+    </message>
+    <message>
+        <source>No part of the surface looks like the liver&apos;s bare area (its upper rear).</source>
+        <translation>Ninguna parte de la superficie se parece al área desnuda del hígado (arriba y detrás).</translation>
+    </message>
+    <message>
+        <source>Name the supports in the scenario, by a sphere or a box.</source>
+        <translation>Nombre los apoyos en el escenario, con una esfera o una caja.</translation>
+    </message>
+    <message>
+        <source>{0} of the session cannot be read: {1}.</source>
+        <translation>No se puede leer {0} de la sesión: {1}.</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} or {&quot;undo&quot;: true}.</source>
+        <translation>Una orden es {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} o {&quot;undo&quot;: true}.</translation>
+    </message>
+    <message>
+        <source>The cut passes the liver by.</source>
+        <translation>El corte pasa de largo del hígado.</translation>
+    </message>
+    <message>
+        <source>Move it through the liver; positions are patient coordinates (LPS, mm).</source>
+        <translation>Muévalo a través del hígado; las posiciones son coordenadas del paciente (LPS, mm).</translation>
+    </message>
+    <message>
+        <source>The point of the specimen lies on the cut, or is not finite.</source>
+        <translation>El punto de la pieza quirúrgica está sobre el corte o no es finito.</translation>
+    </message>
+    <message>
+        <source>The step did not converge: after {0} rounds a tool still reaches {1} mm into the surface, which still moves by {2} mm.</source>
+        <translation>El paso no ha convergido: tras {0} rondas un instrumento aún penetra {1} mm en la superficie, que aún se mueve {2} mm.</translation>
+    </message>
+    <message>
+        <source>Placing landmarks and structures</source>
+        <translation>Colocando los puntos de referencia y las estructuras</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Listo</translation>
+    </message>
+    <message>
+        <source>Nathanson liver retractor</source>
+        <translation>Separador hepático de Nathanson</translation>
+    </message>
+    <message>
+        <source>A bent rod that lies under the liver as a hook some centimetres across, sold in several sizes. We found no published drawing and no measured force: that it spreads its pull over a disc of 70 mm is our assumption, and 2 N is the weight of 190 ml of liver (1.06 kg/l), what lifting the lower part of segment VI takes. On a real liver&apos;s shape with a uniform 6 kPa, 2 N hoist it by 18 mm; linear elasticity is strained beyond.</source>
+        <translation>Una varilla curvada que se apoya bajo el hígado como un gancho de unos centímetros, a la venta en varios tamaños. No hemos encontrado ningún dibujo publicado ni ninguna fuerza medida: que reparta su tracción sobre un disco de 70 mm es una suposición nuestra, y 2 N es el peso de 190 ml de hígado (1.06 kg/l), lo que exige elevar la parte inferior del segmento VI. Con la forma de un hígado real de 6 kPa uniformes, 2 N lo elevan 18 mm; más allá, la elasticidad lineal deja de ser válida.</translation>
+    </message>
+    <message>
+        <source>Grasper</source>
+        <translation>Pinza de agarre</translation>
+    </message>
+    <message>
+        <source>Grip forces in porcine laparoscopic liver resection: 1.75 N on average, 3.38 N at most (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). The jaw&apos;s patch of 12 mm is our assumption.</source>
+        <translation>Fuerzas de agarre en resecciones hepáticas laparoscópicas en cerdos: 1.75 N de media, 3.38 N como máximo (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). El contacto de la mordaza, de 12 mm, es una suposición nuestra.</translation>
+    </message>
+    <message>
+        <source>Palpation probe</source>
+        <translation>Sonda de palpación</translation>
+    </message>
+    <message>
+        <source>A sphere of 10 mm pressed lightly; size and force are our assumption.</source>
+        <translation>Una esfera de 10 mm apretada levemente; el tamaño y la fuerza son suposiciones nuestras.</translation>
+    </message>
+    <message>
+        <source>There is no tool {0}.</source>
+        <translation>No hay ningún instrumento {0}.</translation>
+    </message>
+    <message>
+        <source>The tools are: {1}.</source>
+        <translation>Los instrumentos son: {1}.</translation>
+    </message>
+    <message>
+        <source>A case has no scene named {0}; it has {1}.</source>
+        <translation>Un caso no tiene ninguna escena llamada {0}; tiene {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has no displacement.</source>
+        <translation>{0} no tiene desplazamiento.</translation>
+    </message>
+    <message>
+        <source>A picture has from {0} to {1} pixels a side; {2} x {3} were asked for.</source>
+        <translation>Una imagen tiene de {0} a {1} píxeles por lado; se pidieron {2} x {3}.</translation>
+    </message>
+    <message>
+        <source>There is nothing to draw with: neither EGL with OpenGL 3.2 nor an X server.</source>
+        <translation>No hay con qué dibujar: ni EGL con OpenGL 3.2 ni un servidor X.</translation>
+    </message>
+    <message>
+        <source>Install Mesa&apos;s drivers (on Debian: libegl-mesa0 and libgl1-mesa-dri).</source>
+        <translation>Instale los controladores de Mesa (en Debian: libegl-mesa0 y libgl1-mesa-dri).</translation>
+    </message>
+    <message>
+        <source>The picture could not be written: {0}.</source>
+        <translation>No se ha podido escribir la imagen: {0}.</translation>
+    </message>
+    <message>
+        <source>Choose a folder that you may write to, on a disk with room.</source>
+        <translation>Elija una carpeta en la que pueda escribir, en un disco con espacio.</translation>
+    </message>
+    <message>
+        <source>This is not a PNG picture that can be read: {0}.</source>
+        <translation>Esta no es una imagen PNG legible: {0}.</translation>
+    </message>
+    <message>
+        <source>Check that the file is whole.</source>
+        <translation>Compruebe que el archivo está completo.</translation>
+    </message>
+    <message>
+        <source>it is larger than 16384 pixels a side</source>
+        <translation>tiene más de 16384 píxeles por lado</translation>
+    </message>
+    <message>
+        <source>The picture cannot be drawn: {0}.</source>
+        <translation>No se puede dibujar la imagen: {0}.</translation>
+    </message>
+    <message>
+        <source>Every voxel of the image has the same value: there is nothing to grow in.</source>
+        <translation>Todos los vóxeles de la imagen tienen el mismo valor: no hay dónde crecer.</translation>
+    </message>
+    <message>
+        <source>Growing</source>
+        <translation>Creciendo</translation>
+    </message>
+    <message>
+        <source>No tissue thick enough to be an organ hangs together with the seeds.</source>
+        <translation>Ningún tejido lo bastante grueso para ser un órgano está unido a las semillas.</translation>
+    </message>
+    <message>
+        <source>Move the seed into the middle of the liver, away from vessels and edges.</source>
+        <translation>Mueva la semilla al centro del hígado, lejos de vasos y bordes.</translation>
+    </message>
+    <message>
+        <source>Smoothing the outline</source>
+        <translation>Suavizando el contorno</translation>
+    </message>
+    <message>
+        <source>There is no image value around seed {0}.</source>
+        <translation>No hay ningún valor de imagen alrededor de la semilla {0}.</translation>
+    </message>
+    <message>
+        <source>Seed {0} is much brighter ({1}) than seed {2} ({3}): one of them is probably not in the liver. Take it away.</source>
+        <translation>La semilla {0} es mucho más clara ({1}) que la semilla {2} ({3}): una de ellas probablemente no está en el hígado. Quítela.</translation>
+    </message>
+    <message>
+        <source>Nothing grew from seed {0}: the tissue around it is too thin or uneven. Move it to the middle of the liver.</source>
+        <translation>Nada ha crecido desde la semilla {0}: el tejido que la rodea es demasiado fino o irregular. Muévala al centro del hígado.</translation>
+    </message>
+    <message>
+        <source>The region reaches the side of the image: it has probably leaked into the body wall. Cut it there, or raise neck_radius_mm.</source>
+        <translation>La región llega al lado de la imagen: probablemente se ha extendido a la pared abdominal. Córtela ahí o aumente neck_radius_mm.</translation>
+    </message>
+    <message>
+        <source>The region reaches the first or last slice: the liver is not wholly in the image, and its volume is that of the part seen.</source>
+        <translation>La región llega al primer o al último corte: el hígado no está entero en la imagen y su volumen es el de la parte visible.</translation>
+    </message>
+    <message>
+        <source>{0} ml is more than a liver holds: the region has probably leaked into a neighbour. Raise neck_radius_mm, or cut it by hand.</source>
+        <translation>{0} ml es más de lo que tiene un hígado: la región probablemente se ha extendido a un órgano vecino. Aumente neck_radius_mm o córtela a mano.</translation>
+    </message>
+    <message>
+        <source>{0} ml is less than an adult&apos;s liver holds: the growth has probably stopped early. Add a seed in the part that is missing, or raise tolerance_sd.</source>
+        <translation>{0} ml es menos de lo que tiene el hígado de un adulto: el crecimiento probablemente se ha detenido demasiado pronto. Añada una semilla en la parte que falta o aumente tolerance_sd.</translation>
+    </message>
+    <message>
+        <source>An image of {0} x {1} x {2} voxels is too thin to grow in.</source>
+        <translation>Una imagen de {0} x {1} x {2} vóxeles es demasiado fina para crecer en ella.</translation>
+    </message>
+    <message>
+        <source>The options of growing must be positive, and one is {0}.</source>
+        <translation>Las opciones del crecimiento deben ser positivas, y una es {0}.</translation>
+    </message>
+    <message>
+        <source>There is no seed to grow from.</source>
+        <translation>No hay ninguna semilla.</translation>
+    </message>
+    <message>
+        <source>Give at least one point in the middle of the liver.</source>
+        <translation>Indique al menos un punto en el centro del hígado.</translation>
+    </message>
+    <message>
+        <source>Seed {0} at ({1}) mm lies {2} mm outside the image.</source>
+        <translation>La semilla {0} en ({1}) mm está a {2} mm fuera de la imagen.</translation>
+    </message>
+    <message>
+        <source>Seeds are DICOM patient coordinates (LPS) in mm, not voxel indices.</source>
+        <translation>Las semillas son coordenadas DICOM del paciente (LPS) en mm, no índices de vóxeles.</translation>
+    </message>
+    <message>
+        <source>There is no structure to label.</source>
+        <translation>No hay ninguna estructura que etiquetar.</translation>
+    </message>
+    <message>
+        <source>The structures {0} and {1} lie on different voxel grids.</source>
+        <translation>Las estructuras {0} y {1} están en cuadrículas de vóxeles distintas.</translation>
+    </message>
+    <message>
+        <source>None of the structures is the liver.</source>
+        <translation>Ninguna de las estructuras es el hígado.</translation>
+    </message>
+    <message>
+        <source>Segment it first, or name a structure &quot;liver&quot;.</source>
+        <translation>Segméntelo antes o llame &quot;liver&quot; a una estructura.</translation>
+    </message>
+    <message>
+        <source>The structure {0} holds no voxels.</source>
+        <translation>La estructura {0} no contiene vóxeles.</translation>
+    </message>
+    <message>
+        <source>The two masks lie on different voxel grids.</source>
+        <translation>Las dos máscaras están en cuadrículas de vóxeles distintas.</translation>
+    </message>
+    <message>
+        <source>There are no patients in this cohort.</source>
+        <translation>No hay pacientes en esta cohorte.</translation>
+    </message>
+    <message>
+        <source>The cohort has no patient {0}.</source>
+        <translation>La cohorte no tiene al paciente {0}.</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Paciente</translation>
+    </message>
+    <message>
+        <source>None of the {0} patients could be used; the first one: {1}</source>
+        <translation>No se ha podido usar ninguno de los {0} pacientes; el primero: {1}</translation>
+    </message>
+    <message>
+        <source>{0} holds files that are not an earlier demo&apos;s.</source>
+        <translation>{0} contiene archivos que no son de una demostración anterior.</translation>
+    </message>
+    <message>
+        <source>Choose an empty or a new folder.</source>
+        <translation>Elija una carpeta vacía o nueva.</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Dibujando</translation>
+    </message>
+    <message>
+        <source>The surface in {0} is not closed, so nothing lies inside it.</source>
+        <translation>La superficie de {0} no está cerrada, así que no hay nada en su interior.</translation>
+    </message>
+    <message>
+        <source>Use the anatomy that ships with the program.</source>
+        <translation>Use la anatomía incluida con el programa.</translation>
+    </message>
+    <message>
+        <source>{0} does not list the demo&apos;s landmarks: {1}.</source>
+        <translation>{0} no enumera los puntos de referencia de la demostración: {1}.</translation>
+    </message>
+    <message>
+        <source>reading the anatomy</source>
+        <translation>leyendo la anatomía</translation>
+    </message>
+    <message>
+        <source>simulating the MR images</source>
+        <translation>simulando las imágenes de RM</translation>
+    </message>
+    <message>
+        <source>simulating the elastography</source>
+        <translation>simulando la elastografía</translation>
+    </message>
+    <message>
+        <source>writing the study</source>
+        <translation>escribiendo el estudio</translation>
+    </message>
+    <message>
+        <source>writing the truth</source>
+        <translation>escribiendo los valores verdaderos</translation>
+    </message>
+    <message>
+        <source>Check the folder and your rights there.</source>
+        <translation>Compruebe la carpeta y sus permisos en ella.</translation>
+    </message>
+    <message>
+        <source>{0} holds none of the scans, such as A-1.69N.ply.</source>
+        <translation>{0} no contiene ninguno de los escaneos, como A-1.69N.ply.</translation>
+    </message>
+    <message>
+        <source>None of the trials could be compared; the first one: {0}</source>
+        <translation>No se ha podido comparar ningún ensayo; el primero: {0}</translation>
+    </message>
+    <message>
+        <source>The phantom&apos;s equilibrium was not reached: {0}</source>
+        <translation>No se ha alcanzado el equilibrio del maniquí: {0}</translation>
+    </message>
+    <message>
+        <source>The two judge different videos: {0} and {1}.</source>
+        <translation>Los dos valoran vídeos distintos: {0} y {1}.</translation>
+    </message>
+    <message>
+        <source>Judge both registrations on the same sequence.json.</source>
+        <translation>Valore ambos registros con el mismo sequence.json.</translation>
+    </message>
+    <message>
+        <source>The sequence names no camera to draw with.</source>
+        <translation>La secuencia no nombra ninguna cámara con la que dibujar.</translation>
+    </message>
+    <message>
+        <source>Add &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</source>
+        <translation>Añada &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</translation>
+    </message>
+    <message>
+        <source>Frame {0} of the sequence names no image.</source>
+        <translation>El fotograma {0} de la secuencia no nombra ninguna imagen.</translation>
+    </message>
+    <message>
+        <source>Add &quot;image&quot; to each frame.</source>
+        <translation>Añada &quot;image&quot; a cada fotograma.</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>imágenes</translation>
+    </message>
+    <message>
+        <source>Sample {0} of {1} has a size, a way or a force that is not positive.</source>
+        <translation>La muestra {0} de {1} tiene un tamaño, un recorrido o una fuerza que no es positivo.</translation>
+    </message>
+    <message>
+        <source>No labelled voxel of {0} lies where {1} has a stiffness.</source>
+        <translation>Ningún vóxel etiquetado de {0} está donde {1} tiene una rigidez.</translation>
+    </message>
+    <message>
+        <source>Material {0} was never put under the testing machine.</source>
+        <translation>El material {0} nunca se puso en la máquina de ensayos.</translation>
+    </message>
+    <message>
+        <source>Give its samples in the file of tests, or leave the region out.</source>
+        <translation>Indique sus muestras en el archivo de ensayos u omita la región.</translation>
+    </message>
+    <message>
+        <source>A board has from {0} to {1} points a side and a positive spacing; {2} x {3} at {4} mm were given.</source>
+        <translation>Un tablero tiene de {0} a {1} puntos por lado y un espaciado positivo; se indicaron {2} x {3} a {4} mm.</translation>
+    </message>
+    <message>
+        <source>The picture shows no board of {0} x {1} points.</source>
+        <translation>La imagen no muestra ningún tablero de {0} x {1} puntos.</translation>
+    </message>
+    <message>
+        <source>Count inner corners or circles, columns first; the board must be sharp and lit.</source>
+        <translation>Cuente las esquinas interiores o los círculos, primero las columnas; el tablero debe estar nítido e iluminado.</translation>
+    </message>
+    <message>
+        <source>{0} has {1} x {2} pixels, the first picture has {3} x {4}.</source>
+        <translation>{0} tiene {1} x {2} píxeles, la primera imagen tiene {3} x {4}.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} pairs show the board to both eyes; {2} are needed.</source>
+        <translation>{0} de {1} pares muestran el tablero a ambos ojos; hacen falta {2}.</translation>
+    </message>
+    <message>
+        <source>Check the board&apos;s kind, its columns and rows; take it from several sides.</source>
+        <translation>Compruebe el tipo de tablero, sus columnas y filas; tómelo desde varios lados.</translation>
+    </message>
+    <message>
+        <source>The calibration did not converge: {0}.</source>
+        <translation>La calibración no ha convergido: {0}.</translation>
+    </message>
+    <message>
+        <source>By these pictures the right eye lies to the left of the left one.</source>
+        <translation>Según estas imágenes el ojo derecho está a la izquierda del izquierdo.</translation>
+    </message>
+    <message>
+        <source>Exchange the left and the right pictures.</source>
+        <translation>Intercambie las imágenes izquierda y derecha.</translation>
+    </message>
+    <message>
+        <source>The calibration {0} has no {1}.</source>
+        <translation>A la calibración {0} le falta: {1}.</translation>
+    </message>
+    <message>
+        <source>It needs left and right, each with a matrix and distortion, and left_to_right.</source>
+        <translation>Necesita left y right, cada uno con matriz y distorsión, y left_to_right.</translation>
+    </message>
+    <message>
+        <source>A camera&apos;s focal length is not positive.</source>
+        <translation>La distancia focal de una cámara no es positiva.</translation>
+    </message>
+    <message>
+        <source>A coefficient of distortion is not finite.</source>
+        <translation>Un coeficiente de distorsión no es finito.</translation>
+    </message>
+    <message>
+        <source>Both eyes are in one place: there is no depth to see.</source>
+        <translation>Ambos ojos están en el mismo lugar: no se ve ninguna profundidad.</translation>
+    </message>
+    <message>
+        <source>left_to_right does not hold a rotation: R R^T or the last row is off by {0}.</source>
+        <translation>left_to_right no contiene una rotación: R R^T o la última fila se desvía {0}.</translation>
+    </message>
+    <message>
+        <source>The picture {0} cannot be read.</source>
+        <translation>No se puede leer la imagen {0}.</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, TIFF and BMP are read.</source>
+        <translation>Se leen PNG, JPEG, TIFF y BMP.</translation>
+    </message>
+    <message>
+        <source>The picture {0} cannot be written.</source>
+        <translation>No se puede escribir la imagen {0}.</translation>
+    </message>
+    <message>
+        <source>The folder must exist, and the name end in .png or .jpg.</source>
+        <translation>La carpeta debe existir y el nombre terminar en .png o .jpg.</translation>
+    </message>
+    <message>
+        <source>The folder {0} holds no pictures.</source>
+        <translation>La carpeta {0} no contiene imágenes.</translation>
+    </message>
+    <message>
+        <source>The video {0} cannot be read.</source>
+        <translation>No se puede leer el vídeo {0}.</translation>
+    </message>
+    <message>
+        <source>Give a video file that OpenCV (FFmpeg) reads, or a folder of pictures.</source>
+        <translation>Indique un archivo de vídeo que lea OpenCV (FFmpeg) o una carpeta de imágenes.</translation>
+    </message>
+    <message>
+        <source>The video {0} cannot be decoded: {1}.</source>
+        <translation>No se puede decodificar el vídeo {0}: {1}.</translation>
+    </message>
+    <message>
+        <source>A picture of {0} has {1} x {2} pixels, the first has {3} x {4}.</source>
+        <translation>Una imagen de {0} tiene {1} x {2} píxeles, la primera tiene {3} x {4}.</translation>
+    </message>
+    <message>
+        <source>The pair could not be matched: {0}.</source>
+        <translation>No se ha podido emparejar el par: {0}.</translation>
+    </message>
+    <message>
+        <source>The calibration is not of these pictures: half of the {0} features that both show miss their epipolar lines by {1} pixels or more.</source>
+        <translation>La calibración no es de estas imágenes: la mitad de los {0} rasgos que ambas muestran se aparta de sus líneas epipolares {1} píxeles o más.</translation>
+    </message>
+    <message>
+        <source>Check that the calibration is this camera&apos;s, at this size of picture, and that left and right are not exchanged.</source>
+        <translation>Compruebe que la calibración es de esta cámara, con este tamaño de imagen, y que izquierda y derecha no están intercambiadas.</translation>
+    </message>
+    <message>
+        <source>By the calibration, {0} % of what both pictures show would lie behind the camera.</source>
+        <translation>Según la calibración, el {0} % de lo que muestran ambas imágenes estaría detrás de la cámara.</translation>
+    </message>
+    <message>
+        <source>Left and right pictures are exchanged, or the calibration is of another camera.</source>
+        <translation>Las imágenes izquierda y derecha están intercambiadas o la calibración es de otra cámara.</translation>
+    </message>
+    <message>
+        <source>The nearest depth must be positive and less than the farthest.</source>
+        <translation>La profundidad más próxima debe ser positiva y menor que la más lejana.</translation>
+    </message>
+    <message>
+        <source>The calibration is of pictures of another size: its principal point {0}, {1} lies outside {2} x {3} pixels.</source>
+        <translation>La calibración es de imágenes de otro tamaño: su punto principal {0}, {1} está fuera de {2} x {3} píxeles.</translation>
+    </message>
+    <message>
+        <source>Calibrate at the size of the video, or scale the calibration&apos;s matrices.</source>
+        <translation>Calibre con el tamaño del vídeo o escale las matrices de la calibración.</translation>
+    </message>
+    <message>
+        <source>The left image is {0} x {1} pixels, the right one {2} x {3}.</source>
+        <translation>La imagen izquierda tiene {0} x {1} píxeles, la derecha {2} x {3}.</translation>
+    </message>
+    <message>
+        <source>The images are {0} x {1} pixels; {2} x {3} were expected.</source>
+        <translation>Las imágenes tienen {0} x {1} píxeles; se esperaban {2} x {3}.</translation>
+    </message>
+    <message>
+        <source>There are {0} left and {1} right pictures: they must be taken in pairs.</source>
+        <translation>Hay {0} imágenes izquierdas y {1} derechas: deben tomarse por pares.</translation>
+    </message>
+    <message>
+        <source>calibrating</source>
+        <translation>calibrando</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>No hay memoria suficiente para esto.</translation>
+    </message>
+    <message>
+        <source>--channel wants COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], not &quot;{0}&quot;.</source>
+        <translation>--channel espera COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], no «{0}».</translation>
+    </message>
+    <message>
+        <source>A column that holds watts is just COLUMN.</source>
+        <translation>Una columna que contiene vatios es simplemente COLUMN.</translation>
+    </message>
+    <message>
+        <source>Nothing was measured.</source>
+        <translation>No se ha medido nada.</translation>
+    </message>
+    <message>
+        <source>There is no device &quot;{0}&quot;.</source>
+        <translation>No hay ningún dispositivo «{0}».</translation>
+    </message>
+    <message>
+        <source>glisson-cli platform list shows their ids.</source>
+        <translation>glisson-cli platform list muestra sus identificadores.</translation>
+    </message>
+    <message>
+        <source>A result has no scene named {0}; it has displacement.</source>
+        <translation>Un resultado no tiene ninguna escena llamada {0}; tiene displacement.</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Leyendo</translation>
+    </message>
+    <message>
+        <source>The points of a cut need three columns: x_mm, y_mm, z_mm.</source>
+        <translation>Los puntos de un corte necesitan tres columnas: x_mm, y_mm, z_mm.</translation>
+    </message>
+    <message>
+        <source>Reading the liver</source>
+        <translation>Leyendo el hígado</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Cortando</translation>
+    </message>
+    <message>
+        <source>Reading the model</source>
+        <translation>Leyendo el modelo</translation>
+    </message>
+    <message>
+        <source>Moving the tools</source>
+        <translation>Moviendo los instrumentos</translation>
+    </message>
+    <message>
+        <source>Command {0} led to another state than was recorded.</source>
+        <translation>La orden {0} llevó a un estado distinto del registrado.</translation>
+    </message>
+    <message>
+        <source>Replay with the case and the version that it was recorded with.</source>
+        <translation>Reproduzca con el caso y la versión con los que se registró.</translation>
+    </message>
+    <message>
+        <source>{0} wants a position X,Y,Z in mm, not &quot;{1}&quot;.</source>
+        <translation>{0} espera una posición X,Y,Z en mm, no «{1}».</translation>
+    </message>
+    <message>
+        <source>--size wants WxH in pixels, 16 to 16384 each, not &quot;{0}&quot;.</source>
+        <translation>--size espera ANCHOxALTO en píxeles, de 16 a 16384 cada uno, no «{0}».</translation>
+    </message>
+    <message>
+        <source>The computation did not converge: {0}</source>
+        <translation>El cálculo no ha convergido: {0}</translation>
+    </message>
+    <message>
+        <source>The sequence names no registered clouds.</source>
+        <translation>La secuencia no nombra nubes de puntos registradas.</translation>
+    </message>
+    <message>
+        <source>Add &quot;registered&quot;, or choose --method icp or geo.</source>
+        <translation>Añada &quot;registered&quot; o elija --method icp o geo.</translation>
+    </message>
+    <message>
+        <source>The sequence names no model to register its clouds to.</source>
+        <translation>La secuencia no nombra ningún modelo al que registrar sus nubes de puntos.</translation>
+    </message>
+    <message>
+        <source>Add &quot;model&quot;: a surface file.</source>
+        <translation>Añada &quot;model&quot;: un archivo de superficie.</translation>
+    </message>
+    <message>
+        <source>Frame {0} shares too few landmarks with the others.</source>
+        <translation>El fotograma {0} comparte demasiado pocos puntos de referencia con los demás.</translation>
+    </message>
+    <message>
+        <source>The two pictures agree nowhere.</source>
+        <translation>Las dos imágenes no coinciden en ninguna parte.</translation>
+    </message>
+    <message>
+        <source>Check that left and right are not exchanged and that the calibration is theirs.</source>
+        <translation>Compruebe que izquierda y derecha no están intercambiadas y que la calibración es la suya.</translation>
+    </message>
+    <message>
+        <source>Name the cohort&apos;s folder, or ask for a simulated one with --simulated N.</source>
+        <translation>Indique la carpeta de la cohorte o pida una simulada con --simulated N.</translation>
+    </message>
+    <message>
+        <source>Reading the case</source>
+        <translation>Leyendo el caso</translation>
+    </message>
+    <message>
+        <source>Preparing the model</source>
+        <translation>Preparando el modelo</translation>
+    </message>
+    <message>
+        <source>Known are: {1}</source>
+        <translation>Se conocen: {1}</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ComparisonChoice</name>
+    <message>
+        <source>Patient</source>
+        <translation>Paciente</translation>
+    </message>
+    <message>
+        <source>With this patient&apos;s own stiffness, from MR elastography</source>
+        <translation>Con la rigidez propia de este paciente, por elastografía por RM</translation>
+    </message>
+    <message>
+        <source>Atlas</source>
+        <translation>Atlas</translation>
+    </message>
+    <message>
+        <source>With one stiffness for the whole liver, as an atlas gives it</source>
+        <translation>Con una sola rigidez para todo el hígado, como la da un atlas</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Ambos</translation>
+    </message>
+    <message>
+        <source>Atlas in red, patient in blue: purple where they agree</source>
+        <translation>Atlas en rojo, paciente en azul: violeta donde coinciden</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::LandmarkTable</name>
+    <message>
+        <source>Landmark</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>Moves
+mm</source>
+        <translation>Despl.
+mm</translation>
+    </message>
+    <message>
+        <source>Atlas off
+mm</source>
+        <translation>Error
+atlas
+mm</translation>
+    </message>
+    <message>
+        <source>From 5 mm</source>
+        <translation>Desde
+5 mm</translation>
+    </message>
+    <message>
+        <source>How far the landmark moves with the patient&apos;s own stiffness</source>
+        <translation>Cuánto se mueve el punto de referencia con la rigidez propia del paciente</translation>
+    </message>
+    <message>
+        <source>How far from there the atlas&apos;s stiffness puts it</source>
+        <translation>A qué distancia de ahí lo sitúa la rigidez del atlas</translation>
+    </message>
+    <message>
+        <source>5 mm and more matters to a surgeon</source>
+        <translation>5 mm o más son importantes para un cirujano</translation>
+    </message>
+    <message>
+        <source>▲ Atlas off</source>
+        <translation>▲ Atlas falla</translation>
+    </message>
+    <message>
+        <source>● Moves</source>
+        <translation>● Se mueve</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::LanguageMenu</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>System language</source>
+        <translation>Idioma del sistema</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::LinkedViews</name>
+    <message>
+        <source>Transverse</source>
+        <translation>Transversal</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Paciente</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronal</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagital</translation>
+    </message>
+    <message>
+        <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
+Ctrl+wheel: zoom. Shift+drag: shift.</source>
+        <translation>Clic: cruz. Arrastrar con el botón derecho: brillo y contraste. Rueda: corte siguiente.
+Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
+    </message>
+    <message>
+        <source>Drag: turn. Shift+drag: shift. Wheel: zoom. Click: crosshair there.</source>
+        <translation>Arrastrar: girar. Mayús+arrastrar: desplazar. Rueda: zoom. Clic: cruz en ese lugar.</translation>
+    </message>
+    <message>
+        <source>Surgeon</source>
+        <translation>Cirujano</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Delante</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Below</source>
+        <translation>Debajo</translation>
+    </message>
+    <message>
+        <source>Look from here, everything in view</source>
+        <translation>Mirar desde aquí, con todo a la vista</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::MainWindow</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>Abriendo %1</translation>
+    </message>
+    <message>
+        <source>Looking for images</source>
+        <translation>Buscando imágenes</translation>
+    </message>
+    <message>
+        <source>Opening the demo patient</source>
+        <translation>Abriendo el paciente de demostración</translation>
+    </message>
+    <message>
+        <source>Glisson</source>
+        <translation>Glisson</translation>
+    </message>
+    <message>
+        <source>%1 - Glisson</source>
+        <translation>%1 - Glisson</translation>
+    </message>
+    <message>
+        <source>Next: put the crosshair inside the liver, away from large vessels.</source>
+        <translation>A continuación: coloque la cruz dentro del hígado, lejos de los vasos grandes.</translation>
+    </message>
+    <message>
+        <source>Next: build the model of the liver from its outline and stiffness.</source>
+        <translation>A continuación: construya el modelo del hígado a partir de su contorno y su rigidez.</translation>
+    </message>
+    <message>
+        <source>Outline the liver from here</source>
+        <translation>Delimitar el hígado desde aquí</translation>
+    </message>
+    <message>
+        <source>Build the model</source>
+        <translation>Construir el modelo</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Open a case...</source>
+        <translation>&amp;Abrir un caso…</translation>
+    </message>
+    <message>
+        <source>Open &amp;images (DICOM folder)...</source>
+        <translation>Abrir &amp;imágenes (carpeta DICOM)…</translation>
+    </message>
+    <message>
+        <source>Open the &amp;demo patient</source>
+        <translation>Abrir el paciente de &amp;demostración</translation>
+    </message>
+    <message>
+        <source>&amp;Save the picture...</source>
+        <translation>&amp;Guardar la imagen…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Salir</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;yuda</translation>
+    </message>
+    <message>
+        <source>&amp;About Glisson</source>
+        <translation>&amp;Acerca de Glisson</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Plan a liver operation</source>
+        <translation>Planificar una operación de hígado</translation>
+    </message>
+    <message>
+        <source>Drop a case or a folder of DICOM images here, or begin with the demo patient.</source>
+        <translation>Arrastre aquí un caso o una carpeta de imágenes DICOM, o empiece con el paciente de demostración.</translation>
+    </message>
+    <message>
+        <source>Open the demo patient</source>
+        <translation>Abrir el paciente de demostración</translation>
+    </message>
+    <message>
+        <source>Open a case...</source>
+        <translation>Abrir un caso…</translation>
+    </message>
+    <message>
+        <source>Open images...</source>
+        <translation>Abrir imágenes…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Not a medical device</source>
+        <translation>No es un producto sanitario</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>A defect in Glisson stopped this: %1</source>
+        <translation>Un defecto de Glisson ha interrumpido esto: %1</translation>
+    </message>
+    <message>
+        <source>Click on the liver where the tool is to touch it.</source>
+        <translation>Haga clic en el hígado donde el instrumento deba tocarlo.</translation>
+    </message>
+    <message>
+        <source>Solving...</source>
+        <translation>Resolviendo…</translation>
+    </message>
+    <message>
+        <source>Tool placed in %1 ms.</source>
+        <translation>Instrumento colocado en %1 ms.</translation>
+    </message>
+    <message>
+        <source>Open a case (a folder NAME.glisson)</source>
+        <translation>Abrir un caso (una carpeta NOMBRE.glisson)</translation>
+    </message>
+    <message>
+        <source>Open a folder of images</source>
+        <translation>Abrir una carpeta de imágenes</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Guardar la imagen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Imágenes (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture could not be written to %1.</source>
+        <translation>No se ha podido escribir la imagen en %1.</translation>
+    </message>
+    <message>
+        <source>About Glisson</source>
+        <translation>Acerca de Glisson</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planning and reviewing liver surgery.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not a medical device.&lt;/b&gt; Not for diagnosis or treatment.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planificación y revisión de la cirugía hepática.&lt;/p&gt;&lt;p&gt;&lt;b&gt;No es un producto sanitario.&lt;/b&gt; No apto para diagnóstico ni tratamiento.&lt;/p&gt;&lt;p&gt;Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Something else is still under way. Wait for it, or cancel it first.</source>
+        <translation>Hay otra operación en curso. Espere a que termine o cancélela antes.</translation>
+    </message>
+    <message>
+        <source>%1 %2 (%3 × %4 × %5)</source>
+        <translation>%1 %2 (%3 × %4 × %5)</translation>
+    </message>
+    <message>
+        <source>No anatomical images were found in %1.</source>
+        <translation>No se han encontrado imágenes anatómicas en %1.</translation>
+    </message>
+    <message>
+        <source>Which images show the anatomy?</source>
+        <translation>¿Qué imágenes muestran la anatomía?</translation>
+    </message>
+    <message>
+        <source>The study holds several series:</source>
+        <translation>El estudio contiene varias series:</translation>
+    </message>
+    <message>
+        <source>Keep the case as</source>
+        <translation>Guardar el caso como</translation>
+    </message>
+    <message>
+        <source>Cases (*.glisson)</source>
+        <translation>Casos (*.glisson)</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>Importando</translation>
+    </message>
+    <message>
+        <source>Outlining the liver</source>
+        <translation>Delimitando el hígado</translation>
+    </message>
+    <message>
+        <source>Building the model</source>
+        <translation>Construyendo el modelo</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Cancelado.</translation>
+    </message>
+    <message>
+        <source>Relative residual %1, answered in %2 ms</source>
+        <translation>Residuo relativo %1, respuesta en %2 ms</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PatientViews</name>
+    <message>
+        <source>Displacement (mm)</source>
+        <translation>Desplazamiento (mm)</translation>
+    </message>
+    <message>
+        <source>Red: one stiffness from the atlas</source>
+        <translation>Rojo: una sola rigidez, del atlas</translation>
+    </message>
+    <message>
+        <source>Blue: the patient&apos;s own stiffness</source>
+        <translation>Azul: la rigidez propia del paciente</translation>
+    </message>
+    <message>
+        <source>Purple: both agree</source>
+        <translation>Violeta: ambas coinciden</translation>
+    </message>
+    <message>
+        <source>Shear stiffness (kPa)</source>
+        <translation>Rigidez a cizalla (kPa)</translation>
+    </message>
+    <message>
+        <source>%1  %2 mm</source>
+        <translation>%1  %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::RehearsePanel</name>
+    <message>
+        <source>Rehearse</source>
+        <translation>Ensayar</translation>
+    </message>
+    <message>
+        <source>Open a case with a model of the liver, or the demo patient, to rehearse a retraction.</source>
+        <translation>Abra un caso con un modelo del hígado, o el paciente de demostración, para ensayar una retracción.</translation>
+    </message>
+    <message>
+        <source>Show the liver with the stiffness of</source>
+        <translation>Mostrar el hígado con la rigidez de</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Instrumento</translation>
+    </message>
+    <message>
+        <source>Place by click</source>
+        <translation>Colocar con un clic</translation>
+    </message>
+    <message>
+        <source>Then click on the liver where the tool is to touch it</source>
+        <translation>Después haga clic en el hígado donde el instrumento deba tocarlo</translation>
+    </message>
+    <message>
+        <source>Hoist segment VI</source>
+        <translation>Elevar el segmento VI</translation>
+    </message>
+    <message>
+        <source>Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head</source>
+        <translation>Coloca el instrumento bajo la parte derecha, inferior y posterior del hígado y la eleva hacia delante y hacia la cabeza</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Hoist to front and head</source>
+        <translation>Elevar hacia delante y la cabeza</translation>
+    </message>
+    <message>
+        <source>Pull away from the surface</source>
+        <translation>Tirar alejando de la superficie</translation>
+    </message>
+    <message>
+        <source>Push into the surface</source>
+        <translation>Empujar contra la superficie</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Fuerza</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>Take the tool away</source>
+        <translation>Retirar el instrumento</translation>
+    </message>
+    <message>
+        <source>Colour the liver by how far it moves</source>
+        <translation>Colorear el hígado según su desplazamiento</translation>
+    </message>
+    <message>
+        <source>Place the tool to see what moves.</source>
+        <translation>Coloque el instrumento para ver qué se mueve.</translation>
+    </message>
+    <message>
+        <source>The liver moves by up to %1 mm.</source>
+        <translation>El hígado se mueve hasta %1 mm.</translation>
+    </message>
+    <message>
+        <source>The atlas is off by up to %1 mm.</source>
+        <translation>El atlas se equivoca hasta %1 mm.</translation>
+    </message>
+    <message>
+        <source>Strains may reach %1 %, more than this linear model is made for.</source>
+        <translation>Las deformaciones pueden llegar al %1 %, más de lo que admite este modelo lineal.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::StudyPanel</name>
+    <message>
+        <source>Slices show</source>
+        <translation>Los cortes muestran</translation>
+    </message>
+    <message>
+        <source>Anatomy</source>
+        <translation>Anatomía</translation>
+    </message>
+    <message>
+        <source>Stiffness (MR elastography)</source>
+        <translation>Rigidez (elastografía por RM)</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Estructuras</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Estructura</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>No patient open</source>
+        <translation>Ningún paciente abierto</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 voxels,
+%4 × %5 × %6 mm each</source>
+        <translation>%1 × %2 × %3 vóxeles
+de %4 × %5 × %6 mm cada uno</translation>
+    </message>
+    <message>
+        <source>%1 cells
+Young&apos;s modulus %2 kPa (mean)</source>
+        <translation>%1 celdas
+Módulo de Young %2 kPa (media)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ViewFrame</name>
+    <message>
+        <source>Show all four views</source>
+        <translation>Mostrar las cuatro vistas</translation>
+    </message>
+    <message>
+        <source>Fill the window with this view</source>
+        <translation>Llenar la ventana con esta vista</translation>
+    </message>
+</context>
+<context>
+    <name>patients</name>
+    <message>
+        <source>Demo patient</source>
+        <translation>Paciente de demostración</translation>
+    </message>
+</context>
+<context>
+    <name>structures</name>
+    <message>
+        <source>Liver</source>
+        <translation>Hígado</translation>
+    </message>
+    <message>
+        <source>Tumour</source>
+        <translation>Tumor</translation>
+    </message>
+    <message>
+        <source>Cyst</source>
+        <translation>Quiste</translation>
+    </message>
+    <message>
+        <source>Portal vein</source>
+        <translation>Vena porta</translation>
+    </message>
+    <message>
+        <source>Hepatic vein</source>
+        <translation>Vena hepática</translation>
+    </message>
+    <message>
+        <source>Artery</source>
+        <translation>Arteria</translation>
+    </message>
+    <message>
+        <source>Biliary tract</source>
+        <translation>Vías biliares</translation>
+    </message>
+    <message>
+        <source>Necrosis</source>
+        <translation>Necrosis</translation>
+    </message>
+    <message>
+        <source>Gallbladder</source>
+        <translation>Vesícula biliar</translation>
+    </message>
+    <message>
+        <source>Gastric vein</source>
+        <translation>Vena gástrica</translation>
+    </message>
+    <message>
+        <source>Aorta</source>
+        <translation>Aorta</translation>
+    </message>
+    <message>
+        <source>Heart</source>
+        <translation>Corazón</translation>
+    </message>
+    <message>
+        <source>Stomach</source>
+        <translation>Estómago</translation>
+    </message>
+    <message>
+        <source>Kidney</source>
+        <translation>Riñón</translation>
+    </message>
+    <message>
+        <source>Spleen</source>
+        <translation>Bazo</translation>
+    </message>
+    <message>
+        <source>Pancreas</source>
+        <translation>Páncreas</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Hueso</translation>
+    </message>
+    <message>
+        <source>Hilum</source>
+        <translation>Hilio hepático</translation>
+    </message>
+</context>
+</TS>

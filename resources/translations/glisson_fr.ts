@@ -1,0 +1,3664 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>errors</name>
+    <message>
+        <source>There is no column &quot;{0}&quot;.</source>
+        <translation>Il n’y a pas de colonne « {0} ».</translation>
+    </message>
+    <message>
+        <source>The columns are {1}.</source>
+        <translation>Les colonnes sont {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has too many columns.</source>
+        <translation>{0} a trop de colonnes.</translation>
+    </message>
+    <message>
+        <source>{0} holds no rows of numbers.</source>
+        <translation>{0} ne contient aucune ligne de nombres.</translation>
+    </message>
+    <message>
+        <source>The file {0} cannot be read.</source>
+        <translation>Le fichier {0} ne peut pas être lu.</translation>
+    </message>
+    <message>
+        <source>Check that it exists and that you may read it.</source>
+        <translation>Vérifiez qu’il existe et que vous avez le droit de le lire.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be written: {1}.</source>
+        <translation>{0} ne peut pas être écrit : {1}.</translation>
+    </message>
+    <message>
+        <source>Check the folder, your rights there and the free space.</source>
+        <translation>Vérifiez le dossier, vos droits sur celui-ci et l’espace libre.</translation>
+    </message>
+    <message>
+        <source>the disk or the folder refused it</source>
+        <translation>le disque ou le dossier l’a refusé</translation>
+    </message>
+    <message>
+        <source>The file {0} has {1} bytes; at most {2} are read.</source>
+        <translation>Le fichier {0} a {1} octets ; {2} au plus sont lus.</translation>
+    </message>
+    <message>
+        <source>The files that ship with Glisson were not found.</source>
+        <translation>Les fichiers livrés avec Glisson n’ont pas été trouvés.</translation>
+    </message>
+    <message>
+        <source>Set GLISSON_RESOURCES to the folder named resources.</source>
+        <translation>Donnez à GLISSON_RESOURCES le chemin du dossier resources.</translation>
+    </message>
+    <message>
+        <source>{0} is nested too deep to be one of our files.</source>
+        <translation>{0} est imbriqué trop profondément pour être un de nos fichiers.</translation>
+    </message>
+    <message>
+        <source>{0} is not valid JSON at line {1}.</source>
+        <translation>{0} n’est pas du JSON valide à la ligne {1}.</translation>
+    </message>
+    <message>
+        <source>Look for a missing comma, quote or bracket there.</source>
+        <translation>Cherchez-y une virgule, un guillemet ou un crochet manquant.</translation>
+    </message>
+    <message>
+        <source>{0} holds a number too large for a computer&apos;s arithmetic.</source>
+        <translation>{0} contient un nombre trop grand pour l’arithmétique d’un ordinateur.</translation>
+    </message>
+    <message>
+        <source>{0} should be an object in braces.</source>
+        <translation>{0} doit être un objet entre accolades.</translation>
+    </message>
+    <message>
+        <source>{0} has a key that is not known: &quot;{1}&quot;.</source>
+        <translation>{0} a une clé inconnue : « {1} ».</translation>
+    </message>
+    <message>
+        <source>Did you mean &quot;{2}&quot;?</source>
+        <translation>Vouliez-vous dire « {2} » ?</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Annulé.</translation>
+    </message>
+    <message>
+        <source>{0} is there already.</source>
+        <translation>{0} existe déjà.</translation>
+    </message>
+    <message>
+        <source>Choose another name, or remove it first.</source>
+        <translation>Choisissez un autre nom, ou supprimez-le d’abord.</translation>
+    </message>
+    <message>
+        <source>The folder {0} cannot be made: {1}.</source>
+        <translation>Le dossier {0} ne peut pas être créé : {1}.</translation>
+    </message>
+    <message>
+        <source>it holds no case.json</source>
+        <translation>il ne contient pas de case.json</translation>
+    </message>
+    <message>
+        <source>case.json does not say &quot;format&quot;: &quot;glisson-case/1&quot;</source>
+        <translation>case.json n’indique pas &quot;format&quot;: &quot;glisson-case/1&quot;</translation>
+    </message>
+    <message>
+        <source>The case {0} has no {1} yet.</source>
+        <translation>Le cas {0} n’a pas encore de {1}.</translation>
+    </message>
+    <message>
+        <source>Import a study first (glisson-cli import).</source>
+        <translation>Importez d’abord une étude (glisson-cli import).</translation>
+    </message>
+    <message>
+        <source>Segment it first (glisson-cli segment).</source>
+        <translation>Segmentez-le d’abord (glisson-cli segment).</translation>
+    </message>
+    <message>
+        <source>Mesh the liver first (glisson-cli mesh).</source>
+        <translation>Maillez d’abord le foie (glisson-cli mesh).</translation>
+    </message>
+    <message>
+        <source>{0} cannot be put in its place: {1}.</source>
+        <translation>{0} ne peut pas être mis à sa place : {1}.</translation>
+    </message>
+    <message>
+        <source>{0} names a file outside the case folder: {1}.</source>
+        <translation>{0} désigne un fichier hors du dossier du cas : {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: {1}.</source>
+        <translation>{0} est endommagé : {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is not a Glisson case: {1}.</source>
+        <translation>{0} n’est pas un cas Glisson : {1}.</translation>
+    </message>
+    <message>
+        <source>Make one with: glisson-cli import STUDY --case NAME.glisson</source>
+        <translation>Créez-en un avec : glisson-cli import ETUDE --case NOM.glisson</translation>
+    </message>
+    <message>
+        <source>{0} holds nothing that could be written as {1}.</source>
+        <translation>{0} ne contient rien qui puisse être écrit en {1}.</translation>
+    </message>
+    <message>
+        <source>Run the stage that makes it first.</source>
+        <translation>Exécutez d’abord l’étape qui le produit.</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Écriture</translation>
+    </message>
+    <message>
+        <source>SIMULATED from a real patient&apos;s anatomy, not measured</source>
+        <translation>SIMULÉ d’après l’anatomie d’un vrai patient, non mesuré</translation>
+    </message>
+    <message>
+        <source>The study has no series {0}.</source>
+        <translation>L’étude n’a pas de série {0}.</translation>
+    </message>
+    <message>
+        <source>glisson-cli scan lists them.</source>
+        <translation>glisson-cli scan en donne la liste.</translation>
+    </message>
+    <message>
+        <source>{0} series could be the {1}:{2}</source>
+        <translation>{0} séries pourraient être {1} :{2}</translation>
+    </message>
+    <message>
+        <source>Name one with {3} UID.</source>
+        <translation>Indiquez-en une avec {3} UID.</translation>
+    </message>
+    <message>
+        <source>No series is recognised as the anatomy.{0}</source>
+        <translation>Aucune série n’est reconnue comme anatomie.{0}</translation>
+    </message>
+    <message>
+        <source>glisson-cli scan says what is there, and what was skipped.</source>
+        <translation>glisson-cli scan indique ce qui s’y trouve et ce qui a été ignoré.</translation>
+    </message>
+    <message>
+        <source>Name one with --anatomy UID.</source>
+        <translation>Indiquez-en une avec --anatomy UID.</translation>
+    </message>
+    <message>
+        <source>Reading the structures</source>
+        <translation>Lecture des structures</translation>
+    </message>
+    <message>
+        <source>Saving the mesh</source>
+        <translation>Enregistrement du maillage</translation>
+    </message>
+    <message>
+        <source>Reading the mesh</source>
+        <translation>Lecture du maillage</translation>
+    </message>
+    <message>
+        <source>Stiffness of each cell from the MRE map</source>
+        <translation>Rigidité de chaque cellule d’après la carte d’ERM</translation>
+    </message>
+    <message>
+        <source>A Young&apos;s modulus of {0} kPa is not possible.</source>
+        <translation>Un module de Young de {0} kPa n’est pas possible.</translation>
+    </message>
+    <message>
+        <source>Saving the model</source>
+        <translation>Enregistrement du modèle</translation>
+    </message>
+    <message>
+        <source>Give the mesh its stiffness first (glisson-cli stiffness).</source>
+        <translation>Donnez d’abord sa rigidité au maillage (glisson-cli stiffness).</translation>
+    </message>
+    <message>
+        <source>The model of {0} has no stiffness.</source>
+        <translation>Le modèle de {0} n’a pas de rigidité.</translation>
+    </message>
+    <message>
+        <source>Run glisson-cli stiffness again.</source>
+        <translation>Exécutez de nouveau glisson-cli stiffness.</translation>
+    </message>
+    <message>
+        <source>Import a study with MR elastography, or choose --uniform-kPa or --atlas.</source>
+        <translation>Importez une étude avec élastographie par RM, ou choisissez --uniform-kPa ou --atlas.</translation>
+    </message>
+    <message>
+        <source>{0} does not hold a simulation&apos;s result: {1}.</source>
+        <translation>{0} ne contient pas de résultat de simulation : {1}.</translation>
+    </message>
+    <message>
+        <source>Make one with glisson-cli simulate --out DIR.</source>
+        <translation>Produisez-en un avec glisson-cli simulate --out DOSSIER.</translation>
+    </message>
+    <message>
+        <source>result.vtu is missing</source>
+        <translation>result.vtu manque</translation>
+    </message>
+    <message>
+        <source>result.json does not say &quot;format&quot;: &quot;glisson-result/1&quot;</source>
+        <translation>result.json n’indique pas &quot;format&quot;: &quot;glisson-result/1&quot;</translation>
+    </message>
+    <message>
+        <source>the computation did not converge</source>
+        <translation>le calcul n’a pas convergé</translation>
+    </message>
+    <message>
+        <source>The growing left {0} out; it was added to the liver.</source>
+        <translation>La croissance avait laissé de côté {0} ; la structure a été ajoutée au foie.</translation>
+    </message>
+    <message>
+        <source>Reading the labels</source>
+        <translation>Lecture de la segmentation</translation>
+    </message>
+    <message>
+        <source>No voxel of label {0} in {1} lies inside the anatomy.</source>
+        <translation>Aucun voxel de l’étiquette {0} de {1} ne se trouve dans l’anatomie.</translation>
+    </message>
+    <message>
+        <source>Check that both belong to the same patient and frame of reference.</source>
+        <translation>Vérifiez que les deux appartiennent au même patient et au même référentiel.</translation>
+    </message>
+    <message>
+        <source>{0} has no labelled voxel.</source>
+        <translation>{0} n’a aucun voxel étiqueté.</translation>
+    </message>
+    <message>
+        <source>{0} has no label {2}; it holds {1}.</source>
+        <translation>{0} n’a pas d’étiquette {2} ; il contient {1}.</translation>
+    </message>
+    <message>
+        <source>{0} holds several labels: {1}.</source>
+        <translation>{0} contient plusieurs étiquettes : {1}.</translation>
+    </message>
+    <message>
+        <source>Choose one with --label-value.</source>
+        <translation>Choisissez-en une avec --label-value.</translation>
+    </message>
+    <message>
+        <source>The magnitude images do not lie on the grid of the waves.</source>
+        <translation>Les images de magnitude ne sont pas sur la grille des ondes.</translation>
+    </message>
+    <message>
+        <source>{0} holds no wave or phase images.</source>
+        <translation>{0} ne contient pas d’images d’ondes ni de phase.</translation>
+    </message>
+    <message>
+        <source>Import the phase series of an elastography scan (glisson-cli import --phase).</source>
+        <translation>Importez la série de phase d’une élastographie (glisson-cli import --phase).</translation>
+    </message>
+    <message>
+        <source>Reading the waves</source>
+        <translation>Lecture des ondes</translation>
+    </message>
+    <message>
+        <source>Saving the maps</source>
+        <translation>Enregistrement des cartes</translation>
+    </message>
+    <message>
+        <source>{0} is not an experiment of the format &quot;glisson-experiment/1&quot;.</source>
+        <translation>{0} n’est pas une expérience au format &quot;glisson-experiment/1&quot;.</translation>
+    </message>
+    <message>
+        <source>An experiment begins with &quot;format&quot;: &quot;glisson-experiment/1&quot; and &quot;kind&quot;.</source>
+        <translation>Une expérience commence par &quot;format&quot;: &quot;glisson-experiment/1&quot; et &quot;kind&quot;.</translation>
+    </message>
+    <message>
+        <source>There is no kind of experiment called &quot;{0}&quot;.</source>
+        <translation>Il n’y a pas de type d’expérience nommé « {0} ».</translation>
+    </message>
+    <message>
+        <source>The kinds are palpation, material and platform.</source>
+        <translation>Les types sont palpation, material et platform.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} names {2}, which is not there.</source>
+        <translation>La ligne {0} de {1} nomme {2}, qui n’existe pas.</translation>
+    </message>
+    <message>
+        <source>Files are looked for beside the experiment: was it copied without them, or is the name misspelt?</source>
+        <translation>Les fichiers sont cherchés à côté de l’expérience : a-t-elle été copiée sans eux, ou le nom est-il mal écrit ?</translation>
+    </message>
+    <message>
+        <source>{0} lacks &quot;{1}&quot;.</source>
+        <translation>Il manque &quot;{1}&quot; à {0}.</translation>
+    </message>
+    <message>
+        <source>{0} must be a finite number.</source>
+        <translation>{0} doit être un nombre fini.</translation>
+    </message>
+    <message>
+        <source>{0} must be above zero.</source>
+        <translation>{0} doit être supérieur à zéro.</translation>
+    </message>
+    <message>
+        <source>{0} must be a text in quotes.</source>
+        <translation>{0} doit être un texte entre guillemets.</translation>
+    </message>
+    <message>
+        <source>{0} must be three numbers [x, y, z].</source>
+        <translation>{0} doit être formé de trois nombres [x, y, z].</translation>
+    </message>
+    <message>
+        <source>&quot;trials&quot; must be a list with at least one trial.</source>
+        <translation>&quot;trials&quot; doit être une liste d’au moins un essai.</translation>
+    </message>
+    <message>
+        <source>{0} must be an object in braces.</source>
+        <translation>{0} doit être un objet entre accolades.</translation>
+    </message>
+    <message>
+        <source>Two trials have the id &quot;{0}&quot;.</source>
+        <translation>Deux essais ont l’identifiant « {0} ».</translation>
+    </message>
+    <message>
+        <source>{0} has no column &quot;{1}&quot;, which the experiment names for {2}; line {3} has: {4}.</source>
+        <translation>{0} n’a pas de colonne « {1} », que l’expérience nomme pour {2} ; la ligne {3} contient : {4}.</translation>
+    </message>
+    <message>
+        <source>Is the name misspelt, or is this the table of another trial?</source>
+        <translation>Le nom est-il mal écrit, ou est-ce la table d’un autre essai ?</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} has no number under &quot;{2}&quot;.</source>
+        <translation>La ligne {0} de {1} n’a pas de nombre sous « {2} ».</translation>
+    </message>
+    <message>
+        <source>Is the table cut off, or written with decimal commas?</source>
+        <translation>La table est-elle tronquée, ou écrite avec des virgules décimales ?</translation>
+    </message>
+    <message>
+        <source>Time goes back at line {0} of {1}: from {2} s to {3} s.</source>
+        <translation>Le temps recule à la ligne {0} de {1} : de {2} s à {3} s.</translation>
+    </message>
+    <message>
+        <source>Are two recordings in one table, or is this not the column of times?</source>
+        <translation>Y a-t-il deux enregistrements dans une table, ou n’est-ce pas la colonne des temps ?</translation>
+    </message>
+    <message>
+        <source>{0} is {1} kPa, stiffer than any soft tissue.</source>
+        <translation>{0} vaut {1} kPa, plus rigide que tout tissu mou.</translation>
+    </message>
+    <message>
+        <source>Was it given in Pa?</source>
+        <translation>A-t-il été donné en Pa ?</translation>
+    </message>
+    <message>
+        <source>Use the model.json that glisson-cli explain wrote for an experiment of this kind.</source>
+        <translation>Utilisez le model.json que glisson-cli explain a écrit pour une expérience de ce type.</translation>
+    </message>
+    <message>
+        <source>{0} is not a model of the format {1}.</source>
+        <translation>{0} n’est pas un modèle au format {1}.</translation>
+    </message>
+    <message>
+        <source>{0} was not learnt from an experiment of the kind {1}.</source>
+        <translation>{0} n’a pas été appris d’une expérience de type {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is not a complete model.</source>
+        <translation>{0} n’est pas un modèle complet.</translation>
+    </message>
+    <message>
+        <source>The effect {0} is unknown to this experiment.</source>
+        <translation>L’effet {0} est inconnu de cette expérience.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} is no number.</source>
+        <translation>{0} de {1} n’est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>The smooth correction was made for other quantities than this experiment has.</source>
+        <translation>La correction lisse a été faite pour d’autres grandeurs que celles de cette expérience.</translation>
+    </message>
+    <message>
+        <source>The smooth correction is not complete.</source>
+        <translation>La correction lisse n’est pas complète.</translation>
+    </message>
+    <message>
+        <source>The search for parameters failed: {0}.</source>
+        <translation>La recherche des paramètres a échoué : {0}.</translation>
+    </message>
+    <message>
+        <source>The model has no solution where the search ended.</source>
+        <translation>Le modèle n’a pas de solution là où la recherche s’est arrêtée.</translation>
+    </message>
+    <message>
+        <source>This experiment proposes no further trials.</source>
+        <translation>Cette expérience ne propose pas d’autres essais.</translation>
+    </message>
+    <message>
+        <source>The specimen is stiffer or softer than declared, everywhere and at every load.</source>
+        <translation>L’échantillon est plus rigide ou plus souple que déclaré, partout et sous toute charge.</translation>
+    </message>
+    <message>
+        <source>The specimen is not equally stiff under tension and under compression.</source>
+        <translation>L’échantillon n’a pas la même rigidité en traction et en compression.</translation>
+    </message>
+    <message>
+        <source>The tissue gets stiffer (or softer) the further it is deformed: its law is not a straight line.</source>
+        <translation>Le tissu devient plus rigide (ou plus souple) à mesure qu’il se déforme : sa loi n’est pas une droite.</translation>
+    </message>
+    <message>
+        <source>The tissue gives way slowly under a load that is held, and recovers slowly after it.</source>
+        <translation>Le tissu cède lentement sous une charge maintenue, puis récupère lentement.</translation>
+    </message>
+    <message>
+        <source>Once stretched, the tissue stays softer up to the deformation that it has seen (Mullins effect).</source>
+        <translation>Une fois étiré, le tissu reste plus souple jusqu’à la déformation déjà subie (effet Mullins).</translation>
+    </message>
+    <message>
+        <source>Less force comes back on the way out than went in on the way in, in every cycle and at any speed.</source>
+        <translation>Au retour, la force est moindre qu’à l’aller, à chaque cycle et à toute vitesse.</translation>
+    </message>
+    <message>
+        <source>The load cell is at fault: it does not read zero without load, or its scale is off.</source>
+        <translation>Le capteur de force est en défaut : il n’indique pas zéro à vide, ou son échelle est fausse.</translation>
+    </message>
+    <message>
+        <source>The specimen was already loaded when the test began.</source>
+        <translation>L’échantillon était déjà chargé au début de l’essai.</translation>
+    </message>
+    <message>
+        <source>The mode &quot;{0}&quot; is not known.</source>
+        <translation>Le mode « {0} » n’est pas connu.</translation>
+    </message>
+    <message>
+        <source>The modes are compression, tension and shear.</source>
+        <translation>Les modes sont compression, tension et shear.</translation>
+    </message>
+    <message>
+        <source>The declared law &quot;{0}&quot; is not known.</source>
+        <translation>La loi déclarée « {0} » n’est pas connue.</translation>
+    </message>
+    <message>
+        <source>The laws are linear and neo-hookean.</source>
+        <translation>Les lois sont linear et neo-hookean.</translation>
+    </message>
+    <message>
+        <source>{0} gives &quot;{1}&quot;, which needs the specimen&apos;s {2}.</source>
+        <translation>{0} donne &quot;{1}&quot;, qui exige {2} de l’échantillon.</translation>
+    </message>
+    <message>
+        <source>Give the specimen&apos;s diameter_mm (or width_mm and thickness_mm, or area_mm2) and height_mm.</source>
+        <translation>Indiquez diameter_mm de l’échantillon (ou width_mm et thickness_mm, ou area_mm2) et height_mm.</translation>
+    </message>
+    <message>
+        <source>In {0} stress and strain mostly have opposite signs.</source>
+        <translation>Dans {0}, contrainte et déformation sont le plus souvent de signes opposés.</translation>
+    </message>
+    <message>
+        <source>In compression stretch is below 1, and displacement, force and stress are negative.</source>
+        <translation>En compression, l’élongation est inférieure à 1, et le déplacement, la force et la contrainte sont négatifs.</translation>
+    </message>
+    <message>
+        <source>{0} names no column for &quot;stretch&quot; or &quot;displacement_mm&quot;.</source>
+        <translation>{0} ne nomme aucune colonne pour &quot;stretch&quot; ou &quot;displacement_mm&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} names no column for &quot;stress_kPa&quot; or &quot;force_N&quot;.</source>
+        <translation>{0} ne nomme aucune colonne pour &quot;stress_kPa&quot; ou &quot;force_N&quot;.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} gives a stretch of {2}, which no specimen survives.</source>
+        <translation>La ligne {0} de {1} donne une élongation de {2}, à laquelle aucun échantillon ne survit.</translation>
+    </message>
+    <message>
+        <source>Is it strain, or a percentage? Stretch is length over length at rest.</source>
+        <translation>Est-ce une déformation, ou un pourcentage ? L’élongation est la longueur divisée par la longueur au repos.</translation>
+    </message>
+    <message>
+        <source>The material law is used beyond the stretch it allows.</source>
+        <translation>La loi du matériau est employée au-delà de l’élongation qu’elle permet.</translation>
+    </message>
+    <message>
+        <source>The specimen in {0} is {1} mm across.</source>
+        <translation>L’échantillon de {0} mesure {1} mm.</translation>
+    </message>
+    <message>
+        <source>Is the mesh in metres or micrometres?</source>
+        <translation>Le maillage est-il en mètres ou en micromètres ?</translation>
+    </message>
+    <message>
+        <source>{0} has no cell array &quot;{1}&quot; with one number a cell.</source>
+        <translation>{0} n’a pas de tableau de cellules « {1} » avec un nombre par cellule.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus must be above zero in every cell.</source>
+        <translation>Le module de Young doit être supérieur à zéro dans chaque cellule.</translation>
+    </message>
+    <message>
+        <source>{0} must lie between -1 and 0.5, both excluded.</source>
+        <translation>{0} doit être compris entre -1 et 0.5, bornes exclues.</translation>
+    </message>
+    <message>
+        <source>Line 1 of {0} names no column &quot;{1}&quot;.</source>
+        <translation>La ligne 1 de {0} ne nomme pas de colonne « {1} ».</translation>
+    </message>
+    <message>
+        <source>A table of markers has id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</source>
+        <translation>Une table de marqueurs contient id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</translation>
+    </message>
+    <message>
+        <source>{0} holds no markers.</source>
+        <translation>{0} ne contient pas de marqueurs.</translation>
+    </message>
+    <message>
+        <source>All markers of {0} lie within {1} mm (line 2 on), on a specimen of {2} mm.</source>
+        <translation>Tous les marqueurs de {0} tiennent dans {1} mm (à partir de la ligne 2), sur un échantillon de {2} mm.</translation>
+    </message>
+    <message>
+        <source>Are they in metres?</source>
+        <translation>Sont-ils en mètres ?</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1}: marker {2} lies {3} mm outside the specimen at rest.</source>
+        <translation>Ligne {0} de {1} : le marqueur {2} est à {3} mm hors de l’échantillon au repos.</translation>
+    </message>
+    <message>
+        <source>Are markers and mesh in one frame (patient coordinates) and both in mm?</source>
+        <translation>Marqueurs et maillage sont-ils dans le même repère (coordonnées du patient) et tous deux en mm ?</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1}: marker {2} moved by {3} mm, more than the specimen is long.</source>
+        <translation>Ligne {0} de {1} : le marqueur {2} s’est déplacé de {3} mm, plus que la longueur de l’échantillon.</translation>
+    </message>
+    <message>
+        <source>Are the positions in another unit or frame than the positions at rest?</source>
+        <translation>Les positions sont-elles dans une autre unité ou un autre repère que les positions au repos ?</translation>
+    </message>
+    <message>
+        <source>{0}: a force of {1} N presses no soft specimen.</source>
+        <translation>{0} : une force de {1} N ne s’exerce sur aucun échantillon mou.</translation>
+    </message>
+    <message>
+        <source>Was it given in mN?</source>
+        <translation>A-t-elle été donnée en mN ?</translation>
+    </message>
+    <message>
+        <source>{0} must not be zero.</source>
+        <translation>{0} ne doit pas être nul.</translation>
+    </message>
+    <message>
+        <source>Trial {0} (line {1} of {2}) has no samples.</source>
+        <translation>L’essai {0} (ligne {1} de {2}) n’a pas de mesures.</translation>
+    </message>
+    <message>
+        <source>Was the recording interrupted?</source>
+        <translation>L’enregistrement a-t-il été interrompu ?</translation>
+    </message>
+    <message>
+        <source>In trial {0} (line {1} of {2}) time goes back at sample {3}.</source>
+        <translation>Dans l’essai {0} (ligne {1} de {2}), le temps recule à la mesure {3}.</translation>
+    </message>
+    <message>
+        <source>Are two recordings in one trial?</source>
+        <translation>Y a-t-il deux enregistrements dans un essai ?</translation>
+    </message>
+    <message>
+        <source>No sample of trial {0} (line {1} of {2}) names markers.</source>
+        <translation>Aucune mesure de l’essai {0} (ligne {1} de {2}) ne nomme de marqueurs.</translation>
+    </message>
+    <message>
+        <source>Preparing the specimen</source>
+        <translation>Préparation de l’échantillon</translation>
+    </message>
+    <message>
+        <source>No sample of the experiment has markers.</source>
+        <translation>Aucune mesure de l’expérience n’a de marqueurs.</translation>
+    </message>
+    <message>
+        <source>Solved the declared specimen</source>
+        <translation>Échantillon déclaré résolu</translation>
+    </message>
+    <message>
+        <source>The specimen&apos;s equations are too badly conditioned to be solved.</source>
+        <translation>Les équations de l’échantillon sont trop mal conditionnées pour être résolues.</translation>
+    </message>
+    <message>
+        <source>No equilibrium of a specimen that stiffens so strongly was found under these loads.</source>
+        <translation>Aucun équilibre n’a été trouvé sous ces charges pour un échantillon qui se rigidifie autant.</translation>
+    </message>
+    <message>
+        <source>The battery&apos;s voltage falls under load: its own resistance turns energy into heat.</source>
+        <translation>La tension de la batterie baisse en charge : sa résistance interne change l’énergie en chaleur.</translation>
+    </message>
+    <message>
+        <source>The battery&apos;s voltage falls under load, and what is lost there is what warms it.</source>
+        <translation>La tension de la batterie baisse en charge, et ce qui s’y perd la réchauffe.</translation>
+    </message>
+    <message>
+        <source>The faster the battery is emptied, the less it gives (Peukert).</source>
+        <translation>Plus la batterie est vidée vite, moins elle fournit (Peukert).</translation>
+    </message>
+    <message>
+        <source>The battery gives less when it is cold and more when it is warm.</source>
+        <translation>La batterie fournit moins à froid et plus à chaud.</translation>
+    </message>
+    <message>
+        <source>The battery&apos;s voltage falls while it empties, which a constant voltage leaves out.</source>
+        <translation>La tension de la batterie baisse à mesure qu’elle se vide, ce qu’une tension constante ignore.</translation>
+    </message>
+    <message>
+        <source>The computer draws power whatever it does, more than was declared.</source>
+        <translation>L’ordinateur consomme, quoi qu’il fasse, plus de puissance que déclaré.</translation>
+    </message>
+    <message>
+        <source>A part of the power is lost in the supply before it reaches the computer.</source>
+        <translation>Une partie de la puissance se perd dans l’alimentation avant d’atteindre l’ordinateur.</translation>
+    </message>
+    <message>
+        <source>The warmer the computer gets, the more power it draws.</source>
+        <translation>Plus l’ordinateur chauffe, plus il consomme.</translation>
+    </message>
+    <message>
+        <source>The work itself takes power that was not declared.</source>
+        <translation>Le travail lui-même consomme une puissance qui n’était pas déclarée.</translation>
+    </message>
+    <message>
+        <source>The computer slows itself down to stay below a temperature.</source>
+        <translation>L’ordinateur se ralentit pour rester sous une température.</translation>
+    </message>
+    <message>
+        <source>Heat leaves the computer better or worse than declared.</source>
+        <translation>La chaleur quitte l’ordinateur mieux ou moins bien que déclaré.</translation>
+    </message>
+    <message>
+        <source>The computer takes time to warm up, longer or shorter than declared.</source>
+        <translation>L’ordinateur met du temps à chauffer, plus ou moins que déclaré.</translation>
+    </message>
+    <message>
+        <source>&quot;noise&quot; names no quantity, so that nothing can be judged.</source>
+        <translation>&quot;noise&quot; ne nomme aucune grandeur, de sorte que rien ne peut être jugé.</translation>
+    </message>
+    <message>
+        <source>Give voltage_V, temperature_C or power_W: the standard deviation of that reading.</source>
+        <translation>Indiquez voltage_V, temperature_C ou power_W : l’écart-type de cette mesure.</translation>
+    </message>
+    <message>
+        <source>The law of platforms is constant: a battery that gives all of its energy at any load.</source>
+        <translation>La loi des plates-formes est constante : une batterie qui donne toute son énergie sous toute charge.</translation>
+    </message>
+    <message>
+        <source>{0} must not be below zero.</source>
+        <translation>{0} ne doit pas être inférieur à zéro.</translation>
+    </message>
+    <message>
+        <source>Line {0} of {1} gives a {2} of {3}, which no worn computer reaches.</source>
+        <translation>La ligne {0} de {1} donne {2} = {3}, ce qu’aucun ordinateur porté n’atteint.</translation>
+    </message>
+    <message>
+        <source>{0} has no column for a quantity whose noise is given.</source>
+        <translation>{0} n’a pas de colonne pour une grandeur dont le bruit est donné.</translation>
+    </message>
+    <message>
+        <source>The declared figures predict none of the recorded quantities.</source>
+        <translation>Les chiffres déclarés ne prédisent aucune des grandeurs enregistrées.</translation>
+    </message>
+    <message>
+        <source>Voltage needs nominal_voltage_V, temperature needs thermal_resistance_C_per_W and a power, power needs a current or a load.</source>
+        <translation>La tension exige nominal_voltage_V, la température thermal_resistance_C_per_W et une puissance, la puissance un courant ou une charge.</translation>
+    </message>
+    <message>
+        <source>The model of the platform has no finite answer here.</source>
+        <translation>Le modèle de la plate-forme n’a pas ici de réponse finie.</translation>
+    </message>
+    <message>
+        <source>it is proportional to the prediction</source>
+        <translation>il est proportionnel à la prédiction</translation>
+    </message>
+    <message>
+        <source>it changes with the load</source>
+        <translation>il change avec la charge</translation>
+    </message>
+    <message>
+        <source>it changes with time</source>
+        <translation>il change avec le temps</translation>
+    </message>
+    <message>
+        <source>it has a mean in some direction</source>
+        <translation>il a une moyenne dans une direction</translation>
+    </message>
+    <message>
+        <source>it changes across the specimen</source>
+        <translation>il change à travers l’échantillon</translation>
+    </message>
+    <message>
+        <source>it differs from trial to trial</source>
+        <translation>il diffère d’un essai à l’autre</translation>
+    </message>
+    <message>
+        <source>it is larger than the noise</source>
+        <translation>il est plus grand que le bruit</translation>
+    </message>
+    <message>
+        <source>neighbours are off in the same way</source>
+        <translation>des voisins s’écartent de la même façon</translation>
+    </message>
+    <message>
+        <source>trying effects</source>
+        <translation>essai des effets</translation>
+    </message>
+    <message>
+        <source>Only an experiment whose trials are measured can be explained.</source>
+        <translation>Seule une expérience dont les essais sont mesurés peut être expliquée.</translation>
+    </message>
+    <message>
+        <source>predicting with the declared model</source>
+        <translation>prédiction avec le modèle déclaré</translation>
+    </message>
+    <message>
+        <source>weighing the evidence</source>
+        <translation>pesée des indices</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>terminé</translation>
+    </message>
+    <message>
+        <source>No voxel of the stiffness map is reliable: none is positive, confident, inside the organ and {0} mm away from its border at once.</source>
+        <translation>Aucun voxel de la carte de rigidité n’est fiable : aucun n’est à la fois positif, de confiance, dans l’organe et à {0} mm de son bord.</translation>
+    </message>
+    <message>
+        <source>Check that map, confidence mask and segmentation belong together, or trust voxels nearer to the border.</source>
+        <translation>Vérifiez que la carte, le masque de confiance et la segmentation vont ensemble, ou acceptez des voxels plus près du bord.</translation>
+    </message>
+    <message>
+        <source>The model does not lie in the stiffness map: {0} mm are between their boxes (model around {1}, map around {2}).</source>
+        <translation>Le modèle n’est pas dans la carte de rigidité : {0} mm séparent leurs boîtes (modèle autour de {1}, carte autour de {2}).</translation>
+    </message>
+    <message>
+        <source>They are probably in different frames of reference: take the stiffness series of the same study, or register the two.</source>
+        <translation>Ils sont probablement dans des référentiels différents : prenez la série de rigidité de la même étude, ou recalez les deux.</translation>
+    </message>
+    <message>
+        <source>There are no cells to give a stiffness to.</source>
+        <translation>Il n’y a pas de cellules auxquelles donner une rigidité.</translation>
+    </message>
+    <message>
+        <source>The stiffness map holds no voxels.</source>
+        <translation>La carte de rigidité ne contient aucun voxel.</translation>
+    </message>
+    <message>
+        <source>The axes of the stiffness map are not at right angles, so that the nearest voxel is not to be told.</source>
+        <translation>Les axes de la carte de rigidité ne sont pas perpendiculaires, de sorte que le voxel le plus proche ne peut être déterminé.</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio must lie in (-1, 0.5], the border must not be negative and the averaging length must be positive; they are {0}, {1} mm and {2} mm.</source>
+        <translation>Le coefficient de Poisson doit être dans (-1, 0.5], le bord ne doit pas être négatif et la longueur de moyenne doit être positive ; ils valent {0}, {1} mm et {2} mm.</translation>
+    </message>
+    <message>
+        <source>There are no wave or phase images.</source>
+        <translation>Il n’y a pas d’images d’ondes ni de phase.</translation>
+    </message>
+    <message>
+        <source>Unwrapping the phase</source>
+        <translation>Déroulement de la phase</translation>
+    </message>
+    <message>
+        <source>The waves give no signal inside the organ.</source>
+        <translation>Les ondes ne donnent aucun signal dans l’organe.</translation>
+    </message>
+    <message>
+        <source>Check that the segmentation and the wave images belong together.</source>
+        <translation>Vérifiez que la segmentation et les images d’ondes vont ensemble.</translation>
+    </message>
+    <message>
+        <source>Inverting the waves</source>
+        <translation>Inversion des ondes</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Inversé</translation>
+    </message>
+    <message>
+        <source>Not one voxel could be inverted with confidence: there is no wave in these images, or it drowns in noise.</source>
+        <translation>Aucun voxel n’a pu être inversé avec confiance : il n’y a pas d’onde dans ces images, ou elle se noie dans le bruit.</translation>
+    </message>
+    <message>
+        <source>Check that the phase series and the frequency are the right ones.</source>
+        <translation>Vérifiez que la série de phase et la fréquence sont les bonnes.</translation>
+    </message>
+    <message>
+        <source>The region lies on another voxel grid than the map.</source>
+        <translation>La région est sur une autre grille de voxels que la carte.</translation>
+    </message>
+    <message>
+        <source>The region holds no value.</source>
+        <translation>La région ne contient aucune valeur.</translation>
+    </message>
+    <message>
+        <source>The wave images do not all lie on one grid.</source>
+        <translation>Les images d’ondes ne sont pas toutes sur une même grille.</translation>
+    </message>
+    <message>
+        <source>The headers do not say at which frequency the organ was shaken.</source>
+        <translation>Les en-têtes n’indiquent pas à quelle fréquence l’organe a été mis en vibration.</translation>
+    </message>
+    <message>
+        <source>Give it with --frequency-Hz; liver scans mostly use 60.</source>
+        <translation>Indiquez-la avec --frequency-Hz ; pour le foie, c’est le plus souvent 60.</translation>
+    </message>
+    <message>
+        <source>A vibration of {0} Hz is not possible.</source>
+        <translation>Une vibration de {0} Hz n’est pas possible.</translation>
+    </message>
+    <message>
+        <source>The headers do not say which of the {0} wave images belong to which direction.</source>
+        <translation>Les en-têtes n’indiquent pas quelles images, parmi les {0} images d’ondes, appartiennent à quelle direction.</translation>
+    </message>
+    <message>
+        <source>Say how many directions were measured with --directions; mostly 1 or 3.</source>
+        <translation>Indiquez avec --directions combien de directions ont été mesurées ; le plus souvent 1 ou 3.</translation>
+    </message>
+    <message>
+        <source>{0} wave images cannot be shared out among {1} directions.</source>
+        <translation>{0} images d’ondes ne peuvent pas être réparties sur {1} directions.</translation>
+    </message>
+    <message>
+        <source>At {0} Hz direction {1} has {2} instants and the first direction {3}.</source>
+        <translation>À {0} Hz, la direction {1} a {2} instants et la première direction {3}.</translation>
+    </message>
+    <message>
+        <source>Only {0} instants of the wave were measured; at least {1} are needed to tell the wave from noise.</source>
+        <translation>Seuls {0} instants de l’onde ont été mesurés ; il en faut au moins {1} pour distinguer l’onde du bruit.</translation>
+    </message>
+    <message>
+        <source>The curl needs the motion along three known directions, in at least three slices.</source>
+        <translation>Le rotationnel exige le mouvement selon trois directions connues, sur au moins trois coupes.</translation>
+    </message>
+    <message>
+        <source>Take long waves off with the high-pass instead.</source>
+        <translation>Supprimez plutôt les ondes longues avec le passe-haut.</translation>
+    </message>
+    <message>
+        <source>A cutting plane needs a finite point and a normal that is not zero.</source>
+        <translation>Un plan de coupe exige un point fini et une normale non nulle.</translation>
+    </message>
+    <message>
+        <source>A cutting sheet needs 3 to {0} points; there are {1}.</source>
+        <translation>Une surface de coupe exige de 3 à {0} points ; il y en a {1}.</translation>
+    </message>
+    <message>
+        <source>A point of the cutting sheet is not finite.</source>
+        <translation>Un point de la surface de coupe n’est pas fini.</translation>
+    </message>
+    <message>
+        <source>The points of the cutting sheet lie almost on a line, which does not say which way to cut: add points away from it, or give a plane.</source>
+        <translation>Les points de la surface de coupe sont presque alignés, ce qui ne dit pas comment couper : ajoutez des points à l’écart, ou donnez un plan.</translation>
+    </message>
+    <message>
+        <source>Points {0} and {1} of the cutting sheet lie above each other: no smooth sheet over their plane passes through both.</source>
+        <translation>Les points {0} et {1} de la surface de coupe sont l’un au-dessus de l’autre : aucune surface lisse au-dessus de leur plan ne passe par les deux.</translation>
+    </message>
+    <message>
+        <source>No smooth sheet passes through the points of the cut.</source>
+        <translation>Aucune surface lisse ne passe par les points de la coupe.</translation>
+    </message>
+    <message>
+        <source>The surface is in pieces, between which there is no way along it.</source>
+        <translation>La surface est en morceaux entre lesquels aucun chemin ne la suit.</translation>
+    </message>
+    <message>
+        <source>Keep its largest piece.</source>
+        <translation>Gardez son plus grand morceau.</translation>
+    </message>
+    <message>
+        <source>Triangle {0} does not fit its neighbours: an edge has more than two triangles, or they are turned against each other.</source>
+        <translation>Le triangle {0} ne s’accorde pas avec ses voisins : une arête a plus de deux triangles, ou ils sont orientés en sens contraire.</translation>
+    </message>
+    <message>
+        <source>Heat cannot spread over the surface: it has flat triangles.</source>
+        <translation>La chaleur ne peut pas se propager sur la surface : elle a des triangles plats.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read as a mesh: {1}.</source>
+        <translation>{0} ne peut pas être lu comme maillage : {1}.</translation>
+    </message>
+    <message>
+        <source>Open it in ParaView to see whether it is damaged.</source>
+        <translation>Ouvrez-le dans ParaView pour voir s’il est endommagé.</translation>
+    </message>
+    <message>
+        <source>it names no dataset</source>
+        <translation>il ne nomme aucun jeu de données</translation>
+    </message>
+    <message>
+        <source>its points are not all there</source>
+        <translation>ses points ne sont pas tous là</translation>
+    </message>
+    <message>
+        <source>its cell types are not all there</source>
+        <translation>ses types de cellules ne sont pas tous là</translation>
+    </message>
+    <message>
+        <source>it has not as many cell types as cells</source>
+        <translation>il n’a pas autant de types de cellules que de cellules</translation>
+    </message>
+    <message>
+        <source>a field says not how many arrays it has</source>
+        <translation>un champ n’indique pas combien de tableaux il contient</translation>
+    </message>
+    <message>
+        <source>an array before its cells is not all there, or is text</source>
+        <translation>un tableau avant ses cellules est incomplet, ou est du texte</translation>
+    </message>
+    <message>
+        <source>{0} has no extension that is known for such a mesh.</source>
+        <translation>{0} n’a pas d’extension connue pour un tel maillage.</translation>
+    </message>
+    <message>
+        <source>it holds no points</source>
+        <translation>il ne contient pas de points</translation>
+    </message>
+    <message>
+        <source>a cell names a point that does not exist</source>
+        <translation>une cellule nomme un point qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>its polygons cannot be cut into triangles</source>
+        <translation>ses polygones ne peuvent pas être découpés en triangles</translation>
+    </message>
+    <message>
+        <source>Cell {1} of {0} is a {2} of {3} points; only tetrahedra are used.</source>
+        <translation>La cellule {1} de {0} est un {2} de {3} points ; seuls les tétraèdres sont utilisés.</translation>
+    </message>
+    <message>
+        <source>Cut it into tetrahedra first, for example with ParaView&apos;s Tetrahedralize.</source>
+        <translation>Découpez-le d’abord en tétraèdres, par exemple avec Tetrahedralize de ParaView.</translation>
+    </message>
+    <message>
+        <source>it holds no tetrahedra</source>
+        <translation>il ne contient pas de tétraèdres</translation>
+    </message>
+    <message>
+        <source>The header of {0} announces {1} items; a file of {2} bytes cannot hold them.</source>
+        <translation>L’en-tête de {0} annonce {1} éléments ; un fichier de {2} octets ne peut pas les contenir.</translation>
+    </message>
+    <message>
+        <source>The file is damaged or cut off; get it again from where it came.</source>
+        <translation>Le fichier est endommagé ou tronqué ; récupérez-le à sa source.</translation>
+    </message>
+    <message>
+        <source>Line {1} of {0} is neither a point nor a face.</source>
+        <translation>La ligne {1} de {0} n’est ni un point ni une face.</translation>
+    </message>
+    <message>
+        <source>Line {1} of {0} is not what an OFF file holds there.</source>
+        <translation>La ligne {1} de {0} n’est pas ce qu’un fichier OFF contient à cet endroit.</translation>
+    </message>
+    <message>
+        <source>its header is not that of a PLY file</source>
+        <translation>son en-tête n’est pas celui d’un fichier PLY</translation>
+    </message>
+    <message>
+        <source>Point {0} of the surface has no finite position.</source>
+        <translation>Le point {0} de la surface n’a pas de position finie.</translation>
+    </message>
+    <message>
+        <source>Triangle {0} names point {1}; the surface has {2} points.</source>
+        <translation>Le triangle {0} nomme le point {1} ; la surface a {2} points.</translation>
+    </message>
+    <message>
+        <source>The surface holds no triangles.</source>
+        <translation>La surface ne contient pas de triangles.</translation>
+    </message>
+    <message>
+        <source>The mesh holds no tetrahedra.</source>
+        <translation>Le maillage ne contient pas de tétraèdres.</translation>
+    </message>
+    <message>
+        <source>Tetrahedron {0} names point {1}; the mesh has {2} points.</source>
+        <translation>Le tétraèdre {0} nomme le point {1} ; le maillage a {2} points.</translation>
+    </message>
+    <message>
+        <source>Point {0} of the mesh has no finite position.</source>
+        <translation>Le point {0} du maillage n’a pas de position finie.</translation>
+    </message>
+    <message>
+        <source>Tetrahedron {0} is flat or inside out: its volume is {1} mm3.</source>
+        <translation>Le tétraèdre {0} est plat ou retourné : son volume est de {1} mm3.</translation>
+    </message>
+    <message>
+        <source>The face of the points {0}, {1} and {2} belongs to {3} tetrahedra; at most two can.</source>
+        <translation>La face des points {0}, {1} et {2} appartient à {3} tétraèdres ; deux au plus sont possibles.</translation>
+    </message>
+    <message>
+        <source>The mesh falls in {0} parts that share no face, of {1} tetrahedra.</source>
+        <translation>Le maillage se divise en {0} parties sans face commune, de {1} tétraèdres.</translation>
+    </message>
+    <message>
+        <source>Keep the largest part, or join them before meshing.</source>
+        <translation>Gardez la plus grande partie, ou réunissez-les avant le maillage.</translation>
+    </message>
+    <message>
+        <source>{0} is deflated as a whole, which is not read.</source>
+        <translation>{0} est entièrement compressé (deflate), ce qui n’est pas lu.</translation>
+    </message>
+    <message>
+        <source>Convert it first, for example with dcmconv +te.</source>
+        <translation>Convertissez-le d’abord, par exemple avec dcmconv +te.</translation>
+    </message>
+    <message>
+        <source>{0} is empty.</source>
+        <translation>{0} est vide.</translation>
+    </message>
+    <message>
+        <source>{0} declares a length beyond its end in its first lines.</source>
+        <translation>{0} déclare dans ses premières lignes une longueur au-delà de sa fin.</translation>
+    </message>
+    <message>
+        <source>{0} is no DICOM file, nor named as one of the volume files that are read.</source>
+        <translation>{0} n’est pas un fichier DICOM, ni nommé comme un des fichiers de volume qui sont lus.</translation>
+    </message>
+    <message>
+        <source>The header of {0} is too large to be that of an image.</source>
+        <translation>L’en-tête de {0} est trop grand pour celui d’une image.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: an item stands outside a sequence at byte {1}.</source>
+        <translation>{0} est endommagé : un élément se trouve hors d’une séquence à l’octet {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: a value without a length stands at byte {1}.</source>
+        <translation>{0} est endommagé : une valeur sans longueur se trouve à l’octet {1}.</translation>
+    </message>
+    <message>
+        <source>{0} ends at byte {1}, in the middle of its header.</source>
+        <translation>{0} se termine à l’octet {1}, au milieu de son en-tête.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: the length at byte {1} leaves what encloses it.</source>
+        <translation>{0} est endommagé : la longueur à l’octet {1} dépasse ce qui l’entoure.</translation>
+    </message>
+    <message>
+        <source>{0} ends at byte {1}, in the middle of a sequence.</source>
+        <translation>{0} se termine à l’octet {1}, au milieu d’une séquence.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: a sequence holds something else than items at byte {1}.</source>
+        <translation>{0} est endommagé : une séquence contient autre chose que des éléments à l’octet {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its pixels are not stored in the way its transfer syntax {1} says.</source>
+        <translation>{0} est endommagé : ses pixels ne sont pas stockés comme le dit sa syntaxe de transfert {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is cut short: {1} of {2} bytes of its pixels are there.</source>
+        <translation>{0} est tronqué : {1} octets de ses pixels sur {2} sont là.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its compressed pixels are broken at byte {1}.</source>
+        <translation>{0} est endommagé : ses pixels compressés sont corrompus à l’octet {1}.</translation>
+    </message>
+    <message>
+        <source>The pixels of {0} are in too many pieces.</source>
+        <translation>Les pixels de {0} sont en trop de morceaux.</translation>
+    </message>
+    <message>
+        <source>{0} is cut short in its compressed pixels, at byte {1}.</source>
+        <translation>{0} est tronqué dans ses pixels compressés, à l’octet {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: no value type is known for what stands at byte {1}.</source>
+        <translation>{0} est endommagé : aucun type de valeur n’est connu pour ce qui se trouve à l’octet {1}.</translation>
+    </message>
+    <message>
+        <source>{0} nests its sequences more than {1} deep, which no image does.</source>
+        <translation>{0} imbrique ses séquences sur plus de {1} niveaux, ce qu’aucune image ne fait.</translation>
+    </message>
+    <message>
+        <source>Copy the file again from where it came.</source>
+        <translation>Copiez de nouveau le fichier depuis sa source.</translation>
+    </message>
+    <message>
+        <source>The compressed pixels of {0} are damaged.</source>
+        <translation>Les pixels compressés de {0} sont endommagés.</translation>
+    </message>
+    <message>
+        <source>{0} is compressed in a way that is not read (transfer syntax {1}).</source>
+        <translation>{0} est compressé d’une façon qui n’est pas lue (syntaxe de transfert {1}).</translation>
+    </message>
+    <message>
+        <source>Convert it to an uncompressed or JPEG form first.</source>
+        <translation>Convertissez-le d’abord en une forme non compressée ou JPEG.</translation>
+    </message>
+    <message>
+        <source>The compressed picture of {0} is {1} x {2} with {3} bits, where its header says {4} x {5} with {6}.</source>
+        <translation>L’image compressée de {0} a {1} x {2} pixels à {3} bits, alors que son en-tête indique {4} x {5} à {6}.</translation>
+    </message>
+    <message>
+        <source>{0} lies inside {1}, which is only read.</source>
+        <translation>{0} se trouve dans {1}, qui est seulement lu.</translation>
+    </message>
+    <message>
+        <source>Choose a folder elsewhere for the files without identity.</source>
+        <translation>Choisissez un autre dossier pour les fichiers sans identité.</translation>
+    </message>
+    <message>
+        <source>removing identity</source>
+        <translation>suppression de l’identité</translation>
+    </message>
+    <message>
+        <source>{0} holds no DICOM file.</source>
+        <translation>{0} ne contient aucun fichier DICOM.</translation>
+    </message>
+    <message>
+        <source>Give the folder or the file that holds the images.</source>
+        <translation>Indiquez le dossier ou le fichier qui contient les images.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read: {1}.</source>
+        <translation>{0} ne peut pas être lu : {1}.</translation>
+    </message>
+    <message>
+        <source>Check the path and your rights there.</source>
+        <translation>Vérifiez le chemin et vos droits.</translation>
+    </message>
+    <message>
+        <source>{0} holds no image, or is damaged.</source>
+        <translation>{0} ne contient pas d’image, ou est endommagé.</translation>
+    </message>
+    <message>
+        <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
+        <translation>{0} déclare une taille impossible : {1} x {2} pixels en {3} images.</translation>
+    </message>
+    <message>
+        <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
+        <translation>{0} déclare des pixels impossibles : {1} bits sur {2}, le plus haut {3}.</translation>
+    </message>
+    <message>
+        <source>{0} declares compressed pictures too large to be true.</source>
+        <translation>{0} déclare des images compressées trop grandes pour être vraies.</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} of the {2} frames that it declares.</source>
+        <translation>{0} contient {1} des {2} images qu’il déclare.</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} bytes of pixels, but its size in pixels asks for {2}.</source>
+        <translation>{0} contient {1} octets de pixels, mais sa taille en exige {2}.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its header cannot be understood.</source>
+        <translation>{0} est endommagé : son en-tête est incompréhensible.</translation>
+    </message>
+    <message>
+        <source>{0} is DICOM, but holds no picture ({1}).</source>
+        <translation>{0} est du DICOM, mais ne contient pas d’image ({1}).</translation>
+    </message>
+    <message>
+        <source>{0} is no directory of DICOM files.</source>
+        <translation>{0} n’est pas un répertoire de fichiers DICOM (DICOMDIR).</translation>
+    </message>
+    <message>
+        <source>Open the folder itself instead.</source>
+        <translation>Ouvrez plutôt le dossier lui-même.</translation>
+    </message>
+    <message>
+        <source>Export the segmentation again, as binary and uncompressed DICOM SEG.</source>
+        <translation>Exportez de nouveau la segmentation, en DICOM SEG binaire et non compressé.</translation>
+    </message>
+    <message>
+        <source>{0} is not a DICOM segmentation.</source>
+        <translation>{0} n’est pas une segmentation DICOM.</translation>
+    </message>
+    <message>
+        <source>The segmentation {0} is compressed (or big endian).</source>
+        <translation>La segmentation {0} est compressée (ou en big endian).</translation>
+    </message>
+    <message>
+        <source>The segmentation {0} names no segment, or too many for its size: {1}.</source>
+        <translation>La segmentation {0} ne nomme aucun segment, ou trop pour sa taille : {1}.</translation>
+    </message>
+    <message>
+        <source>The headers of {0} are damaged.</source>
+        <translation>Les en-têtes de {0} sont endommagés.</translation>
+    </message>
+    <message>
+        <source>The segmentation {0} does not say where its frames are: {1}.</source>
+        <translation>La segmentation {0} n’indique pas où sont ses images : {1}.</translation>
+    </message>
+    <message>
+        <source>rows, columns, frames or bits</source>
+        <translation>lignes, colonnes, images ou bits</translation>
+    </message>
+    <message>
+        <source>pixel spacing</source>
+        <translation>espacement des pixels</translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation {0} are not above each other.</source>
+        <translation>Les images de la segmentation {0} ne sont pas superposées.</translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation {0} are not evenly spaced.</source>
+        <translation>Les images de la segmentation {0} ne sont pas régulièrement espacées.</translation>
+    </message>
+    <message>
+        <source>The segmentation {0} holds fewer frames than it declares.</source>
+        <translation>La segmentation {0} contient moins d’images qu’elle n’en déclare.</translation>
+    </message>
+    <message>
+        <source>The segmentation {0} ends before its last frame.</source>
+        <translation>La segmentation {0} se termine avant sa dernière image.</translation>
+    </message>
+    <message>
+        <source>There is no segment to write.</source>
+        <translation>Il n’y a pas de segment à écrire.</translation>
+    </message>
+    <message>
+        <source>A segmentation needs the identifiers of the study, the series and the frame of reference that it was drawn on.</source>
+        <translation>Une segmentation exige les identifiants de l’étude, de la série et du référentiel sur lesquels elle a été dessinée.</translation>
+    </message>
+    <message>
+        <source>The segments {0} and {1} lie on different grids; one file holds one grid.</source>
+        <translation>Les segments {0} et {1} sont sur des grilles différentes ; un fichier contient une seule grille.</translation>
+    </message>
+    <message>
+        <source>The grid of the segment {0} is skewed, left-handed or too large for DICOM.</source>
+        <translation>La grille du segment {0} est oblique, de sens indirect ou trop grande pour DICOM.</translation>
+    </message>
+    <message>
+        <source>The volume holds no voxels, so no series can be written to {0}.</source>
+        <translation>Le volume ne contient aucun voxel ; aucune série ne peut donc être écrite dans {0}.</translation>
+    </message>
+    <message>
+        <source>The slices have {0} x {1} voxels; DICOM counts rows and columns up to 65535.</source>
+        <translation>Les coupes ont {0} x {1} voxels ; DICOM compte les lignes et les colonnes jusqu’à 65535.</translation>
+    </message>
+    <message>
+        <source>The series {0} needs the identifiers of its study, of itself and of its frame of reference.</source>
+        <translation>La série {0} exige les identifiants de son étude, d’elle-même et de son référentiel.</translation>
+    </message>
+    <message>
+        <source>The volume holds values that are not finite; DICOM cannot.</source>
+        <translation>Le volume contient des valeurs non finies ; DICOM ne le permet pas.</translation>
+    </message>
+    <message>
+        <source>Slice {0} holds the value {1}, which the rescale {2} x + {3} cannot hold in 16 bits.</source>
+        <translation>La coupe {0} contient la valeur {1}, que le changement d’échelle {2} x + {3} ne peut contenir sur 16 bits.</translation>
+    </message>
+    <message>
+        <source>{0} may not be read by you.</source>
+        <translation>Vous n’avez pas le droit de lire {0}.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be opened: it has gone, or is no ordinary file.</source>
+        <translation>{0} ne peut pas être ouvert : il a disparu, ou n’est pas un fichier ordinaire.</translation>
+    </message>
+    <message>
+        <source>{0} is not any more as it was when the folder was scanned.</source>
+        <translation>{0} n’est plus tel qu’au moment de l’examen du dossier.</translation>
+    </message>
+    <message>
+        <source>Scan the folder again.</source>
+        <translation>Examinez de nouveau le dossier.</translation>
+    </message>
+    <message>
+        <source>{0} does not say which of its compressed pieces belong to frame {1}.</source>
+        <translation>{0} n’indique pas lesquels de ses morceaux compressés appartiennent à l’image {1}.</translation>
+    </message>
+    <message>
+        <source>The series {0} has {1} volumes, counted from 0, and no {2}.</source>
+        <translation>La série {0} a {1} volumes, comptés à partir de 0, et pas de {2}.</translation>
+    </message>
+    <message>
+        <source>The series {0} is a segmentation, not an image.</source>
+        <translation>La série {0} est une segmentation, pas une image.</translation>
+    </message>
+    <message>
+        <source>Import it as labels of a structure.</source>
+        <translation>Importez-la comme étiquettes d’une structure.</translation>
+    </message>
+    <message>
+        <source>The series {0} holds pictures in colour and no values to measure.</source>
+        <translation>La série {0} contient des images en couleur et aucune valeur à mesurer.</translation>
+    </message>
+    <message>
+        <source>Choose the grey-scale series that it was made from.</source>
+        <translation>Choisissez la série en niveaux de gris dont elle provient.</translation>
+    </message>
+    <message>
+        <source>The series {0} needs {1} GiB of memory, more than this computer has.</source>
+        <translation>La série {0} exige {1} Gio de mémoire, plus que n’en a cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>Reading the slices</source>
+        <translation>Lecture des coupes</translation>
+    </message>
+    <message>
+        <source>Sorting the series</source>
+        <translation>Tri des séries</translation>
+    </message>
+    <message>
+        <source>The folder {0} cannot be read.</source>
+        <translation>Le dossier {0} ne peut pas être lu.</translation>
+    </message>
+    <message>
+        <source>Check your rights there.</source>
+        <translation>Vérifiez vos droits.</translation>
+    </message>
+    <message>
+        <source>Files found</source>
+        <translation>Fichiers trouvés</translation>
+    </message>
+    <message>
+        <source>There is nothing at {0}.</source>
+        <translation>Il n’y a rien à {0}.</translation>
+    </message>
+    <message>
+        <source>Check the path.</source>
+        <translation>Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <source>Files looked at</source>
+        <translation>Fichiers examinés</translation>
+    </message>
+    <message>
+        <source>The map is in {0}, which is no unit of stiffness.</source>
+        <translation>La carte est en {0}, qui n’est pas une unité de rigidité.</translation>
+    </message>
+    <message>
+        <source>The stiffness map holds no value above zero.</source>
+        <translation>La carte de rigidité ne contient aucune valeur supérieure à zéro.</translation>
+    </message>
+    <message>
+        <source>It cannot be decided whether the stiffness map is in Pa or kPa: its median, {0}, is no stiffness of soft tissue in either.</source>
+        <translation>On ne peut décider si la carte de rigidité est en Pa ou en kPa : sa médiane, {0}, n’est une rigidité de tissu mou dans aucune des deux.</translation>
+    </message>
+    <message>
+        <source>The stiffness map is marked as {0}, but its median, {1}, is a stiffness of soft tissue only in {2}.</source>
+        <translation>La carte de rigidité est marquée en {0}, mais sa médiane, {1}, n’est une rigidité de tissu mou qu’en {2}.</translation>
+    </message>
+    <message>
+        <source>Correct the unit in the file after asking where it came from.</source>
+        <translation>Corrigez l’unité dans le fichier après vous être renseigné auprès de sa source.</translation>
+    </message>
+    <message>
+        <source>{0} is not a label map: it holds the value {1}.</source>
+        <translation>{0} n’est pas une carte d’étiquettes : elle contient la valeur {1}.</translation>
+    </message>
+    <message>
+        <source>A label map holds whole numbers from 0 to 65535.</source>
+        <translation>Une carte d’étiquettes contient des nombres entiers de 0 à 65535.</translation>
+    </message>
+    <message>
+        <source>{0} is not of a known kind of volume file.</source>
+        <translation>{0} n’est pas d’un type connu de fichier de volume.</translation>
+    </message>
+    <message>
+        <source>Known are .nii, .nii.gz, .nrrd, .nhdr, .mha and .mhd.</source>
+        <translation>Sont connus .nii, .nii.gz, .nrrd, .nhdr, .mha et .mhd.</translation>
+    </message>
+    <message>
+        <source>Check that the file is whole, for example by opening it in 3D Slicer.</source>
+        <translation>Vérifiez que le fichier est complet, par exemple en l’ouvrant dans 3D Slicer.</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>il est vide</translation>
+    </message>
+    <message>
+        <source>its header is not of that format</source>
+        <translation>son en-tête n’est pas de ce format</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} values at each voxel; one is needed.</source>
+        <translation>{0} contient {1} valeurs par voxel ; il en faut une.</translation>
+    </message>
+    <message>
+        <source>Save one component (or a grey image in place of a colour one).</source>
+        <translation>Enregistrez une seule composante (ou une image en gris au lieu d’une image en couleur).</translation>
+    </message>
+    <message>
+        <source>{0} is not a three-dimensional volume: it has {1} axes.</source>
+        <translation>{0} n’est pas un volume à trois dimensions : il a {1} axes.</translation>
+    </message>
+    <message>
+        <source>Save one volume (one point in time) to a file.</source>
+        <translation>Enregistrez un seul volume (un seul instant) dans un fichier.</translation>
+    </message>
+    <message>
+        <source>The header of {0} gives no usable grid: sizes and spacings must be positive and the axes at right angles.</source>
+        <translation>L’en-tête de {0} ne donne pas de grille utilisable : tailles et espacements doivent être positifs et les axes perpendiculaires.</translation>
+    </message>
+    <message>
+        <source>Resample the volume onto a regular grid and save it again.</source>
+        <translation>Rééchantillonnez le volume sur une grille régulière et enregistrez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{0} is too short: its header declares {1} bytes of voxels and the file can hold {2} at most.</source>
+        <translation>{0} est trop court : son en-tête déclare {1} octets de voxels et le fichier peut en contenir {2} au plus.</translation>
+    </message>
+    <message>
+        <source>its numbers are of an unknown type</source>
+        <translation>ses nombres sont d’un type inconnu</translation>
+    </message>
+    <message>
+        <source>The supports do not hold the body: it {0}, so no equilibrium exists.</source>
+        <translation>Les appuis ne tiennent pas le corps : il {0}, donc aucun équilibre n’existe.</translation>
+    </message>
+    <message>
+        <source>Hold more of it, or put a foundation under part of its surface.</source>
+        <translation>Tenez-en une plus grande partie, ou placez une fondation sous une partie de sa surface.</translation>
+    </message>
+    <message>
+        <source>The mesh has {0} cells; at most {1} can be solved.</source>
+        <translation>Le maillage a {0} cellules ; {1} au plus peuvent être résolues.</translation>
+    </message>
+    <message>
+        <source>Mesh with fewer cells.</source>
+        <translation>Maillez avec moins de cellules.</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio must lie between -1 and 0.5, both excluded; it is {0}.</source>
+        <translation>Le coefficient de Poisson doit être compris entre -1 et 0.5, bornes exclues ; il vaut {0}.</translation>
+    </message>
+    <message>
+        <source>For tissue that is nearly incompressible take 0.45 to 0.499.</source>
+        <translation>Pour un tissu presque incompressible, prenez de 0.45 à 0.499.</translation>
+    </message>
+    <message>
+        <source>The density must be a finite number, zero or above.</source>
+        <translation>La masse volumique doit être un nombre fini, nul ou positif.</translation>
+    </message>
+    <message>
+        <source>There are {0} values of Young&apos;s modulus for {1} cells.</source>
+        <translation>Il y a {0} valeurs du module de Young pour {1} cellules.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of cell {0} is {1} kPa; it must be a number above zero.</source>
+        <translation>Le module de Young de la cellule {0} est de {1} kPa ; il doit être un nombre supérieur à zéro.</translation>
+    </message>
+    <message>
+        <source>Fill the cells without data before simulating.</source>
+        <translation>Complétez les cellules sans données avant de simuler.</translation>
+    </message>
+    <message>
+        <source>The tool at ({0}, {1}, {2}) mm with radius {3} mm touches nothing: the centre of the nearest face of the surface is {4} mm away.</source>
+        <translation>L’outil en ({0}, {1}, {2}) mm, de rayon {3} mm, ne touche rien : le centre de la face la plus proche de la surface est à {4} mm.</translation>
+    </message>
+    <message>
+        <source>Move its centre onto the surface, or make its radius larger than {4} mm.</source>
+        <translation>Déplacez son centre sur la surface, ou donnez-lui un rayon supérieur à {4} mm.</translation>
+    </message>
+    <message>
+        <source>Ordering the equations</source>
+        <translation>Mise en ordre des équations</translation>
+    </message>
+    <message>
+        <source>Solving for {0} unknowns would take {1} GB of memory; the limit is {2} GB.</source>
+        <translation>La résolution pour {0} inconnues exigerait {1} Go de mémoire ; la limite est de {2} Go.</translation>
+    </message>
+    <message>
+        <source>Factorising</source>
+        <translation>Factorisation</translation>
+    </message>
+    <message>
+        <source>The stiffness matrix is not positive definite (column {0} of {1}).</source>
+        <translation>La matrice de rigidité n’est pas définie positive (colonne {0} sur {1}).</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio may be too near 1/2, or cells may be flat: look at the mesh&apos;s quality.</source>
+        <translation>Le coefficient de Poisson est peut-être trop proche de 1/2, ou des cellules sont plates : regardez la qualité du maillage.</translation>
+    </message>
+    <message>
+        <source>The solver ran out of memory for {0} unknowns.</source>
+        <translation>Le solveur a manqué de mémoire pour {0} inconnues.</translation>
+    </message>
+    <message>
+        <source>Factorised</source>
+        <translation>Factorisé</translation>
+    </message>
+    <message>
+        <source>The equilibrium was not found. {0}</source>
+        <translation>L’équilibre n’a pas été trouvé. {0}</translation>
+    </message>
+    <message>
+        <source>The body&apos;s answer to a force on its surface was not found: the relative residual stayed at {0}.</source>
+        <translation>La réponse du corps à une force sur sa surface n’a pas été trouvée : le résidu relatif est resté à {0}.</translation>
+    </message>
+    <message>
+        <source>The tool at ({0}, {1}, {2}) mm meets no surface on its way.</source>
+        <translation>L’outil en ({0}, {1}, {2}) mm ne rencontre aucune surface sur son chemin.</translation>
+    </message>
+    <message>
+        <source>Move it in front of the liver, or turn it towards it.</source>
+        <translation>Déplacez-le devant le foie, ou tournez-le vers lui.</translation>
+    </message>
+    <message>
+        <source>A grasper needs a finite place and a radius above zero.</source>
+        <translation>Une pince exige un emplacement fini et un rayon supérieur à zéro.</translation>
+    </message>
+    <message>
+        <source>The grasper holds no point of the surface.</source>
+        <translation>La pince ne tient aucun point de la surface.</translation>
+    </message>
+    <message>
+        <source>Move it onto the surface, or open its jaws wider.</source>
+        <translation>Déplacez-la sur la surface, ou ouvrez davantage ses mors.</translation>
+    </message>
+    <message>
+        <source>A body computed straight from data can be held, but not stand on a foundation.</source>
+        <translation>Un corps calculé directement à partir de données peut être tenu, mais pas reposer sur une fondation.</translation>
+    </message>
+    <message>
+        <source>Looking for states that the data know</source>
+        <translation>Recherche d’états connus des données</translation>
+    </message>
+    <message>
+        <source>Looking for the equilibrium</source>
+        <translation>Recherche de l’équilibre</translation>
+    </message>
+    <message>
+        <source>Solved</source>
+        <translation>Résolu</translation>
+    </message>
+    <message>
+        <source>is not held at all</source>
+        <translation>n’est pas tenu du tout</translation>
+    </message>
+    <message>
+        <source>can slide in every direction</source>
+        <translation>peut glisser dans toutes les directions</translation>
+    </message>
+    <message>
+        <source>The tool of load {0} needs a finite centre and force.</source>
+        <translation>L’outil de la charge {0} exige un centre et une force finis.</translation>
+    </message>
+    <message>
+        <source>The tool of load {0} needs a radius above zero.</source>
+        <translation>L’outil de la charge {0} exige un rayon supérieur à zéro.</translation>
+    </message>
+    <message>
+        <source>The pressure of load {0} is not a finite number.</source>
+        <translation>La pression de la charge {0} n’est pas un nombre fini.</translation>
+    </message>
+    <message>
+        <source>The gravity of load {0} is not a finite vector.</source>
+        <translation>La pesanteur de la charge {0} n’est pas un vecteur fini.</translation>
+    </message>
+    <message>
+        <source>A material needs at least 3 measurements of strain and stress.</source>
+        <translation>Un matériau exige au moins 3 mesures de déformation et de contrainte.</translation>
+    </message>
+    <message>
+        <source>A measurement of strain and stress is not a finite number.</source>
+        <translation>Une mesure de déformation et de contrainte n’est pas un nombre fini.</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio must lie between -1 and 0.5, and one neighbour or more is needed for a hull.</source>
+        <translation>Le coefficient de Poisson doit être compris entre -1 et 0.5, et il faut au moins un voisin pour une enveloppe.</translation>
+    </message>
+    <message>
+        <source>The measured stress does not grow with the strain.</source>
+        <translation>La contrainte mesurée ne croît pas avec la déformation.</translation>
+    </message>
+    <message>
+        <source>Assembling the stiffness</source>
+        <translation>Assemblage de la rigidité</translation>
+    </message>
+    <message>
+        <source>Assembled</source>
+        <translation>Assemblé</translation>
+    </message>
+    <message>
+        <source>A motion needs a step and a tolerance above zero, and damping not below it.</source>
+        <translation>Un mouvement exige un pas et une tolérance supérieurs à zéro, et un amortissement qui ne lui soit pas inférieur.</translation>
+    </message>
+    <message>
+        <source>{0} nodes in this body need more than 5e8 voxels: take fewer.</source>
+        <translation>{0} nœuds dans ce corps exigent plus de 5e8 voxels : prenez-en moins.</translation>
+    </message>
+    <message>
+        <source>Spreading the nodes</source>
+        <translation>Répartition des nœuds</translation>
+    </message>
+    <message>
+        <source>Measuring how the material sees the body</source>
+        <translation>Mesure de la façon dont le matériau voit le corps</translation>
+    </message>
+    <message>
+        <source>{0} nodes, {1} voxels a node and an overlap of {2} cannot be: the last two must be at least 1 and above 1.</source>
+        <translation>{0} nœuds, {1} voxels par nœud et un recouvrement de {2} sont impossibles : les deux derniers doivent être au moins 1 et supérieur à 1.</translation>
+    </message>
+    <message>
+        <source>One linear solve a step moves the materials &quot;linear&quot; and &quot;corotational&quot;, without ligaments or a capsule.</source>
+        <translation>Une résolution linéaire par pas fait mouvoir les matériaux &quot;linear&quot; et &quot;corotational&quot;, sans ligaments ni capsule.</translation>
+    </message>
+    <message>
+        <source>The cut does not cross the body.</source>
+        <translation>La coupe ne traverse pas le corps.</translation>
+    </message>
+    <message>
+        <source>Check that cut and mesh are in the same coordinates (LPS, mm).</source>
+        <translation>Vérifiez que la coupe et le maillage sont dans les mêmes coordonnées (LPS, mm).</translation>
+    </message>
+    <message>
+        <source>A tool needs rods with finite ends and a radius above zero, and a pose that turns and moves it.</source>
+        <translation>Un outil exige des tiges aux extrémités finies et de rayon supérieur à zéro, et une pose qui le tourne et le déplace.</translation>
+    </message>
+    <message>
+        <source>{0} must be a name in quotes.</source>
+        <translation>{0} doit être un nom entre guillemets.</translation>
+    </message>
+    <message>
+        <source>{0} must be one of {1}.</source>
+        <translation>{0} doit être l’un de {1}.</translation>
+    </message>
+    <message>
+        <source>{0} must be a list in brackets.</source>
+        <translation>{0} doit être une liste entre crochets.</translation>
+    </message>
+    <message>
+        <source>{0} goes with the material &quot;veronda-westmann&quot;: give both or neither.</source>
+        <translation>{0} va avec le matériau &quot;veronda-westmann&quot; : donnez les deux ou aucun.</translation>
+    </message>
+    <message>
+        <source>{0} and &quot;youngs_modulus_kPa&quot; both say how stiff the body is: give one.</source>
+        <translation>{0} et &quot;youngs_modulus_kPa&quot; disent tous deux la rigidité du corps : n’en donnez qu’un.</translation>
+    </message>
+    <message>
+        <source>{0} has the same id &quot;{1}&quot; as another.</source>
+        <translation>{0} a le même identifiant « {1} » qu’un autre.</translation>
+    </message>
+    <message>
+        <source>{0} needs exactly one of &quot;point_array&quot;, &quot;sphere&quot; and &quot;box&quot;.</source>
+        <translation>{0} exige exactement un parmi &quot;point_array&quot;, &quot;sphere&quot; et &quot;box&quot;.</translation>
+    </message>
+    <message>
+        <source>In {0} the box&apos;s min_mm must not exceed its max_mm.</source>
+        <translation>Dans {0}, le min_mm de la boîte ne doit pas dépasser son max_mm.</translation>
+    </message>
+    <message>
+        <source>{0} is a ligament: it takes neither &quot;foundation_kPa_per_mm&quot; nor &quot;directions&quot;.</source>
+        <translation>{0} est un ligament : il ne prend ni &quot;foundation_kPa_per_mm&quot; ni &quot;directions&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} has both &quot;foundation_kPa_per_mm&quot; and &quot;directions&quot;: a foundation acts in all directions.</source>
+        <translation>{0} a à la fois &quot;foundation_kPa_per_mm&quot; et &quot;directions&quot; : une fondation agit dans toutes les directions.</translation>
+    </message>
+    <message>
+        <source>The directions of {0} must be a list such as [&quot;x&quot;, &quot;z&quot;].</source>
+        <translation>Les directions de {0} doivent être une liste, par exemple [&quot;x&quot;, &quot;z&quot;].</translation>
+    </message>
+    <message>
+        <source>{0} needs exactly one of &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; and &quot;gravity_of_patient&quot;.</source>
+        <translation>{0} exige exactement un parmi &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; et &quot;gravity_of_patient&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} must lie between -90 and 90 degrees.</source>
+        <translation>{0} doit être compris entre -90 et 90 degrés.</translation>
+    </message>
+    <message>
+        <source>{0} has both &quot;left_tilt_deg&quot; and &quot;right_tilt_deg&quot;: give one.</source>
+        <translation>{0} a à la fois &quot;left_tilt_deg&quot; et &quot;right_tilt_deg&quot; : n’en donnez qu’un.</translation>
+    </message>
+    <message>
+        <source>{0} must be true or false.</source>
+        <translation>{0} doit être true ou false.</translation>
+    </message>
+    <message>
+        <source>The steps of {0} must be a whole number from 1 to 1000000.</source>
+        <translation>Les pas de {0} doivent être un nombre entier de 1 à 1000000.</translation>
+    </message>
+    <message>
+        <source>The normal of {0} must not be zero.</source>
+        <translation>La normale de {0} ne doit pas être nulle.</translation>
+    </message>
+    <message>
+        <source>The nodes of {0} must be a whole number from 1 to 1000000.</source>
+        <translation>Les nœuds de {0} doivent être un nombre entier de 1 à 1000000.</translation>
+    </message>
+    <message>
+        <source>The mesh has no cell array {0} with one value a cell.</source>
+        <translation>Le maillage n’a pas de tableau de cellules {0} avec une valeur par cellule.</translation>
+    </message>
+    <message>
+        <source>Give the scenario &quot;youngs_modulus_kPa&quot;, a number or the name of a cell array; the mesh&apos;s cell arrays are: {1}.</source>
+        <translation>Donnez au scénario &quot;youngs_modulus_kPa&quot;, un nombre ou le nom d’un tableau de cellules ; les tableaux de cellules du maillage sont : {1}.</translation>
+    </message>
+    <message>
+        <source>The position of landmark {0} is not a finite point.</source>
+        <translation>La position du repère {0} n’est pas un point fini.</translation>
+    </message>
+    <message>
+        <source>Landmark {0} lies {1} mm outside the body.</source>
+        <translation>Le repère {0} est à {1} mm hors du corps.</translation>
+    </message>
+    <message>
+        <source>Check that landmarks and mesh are in the same coordinates (LPS, mm).</source>
+        <translation>Vérifiez que les repères et le maillage sont dans les mêmes coordonnées (LPS, mm).</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Résolution</translation>
+    </message>
+    <message>
+        <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments or the meshfree engine.</source>
+        <translation>Directement à partir de données, il y a des équilibres par éléments finis : sans mouvement, capsule, ligaments ni moteur sans maillage.</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Checking the model</source>
+        <translation>Vérification du modèle</translation>
+    </message>
+    <message>
+        <source>A ligament only pulls, so it is not linear: look for the equilibrium by steps.</source>
+        <translation>Un ligament ne fait que tirer, il n’est donc pas linéaire : cherchez l’équilibre par pas.</translation>
+    </message>
+    <message>
+        <source>Nodal loads need {0} values: three a node.</source>
+        <translation>Les charges nodales exigent {0} valeurs : trois par nœud.</translation>
+    </message>
+    <message>
+        <source>A nodal load is not a finite number.</source>
+        <translation>Une charge nodale n’est pas un nombre fini.</translation>
+    </message>
+    <message>
+        <source>Support {0} names no point of the mesh.</source>
+        <translation>L’appui {0} ne nomme aucun point du maillage.</translation>
+    </message>
+    <message>
+        <source>Move or enlarge its region, or name another point array.</source>
+        <translation>Déplacez ou agrandissez sa région, ou nommez un autre tableau de points.</translation>
+    </message>
+    <message>
+        <source>The foundation of support {0} needs a stiffness above zero, not {1} kPa/mm.</source>
+        <translation>La fondation de l’appui {0} exige une rigidité supérieure à zéro, et non {1} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>The foundation of support {0} covers no face: no face of the surface has all three points named.</source>
+        <translation>La fondation de l’appui {0} ne couvre aucune face : aucune face de la surface n’a ses trois points nommés.</translation>
+    </message>
+    <message>
+        <source>Move or enlarge its region.</source>
+        <translation>Déplacez ou agrandissez sa région.</translation>
+    </message>
+    <message>
+        <source>Support {0} asks for the point array {1}, which the mesh does not have with one value a point.</source>
+        <translation>L’appui {0} demande le tableau de points {1}, que le maillage n’a pas avec une valeur par point.</translation>
+    </message>
+    <message>
+        <source>The mesh&apos;s point arrays are: {2}.</source>
+        <translation>Les tableaux de points du maillage sont : {2}.</translation>
+    </message>
+    <message>
+        <source>The point array {0} is not a number at point {1}.</source>
+        <translation>Le tableau de points {0} n’est pas un nombre au point {1}.</translation>
+    </message>
+    <message>
+        <source>The sphere of support {0} needs a finite centre and a radius above zero.</source>
+        <translation>La sphère de l’appui {0} exige un centre fini et un rayon supérieur à zéro.</translation>
+    </message>
+    <message>
+        <source>The box of support {0} needs finite corners, the smaller one first.</source>
+        <translation>La boîte de l’appui {0} exige des coins finis, le plus petit d’abord.</translation>
+    </message>
+    <message>
+        <source>The ligament of support {0} needs a finite anchor, a stiffness above zero and a slack not below it.</source>
+        <translation>Le ligament de l’appui {0} exige un point d’ancrage fini, une rigidité supérieure à zéro et un mou qui ne soit pas négatif.</translation>
+    </message>
+    <message>
+        <source>The ligament of support {0} names no point of the surface.</source>
+        <translation>Le ligament de l’appui {0} ne nomme aucun point de la surface.</translation>
+    </message>
+    <message>
+        <source>There is no published tissue {0}.</source>
+        <translation>Il n’y a pas de tissu publié {0}.</translation>
+    </message>
+    <message>
+        <source>The tissues are: {1}.</source>
+        <translation>Les tissus sont : {1}.</translation>
+    </message>
+    <message>
+        <source>{0} nodes in {1} rounds cannot be made; both must be at least 1.</source>
+        <translation>{0} nœuds en {1} tours sont impossibles ; les deux doivent être au moins 1.</translation>
+    </message>
+    <message>
+        <source>The body holds no voxels.</source>
+        <translation>Le corps ne contient aucun voxel.</translation>
+    </message>
+    <message>
+        <source>{0} nodes are more than the body has voxels ({1}).</source>
+        <translation>{0} nœuds, c’est plus que le corps n’a de voxels ({1}).</translation>
+    </message>
+    <message>
+        <source>The mesh generator gave up: {0}.</source>
+        <translation>Le mailleur a abandonné : {0}.</translation>
+    </message>
+    <message>
+        <source>Ask for another number of cells, or smooth the labels.</source>
+        <translation>Demandez un autre nombre de cellules, ou lissez les étiquettes.</translation>
+    </message>
+    <message>
+        <source>The label map holds no labelled voxel, so there is no body to mesh.</source>
+        <translation>La carte d’étiquettes ne contient aucun voxel étiqueté, il n’y a donc pas de corps à mailler.</translation>
+    </message>
+    <message>
+        <source>Segment the liver first.</source>
+        <translation>Segmentez d’abord le foie.</translation>
+    </message>
+    <message>
+        <source>The label map has {0} values for a grid of {1} x {2} x {3} voxels.</source>
+        <translation>La carte d’étiquettes a {0} valeurs pour une grille de {1} x {2} x {3} voxels.</translation>
+    </message>
+    <message>
+        <source>The label map&apos;s axes are not at right angles, or its spacing is not positive.</source>
+        <translation>Les axes de la carte d’étiquettes ne sont pas perpendiculaires, ou son espacement n’est pas positif.</translation>
+    </message>
+    <message>
+        <source>A structure without voxels has no surface.</source>
+        <translation>Une structure sans voxels n’a pas de surface.</translation>
+    </message>
+    <message>
+        <source>Preparing the labels</source>
+        <translation>Préparation des étiquettes</translation>
+    </message>
+    <message>
+        <source>Removing slivers</source>
+        <translation>Suppression des tétraèdres plats</translation>
+    </message>
+    <message>
+        <source>Measuring the distance to the label boundary</source>
+        <translation>Mesure de la distance à la limite des étiquettes</translation>
+    </message>
+    <message>
+        <source>The surface of the mesh is not a closed manifold.</source>
+        <translation>La surface du maillage n’est pas une variété fermée.</translation>
+    </message>
+    <message>
+        <source>Meshed</source>
+        <translation>Maillé</translation>
+    </message>
+    <message>
+        <source>A mesh of {0} cells cannot be made; from {1} to {2} can.</source>
+        <translation>Un maillage de {0} cellules est impossible ; de {1} à {2}, c’est possible.</translation>
+    </message>
+    <message>
+        <source>The share of cells for inner structures is {0}; it must be in 0 to 1.</source>
+        <translation>La part des cellules pour les structures internes est {0} ; elle doit être comprise entre 0 et 1.</translation>
+    </message>
+    <message>
+        <source>Filling the body with tetrahedra</source>
+        <translation>Remplissage du corps de tétraèdres</translation>
+    </message>
+    <message>
+        <source>A piece of {0} has {1} ml, but its cells only {2} ml: the mesh has lost it.</source>
+        <translation>Un morceau de {0} fait {1} ml, mais ses cellules seulement {2} ml : le maillage l’a perdu.</translation>
+    </message>
+    <message>
+        <source>Ask for more cells.</source>
+        <translation>Demandez plus de cellules.</translation>
+    </message>
+    <message>
+        <source>A battery with a {0} of {1} does not exist.</source>
+        <translation>Une batterie avec {0} = {1} n’existe pas.</translation>
+    </message>
+    <message>
+        <source>Correct the device&apos;s battery.</source>
+        <translation>Corrigez la batterie de l’appareil.</translation>
+    </message>
+    <message>
+        <source>A load of {0} W is more than the battery&apos;s internal resistance lets through.</source>
+        <translation>Une charge de {0} W dépasse ce que laisse passer la résistance interne de la batterie.</translation>
+    </message>
+    <message>
+        <source>A batch of {0} nodes takes more than the {1} MB there are for it.</source>
+        <translation>Un lot de {0} nœuds exige plus que les {1} Mo disponibles.</translation>
+    </message>
+    <message>
+        <source>{0} lacks a reading within the discharge.</source>
+        <translation>Il manque à {0} une mesure pendant la décharge.</translation>
+    </message>
+    <message>
+        <source>The time goes back in {0}.</source>
+        <translation>Le temps recule dans {0}.</translation>
+    </message>
+    <message>
+        <source>{0} holds no discharge.</source>
+        <translation>{0} ne contient pas de décharge.</translation>
+    </message>
+    <message>
+        <source>{0} lacks a reading of the ambient.</source>
+        <translation>Il manque à {0} une mesure de l’ambiance.</translation>
+    </message>
+    <message>
+        <source>A cell is set up from one slow discharge and at least two that are five times as fast.</source>
+        <translation>Une cellule se détermine par une décharge lente et au moins deux autres cinq fois plus rapides.</translation>
+    </message>
+    <message>
+        <source>A convergence curve has 2 to {0} points; this one has {1}.</source>
+        <translation>Une courbe de convergence a de 2 à {0} points ; celle-ci en a {1}.</translation>
+    </message>
+    <message>
+        <source>Point {0} of the convergence curve, {1} mm3 and {2} mm, is not positive or does not increase from the point before.</source>
+        <translation>Le point {0} de la courbe de convergence, {1} mm3 et {2} mm, n’est pas positif ou n’augmente pas par rapport au précédent.</translation>
+    </message>
+    <message>
+        <source>{0} has no list of points.</source>
+        <translation>{0} n’a pas de liste de points.</translation>
+    </message>
+    <message>
+        <source>An accuracy of {0} mm is finer than the convergence study reaches ({1} mm at {2} mm3 a node).</source>
+        <translation>Une précision de {0} mm est plus fine que ce qu’atteint l’étude de convergence ({1} mm à {2} mm3 par nœud).</translation>
+    </message>
+    <message>
+        <source>Ask for {1} mm or more.</source>
+        <translation>Demandez {1} mm ou plus.</translation>
+    </message>
+    <message>
+        <source>Device {0} has {1} {2}; it must lie between {3} and {4}.</source>
+        <translation>L’appareil {0} a {1} {2} ; ce doit être entre {3} et {4}.</translation>
+    </message>
+    <message>
+        <source>Correct that figure in the device&apos;s file.</source>
+        <translation>Corrigez ce chiffre dans le fichier de l’appareil.</translation>
+    </message>
+    <message>
+        <source>Device {0} has measured points that are not positive, not by increasing nodes, or more than {1}.</source>
+        <translation>L’appareil {0} a des points mesurés non positifs, non classés par nœuds croissants, ou plus de {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has no list &quot;devices&quot; of 1 to {1} devices.</source>
+        <translation>{0} n’a pas de liste &quot;devices&quot; de 1 à {1} appareils.</translation>
+    </message>
+    <message>
+        <source>Two devices have the id &quot;{0}&quot;.</source>
+        <translation>Deux appareils ont l’identifiant « {0} ».</translation>
+    </message>
+    <message>
+        <source>Give each its own.</source>
+        <translation>Donnez à chacun le sien.</translation>
+    </message>
+    <message>
+        <source>{0} has the id &quot;{1}&quot;.</source>
+        <translation>{0} a l’identifiant « {1} ».</translation>
+    </message>
+    <message>
+        <source>Use up to 64 small letters, digits and dashes.</source>
+        <translation>Employez jusqu’à 64 minuscules, chiffres et traits d’union.</translation>
+    </message>
+    <message>
+        <source>{0} is worn &quot;{1}&quot;.</source>
+        <translation>{0} est porté « {1} ».</translation>
+    </message>
+    <message>
+        <source>Use head, belt or back.</source>
+        <translation>Employez head, belt ou back.</translation>
+    </message>
+    <message>
+        <source>The energy meter {0} stopped answering.</source>
+        <translation>Le compteur d’énergie {0} ne répond plus.</translation>
+    </message>
+    <message>
+        <source>The processor&apos;s energy counters (RAPL) at {0} may be read by root only.</source>
+        <translation>Seul root peut lire les compteurs d’énergie du processeur (RAPL) à {0}.</translation>
+    </message>
+    <message>
+        <source>No energy counters of the processor (RAPL) at {0}.</source>
+        <translation>Pas de compteurs d’énergie du processeur (RAPL) à {0}.</translation>
+    </message>
+    <message>
+        <source>No current sensors (INA) at {0}.</source>
+        <translation>Pas de capteurs de courant (INA) à {0}.</translation>
+    </message>
+    <message>
+        <source>The battery is not discharging: unplug the machine to measure by its gauge.</source>
+        <translation>La batterie ne se décharge pas : débranchez la machine pour mesurer par sa jauge.</translation>
+    </message>
+    <message>
+        <source>No battery gauge at {0}.</source>
+        <translation>Pas de jauge de batterie à {0}.</translation>
+    </message>
+    <message>
+        <source>{0} does not say &quot;format&quot;: &quot;{1}&quot;.</source>
+        <translation>{0} n’indique pas &quot;format&quot;: &quot;{1}&quot;.</translation>
+    </message>
+    <message>
+        <source>Check that it is the file you meant.</source>
+        <translation>Vérifiez que c’est bien le fichier voulu.</translation>
+    </message>
+    <message>
+        <source>{0} has no &quot;{1}&quot;, or not of the right kind.</source>
+        <translation>{0} n’a pas de &quot;{1}&quot;, ou pas du bon type.</translation>
+    </message>
+    <message>
+        <source>The shipped devices.json shows every key.</source>
+        <translation>Le fichier devices.json fourni montre toutes les clés.</translation>
+    </message>
+    <message>
+        <source>{0} has &quot;{1}&quot; {2}; it must lie between {3} and {4}.</source>
+        <translation>{0} a &quot;{1}&quot; {2} ; ce doit être entre {3} et {4}.</translation>
+    </message>
+    <message>
+        <source>{0} has &quot;{1}&quot; empty or longer than {2} characters.</source>
+        <translation>{0} a &quot;{1}&quot; vide ou de plus de {2} caractères.</translation>
+    </message>
+    <message>
+        <source>{0} has the source &quot;{1}&quot;.</source>
+        <translation>{0} a la source « {1} ».</translation>
+    </message>
+    <message>
+        <source>A figure is measured, from the dissertation, or assumed.</source>
+        <translation>Un chiffre est mesuré, tiré de la thèse ou supposé.</translation>
+    </message>
+    <message>
+        <source>Idle power</source>
+        <translation>Puissance au repos</translation>
+    </message>
+    <message>
+        <source>Nothing on this machine tells its energy: idle and active power are assumed. Measure them with a current clamp or a power meter, and give them.</source>
+        <translation>Rien sur cette machine n’indique son énergie : les puissances au repos et en charge sont supposées. Mesurez-les avec une pince ampèremétrique ou un wattmètre, et indiquez-les.</translation>
+    </message>
+    <message>
+        <source>Memory bandwidth</source>
+        <translation>Bande passante de la mémoire</translation>
+    </message>
+    <message>
+        <source>Block products</source>
+        <translation>Produits par blocs</translation>
+    </message>
+    <message>
+        <source>Other work disturbed the timing: batches usually took {0} times as long as the fastest one. Measure again on a quiet machine.</source>
+        <translation>Un autre travail a perturbé le chronométrage : les lots ont en général duré {0} fois plus que le plus rapide. Mesurez de nouveau sur une machine au calme.</translation>
+    </message>
+    <message>
+        <source>The grid holds no problem.</source>
+        <translation>La grille ne contient aucun problème.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} problems are larger than the memory allowed and were left out; beyond {2} nodes the plan goes on in proportion.</source>
+        <translation>{0} problèmes sur {1} dépassent la mémoire permise et ont été omis ; au-delà de {2} nœuds, le plan continue en proportion.</translation>
+    </message>
+    <message>
+        <source>This build has no OpenCL.</source>
+        <translation>Cette version n’a pas OpenCL.</translation>
+    </message>
+    <message>
+        <source>Build with -DGLISSON_OPENCL=ON.</source>
+        <translation>Compilez avec -DGLISSON_OPENCL=ON.</translation>
+    </message>
+    <message>
+        <source>OpenCL&apos;s {0} failed with {1}.</source>
+        <translation>{0} d’OpenCL a échoué avec {1}.</translation>
+    </message>
+    <message>
+        <source>There is no OpenCL device &quot;{0}&quot;.</source>
+        <translation>Il n’y a pas d’appareil OpenCL « {0} ».</translation>
+    </message>
+    <message>
+        <source>Found: {1}. A device shows once its driver is installed (pocl-opencl-icd for processors).</source>
+        <translation>Trouvé : {1}. Un appareil apparaît une fois son pilote installé (pocl-opencl-icd pour les processeurs).</translation>
+    </message>
+    <message>
+        <source>{0} of {1} is not between {2} and {3}.</source>
+        <translation>{0} = {1} n’est pas compris entre {2} et {3}.</translation>
+    </message>
+    <message>
+        <source>Correct the question.</source>
+        <translation>Corrigez la question.</translation>
+    </message>
+    <message>
+        <source>A room of {0} C is not cooler than the limit of {1} C.</source>
+        <translation>Une pièce à {0} C n’est pas plus fraîche que la limite de {1} C.</translation>
+    </message>
+    <message>
+        <source>It draws {0} W when idle; its battery allows {1} W over {2} h, and is empty after {3} h without computing anything.</source>
+        <translation>Il consomme {0} W au repos ; sa batterie permet {1} W pendant {2} h, et elle est vide au bout de {3} h sans rien calculer.</translation>
+    </message>
+    <message>
+        <source>Its battery is empty after {0} h of {1} h: only {2} W of headroom over idling.</source>
+        <translation>Sa batterie est vide au bout de {0} h sur {1} h : seulement {2} W de marge au-dessus du repos.</translation>
+    </message>
+    <message>
+        <source>It reaches {0} C when idle; the limit is {1} C.</source>
+        <translation>Il atteint {0} C au repos ; la limite est de {1} C.</translation>
+    </message>
+    <message>
+        <source>It reaches {0} C; the limit is {1} C.</source>
+        <translation>Il atteint {0} C ; la limite est de {1} C.</translation>
+    </message>
+    <message>
+        <source>It computes {0} frames a second of {1}.</source>
+        <translation>Il calcule {0} images par seconde sur {1}.</translation>
+    </message>
+    <message>
+        <source>The resolution for {0} mm comes from this curve: {1}</source>
+        <translation>La résolution pour {0} mm vient de cette courbe : {1}</translation>
+    </message>
+    <message>
+        <source>{0} mm is coarser than the convergence study reaches; planned is its coarsest resolution, {1} mm3 a node.</source>
+        <translation>{0} mm est plus grossier que ce qu’atteint l’étude de convergence ; le plan prend sa résolution la plus grossière, {1} mm3 par nœud.</translation>
+    </message>
+    <message>
+        <source>A frame is {0} block products as in the dissertation, without the vector updates of conjugate gradients; a simulation that couples 27 nodes moves {1} times as much.</source>
+        <translation>Une image fait {0} produits par blocs comme dans la thèse, sans les mises à jour de vecteurs du gradient conjugué ; une simulation qui couple 27 nœuds déplace {1} fois plus de données.</translation>
+    </message>
+    <message>
+        <source>{0} holds with next to no headroom: its battery allows {1} W over {2} h, and idling takes {3} W of them.</source>
+        <translation>{0} tient presque sans marge : sa batterie permet {1} W pendant {2} h, et le repos en prend {3} W.</translation>
+    </message>
+    <message>
+        <source>{0}: after {1} s comes {2} s.</source>
+        <translation>{0} : après {1} s vient {2} s.</translation>
+    </message>
+    <message>
+        <source>Give the column that holds the time, or cut the file there.</source>
+        <translation>Indiquez la colonne qui contient le temps, ou coupez le fichier à cet endroit.</translation>
+    </message>
+    <message>
+        <source>{0} has {1} samples and {2} rows without a reading.</source>
+        <translation>{0} a {1} mesures et {2} lignes sans mesure.</translation>
+    </message>
+    <message>
+        <source>Check the columns; at most every tenth row may be empty.</source>
+        <translation>Vérifiez les colonnes ; au plus une ligne sur dix peut être vide.</translation>
+    </message>
+    <message>
+        <source>The trace holds {0} runs, the log {1}.</source>
+        <translation>La trace contient {0} exécutions, le journal {1}.</translation>
+    </message>
+    <message>
+        <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
+        <translation>Changez l’exécution et la pause les plus courtes, ou coupez la trace aux exécutions du journal.</translation>
+    </message>
+    <message>
+        <source>Run {0} drew nothing above idle, or nothing was run in it.</source>
+        <translation>L’exécution {0} n’a rien consommé au-delà du repos, ou rien n’y a été exécuté.</translation>
+    </message>
+    <message>
+        <source>A trace needs a channel, and factors and a range that are positive.</source>
+        <translation>Une trace exige un canal, et des facteurs et une plage positifs.</translation>
+    </message>
+    <message>
+        <source>The power does not move between two levels, so no runs can be told from pauses.</source>
+        <translation>La puissance ne varie pas entre deux niveaux, de sorte que les exécutions ne se distinguent pas des pauses.</translation>
+    </message>
+    <message>
+        <source>Record pauses between the runs; check that the right column was read.</source>
+        <translation>Enregistrez des pauses entre les exécutions ; vérifiez que la bonne colonne a été lue.</translation>
+    </message>
+    <message>
+        <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
+        <translation>L’enregistrement a {0} lacunes ; les exécutions s’y arrêtent et rien n’est inventé pour les combler.</translation>
+    </message>
+    <message>
+        <source>{0} rows held no reading.</source>
+        <translation>{0} lignes ne contenaient pas de mesure.</translation>
+    </message>
+    <message>
+        <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
+        <translation>{0} exécutions atteignent la limite de la plage d’un canal : leur puissance est une borne inférieure. Recommencez avec une plage plus grande.</translation>
+    </message>
+    <message>
+        <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
+        <translation>La puissance au repos varie de {0} W pendant l’enregistrement ; chaque exécution est comparée aux pauses voisines.</translation>
+    </message>
+    <message>
+        <source>A liver of {0} cm3 is outside {1} to {2} cm3.</source>
+        <translation>Un foie de {0} cm3 est hors de l’intervalle de {1} à {2} cm3.</translation>
+    </message>
+    <message>
+        <source>Check the volume and its unit: 1 litre is 1000 cm3.</source>
+        <translation>Vérifiez le volume et son unité : 1 litre vaut 1000 cm3.</translation>
+    </message>
+    <message>
+        <source>A node cannot stand for {0} mm3.</source>
+        <translation>Un nœud ne peut pas représenter {0} mm3.</translation>
+    </message>
+    <message>
+        <source>A domain of influence of {0} nodes is no cube around a node.</source>
+        <translation>Un domaine d’influence de {0} nœuds n’est pas un cube autour d’un nœud.</translation>
+    </message>
+    <message>
+        <source>Use 1, 27 or 125.</source>
+        <translation>Employez 1, 27 ou 125.</translation>
+    </message>
+    <message>
+        <source>{0} products a frame are not between 1 and 100000.</source>
+        <translation>{0} produits par image ne sont pas entre 1 et 100000.</translation>
+    </message>
+    <message>
+        <source>The folder {0} holds no judgement of a registration.</source>
+        <translation>Le dossier {0} ne contient pas de jugement d’un recalage.</translation>
+    </message>
+    <message>
+        <source>Make one: glisson-cli sirgn SEQUENCE.json --method icp --out FOLDER.</source>
+        <translation>Produisez-en un : glisson-cli sirgn SEQUENCE.json --method icp --out DOSSIER.</translation>
+    </message>
+    <message>
+        <source>{0}: {1}.</source>
+        <translation>{0} : {1}.</translation>
+    </message>
+    <message>
+        <source>A sequence names frames with a cloud each, and landmarks.</source>
+        <translation>Une séquence nomme des images avec chacune un nuage de points, et des repères.</translation>
+    </message>
+    <message>
+        <source>it is not an object</source>
+        <translation>elle n’est pas un objet</translation>
+    </message>
+    <message>
+        <source>it has no list of frames</source>
+        <translation>elle n’a pas de liste d’images</translation>
+    </message>
+    <message>
+        <source>registered does not name one cloud a frame</source>
+        <translation>registered ne nomme pas un nuage de points par image</translation>
+    </message>
+    <message>
+        <source>registered holds something that is no file name</source>
+        <translation>registered contient quelque chose qui n’est pas un nom de fichier</translation>
+    </message>
+    <message>
+        <source>camera has no 3 x 3 matrix, or a distortion that is no list of numbers</source>
+        <translation>camera n’a pas de matrice 3 x 3, ou a une distorsion qui n’est pas une liste de nombres</translation>
+    </message>
+    <message>
+        <source>Frame {0} is missing: there is no file {1}.</source>
+        <translation>L’image {0} manque : il n’y a pas de fichier {1}.</translation>
+    </message>
+    <message>
+        <source>Remove the frame from the sequence (and number the tracks anew), or add it.</source>
+        <translation>Retirez l’image de la séquence (et renumérotez les trajectoires), ou ajoutez-la.</translation>
+    </message>
+    <message>
+        <source>it names no file of landmarks</source>
+        <translation>elle ne nomme aucun fichier de repères</translation>
+    </message>
+    <message>
+        <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm with a frame below {2}.</source>
+        <translation>La ligne {1} de {0} n’est pas landmark,frame,x_mm,y_mm,z_mm avec une image inférieure à {2}.</translation>
+    </message>
+    <message>
+        <source>Frame {0} holds no point that is finite.</source>
+        <translation>L’image {0} ne contient aucun point fini.</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>images</translation>
+    </message>
+    <message>
+        <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
+        <translation>{0} repères ont été vus dans trois images ou plus ; il en faut quatre non alignés.</translation>
+    </message>
+    <message>
+        <source>Track more features, or mark them by hand.</source>
+        <translation>Suivez plus de points caractéristiques, ou marquez-les à la main.</translation>
+    </message>
+    <message>
+        <source>warps</source>
+        <translation>déformations</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>triangles</translation>
+    </message>
+    <message>
+        <source>{0} frames are too few to correlate; {1} are needed.</source>
+        <translation>{0} images sont trop peu pour une corrélation ; il en faut {1}.</translation>
+    </message>
+    <message>
+        <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
+        <translation>L’image {0} a {1} points, et {2} après recalage : ils doivent correspondre un à un.</translation>
+    </message>
+    <message>
+        <source>Landmark {0} was followed through {1} frames of {2}.</source>
+        <translation>Le repère {0} a été suivi sur {1} images sur {2}.</translation>
+    </message>
+    <message>
+        <source>A tolerance must be a positive number of mm.</source>
+        <translation>Une tolérance doit être un nombre positif de mm.</translation>
+    </message>
+    <message>
+        <source>The folder {0} is not empty.</source>
+        <translation>Le dossier {0} n’est pas vide.</translation>
+    </message>
+    <message>
+        <source>Name a new folder for the sequence.</source>
+        <translation>Indiquez un nouveau dossier pour la séquence.</translation>
+    </message>
+    <message>
+        <source>The {0} video ends after {1} frames, before the other.</source>
+        <translation>La vidéo {0} se termine après {1} images, avant l’autre.</translation>
+    </message>
+    <message>
+        <source>{0} frames show something; {1} are needed.</source>
+        <translation>{0} images montrent quelque chose ; il en faut {1}.</translation>
+    </message>
+    <message>
+        <source>No feature could be followed through {0} frames.</source>
+        <translation>Aucun point caractéristique n’a pu être suivi sur {0} images.</translation>
+    </message>
+    <message>
+        <source>Take more frames, or give landmarks and a model of your own.</source>
+        <translation>Prenez plus d’images, ou donnez vos propres repères et un modèle.</translation>
+    </message>
+    <message>
+        <source>matching</source>
+        <translation>mise en correspondance</translation>
+    </message>
+    <message>
+        <source>No two frames share four landmarks.</source>
+        <translation>Aucune paire d’images ne partage quatre repères.</translation>
+    </message>
+    <message>
+        <source>Track more features, or leave out fewer frames.</source>
+        <translation>Suivez plus de points caractéristiques, ou omettez moins d’images.</translation>
+    </message>
+    <message>
+        <source>Two frames or more can be aligned.</source>
+        <translation>On peut aligner deux images ou plus.</translation>
+    </message>
+    <message>
+        <source>A landmark was followed through {0} frames of {1}.</source>
+        <translation>Un repère a été suivi sur {0} images sur {1}.</translation>
+    </message>
+    <message>
+        <source>aligning frames</source>
+        <translation>alignement des images</translation>
+    </message>
+    <message>
+        <source>The distances between the points of the {0} are not square.</source>
+        <translation>Les distances entre les points de {0} ne forment pas une matrice carrée.</translation>
+    </message>
+    <message>
+        <source>The {0} has fewer than two points to match.</source>
+        <translation>{0} a moins de deux points à mettre en correspondance.</translation>
+    </message>
+    <message>
+        <source>The {0} has {1} points to match; {2} is the most.</source>
+        <translation>{0} a {1} points à mettre en correspondance ; le maximum est {2}.</translation>
+    </message>
+    <message>
+        <source>Some points of the {0} are not connected over the surface.</source>
+        <translation>Certains points de {0} ne sont pas reliés sur la surface.</translation>
+    </message>
+    <message>
+        <source>Keep the largest connected piece, or bridge the gap before matching.</source>
+        <translation>Gardez le plus grand morceau connexe, ou comblez la lacune avant la mise en correspondance.</translation>
+    </message>
+    <message>
+        <source>The distances between the points of the {0} are not those of a metric.</source>
+        <translation>Les distances entre les points de {0} ne sont pas celles d’une métrique.</translation>
+    </message>
+    <message>
+        <source>The seed must hold one finite cost a source point and target point.</source>
+        <translation>L’amorce doit contenir un coût fini par point source et point cible.</translation>
+    </message>
+    <message>
+        <source>sigma, tau and q must be positive.</source>
+        <translation>sigma, tau et q doivent être positifs.</translation>
+    </message>
+    <message>
+        <source>The written-out field needs {0} MB; {1} MB are allowed.</source>
+        <translation>Le champ développé exige {0} Mo ; {1} Mo sont permis.</translation>
+    </message>
+    <message>
+        <source>No point of one surface has a partner on the other.</source>
+        <translation>Aucun point d’une surface n’a de correspondant sur l’autre.</translation>
+    </message>
+    <message>
+        <source>Align the surfaces roughly first, or give landmarks.</source>
+        <translation>Alignez d’abord grossièrement les surfaces, ou donnez des repères.</translation>
+    </message>
+    <message>
+        <source>non-rigid alignment</source>
+        <translation>alignement non rigide</translation>
+    </message>
+    <message>
+        <source>A landmark names point {0}, which cannot be led anywhere.</source>
+        <translation>Un repère nomme le point {0}, qui ne peut être mené nulle part.</translation>
+    </message>
+    <message>
+        <source>The step of the non-rigid alignment has no solution.</source>
+        <translation>Le pas de l’alignement non rigide n’a pas de solution.</translation>
+    </message>
+    <message>
+        <source>By their geodesic distances the surfaces match only inside out.</source>
+        <translation>D’après leurs distances géodésiques, les surfaces ne correspondent que retournées.</translation>
+    </message>
+    <message>
+        <source>Align them roughly and match with positions as prior, or use more points.</source>
+        <translation>Alignez-les grossièrement et mettez en correspondance avec les positions comme a priori, ou prenez plus de points.</translation>
+    </message>
+    <message>
+        <source>{0} points cannot be aligned to {1}.</source>
+        <translation>{0} points ne peuvent pas être alignés sur {1}.</translation>
+    </message>
+    <message>
+        <source>A rigid alignment needs three pairs of points that do not lie on one line.</source>
+        <translation>Un alignement rigide exige trois paires de points non alignés.</translation>
+    </message>
+    <message>
+        <source>Some of the points to align are not finite.</source>
+        <translation>Certains des points à aligner ne sont pas finis.</translation>
+    </message>
+    <message>
+        <source>rigid alignment</source>
+        <translation>alignement rigide</translation>
+    </message>
+    <message>
+        <source>A surface of {0} points cannot give {1} samples.</source>
+        <translation>Une surface de {0} points ne peut pas donner {1} échantillons.</translation>
+    </message>
+    <message>
+        <source>geodesic distances</source>
+        <translation>distances géodésiques</translation>
+    </message>
+    <message>
+        <source>A spline needs as many finite points to start from as to lead to.</source>
+        <translation>Une spline exige autant de points finis au départ qu’à l’arrivée.</translation>
+    </message>
+    <message>
+        <source>{0} points are too many for a spline; {1} is the most.</source>
+        <translation>{0} points sont trop pour une spline ; le maximum est {1}.</translation>
+    </message>
+    <message>
+        <source>A spline needs four matched points that do not lie in one plane.</source>
+        <translation>Une spline exige quatre points appariés qui ne soient pas dans un plan.</translation>
+    </message>
+    <message>
+        <source>A result that did not converge cannot be compared: {0}</source>
+        <translation>Un résultat qui n’a pas convergé ne peut pas être comparé : {0}</translation>
+    </message>
+    <message>
+        <source>A result lacks the point array {0} with three values a point.</source>
+        <translation>Il manque à un résultat le tableau de points {0} avec trois valeurs par point.</translation>
+    </message>
+    <message>
+        <source>Compare results of the same mesh.</source>
+        <translation>Comparez des résultats du même maillage.</translation>
+    </message>
+    <message>
+        <source>The two results are not of the same mesh: {0} points and {1} cells against {2} and {3}.</source>
+        <translation>Les deux résultats ne sont pas du même maillage : {0} points et {1} cellules contre {2} et {3}.</translation>
+    </message>
+    <message>
+        <source>The two results are not of the same mesh: point {0} rests at different places.</source>
+        <translation>Les deux résultats ne sont pas du même maillage : le point {0} repose à des endroits différents.</translation>
+    </message>
+    <message>
+        <source>No part of the surface looks like the liver&apos;s bare area (its upper rear).</source>
+        <translation>Aucune partie de la surface ne ressemble à l’area nuda du foie (en haut et en arrière).</translation>
+    </message>
+    <message>
+        <source>Name the supports in the scenario, by a sphere or a box.</source>
+        <translation>Nommez les appuis dans le scénario, par une sphère ou une boîte.</translation>
+    </message>
+    <message>
+        <source>{0} of the session cannot be read: {1}.</source>
+        <translation>{0} de la séance ne peut pas être lu : {1}.</translation>
+    </message>
+    <message>
+        <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} or {&quot;undo&quot;: true}.</source>
+        <translation>Une commande est {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} ou {&quot;undo&quot;: true}.</translation>
+    </message>
+    <message>
+        <source>The cut passes the liver by.</source>
+        <translation>La coupe passe à côté du foie.</translation>
+    </message>
+    <message>
+        <source>Move it through the liver; positions are patient coordinates (LPS, mm).</source>
+        <translation>Déplacez-la à travers le foie ; les positions sont des coordonnées du patient (LPS, mm).</translation>
+    </message>
+    <message>
+        <source>The point of the specimen lies on the cut, or is not finite.</source>
+        <translation>Le point de la pièce opératoire est sur la coupe, ou n’est pas fini.</translation>
+    </message>
+    <message>
+        <source>The step did not converge: after {0} rounds a tool still reaches {1} mm into the surface, which still moves by {2} mm.</source>
+        <translation>Le pas n’a pas convergé : après {0} tours, un outil pénètre encore de {1} mm dans la surface, qui bouge encore de {2} mm.</translation>
+    </message>
+    <message>
+        <source>Placing landmarks and structures</source>
+        <translation>Mise en place des repères et des structures</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Prêt</translation>
+    </message>
+    <message>
+        <source>Nathanson liver retractor</source>
+        <translation>Écarteur hépatique de Nathanson</translation>
+    </message>
+    <message>
+        <source>A bent rod that lies under the liver as a hook some centimetres across, sold in several sizes. We found no published drawing and no measured force: that it spreads its pull over a disc of 70 mm is our assumption, and 2 N is the weight of 190 ml of liver (1.06 kg/l), what lifting the lower part of segment VI takes. On a real liver&apos;s shape with a uniform 6 kPa, 2 N hoist it by 18 mm; linear elasticity is strained beyond.</source>
+        <translation>Une tige coudée placée sous le foie comme un crochet de quelques centimètres, vendue en plusieurs tailles. Nous n’avons trouvé ni dessin publié ni force mesurée : qu’elle répartisse sa traction sur un disque de 70 mm est notre hypothèse, et 2 N est le poids de 190 ml de foie (1.06 kg/l), ce qu’exige le soulèvement de la partie inférieure du segment VI. Sur la forme d’un vrai foie de 6 kPa uniformes, 2 N le soulèvent de 18 mm ; au-delà, l’élasticité linéaire n’est plus valable.</translation>
+    </message>
+    <message>
+        <source>Grasper</source>
+        <translation>Pince à préhension</translation>
+    </message>
+    <message>
+        <source>Grip forces in porcine laparoscopic liver resection: 1.75 N on average, 3.38 N at most (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). The jaw&apos;s patch of 12 mm is our assumption.</source>
+        <translation>Forces de préhension lors de résections hépatiques laparoscopiques chez le porc : 1.75 N en moyenne, 3.38 N au plus (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). Le contact du mors, de 12 mm, est notre hypothèse.</translation>
+    </message>
+    <message>
+        <source>Palpation probe</source>
+        <translation>Sonde de palpation</translation>
+    </message>
+    <message>
+        <source>A sphere of 10 mm pressed lightly; size and force are our assumption.</source>
+        <translation>Une sphère de 10 mm appuyée légèrement ; taille et force sont notre hypothèse.</translation>
+    </message>
+    <message>
+        <source>There is no tool {0}.</source>
+        <translation>Il n’y a pas d’outil {0}.</translation>
+    </message>
+    <message>
+        <source>The tools are: {1}.</source>
+        <translation>Les outils sont : {1}.</translation>
+    </message>
+    <message>
+        <source>A case has no scene named {0}; it has {1}.</source>
+        <translation>Un cas n’a pas de scène nommée {0} ; il a {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has no displacement.</source>
+        <translation>{0} n’a pas de déplacement.</translation>
+    </message>
+    <message>
+        <source>A picture has from {0} to {1} pixels a side; {2} x {3} were asked for.</source>
+        <translation>Une image a de {0} à {1} pixels de côté ; {2} x {3} ont été demandés.</translation>
+    </message>
+    <message>
+        <source>There is nothing to draw with: neither EGL with OpenGL 3.2 nor an X server.</source>
+        <translation>Il n’y a rien pour dessiner : ni EGL avec OpenGL 3.2, ni serveur X.</translation>
+    </message>
+    <message>
+        <source>Install Mesa&apos;s drivers (on Debian: libegl-mesa0 and libgl1-mesa-dri).</source>
+        <translation>Installez les pilotes de Mesa (sous Debian : libegl-mesa0 et libgl1-mesa-dri).</translation>
+    </message>
+    <message>
+        <source>The picture could not be written: {0}.</source>
+        <translation>L’image n’a pas pu être écrite : {0}.</translation>
+    </message>
+    <message>
+        <source>Choose a folder that you may write to, on a disk with room.</source>
+        <translation>Choisissez un dossier où vous avez le droit d’écrire, sur un disque qui a de la place.</translation>
+    </message>
+    <message>
+        <source>This is not a PNG picture that can be read: {0}.</source>
+        <translation>Ce n’est pas une image PNG lisible : {0}.</translation>
+    </message>
+    <message>
+        <source>Check that the file is whole.</source>
+        <translation>Vérifiez que le fichier est complet.</translation>
+    </message>
+    <message>
+        <source>it is larger than 16384 pixels a side</source>
+        <translation>elle a plus de 16384 pixels de côté</translation>
+    </message>
+    <message>
+        <source>The picture cannot be drawn: {0}.</source>
+        <translation>L’image ne peut pas être dessinée : {0}.</translation>
+    </message>
+    <message>
+        <source>Every voxel of the image has the same value: there is nothing to grow in.</source>
+        <translation>Tous les voxels de l’image ont la même valeur : il n’y a rien où croître.</translation>
+    </message>
+    <message>
+        <source>Growing</source>
+        <translation>Croissance</translation>
+    </message>
+    <message>
+        <source>No tissue thick enough to be an organ hangs together with the seeds.</source>
+        <translation>Aucun tissu assez épais pour être un organe n’est relié aux germes.</translation>
+    </message>
+    <message>
+        <source>Move the seed into the middle of the liver, away from vessels and edges.</source>
+        <translation>Placez le germe au milieu du foie, loin des vaisseaux et des bords.</translation>
+    </message>
+    <message>
+        <source>Smoothing the outline</source>
+        <translation>Lissage du contour</translation>
+    </message>
+    <message>
+        <source>There is no image value around seed {0}.</source>
+        <translation>Il n’y a pas de valeur d’image autour du germe {0}.</translation>
+    </message>
+    <message>
+        <source>Seed {0} is much brighter ({1}) than seed {2} ({3}): one of them is probably not in the liver. Take it away.</source>
+        <translation>Le germe {0} est bien plus clair ({1}) que le germe {2} ({3}) : l’un d’eux n’est probablement pas dans le foie. Retirez-le.</translation>
+    </message>
+    <message>
+        <source>Nothing grew from seed {0}: the tissue around it is too thin or uneven. Move it to the middle of the liver.</source>
+        <translation>Rien n’a crû à partir du germe {0} : le tissu autour est trop mince ou irrégulier. Déplacez-le au milieu du foie.</translation>
+    </message>
+    <message>
+        <source>The region reaches the side of the image: it has probably leaked into the body wall. Cut it there, or raise neck_radius_mm.</source>
+        <translation>La région atteint le côté de l’image : elle a probablement débordé dans la paroi abdominale. Coupez-la à cet endroit, ou augmentez neck_radius_mm.</translation>
+    </message>
+    <message>
+        <source>The region reaches the first or last slice: the liver is not wholly in the image, and its volume is that of the part seen.</source>
+        <translation>La région atteint la première ou la dernière coupe : le foie n’est pas entièrement dans l’image, et son volume est celui de la partie visible.</translation>
+    </message>
+    <message>
+        <source>{0} ml is more than a liver holds: the region has probably leaked into a neighbour. Raise neck_radius_mm, or cut it by hand.</source>
+        <translation>{0} ml, c’est plus que n’en contient un foie : la région a probablement débordé dans un organe voisin. Augmentez neck_radius_mm, ou coupez-la à la main.</translation>
+    </message>
+    <message>
+        <source>{0} ml is less than an adult&apos;s liver holds: the growth has probably stopped early. Add a seed in the part that is missing, or raise tolerance_sd.</source>
+        <translation>{0} ml, c’est moins que n’en contient le foie d’un adulte : la croissance s’est probablement arrêtée trop tôt. Ajoutez un germe dans la partie manquante, ou augmentez tolerance_sd.</translation>
+    </message>
+    <message>
+        <source>An image of {0} x {1} x {2} voxels is too thin to grow in.</source>
+        <translation>Une image de {0} x {1} x {2} voxels est trop mince pour y croître.</translation>
+    </message>
+    <message>
+        <source>The options of growing must be positive, and one is {0}.</source>
+        <translation>Les options de la croissance doivent être positives, et l’une vaut {0}.</translation>
+    </message>
+    <message>
+        <source>There is no seed to grow from.</source>
+        <translation>Il n’y a pas de germe.</translation>
+    </message>
+    <message>
+        <source>Give at least one point in the middle of the liver.</source>
+        <translation>Donnez au moins un point au milieu du foie.</translation>
+    </message>
+    <message>
+        <source>Seed {0} at ({1}) mm lies {2} mm outside the image.</source>
+        <translation>Le germe {0} en ({1}) mm est à {2} mm hors de l’image.</translation>
+    </message>
+    <message>
+        <source>Seeds are DICOM patient coordinates (LPS) in mm, not voxel indices.</source>
+        <translation>Les germes sont des coordonnées du patient DICOM (LPS) en mm, non des indices de voxels.</translation>
+    </message>
+    <message>
+        <source>There is no structure to label.</source>
+        <translation>Il n’y a pas de structure à étiqueter.</translation>
+    </message>
+    <message>
+        <source>The structures {0} and {1} lie on different voxel grids.</source>
+        <translation>Les structures {0} et {1} sont sur des grilles de voxels différentes.</translation>
+    </message>
+    <message>
+        <source>None of the structures is the liver.</source>
+        <translation>Aucune des structures n’est le foie.</translation>
+    </message>
+    <message>
+        <source>Segment it first, or name a structure &quot;liver&quot;.</source>
+        <translation>Segmentez-le d’abord, ou nommez une structure &quot;liver&quot;.</translation>
+    </message>
+    <message>
+        <source>The structure {0} holds no voxels.</source>
+        <translation>La structure {0} ne contient aucun voxel.</translation>
+    </message>
+    <message>
+        <source>The two masks lie on different voxel grids.</source>
+        <translation>Les deux masques sont sur des grilles de voxels différentes.</translation>
+    </message>
+    <message>
+        <source>There are no patients in this cohort.</source>
+        <translation>Il n’y a pas de patients dans cette cohorte.</translation>
+    </message>
+    <message>
+        <source>The cohort has no patient {0}.</source>
+        <translation>La cohorte n’a pas de patient {0}.</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>None of the {0} patients could be used; the first one: {1}</source>
+        <translation>Aucun des {0} patients n’a pu être utilisé ; le premier : {1}</translation>
+    </message>
+    <message>
+        <source>{0} holds files that are not an earlier demo&apos;s.</source>
+        <translation>{0} contient des fichiers qui ne sont pas d’une démonstration antérieure.</translation>
+    </message>
+    <message>
+        <source>Choose an empty or a new folder.</source>
+        <translation>Choisissez un dossier vide ou nouveau.</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Dessin</translation>
+    </message>
+    <message>
+        <source>The surface in {0} is not closed, so nothing lies inside it.</source>
+        <translation>La surface de {0} n’est pas fermée, rien ne se trouve donc à l’intérieur.</translation>
+    </message>
+    <message>
+        <source>Use the anatomy that ships with the program.</source>
+        <translation>Utilisez l’anatomie livrée avec le programme.</translation>
+    </message>
+    <message>
+        <source>{0} does not list the demo&apos;s landmarks: {1}.</source>
+        <translation>{0} ne donne pas les repères de la démonstration : {1}.</translation>
+    </message>
+    <message>
+        <source>reading the anatomy</source>
+        <translation>lecture de l’anatomie</translation>
+    </message>
+    <message>
+        <source>simulating the MR images</source>
+        <translation>simulation des images RM</translation>
+    </message>
+    <message>
+        <source>simulating the elastography</source>
+        <translation>simulation de l’élastographie</translation>
+    </message>
+    <message>
+        <source>writing the study</source>
+        <translation>écriture de l’étude</translation>
+    </message>
+    <message>
+        <source>writing the truth</source>
+        <translation>écriture de la vérité terrain</translation>
+    </message>
+    <message>
+        <source>Check the folder and your rights there.</source>
+        <translation>Vérifiez le dossier et vos droits.</translation>
+    </message>
+    <message>
+        <source>{0} holds none of the scans, such as A-1.69N.ply.</source>
+        <translation>{0} ne contient aucun des scans, tel que A-1.69N.ply.</translation>
+    </message>
+    <message>
+        <source>None of the trials could be compared; the first one: {0}</source>
+        <translation>Aucun des essais n’a pu être comparé ; le premier : {0}</translation>
+    </message>
+    <message>
+        <source>The phantom&apos;s equilibrium was not reached: {0}</source>
+        <translation>L’équilibre du fantôme n’a pas été atteint : {0}</translation>
+    </message>
+    <message>
+        <source>The two judge different videos: {0} and {1}.</source>
+        <translation>Les deux jugent des vidéos différentes : {0} et {1}.</translation>
+    </message>
+    <message>
+        <source>Judge both registrations on the same sequence.json.</source>
+        <translation>Jugez les deux recalages sur le même sequence.json.</translation>
+    </message>
+    <message>
+        <source>The sequence names no camera to draw with.</source>
+        <translation>La séquence ne nomme aucune caméra pour dessiner.</translation>
+    </message>
+    <message>
+        <source>Add &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</source>
+        <translation>Ajoutez &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</translation>
+    </message>
+    <message>
+        <source>Frame {0} of the sequence names no image.</source>
+        <translation>L’image {0} de la séquence ne nomme aucun fichier d’image.</translation>
+    </message>
+    <message>
+        <source>Add &quot;image&quot; to each frame.</source>
+        <translation>Ajoutez &quot;image&quot; à chaque image.</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>images</translation>
+    </message>
+    <message>
+        <source>Sample {0} of {1} has a size, a way or a force that is not positive.</source>
+        <translation>L’échantillon {0} de {1} a une taille, une course ou une force qui n’est pas positive.</translation>
+    </message>
+    <message>
+        <source>No labelled voxel of {0} lies where {1} has a stiffness.</source>
+        <translation>Aucun voxel étiqueté de {0} n’est là où {1} a une rigidité.</translation>
+    </message>
+    <message>
+        <source>Material {0} was never put under the testing machine.</source>
+        <translation>Le matériau {0} n’a jamais été mis dans la machine d’essai.</translation>
+    </message>
+    <message>
+        <source>Give its samples in the file of tests, or leave the region out.</source>
+        <translation>Donnez ses échantillons dans le fichier des essais, ou omettez la région.</translation>
+    </message>
+    <message>
+        <source>A board has from {0} to {1} points a side and a positive spacing; {2} x {3} at {4} mm were given.</source>
+        <translation>Une mire a de {0} à {1} points de côté et un espacement positif ; {2} x {3} à {4} mm ont été donnés.</translation>
+    </message>
+    <message>
+        <source>The picture shows no board of {0} x {1} points.</source>
+        <translation>L’image ne montre aucune mire de {0} x {1} points.</translation>
+    </message>
+    <message>
+        <source>Count inner corners or circles, columns first; the board must be sharp and lit.</source>
+        <translation>Comptez les coins intérieurs ou les cercles, colonnes d’abord ; la mire doit être nette et éclairée.</translation>
+    </message>
+    <message>
+        <source>{0} has {1} x {2} pixels, the first picture has {3} x {4}.</source>
+        <translation>{0} a {1} x {2} pixels, la première image en a {3} x {4}.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} pairs show the board to both eyes; {2} are needed.</source>
+        <translation>{0} paires sur {1} montrent la mire aux deux yeux ; il en faut {2}.</translation>
+    </message>
+    <message>
+        <source>Check the board&apos;s kind, its columns and rows; take it from several sides.</source>
+        <translation>Vérifiez le type de mire, ses colonnes et ses lignes ; prenez-la sous plusieurs angles.</translation>
+    </message>
+    <message>
+        <source>The calibration did not converge: {0}.</source>
+        <translation>Le calibrage n’a pas convergé : {0}.</translation>
+    </message>
+    <message>
+        <source>By these pictures the right eye lies to the left of the left one.</source>
+        <translation>D’après ces images, l’œil droit est à gauche de l’œil gauche.</translation>
+    </message>
+    <message>
+        <source>Exchange the left and the right pictures.</source>
+        <translation>Échangez les images de gauche et de droite.</translation>
+    </message>
+    <message>
+        <source>The calibration {0} has no {1}.</source>
+        <translation>Il manque au calibrage {0} : {1}.</translation>
+    </message>
+    <message>
+        <source>It needs left and right, each with a matrix and distortion, and left_to_right.</source>
+        <translation>Il exige left et right, chacun avec une matrice et une distorsion, et left_to_right.</translation>
+    </message>
+    <message>
+        <source>A camera&apos;s focal length is not positive.</source>
+        <translation>La distance focale d’une caméra n’est pas positive.</translation>
+    </message>
+    <message>
+        <source>A coefficient of distortion is not finite.</source>
+        <translation>Un coefficient de distorsion n’est pas fini.</translation>
+    </message>
+    <message>
+        <source>Both eyes are in one place: there is no depth to see.</source>
+        <translation>Les deux yeux sont au même endroit : aucune profondeur n’est visible.</translation>
+    </message>
+    <message>
+        <source>left_to_right does not hold a rotation: R R^T or the last row is off by {0}.</source>
+        <translation>left_to_right ne contient pas de rotation : R R^T ou la dernière ligne s’écarte de {0}.</translation>
+    </message>
+    <message>
+        <source>The picture {0} cannot be read.</source>
+        <translation>L’image {0} ne peut pas être lue.</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, TIFF and BMP are read.</source>
+        <translation>PNG, JPEG, TIFF et BMP sont lus.</translation>
+    </message>
+    <message>
+        <source>The picture {0} cannot be written.</source>
+        <translation>L’image {0} ne peut pas être écrite.</translation>
+    </message>
+    <message>
+        <source>The folder must exist, and the name end in .png or .jpg.</source>
+        <translation>Le dossier doit exister, et le nom finir en .png ou .jpg.</translation>
+    </message>
+    <message>
+        <source>The folder {0} holds no pictures.</source>
+        <translation>Le dossier {0} ne contient pas d’images.</translation>
+    </message>
+    <message>
+        <source>The video {0} cannot be read.</source>
+        <translation>La vidéo {0} ne peut pas être lue.</translation>
+    </message>
+    <message>
+        <source>Give a video file that OpenCV (FFmpeg) reads, or a folder of pictures.</source>
+        <translation>Donnez un fichier vidéo que lit OpenCV (FFmpeg), ou un dossier d’images.</translation>
+    </message>
+    <message>
+        <source>The video {0} cannot be decoded: {1}.</source>
+        <translation>La vidéo {0} ne peut pas être décodée : {1}.</translation>
+    </message>
+    <message>
+        <source>A picture of {0} has {1} x {2} pixels, the first has {3} x {4}.</source>
+        <translation>Une image de {0} a {1} x {2} pixels, la première en a {3} x {4}.</translation>
+    </message>
+    <message>
+        <source>The pair could not be matched: {0}.</source>
+        <translation>La paire n’a pas pu être mise en correspondance : {0}.</translation>
+    </message>
+    <message>
+        <source>The calibration is not of these pictures: half of the {0} features that both show miss their epipolar lines by {1} pixels or more.</source>
+        <translation>Le calibrage n’est pas celui de ces images : la moitié des {0} points communs aux deux manquent leur ligne épipolaire de {1} pixels ou plus.</translation>
+    </message>
+    <message>
+        <source>Check that the calibration is this camera&apos;s, at this size of picture, and that left and right are not exchanged.</source>
+        <translation>Vérifiez que le calibrage est celui de cette caméra, à cette taille d’image, et que gauche et droite ne sont pas échangées.</translation>
+    </message>
+    <message>
+        <source>By the calibration, {0} % of what both pictures show would lie behind the camera.</source>
+        <translation>D’après le calibrage, {0} % de ce que montrent les deux images serait derrière la caméra.</translation>
+    </message>
+    <message>
+        <source>Left and right pictures are exchanged, or the calibration is of another camera.</source>
+        <translation>Les images gauche et droite sont échangées, ou le calibrage est celui d’une autre caméra.</translation>
+    </message>
+    <message>
+        <source>The nearest depth must be positive and less than the farthest.</source>
+        <translation>La profondeur la plus proche doit être positive et inférieure à la plus éloignée.</translation>
+    </message>
+    <message>
+        <source>The calibration is of pictures of another size: its principal point {0}, {1} lies outside {2} x {3} pixels.</source>
+        <translation>Le calibrage est celui d’images d’une autre taille : son point principal {0}, {1} est hors de {2} x {3} pixels.</translation>
+    </message>
+    <message>
+        <source>Calibrate at the size of the video, or scale the calibration&apos;s matrices.</source>
+        <translation>Calibrez à la taille de la vidéo, ou mettez à l’échelle les matrices du calibrage.</translation>
+    </message>
+    <message>
+        <source>The left image is {0} x {1} pixels, the right one {2} x {3}.</source>
+        <translation>L’image gauche a {0} x {1} pixels, la droite {2} x {3}.</translation>
+    </message>
+    <message>
+        <source>The images are {0} x {1} pixels; {2} x {3} were expected.</source>
+        <translation>Les images ont {0} x {1} pixels ; {2} x {3} étaient attendus.</translation>
+    </message>
+    <message>
+        <source>There are {0} left and {1} right pictures: they must be taken in pairs.</source>
+        <translation>Il y a {0} images gauches et {1} droites : elles doivent être prises par paires.</translation>
+    </message>
+    <message>
+        <source>calibrating</source>
+        <translation>calibrage</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Il n’y a pas assez de mémoire pour cela.</translation>
+    </message>
+    <message>
+        <source>--channel wants COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], not &quot;{0}&quot;.</source>
+        <translation>--channel attend COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], et non « {0} ».</translation>
+    </message>
+    <message>
+        <source>A column that holds watts is just COLUMN.</source>
+        <translation>Une colonne qui contient des watts est simplement COLUMN.</translation>
+    </message>
+    <message>
+        <source>Nothing was measured.</source>
+        <translation>Rien n’a été mesuré.</translation>
+    </message>
+    <message>
+        <source>There is no device &quot;{0}&quot;.</source>
+        <translation>Il n’y a pas d’appareil « {0} ».</translation>
+    </message>
+    <message>
+        <source>glisson-cli platform list shows their ids.</source>
+        <translation>glisson-cli platform list montre leurs identifiants.</translation>
+    </message>
+    <message>
+        <source>A result has no scene named {0}; it has displacement.</source>
+        <translation>Un résultat n’a pas de scène nommée {0} ; il a displacement.</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>The points of a cut need three columns: x_mm, y_mm, z_mm.</source>
+        <translation>Les points d’une coupe exigent trois colonnes : x_mm, y_mm, z_mm.</translation>
+    </message>
+    <message>
+        <source>Reading the liver</source>
+        <translation>Lecture du foie</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
+        <source>Reading the model</source>
+        <translation>Lecture du modèle</translation>
+    </message>
+    <message>
+        <source>Moving the tools</source>
+        <translation>Déplacement des outils</translation>
+    </message>
+    <message>
+        <source>Command {0} led to another state than was recorded.</source>
+        <translation>La commande {0} a mené à un autre état que celui enregistré.</translation>
+    </message>
+    <message>
+        <source>Replay with the case and the version that it was recorded with.</source>
+        <translation>Rejouez avec le cas et la version de l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>{0} wants a position X,Y,Z in mm, not &quot;{1}&quot;.</source>
+        <translation>{0} attend une position X,Y,Z en mm, et non « {1} ».</translation>
+    </message>
+    <message>
+        <source>--size wants WxH in pixels, 16 to 16384 each, not &quot;{0}&quot;.</source>
+        <translation>--size attend LxH en pixels, de 16 à 16384 chacun, et non « {0} ».</translation>
+    </message>
+    <message>
+        <source>The computation did not converge: {0}</source>
+        <translation>Le calcul n’a pas convergé : {0}</translation>
+    </message>
+    <message>
+        <source>The sequence names no registered clouds.</source>
+        <translation>La séquence ne nomme pas de nuages de points recalés.</translation>
+    </message>
+    <message>
+        <source>Add &quot;registered&quot;, or choose --method icp or geo.</source>
+        <translation>Ajoutez &quot;registered&quot;, ou choisissez --method icp ou geo.</translation>
+    </message>
+    <message>
+        <source>The sequence names no model to register its clouds to.</source>
+        <translation>La séquence ne nomme pas de modèle sur lequel recaler ses nuages de points.</translation>
+    </message>
+    <message>
+        <source>Add &quot;model&quot;: a surface file.</source>
+        <translation>Ajoutez &quot;model&quot; : un fichier de surface.</translation>
+    </message>
+    <message>
+        <source>Frame {0} shares too few landmarks with the others.</source>
+        <translation>L’image {0} partage trop peu de repères avec les autres.</translation>
+    </message>
+    <message>
+        <source>The two pictures agree nowhere.</source>
+        <translation>Les deux images ne s’accordent nulle part.</translation>
+    </message>
+    <message>
+        <source>Check that left and right are not exchanged and that the calibration is theirs.</source>
+        <translation>Vérifiez que gauche et droite ne sont pas échangées et que le calibrage est le leur.</translation>
+    </message>
+    <message>
+        <source>Name the cohort&apos;s folder, or ask for a simulated one with --simulated N.</source>
+        <translation>Indiquez le dossier de la cohorte, ou demandez-en une simulée avec --simulated N.</translation>
+    </message>
+    <message>
+        <source>Reading the case</source>
+        <translation>Lecture du cas</translation>
+    </message>
+    <message>
+        <source>Preparing the model</source>
+        <translation>Préparation du modèle</translation>
+    </message>
+    <message>
+        <source>Known are: {1}</source>
+        <translation>Sont connues : {1}</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ComparisonChoice</name>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>With this patient&apos;s own stiffness, from MR elastography</source>
+        <translation>Avec la rigidité propre à ce patient, par élastographie RM</translation>
+    </message>
+    <message>
+        <source>Atlas</source>
+        <translation>Atlas</translation>
+    </message>
+    <message>
+        <source>With one stiffness for the whole liver, as an atlas gives it</source>
+        <translation>Avec une seule rigidité pour tout le foie, comme la donne un atlas</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Les deux</translation>
+    </message>
+    <message>
+        <source>Atlas in red, patient in blue: purple where they agree</source>
+        <translation>Atlas en rouge, patient en bleu : violet là où ils concordent</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::LandmarkTable</name>
+    <message>
+        <source>Landmark</source>
+        <translation>Repère</translation>
+    </message>
+    <message>
+        <source>Moves
+mm</source>
+        <translation>Déplac.
+mm</translation>
+    </message>
+    <message>
+        <source>Atlas off
+mm</source>
+        <translation>Écart
+atlas
+mm</translation>
+    </message>
+    <message>
+        <source>From 5 mm</source>
+        <translation>Dès
+5 mm</translation>
+    </message>
+    <message>
+        <source>How far the landmark moves with the patient&apos;s own stiffness</source>
+        <translation>De combien le repère se déplace avec la rigidité propre au patient</translation>
+    </message>
+    <message>
+        <source>How far from there the atlas&apos;s stiffness puts it</source>
+        <translation>À quelle distance de là le place la rigidité de l’atlas</translation>
+    </message>
+    <message>
+        <source>5 mm and more matters to a surgeon</source>
+        <translation>5 mm et plus comptent pour un chirurgien</translation>
+    </message>
+    <message>
+        <source>▲ Atlas off</source>
+        <translation>▲ Atlas faux</translation>
+    </message>
+    <message>
+        <source>● Moves</source>
+        <translation>● Bouge</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::LanguageMenu</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>System language</source>
+        <translation>Langue du système</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::LinkedViews</name>
+    <message>
+        <source>Transverse</source>
+        <translation>Transversale</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronale</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittale</translation>
+    </message>
+    <message>
+        <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
+Ctrl+wheel: zoom. Shift+drag: shift.</source>
+        <translation>Clic : réticule. Glisser à droite : luminosité et contraste. Molette : coupe suivante.
+Ctrl+molette : zoom. Maj+glisser : décaler.</translation>
+    </message>
+    <message>
+        <source>Drag: turn. Shift+drag: shift. Wheel: zoom. Click: crosshair there.</source>
+        <translation>Glisser : tourner. Maj+glisser : décaler. Molette : zoom. Clic : réticule à cet endroit.</translation>
+    </message>
+    <message>
+        <source>Surgeon</source>
+        <translation>Chirurgien</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Below</source>
+        <translation>Dessous</translation>
+    </message>
+    <message>
+        <source>Look from here, everything in view</source>
+        <translation>Regarder d’ici, tout dans la vue</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::MainWindow</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+    <message>
+        <source>Looking for images</source>
+        <translation>Recherche d’images</translation>
+    </message>
+    <message>
+        <source>Opening the demo patient</source>
+        <translation>Ouverture du patient de démonstration</translation>
+    </message>
+    <message>
+        <source>Glisson</source>
+        <translation>Glisson</translation>
+    </message>
+    <message>
+        <source>%1 - Glisson</source>
+        <translation>%1 - Glisson</translation>
+    </message>
+    <message>
+        <source>Next: put the crosshair inside the liver, away from large vessels.</source>
+        <translation>Ensuite : placez le réticule dans le foie, loin des gros vaisseaux.</translation>
+    </message>
+    <message>
+        <source>Next: build the model of the liver from its outline and stiffness.</source>
+        <translation>Ensuite : construisez le modèle du foie à partir de son contour et de sa rigidité.</translation>
+    </message>
+    <message>
+        <source>Outline the liver from here</source>
+        <translation>Délimiter le foie à partir d’ici</translation>
+    </message>
+    <message>
+        <source>Build the model</source>
+        <translation>Construire le modèle</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Open a case...</source>
+        <translation>&amp;Ouvrir un cas…</translation>
+    </message>
+    <message>
+        <source>Open &amp;images (DICOM folder)...</source>
+        <translation>Ouvrir des &amp;images (dossier DICOM)…</translation>
+    </message>
+    <message>
+        <source>Open the &amp;demo patient</source>
+        <translation>Ouvrir le patient de &amp;démonstration</translation>
+    </message>
+    <message>
+        <source>&amp;Save the picture...</source>
+        <translation>&amp;Enregistrer l’image…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Aide</translation>
+    </message>
+    <message>
+        <source>&amp;About Glisson</source>
+        <translation>À &amp;propos de Glisson</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Plan a liver operation</source>
+        <translation>Planifier une opération du foie</translation>
+    </message>
+    <message>
+        <source>Drop a case or a folder of DICOM images here, or begin with the demo patient.</source>
+        <translation>Déposez ici un cas ou un dossier d’images DICOM, ou commencez par le patient de démonstration.</translation>
+    </message>
+    <message>
+        <source>Open the demo patient</source>
+        <translation>Ouvrir le patient de démonstration</translation>
+    </message>
+    <message>
+        <source>Open a case...</source>
+        <translation>Ouvrir un cas…</translation>
+    </message>
+    <message>
+        <source>Open images...</source>
+        <translation>Ouvrir des images…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Not a medical device</source>
+        <translation>N’est pas un dispositif médical</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>A defect in Glisson stopped this: %1</source>
+        <translation>Un défaut de Glisson a interrompu cette opération : %1</translation>
+    </message>
+    <message>
+        <source>Click on the liver where the tool is to touch it.</source>
+        <translation>Cliquez sur le foie à l’endroit que l’outil doit toucher.</translation>
+    </message>
+    <message>
+        <source>Solving...</source>
+        <translation>Résolution…</translation>
+    </message>
+    <message>
+        <source>Tool placed in %1 ms.</source>
+        <translation>Outil placé en %1 ms.</translation>
+    </message>
+    <message>
+        <source>Open a case (a folder NAME.glisson)</source>
+        <translation>Ouvrir un cas (un dossier NOM.glisson)</translation>
+    </message>
+    <message>
+        <source>Open a folder of images</source>
+        <translation>Ouvrir un dossier d’images</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Enregistrer l’image</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Images (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture could not be written to %1.</source>
+        <translation>L’image n’a pas pu être écrite dans %1.</translation>
+    </message>
+    <message>
+        <source>About Glisson</source>
+        <translation>À propos de Glisson</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planning and reviewing liver surgery.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not a medical device.&lt;/b&gt; Not for diagnosis or treatment.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planification et revue de la chirurgie du foie.&lt;/p&gt;&lt;p&gt;&lt;b&gt;N’est pas un dispositif médical.&lt;/b&gt; Ni pour le diagnostic, ni pour le traitement.&lt;/p&gt;&lt;p&gt;Logiciel libre sous la licence publique générale GNU, version 3 ou ultérieure.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Something else is still under way. Wait for it, or cancel it first.</source>
+        <translation>Une autre opération est en cours. Attendez-la, ou annulez-la d’abord.</translation>
+    </message>
+    <message>
+        <source>%1 %2 (%3 × %4 × %5)</source>
+        <translation>%1 %2 (%3 × %4 × %5)</translation>
+    </message>
+    <message>
+        <source>No anatomical images were found in %1.</source>
+        <translation>Aucune image anatomique n’a été trouvée dans %1.</translation>
+    </message>
+    <message>
+        <source>Which images show the anatomy?</source>
+        <translation>Quelles images montrent l’anatomie ?</translation>
+    </message>
+    <message>
+        <source>The study holds several series:</source>
+        <translation>L’étude contient plusieurs séries :</translation>
+    </message>
+    <message>
+        <source>Keep the case as</source>
+        <translation>Conserver le cas sous</translation>
+    </message>
+    <message>
+        <source>Cases (*.glisson)</source>
+        <translation>Cas (*.glisson)</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>Importation</translation>
+    </message>
+    <message>
+        <source>Outlining the liver</source>
+        <translation>Délimitation du foie</translation>
+    </message>
+    <message>
+        <source>Building the model</source>
+        <translation>Construction du modèle</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Annulé.</translation>
+    </message>
+    <message>
+        <source>Relative residual %1, answered in %2 ms</source>
+        <translation>Résidu relatif %1, réponse en %2 ms</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PatientViews</name>
+    <message>
+        <source>Displacement (mm)</source>
+        <translation>Déplacement (mm)</translation>
+    </message>
+    <message>
+        <source>Red: one stiffness from the atlas</source>
+        <translation>Rouge : une seule rigidité, de l’atlas</translation>
+    </message>
+    <message>
+        <source>Blue: the patient&apos;s own stiffness</source>
+        <translation>Bleu : la rigidité propre au patient</translation>
+    </message>
+    <message>
+        <source>Purple: both agree</source>
+        <translation>Violet : les deux concordent</translation>
+    </message>
+    <message>
+        <source>Shear stiffness (kPa)</source>
+        <translation>Rigidité en cisaillement (kPa)</translation>
+    </message>
+    <message>
+        <source>%1  %2 mm</source>
+        <translation>%1  %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::RehearsePanel</name>
+    <message>
+        <source>Rehearse</source>
+        <translation>Répéter</translation>
+    </message>
+    <message>
+        <source>Open a case with a model of the liver, or the demo patient, to rehearse a retraction.</source>
+        <translation>Ouvrez un cas avec un modèle du foie, ou le patient de démonstration, pour répéter une rétraction.</translation>
+    </message>
+    <message>
+        <source>Show the liver with the stiffness of</source>
+        <translation>Montrer le foie avec la rigidité de</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>Place by click</source>
+        <translation>Placer d’un clic</translation>
+    </message>
+    <message>
+        <source>Then click on the liver where the tool is to touch it</source>
+        <translation>Cliquez ensuite sur le foie à l’endroit que l’outil doit toucher</translation>
+    </message>
+    <message>
+        <source>Hoist segment VI</source>
+        <translation>Soulever le segment VI</translation>
+    </message>
+    <message>
+        <source>Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head</source>
+        <translation>Place l’outil sous la partie droite, inférieure et postérieure du foie, en la soulevant vers l’avant et la tête</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Hoist to front and head</source>
+        <translation>Soulever vers l’avant et la tête</translation>
+    </message>
+    <message>
+        <source>Pull away from the surface</source>
+        <translation>Tirer loin de la surface</translation>
+    </message>
+    <message>
+        <source>Push into the surface</source>
+        <translation>Appuyer sur la surface</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>Take the tool away</source>
+        <translation>Retirer l’outil</translation>
+    </message>
+    <message>
+        <source>Colour the liver by how far it moves</source>
+        <translation>Colorer le foie selon son déplacement</translation>
+    </message>
+    <message>
+        <source>Place the tool to see what moves.</source>
+        <translation>Placez l’outil pour voir ce qui bouge.</translation>
+    </message>
+    <message>
+        <source>The liver moves by up to %1 mm.</source>
+        <translation>Le foie se déplace jusqu’à %1 mm.</translation>
+    </message>
+    <message>
+        <source>The atlas is off by up to %1 mm.</source>
+        <translation>L’atlas se trompe jusqu’à %1 mm.</translation>
+    </message>
+    <message>
+        <source>Strains may reach %1 %, more than this linear model is made for.</source>
+        <translation>Les déformations peuvent atteindre %1 %, plus que ne le permet ce modèle linéaire.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::StudyPanel</name>
+    <message>
+        <source>Slices show</source>
+        <translation>Les coupes montrent</translation>
+    </message>
+    <message>
+        <source>Anatomy</source>
+        <translation>Anatomie</translation>
+    </message>
+    <message>
+        <source>Stiffness (MR elastography)</source>
+        <translation>Rigidité (élastographie RM)</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Structures</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Structure</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>No patient open</source>
+        <translation>Aucun patient ouvert</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 voxels,
+%4 × %5 × %6 mm each</source>
+        <translation>%1 × %2 × %3 voxels
+de %4 × %5 × %6 mm chacun</translation>
+    </message>
+    <message>
+        <source>%1 cells
+Young&apos;s modulus %2 kPa (mean)</source>
+        <translation>%1 cellules
+Module de Young %2 kPa (moyenne)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ViewFrame</name>
+    <message>
+        <source>Show all four views</source>
+        <translation>Montrer les quatre vues</translation>
+    </message>
+    <message>
+        <source>Fill the window with this view</source>
+        <translation>Remplir la fenêtre avec cette vue</translation>
+    </message>
+</context>
+<context>
+    <name>patients</name>
+    <message>
+        <source>Demo patient</source>
+        <translation>Patient de démonstration</translation>
+    </message>
+</context>
+<context>
+    <name>structures</name>
+    <message>
+        <source>Liver</source>
+        <translation>Foie</translation>
+    </message>
+    <message>
+        <source>Tumour</source>
+        <translation>Tumeur</translation>
+    </message>
+    <message>
+        <source>Cyst</source>
+        <translation>Kyste</translation>
+    </message>
+    <message>
+        <source>Portal vein</source>
+        <translation>Veine porte</translation>
+    </message>
+    <message>
+        <source>Hepatic vein</source>
+        <translation>Veine hépatique</translation>
+    </message>
+    <message>
+        <source>Artery</source>
+        <translation>Artère</translation>
+    </message>
+    <message>
+        <source>Biliary tract</source>
+        <translation>Voies biliaires</translation>
+    </message>
+    <message>
+        <source>Necrosis</source>
+        <translation>Nécrose</translation>
+    </message>
+    <message>
+        <source>Gallbladder</source>
+        <translation>Vésicule biliaire</translation>
+    </message>
+    <message>
+        <source>Gastric vein</source>
+        <translation>Veine gastrique</translation>
+    </message>
+    <message>
+        <source>Aorta</source>
+        <translation>Aorte</translation>
+    </message>
+    <message>
+        <source>Heart</source>
+        <translation>Cœur</translation>
+    </message>
+    <message>
+        <source>Stomach</source>
+        <translation>Estomac</translation>
+    </message>
+    <message>
+        <source>Kidney</source>
+        <translation>Rein</translation>
+    </message>
+    <message>
+        <source>Spleen</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Pancreas</source>
+        <translation>Pancréas</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Os</translation>
+    </message>
+    <message>
+        <source>Hilum</source>
+        <translation>Hile hépatique</translation>
+    </message>
+</context>
+</TS>
