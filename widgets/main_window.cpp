@@ -1,7 +1,6 @@
 #include "main_window.h"
 
 #include <QCloseEvent>
-#include <QCoreApplication>
 #include <QDir>
 #include <QDropEvent>
 #include <QFileDialog>
@@ -19,6 +18,9 @@
 #include "panels/platform_view.h"
 #include "session/load_patient.h"
 #include "views/wave_view.h"
+#include "words/language_menu.h"
+#include "words/told.h"
+#include "words/worded.h"
 
 namespace glisson::widgets {
 namespace {
@@ -31,7 +33,6 @@ QString text_of(const fs::path& path) { return QString::fromStdU16String(path.u1
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
-  setWindowTitle(tr("Glisson"));
   setAcceptDrops(true);
   resize(1600, 1000);
   study_panel_ = new StudyPanel;
@@ -47,13 +48,17 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   across->addWidget(make_centre());
   across->addWidget(rehearse_panel_);
   across->setStretchFactor(1, 1);
-  across->setSizes({250, 960, 390});
+  across->setSizes({250, 940, 410});
   across->setChildrenCollapsible(false);
   setCentralWidget(across);
   patient_views_ = new PatientViews(*views_, this);
   make_menus();
   make_status_bar();
   connect_parts();
+  worded(this, [this] {
+    word_patient();
+    patient_views_->reword();
+  });
 }
 
 void MainWindow::open_path(const fs::path& opened) {
@@ -80,11 +85,11 @@ void MainWindow::open_demo() {
   const fs::path folder = path_of(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)) / "demo";
   load(
       tr("Opening the demo patient"),
-      [folder, name = tr("Demo patient").toStdString()](const Progress& progress) -> Result<Patient> {
+      [folder](const Progress& progress) -> Result<Patient> {
         std::error_code problem;
         fs::create_directories(folder, problem);
         return load_demo(folder, progress).map([&](Patient patient) {
-          patient.name = name;
+          patient.name = demo_patient_name;
           return patient;
         });
       },
@@ -97,12 +102,14 @@ void MainWindow::show_patient(const Patient& patient) {
   welcome_->hide();
   views_->show();
   notice_->hide();
-  QStringList remarks;
-  for (const std::string& remark : patient.remarks) remarks << QString::fromStdString(remark);
-  if (!remarks.isEmpty()) show_notice(remarks.join(" "));
-  origin_->setText(QString::fromStdString(patient.origin));
+  if (!patient.remarks.empty()) {
+    show_notice([remarks = patient.remarks] {
+      QStringList sentences;
+      for (const Sentence& remark : remarks) sentences << told(remark);
+      return sentences.join(" ");
+    });
+  }
   origin_->setVisible(!patient.origin.empty());
-  setWindowTitle(tr("%1 - Glisson").arg(QString::fromStdString(patient.name)));
   study_panel_->show_patient(patient);
   patient_views_->show_patient(patient);
   rehearsal_.set_body(patient.rehearsal);
@@ -110,36 +117,55 @@ void MainWindow::show_patient(const Patient& patient) {
   save_picture_->setEnabled(true);
   show_waves_->setEnabled(!patient.folder.empty() && WaveView::has_waves(patient.folder));
   tell_platforms();
-  const NextStep next = patient.folder.empty() ? NextStep::none : next_step(patient.folder);
-  next_step_->setVisible(next != NextStep::none);
-  next_step_text_->setText(next == NextStep::outline_liver
+  next_ = patient.folder.empty() ? NextStep::none : next_step(patient.folder);
+  next_step_->setVisible(next_ != NextStep::none);
+  word_patient();
+}
+
+void MainWindow::word_patient() {
+  origin_->setText(told(patient_.origin));
+  setWindowTitle(patient_.name.empty() ? tr("Glisson") : tr("%1 - Glisson").arg(patient_label(patient_.name)));
+  next_step_text_->setText(next_ == NextStep::outline_liver
                                ? tr("Next: put the crosshair inside the liver, away from large vessels.")
                                : tr("Next: build the model of the liver from its outline and stiffness."));
-  next_step_button_->setText(next == NextStep::outline_liver ? tr("Outline the liver from here")
-                                                             : tr("Build the model"));
+  next_step_button_->setText(next_ == NextStep::outline_liver ? tr("Outline the liver from here")
+                                                              : tr("Build the model"));
 }
 
 void MainWindow::make_menus() {
-  QMenu* file = menuBar()->addMenu(tr("&File"));
-  file->addAction(QIcon(":/icons/open.svg"), tr("&Open a case..."), QKeySequence::Open, this, &MainWindow::choose_case);
-  file->addAction(tr("Open &images (DICOM folder)..."), QKeySequence(tr("Ctrl+Shift+O")), this,
-                  &MainWindow::choose_study);
-  file->addAction(tr("Open the &demo patient"), QKeySequence(tr("Ctrl+D")), this, &MainWindow::open_demo);
+  QMenu* file = menuBar()->addMenu(QString());
+  QAction* open_case =
+      file->addAction(QIcon(":/icons/open.svg"), {}, QKeySequence::Open, this, &MainWindow::choose_case);
+  QAction* open_images = file->addAction({}, QKeySequence("Ctrl+Shift+O"), this, &MainWindow::choose_study);
+  QAction* open_demo = file->addAction({}, QKeySequence("Ctrl+D"), this, &MainWindow::open_demo);
   file->addSeparator();
-  save_picture_ = file->addAction(tr("&Save the picture..."), QKeySequence::Save, this, &MainWindow::save_picture);
+  save_picture_ = file->addAction({}, QKeySequence::Save, this, &MainWindow::save_picture);
   save_picture_->setEnabled(false);
-  show_waves_ =
-      file->addAction(tr("Elastography &waves..."), QKeySequence(tr("Ctrl+W")), this, &MainWindow::show_waves);
+  show_waves_ = file->addAction({}, QKeySequence("Ctrl+W"), this, &MainWindow::show_waves);
   show_waves_->setEnabled(false);
   file->addSeparator();
-  file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
-  QMenu* plan = menuBar()->addMenu(tr("&Plan"));
-  plan->addAction(tr("What can be &worn for this case..."), QKeySequence(tr("Ctrl+P")), this,
-                  &MainWindow::show_platforms)
-      ->setObjectName("wearables");
-  QMenu* help = menuBar()->addMenu(tr("&Help"));
-  help->addAction(tr("&Manual"), QKeySequence::HelpContents, this, &MainWindow::show_manual);
-  help->addAction(tr("&About Glisson"), this, &MainWindow::about);
+  QAction* quit = file->addAction({}, QKeySequence::Quit, this, &QWidget::close);
+  QMenu* plan = menuBar()->addMenu(QString());
+  QAction* worn = plan->addAction({}, QKeySequence("Ctrl+P"), this, &MainWindow::show_platforms);
+  worn->setObjectName("wearables");
+  menuBar()->addMenu(new LanguageMenu(this));
+  QMenu* help = menuBar()->addMenu(QString());
+  QAction* manual = help->addAction({}, QKeySequence::HelpContents, this, &MainWindow::show_manual);
+  QAction* about = help->addAction({}, this, &MainWindow::about);
+  worded(this, [=, this] {
+    file->setTitle(tr("&File"));
+    open_case->setText(tr("&Open a case..."));
+    open_images->setText(tr("Open &images (DICOM folder)..."));
+    open_demo->setText(tr("Open the &demo patient"));
+    save_picture_->setText(tr("&Save the picture..."));
+    show_waves_->setText(tr("Elastography &waves..."));
+    quit->setText(tr("&Quit"));
+    plan->setTitle(tr("&Plan"));
+    worn->setText(tr("What can be &worn for this case..."));
+    help->setTitle(tr("&Help"));
+    manual->setText(tr("&Manual"));
+    about->setText(tr("&About Glisson"));
+  });
 }
 
 QWidget* MainWindow::make_centre() {
@@ -157,7 +183,7 @@ QWidget* MainWindow::make_centre() {
   notice_text_->setWordWrap(true);
   notice_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   row->addWidget(notice_text_, 1);
-  auto* dismiss = new QPushButton(tr("Close"));
+  auto* dismiss = new QPushButton;
   row->addWidget(dismiss);
   connect(dismiss, &QPushButton::clicked, notice_, &QWidget::hide);
   notice_->hide();
@@ -180,21 +206,21 @@ QWidget* MainWindow::make_centre() {
   mark->setPixmap(QIcon(":/icons/glisson.svg").pixmap(112, 112));
   mark->setAlignment(Qt::AlignCenter);
   page->addWidget(mark);
-  auto* title = new QLabel(tr("Plan a liver operation"));
+  auto* title = new QLabel;
   title->setObjectName("welcome_title");
   title->setAlignment(Qt::AlignCenter);
   page->addWidget(title);
-  auto* words = new QLabel(tr("Drop a case or a folder of DICOM images here, or begin with the demo patient."));
+  auto* words = new QLabel;
   words->setObjectName("faint");
   words->setAlignment(Qt::AlignCenter);
   page->addWidget(words);
   page->addSpacing(12);
   auto* buttons = new QHBoxLayout;
   buttons->addStretch();
-  auto* demo = new QPushButton(tr("Open the demo patient"));
+  auto* demo = new QPushButton;
   demo->setObjectName("primary");
-  auto* open_case = new QPushButton(tr("Open a case..."));
-  auto* open_images = new QPushButton(tr("Open images..."));
+  auto* open_case = new QPushButton;
+  auto* open_images = new QPushButton;
   for (QPushButton* button : {demo, open_case, open_images}) buttons->addWidget(button);
   buttons->addStretch();
   page->addLayout(buttons);
@@ -207,6 +233,16 @@ QWidget* MainWindow::make_centre() {
   connect(open_case, &QPushButton::clicked, this, &MainWindow::choose_case);
   connect(open_images, &QPushButton::clicked, this, &MainWindow::choose_study);
   column->addWidget(welcome_, 1);
+
+  worded(this, [=, this] {
+    dismiss->setText(tr("Close"));
+    title->setText(tr("Plan a liver operation"));
+    words->setText(tr("Drop a case or a folder of DICOM images here, or begin with the demo patient."));
+    demo->setText(tr("Open the demo patient"));
+    open_case->setText(tr("Open a case..."));
+    open_images->setText(tr("Open images..."));
+    if (notice_words_) notice_text_->setText(notice_words_());
+  });
   return centre;
 }
 
@@ -236,10 +272,10 @@ void MainWindow::make_status_bar() {
   progress_->setTextVisible(false);
   progress_->setFixedWidth(220);
   progress_->hide();
-  cancel_ = new QPushButton(tr("Cancel"));
+  cancel_ = new QPushButton;
   cancel_->setObjectName("cancel");
   cancel_->hide();
-  auto* standing = new QLabel(tr("Not a medical device"));
+  auto* standing = new QLabel;
   standing->setObjectName("faint");
   standing->setContentsMargins(0, 0, 8, 0);
   statusBar()->addWidget(status_, 1);
@@ -248,6 +284,12 @@ void MainWindow::make_status_bar() {
   statusBar()->addPermanentWidget(figures_);
   statusBar()->addPermanentWidget(standing);
   statusBar()->setSizeGripEnabled(false);
+  worded(this, [=, this] {
+    cancel_->setText(tr("Cancel"));
+    standing->setText(tr("Not a medical device"));
+    status_->clear();  // it told of a moment
+    show_figures();
+  });
 }
 
 void MainWindow::connect_parts() {
@@ -261,8 +303,8 @@ void MainWindow::connect_parts() {
   connect(&work_, &BackgroundWork::progressed, this, [this](double fraction, const QString& stage) {
     progress_->setValue(static_cast<int>(1000 * fraction));
     if (stage.isEmpty()) return;
-    status_->setText(stage);
-    welcome_stage_->setText(tr("%1 (%2 %)").arg(stage).arg(100 * fraction, 0, 'f', 0));
+    status_->setText(told_stage(stage));
+    welcome_stage_->setText(tr("%1 (%2 %)").arg(told_stage(stage)).arg(100 * fraction, 0, 'f', 0));
   });
   connect(&work_, &BackgroundWork::finished, this, [this] {
     status_->clear();
@@ -270,8 +312,9 @@ void MainWindow::connect_parts() {
     progress_->hide();
     cancel_->hide();
   });
-  connect(&work_, &BackgroundWork::broke, this,
-          [this](const QString& what) { show_notice(tr("A defect in Glisson stopped this: %1").arg(what)); });
+  connect(&work_, &BackgroundWork::broke, this, [this](const QString& what) {
+    show_notice([what] { return tr("A defect in Glisson stopped this: %1").arg(what); });
+  });
   connect(cancel_, &QPushButton::clicked, this, [this] {
     cancel_->setEnabled(false);
     work_.cancel();
@@ -311,11 +354,11 @@ void MainWindow::choose_study() {
 }
 
 void MainWindow::save_picture() {
-  const QString file =
-      QFileDialog::getSaveFileName(this, tr("Save the picture"), "glisson.png", tr("Pictures (*.png)"));
+  const QString name = "glisson.png";
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save the picture"), name, tr("Pictures (*.png)"));
   if (file.isEmpty()) return;
   if (!views_->space().grabFramebuffer().save(file))
-    show_notice(tr("The picture could not be written to %1.").arg(file));
+    show_notice([file] { return tr("The picture could not be written to %1.").arg(file); });
 }
 
 void MainWindow::show_manual() {
@@ -360,7 +403,7 @@ void MainWindow::load(const QString& title, std::function<Result<Patient>(const 
           if (once_shown) once_shown();
         });
       });
-  if (!begun) show_notice(tr("Something else is still under way. Wait for it, or cancel it first."));
+  if (!begun) show_notice([] { return tr("Something else is still under way. Wait for it, or cancel it first."); });
 }
 
 void MainWindow::offer_import(const imaging::Study& study, const fs::path& path) {
@@ -377,7 +420,7 @@ void MainWindow::offer_import(const imaging::Study& study, const fs::path& path)
     uids.push_back(series.uid);
   }
   if (names.isEmpty()) {
-    show_notice(tr("No anatomical images were found in %1.").arg(text_of(path)));
+    show_notice([path] { return tr("No anatomical images were found in %1.").arg(text_of(path)); });
     return;
   }
   std::string chosen = uids.front();
@@ -434,11 +477,12 @@ void MainWindow::show_error(const Error& error) {
     status_->setText(tr("Cancelled."));
     return;
   }
-  show_notice(told(error));
+  show_notice([error] { return told(error); });
 }
 
-void MainWindow::show_notice(const QString& text) {
-  notice_text_->setText(text);
+void MainWindow::show_notice(std::function<QString()> words) {
+  notice_words_ = std::move(words);
+  notice_text_->setText(notice_words_());
   notice_->show();
 }
 
@@ -446,6 +490,11 @@ void MainWindow::show_frame() {
   const auto& frame = rehearsal_.frame();
   const std::optional<ToolInView> tool = tool_in_view();
   patient_views_->show_frame(frame ? &*frame : nullptr, tool ? &*tool : nullptr);
+  show_figures();
+}
+
+void MainWindow::show_figures() {
+  const auto& frame = rehearsal_.frame();
   figures_->setText(frame ? tr("Relative residual %1, answered in %2 ms")
                                 .arg(frame->relative_residual, 0, 'e', 0)
                                 .arg(frame->answer_ms, 0, 'f', 1)

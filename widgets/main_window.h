@@ -2,6 +2,7 @@
 // The window: patient on the left, four views in the middle, the rehearsal on the right.
 
 #include <filesystem>
+#include <functional>
 #include <QLabel>
 #include <QMainWindow>
 #include <QPointer>
@@ -13,10 +14,11 @@
 #include "panels/rehearse_panel.h"
 #include "panels/study_panel.h"
 #include "session/live_rehearsal.h"
+#include "session/load_patient.h"
 #include "session/patient.h"
 #include "views/linked_views.h"
 #include "views/patient_views.h"
-#include "words.h"
+#include "words/told.h"
 #include "work/background_work.h"
 
 namespace glisson::widgets {
@@ -63,11 +65,15 @@ class MainWindow : public QMainWindow {
   void offer_import(const imaging::Study& study, const std::filesystem::path& path);
   void take_next_step();
   void show_error(const Error& error);
-  void show_notice(const QString& text);
+  // The words are asked for again when the language changes.
+  void show_notice(std::function<QString()> words);
   void show_frame();
+  void show_figures();
+  void word_patient();
   [[nodiscard]] std::optional<ToolInView> tool_in_view() const;
 
   Patient patient_;
+  NextStep next_ = NextStep::none;
   LiveRehearsal rehearsal_;
   BackgroundWork work_;
   LinkedViews* views_ = nullptr;
@@ -78,6 +84,7 @@ class MainWindow : public QMainWindow {
   QLabel* origin_ = nullptr;
   QWidget* notice_ = nullptr;
   QLabel* notice_text_ = nullptr;
+  std::function<QString()> notice_words_;
   QWidget* welcome_ = nullptr;
   QLabel* welcome_stage_ = nullptr;
   QWidget* next_step_ = nullptr;

@@ -6,7 +6,10 @@
 #include <QStyleFactory>
 
 // Resources of a static library are left out by the linker unless somebody asks for them; outside any namespace.
-static void take_in_resources() { Q_INIT_RESOURCE(glisson); }
+static void take_in_resources() {
+  Q_INIT_RESOURCE(glisson);
+  Q_INIT_RESOURCE(translations);
+}
 
 namespace glisson::widgets {
 

@@ -2,10 +2,13 @@
 // main() of a widget test: the window system set up as the program itself does.
 
 #include <QApplication>
+#include <QSettings>
 #include <QSurfaceFormat>
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include "theme.h"
+#include "words/language.h"
 
 namespace glisson::widgets {
 
@@ -17,7 +20,12 @@ int run_test(int argc, char** argv) {
   QSurfaceFormat::setDefaultFormat(format);
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QApplication application(argc, argv);
+  // No choice of this computer's user is read or written; the window speaks English until a test says otherwise.
+  const QTemporaryDir settings;
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  choose_language("en");
   apply_dark_theme(application);
+  begin_in_kept_language();
   Test test;
   return QTest::qExec(&test, argc, argv);
 }

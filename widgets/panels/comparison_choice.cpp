@@ -3,23 +3,33 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 
+#include "words/worded.h"
+
 namespace glisson::widgets {
 
 ComparisonChoice::ComparisonChoice(QWidget* parent) : QWidget(parent), group_(new QButtonGroup(this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  const auto add = [&](Bodies bodies, const QString& text, const QString& tip, const char* place) {
-    auto* button = new QPushButton(text, this);
+  const auto add = [&](Bodies bodies, const char* place) {
+    auto* button = new QPushButton(this);
     button->setCheckable(true);
-    button->setToolTip(tip);
     button->setProperty("segment", place);  // the theme joins the three
     group_->addButton(button, static_cast<int>(bodies));
     row->addWidget(button, 1);
+    return button;
   };
-  add(Bodies::patient, tr("Patient"), tr("With this patient's own stiffness, from MR elastography"), "first");
-  add(Bodies::atlas, tr("Atlas"), tr("With one stiffness for the whole liver, as an atlas gives it"), "middle");
-  add(Bodies::both, tr("Both"), tr("Atlas in red, patient in blue: purple where they agree"), "last");
+  QPushButton* patient = add(Bodies::patient, "first");
+  QPushButton* atlas = add(Bodies::atlas, "middle");
+  QPushButton* both = add(Bodies::both, "last");
+  worded(this, [=] {
+    patient->setText(tr("Patient"));
+    patient->setToolTip(tr("With this patient's own stiffness, from MR elastography"));
+    atlas->setText(tr("Atlas"));
+    atlas->setToolTip(tr("With one stiffness for the whole liver, as an atlas gives it"));
+    both->setText(tr("Both"));
+    both->setToolTip(tr("Atlas in red, patient in blue: purple where they agree"));
+  });
   choose(Bodies::patient);
   connect(group_, &QButtonGroup::idClicked, this, [this](int id) { Q_EMIT changed(static_cast<Bodies>(id)); });
 }

@@ -2,7 +2,8 @@
 
 #include <QHeaderView>
 
-#include "session/patient.h"
+#include "words/told.h"
+#include "words/worded.h"
 
 namespace glisson::widgets {
 namespace {
@@ -18,10 +19,12 @@ QTableWidgetItem* ensured(QTableWidget& table, int row, int column) {
 
 LandmarkTable::LandmarkTable(QWidget* parent) : QTableWidget(0, 4, parent) {
   setObjectName("landmarks");
-  setHorizontalHeaderLabels({tr("Landmark"), tr("Moves\nmm"), tr("Atlas off\nmm"), tr("From 5 mm")});
-  horizontalHeaderItem(moves_column)->setToolTip(tr("How far the landmark moves with the patient's own stiffness"));
-  horizontalHeaderItem(apart_column)->setToolTip(tr("How far from there the atlas's stiffness puts it"));
-  horizontalHeaderItem(flag_column)->setToolTip(tr("5 mm and more matters to a surgeon"));
+  worded(this, [this] {
+    setHorizontalHeaderLabels({tr("Landmark"), tr("Moves\nmm"), tr("Atlas off\nmm"), tr("From 5 mm")});
+    horizontalHeaderItem(moves_column)->setToolTip(tr("How far the landmark moves with the patient's own stiffness"));
+    horizontalHeaderItem(apart_column)->setToolTip(tr("How far from there the atlas's stiffness puts it"));
+    horizontalHeaderItem(flag_column)->setToolTip(tr("5 mm and more matters to a surgeon"));
+  });
   horizontalHeader()->setSectionResizeMode(name_column, QHeaderView::Stretch);
   for (const int column : {moves_column, apart_column, flag_column}) {
     horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
@@ -32,6 +35,7 @@ LandmarkTable::LandmarkTable(QWidget* parent) : QTableWidget(0, 4, parent) {
   setSelectionBehavior(SelectRows);
   setSelectionMode(SingleSelection);
   setShowGrid(false);
+  setTextElideMode(Qt::ElideMiddle);  // the number at a name's end tells it from its neighbours
   setAlternatingRowColors(true);
   connect(this, &QTableWidget::itemSelectionChanged, this, [this] {
     const QTableWidgetItem* chosen = currentRow() >= 0 ? item(currentRow(), name_column) : nullptr;
@@ -57,6 +61,7 @@ void LandmarkTable::fill_row(int row, const mechanics::DisplacedLandmark& landma
   const bool atlas_far = difference != nullptr && difference->significant();
   QTableWidgetItem* name = ensured(*this, row, name_column);
   name->setText(structure_label(landmark.id));
+  name->setToolTip(name->text());
   name->setData(Qt::UserRole, QString::fromStdString(landmark.id));
   QTableWidgetItem* moves = ensured(*this, row, moves_column);
   moves->setText(QLocale().toString(landmark.displacement_mm, 'f', 1));

@@ -6,7 +6,7 @@
 #include <QLocale>
 #include <QSignalBlocker>
 
-#include "words.h"
+#include "words/told.h"
 
 namespace glisson::widgets {
 
@@ -163,7 +163,7 @@ void PlatformTable::show_plan(const platform::Plan& plan, const std::vector<Devi
                {"thermal_resistance_C_per_W", "thermal_time_constant_s", "idle_W", "kernel.active_W"});
     QStringList reasons;
     for (const platform::Reason& reason : answer.reasons)
-      reasons << told(reason.sentence.text, reason.sentence.arguments);
+      reasons << told(reason.sentence);
     put(limit, limit_of(answer), reasons.join("\n"))->setForeground(answer.feasible ? green : amber);
     QStringList names;
     for (const std::string& figure : answer.assumed) names << QString::fromStdString(figure);

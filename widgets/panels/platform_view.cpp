@@ -12,7 +12,7 @@
 
 #include "base/files.h"
 #include "platform/device_file.h"
-#include "words.h"
+#include "words/told.h"
 
 namespace glisson::widgets {
 
@@ -287,7 +287,7 @@ void PlatformView::replan() {
                                                         : tr("Least obtrusive that holds, on the back: %1").arg(name));
   table_->show_plan(*plan_, devices_);
   QStringList notes;
-  for (const platform::Sentence& note : plan_->notes) notes << told(note.text, note.arguments);
+  for (const platform::Sentence& note : plan_->notes) notes << told(note);
   notes_->setText(notes.join(" "));
   show_platform();
   show_picture();
@@ -405,7 +405,7 @@ QString in_full(const PlatformAnswer& answer, const Device& device, const platfo
   if (!answer.feasible) {
     QStringList reasons;
     for (const platform::Reason& reason : answer.reasons)
-      reasons << told(reason.sentence.text, reason.sentence.arguments).toHtmlEscaped();
+      reasons << told(reason.sentence).toHtmlEscaped();
     html += "<p>" + PlatformView::tr("Why it fails:") + "</p>" + listed(reasons);
     const QStringList remedies = remedies_in_words(answer.remedies);
     html += remedies.isEmpty() ? "<p>" + PlatformView::tr("No single figure would make it hold.") + "</p>"

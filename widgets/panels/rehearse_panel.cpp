@@ -6,6 +6,9 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "words/told.h"
+#include "words/worded.h"
+
 namespace glisson::widgets {
 namespace {
 
@@ -14,8 +17,8 @@ constexpr double force_step_N = 0.1;
 // Towards the front and the head in equal parts, as rehearsal/tool_presets.h hoists.
 const Eigen::Vector3d front_and_head = Eigen::Vector3d(0, -1, 1).normalized();
 
-QLabel* heading(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
+QLabel* heading(QWidget* parent) {
+  auto* label = new QLabel(parent);
   label->setObjectName("heading");
   return label;
 }
@@ -28,9 +31,9 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(8);
-  column->addWidget(heading(tr("Rehearse"), this));
-  missing_ =
-      new QLabel(tr("Open a case with a model of the liver, or the demo patient, to rehearse a retraction."), this);
+  QLabel* title = heading(this);
+  column->addWidget(title);
+  missing_ = new QLabel(this);
   missing_->setObjectName("faint");
   missing_->setWordWrap(true);
   column->addWidget(missing_);
@@ -40,10 +43,12 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent)
   inner->setSpacing(8);
   inner->addWidget(make_tool_group());
   inner->addSpacing(6);
-  inner->addWidget(heading(tr("Show the liver with the stiffness of"), this));
+  QLabel* look_title = heading(this);
+  inner->addWidget(look_title);
   inner->addWidget(make_look_group());
   inner->addSpacing(6);
-  inner->addWidget(heading(tr("Landmarks"), this));
+  QLabel* landmarks_title = heading(this);
+  inner->addWidget(landmarks_title);
   summary_ = new QLabel(this);
   summary_->setObjectName("summary");
   summary_->setWordWrap(true);
@@ -56,6 +61,13 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent)
   connect(&rehearsal_, &LiveRehearsal::frame_changed, this, &RehearsePanel::show_frame);
   preset_chosen();
   set_ready(false);
+  worded(this, [=, this] {
+    title->setText(tr("Rehearse"));
+    missing_->setText(tr("Open a case with a model of the liver, or the demo patient, to rehearse a retraction."));
+    look_title->setText(tr("Show the liver with the stiffness of"));
+    landmarks_title->setText(tr("Landmarks"));
+    show_frame();
+  });
 }
 
 QWidget* RehearsePanel::make_tool_group() {
@@ -68,22 +80,18 @@ QWidget* RehearsePanel::make_tool_group() {
   tool_ = new QComboBox(group);
   tool_->setObjectName("tool");
   for (const rehearsal::ToolPreset& preset : rehearsal::tool_presets()) {
-    tool_->addItem(tr(preset.name.c_str()), QString::fromStdString(preset.id));
-    tool_->setItemData(tool_->count() - 1, QString::fromStdString(preset.source), Qt::ToolTipRole);
+    tool_->addItem({}, QString::fromStdString(preset.id));
   }
-  form->addRow(tr("Tool"), tool_);
+  auto* tool_name = new QLabel(group);
+  form->addRow(tool_name, tool_);
   connect(tool_, &QComboBox::activated, this, &RehearsePanel::preset_chosen);
 
   auto* places = new QHBoxLayout;
-  place_ = new QPushButton(QIcon(":/icons/place.svg"), tr("Place by click"), group);
+  place_ = new QPushButton(QIcon(":/icons/place.svg"), {}, group);
   place_->setObjectName("place");
   place_->setCheckable(true);
-  place_->setToolTip(tr("Then click on the liver where the tool is to touch it"));
-  hoist_button_ = new QPushButton(tr("Hoist segment VI"), group);
+  hoist_button_ = new QPushButton(group);
   hoist_button_->setObjectName("hoist");
-  hoist_button_->setToolTip(
-      tr("Puts the tool under the right, lower, rear part of the liver, lifting it to the front "
-         "and the head"));
   places->addWidget(place_);
   places->addWidget(hoist_button_);
   form->addRow(places);
@@ -92,32 +100,52 @@ QWidget* RehearsePanel::make_tool_group() {
 
   direction_ = new QComboBox(group);
   direction_->setObjectName("direction");
-  direction_->addItem(tr("Hoist to front and head"), hoist);
-  direction_->addItem(tr("Pull away from the surface"), pull);
-  direction_->addItem(tr("Push into the surface"), push);
-  form->addRow(tr("Direction"), direction_);
+  for (const Direction direction : {hoist, pull, push}) direction_->addItem({}, direction);
+  auto* direction_name = new QLabel(group);
+  form->addRow(direction_name, direction_);
   connect(direction_, &QComboBox::activated, this, &RehearsePanel::apply_direction);
 
   auto* forces = new QHBoxLayout;
   force_slider_ = new QSlider(Qt::Horizontal, group);
   force_slider_->setObjectName("force_slider");
-  force_ = new QDoubleSpinBox(group);
+  force_ = new NumberBox(group);
   force_->setObjectName("force");
   force_->setDecimals(1);
   force_->setSingleStep(force_step_N);
-  force_->setSuffix(tr(" N"));
   force_->setKeyboardTracking(false);
   forces->addWidget(force_slider_, 1);
   forces->addWidget(force_);
-  form->addRow(tr("Force"), forces);
+  auto* force_name = new QLabel(group);
+  form->addRow(force_name, forces);
   connect(force_slider_, &QSlider::valueChanged, this, [this](int steps) { set_force(steps * force_step_N); });
   connect(force_, &QDoubleSpinBox::valueChanged, this, &RehearsePanel::set_force);
 
-  release_ = new QPushButton(tr("Take the tool away"), group);
+  release_ = new QPushButton(group);
   release_->setObjectName("release");
   release_->setEnabled(false);
   form->addRow(release_);
   connect(release_, &QPushButton::clicked, &rehearsal_, &LiveRehearsal::take_tool_away);
+
+  worded(group, [=, this] {
+    tool_name->setText(tr("Tool"));
+    for (int k = 0; k < tool_->count(); ++k) {
+      const rehearsal::ToolPreset& preset = rehearsal::tool_presets()[static_cast<std::size_t>(k)];
+      tool_->setItemText(k, told(preset.name));
+      tool_->setItemData(k, told(preset.source), Qt::ToolTipRole);
+    }
+    place_->setText(tr("Place by click"));
+    place_->setToolTip(tr("Then click on the liver where the tool is to touch it"));
+    hoist_button_->setText(tr("Hoist segment VI"));
+    hoist_button_->setToolTip(
+        tr("Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head"));
+    direction_name->setText(tr("Direction"));
+    direction_->setItemText(hoist, tr("Hoist to front and head"));
+    direction_->setItemText(pull, tr("Pull away from the surface"));
+    direction_->setItemText(push, tr("Push into the surface"));
+    force_name->setText(tr("Force"));
+    force_->setSuffix(tr(" N"));
+    release_->setText(tr("Take the tool away"));
+  });
   return group;
 }
 
@@ -127,9 +155,10 @@ QWidget* RehearsePanel::make_look_group() {
   column->setContentsMargins(0, 0, 0, 0);
   comparison_ = new ComparisonChoice(group);
   column->addWidget(comparison_);
-  by_displacement_ = new QCheckBox(tr("Colour the liver by how far it moves"), group);
+  by_displacement_ = new QCheckBox(group);
   by_displacement_->setObjectName("by_displacement");
   column->addWidget(by_displacement_);
+  worded(group, [this] { by_displacement_->setText(tr("Colour the liver by how far it moves")); });
   connect(comparison_, &ComparisonChoice::changed, this, &RehearsePanel::bodies_chosen);
   connect(by_displacement_, &QCheckBox::toggled, this,
           [this](bool on) { Q_EMIT liver_colour_chosen(on ? LiverColour::displacement : LiverColour::tissue); });

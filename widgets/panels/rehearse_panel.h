@@ -5,7 +5,6 @@
 #include <optional>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
@@ -15,6 +14,7 @@
 #include "panels/landmark_table.h"
 #include "rehearsal/tool_presets.h"
 #include "session/live_rehearsal.h"
+#include "words/number_box.h"
 
 namespace glisson::widgets {
 
@@ -59,7 +59,7 @@ class RehearsePanel : public QWidget {
   QPushButton* hoist_button_;
   QComboBox* direction_;
   QSlider* force_slider_;
-  QDoubleSpinBox* force_;
+  NumberBox* force_;
   QPushButton* release_;
   ComparisonChoice* comparison_;
   QCheckBox* by_displacement_;

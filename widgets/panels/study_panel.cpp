@@ -5,6 +5,8 @@
 #include <QVBoxLayout>
 
 #include "scene/anatomy.h"
+#include "words/told.h"
+#include "words/worded.h"
 
 namespace glisson::widgets {
 namespace {
@@ -20,8 +22,8 @@ QIcon swatch(const scene::Colour& colour) {
   return QIcon(pixmap);
 }
 
-QLabel* heading(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
+QLabel* heading(QWidget* parent) {
+  auto* label = new QLabel(parent);
   label->setObjectName("heading");
   return label;
 }
@@ -34,7 +36,7 @@ StudyPanel::StudyPanel(QWidget* parent) : QWidget(parent) {
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(8);
 
-  name_ = new QLabel(tr("No patient open"), this);
+  name_ = new QLabel(this);
   name_->setObjectName("patient_name");
   name_->setWordWrap(true);
   column->addWidget(name_);
@@ -44,22 +46,23 @@ StudyPanel::StudyPanel(QWidget* parent) : QWidget(parent) {
   column->addWidget(facts_);
 
   column->addSpacing(8);
-  column->addWidget(heading(tr("Slices show"), this));
+  QLabel* image_title = heading(this);
+  column->addWidget(image_title);
   slice_image_ = new QComboBox(this);
   slice_image_->setObjectName("slice_image");
-  slice_image_->addItem(tr("Anatomy"), static_cast<int>(SliceImage::anatomy));
-  slice_image_->addItem(tr("Stiffness (MR elastography)"), static_cast<int>(SliceImage::stiffness));
+  slice_image_->addItem({}, static_cast<int>(SliceImage::anatomy));
+  slice_image_->addItem({}, static_cast<int>(SliceImage::stiffness));
   slice_image_->setEnabled(false);
   column->addWidget(slice_image_);
   connect(slice_image_, &QComboBox::activated, this,
           [this] { Q_EMIT slice_image_chosen(static_cast<SliceImage>(slice_image_->currentData().toInt())); });
 
   column->addSpacing(8);
-  column->addWidget(heading(tr("Structures"), this));
+  QLabel* structures_title = heading(this);
+  column->addWidget(structures_title);
   structures_ = new QTreeWidget(this);
   structures_->setObjectName("structures");
   structures_->setColumnCount(2);
-  structures_->setHeaderLabels({tr("Structure"), tr("ml")});
   structures_->header()->setStretchLastSection(false);
   structures_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   structures_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -72,13 +75,40 @@ StudyPanel::StudyPanel(QWidget* parent) : QWidget(parent) {
     if (col != 0) return;
     Q_EMIT structure_shown(item->data(0, Qt::UserRole).toString().toStdString(), item->checkState(0) == Qt::Checked);
   });
+
+  worded(this, [=, this] {
+    image_title->setText(tr("Slices show"));
+    slice_image_->setItemText(0, tr("Anatomy"));
+    slice_image_->setItemText(1, tr("Stiffness (MR elastography)"));
+    structures_title->setText(tr("Structures"));
+    structures_->setHeaderLabels({tr("Structure"), tr("ml")});
+    word_patient();
+  });
 }
 
 void StudyPanel::show_patient(const Patient& patient) {
-  name_->setText(QString::fromStdString(patient.name));
+  patient_ = patient;
+  slice_image_->setCurrentIndex(0);
+  slice_image_->setEnabled(patient.stiffness != nullptr);
+
+  const QSignalBlocker quiet(structures_);
+  structures_->clear();
+  for (const PatientStructure& structure : patient.structures) {
+    auto* row = new QTreeWidgetItem(structures_);
+    row->setIcon(0, swatch(scene::appearance_of(structure.name).colour));
+    row->setData(0, Qt::UserRole, QString::fromStdString(structure.name));
+    row->setCheckState(0, Qt::Checked);
+    row->setText(1, QLocale().toString(structure.volume_ml, 'f', structure.volume_ml < 100 ? 1 : 0));
+    row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+  }
+  word_patient();
+}
+
+void StudyPanel::word_patient() {
+  name_->setText(patient_.name.empty() ? tr("No patient open") : patient_label(patient_.name));
   QStringList facts;
-  if (patient.anatomy) {
-    const imaging::Grid& grid = patient.anatomy->grid;
+  if (patient_.anatomy) {
+    const imaging::Grid& grid = patient_.anatomy->grid;
     facts << tr("%1 × %2 × %3 voxels,\n%4 × %5 × %6 mm each")
                  .arg(grid.size[0])
                  .arg(grid.size[1])
@@ -87,25 +117,16 @@ void StudyPanel::show_patient(const Patient& patient) {
                  .arg(grid.spacing_mm.y(), 0, 'g', 3)
                  .arg(grid.spacing_mm.z(), 0, 'g', 3);
   }
-  if (patient.rehearsal) {
-    facts << tr("%L1 cells\nYoung's modulus %2 kPa (mean)")
-                 .arg(patient.rehearsal->patient().mesh().cells.size())
-                 .arg(patient.mean_youngs_kPa, 0, 'f', 1);
+  if (patient_.rehearsal) {
+    facts << tr("%1 cells\nYoung's modulus %2 kPa (mean)")
+                 .arg(patient_.rehearsal->patient().mesh().cells.size())
+                 .arg(patient_.mean_youngs_kPa, 0, 'f', 1);
   }
   facts_->setText(facts.join("\n"));
-  slice_image_->setCurrentIndex(0);
-  slice_image_->setEnabled(patient.stiffness != nullptr);
-
   const QSignalBlocker quiet(structures_);
-  structures_->clear();
-  for (const PatientStructure& structure : patient.structures) {
-    auto* row = new QTreeWidgetItem(structures_);
-    row->setText(0, structure_label(structure.name));
-    row->setIcon(0, swatch(scene::appearance_of(structure.name).colour));
-    row->setData(0, Qt::UserRole, QString::fromStdString(structure.name));
-    row->setCheckState(0, Qt::Checked);
-    row->setText(1, QLocale().toString(structure.volume_ml, 'f', structure.volume_ml < 100 ? 1 : 0));
-    row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+  for (int k = 0; k < structures_->topLevelItemCount(); ++k) {
+    QTreeWidgetItem* row = structures_->topLevelItem(k);
+    row->setText(0, structure_label(row->data(0, Qt::UserRole).toString().toStdString()));
   }
 }
 

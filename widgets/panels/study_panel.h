@@ -24,6 +24,9 @@ class StudyPanel : public QWidget {
   void structure_shown(const std::string& name, bool shown);
 
  private:
+  void word_patient();
+
+  Patient patient_;
   QLabel* name_;
   QLabel* facts_;
   QComboBox* slice_image_;

@@ -16,11 +16,4 @@ GreyWindow usual_window(const imaging::Volume& volume) {
   return {0.5 * (low + high), std::max(high - low, 1e-3)};
 }
 
-QString structure_label(const std::string& name) {
-  QString label = QString::fromStdString(name);
-  label.replace('-', ' ');
-  if (!label.isEmpty()) label[0] = label[0].toUpper();
-  return label;
-}
-
 }  // namespace glisson::widgets

@@ -3,10 +3,10 @@
 
 #include <filesystem>
 #include <memory>
-#include <QString>
 #include <string>
 #include <vector>
 
+#include "base/sentence.h"
 #include "geometry/surface.h"
 #include "imaging/image.h"
 #include "rehearsal/static_rehearsal.h"
@@ -28,9 +28,9 @@ struct Patient {
   std::vector<PatientStructure> structures;          // the liver first
   // Absent until the model was built. Its structures are those above, in their order.
   std::shared_ptr<const rehearsal::StaticRehearsal> rehearsal;
-  std::vector<std::string> remarks;  // what the last step found worth looking at, one sentence each
-  double mean_youngs_kPa = 0;        // of the model's cells
-  double atlas_youngs_kPa = 0;       // of its atlas twin
+  std::vector<Sentence> remarks;  // what the last step found worth looking at
+  double mean_youngs_kPa = 0;     // of the model's cells
+  double atlas_youngs_kPa = 0;    // of its atlas twin
 };
 
 // A window of grey values that suits most of a volume: from its 1st to its 99th hundredth.
@@ -39,8 +39,5 @@ struct GreyWindow {
   double width = 1;
 };
 [[nodiscard]] GreyWindow usual_window(const imaging::Volume& volume);
-
-// "portal-vein-2" -> "Portal vein 2": a structure or landmark as a person reads it.
-[[nodiscard]] QString structure_label(const std::string& name);
 
 }  // namespace glisson::widgets

@@ -2,6 +2,8 @@
 
 #include <QGridLayout>
 
+#include "words/worded.h"
+
 namespace glisson::widgets {
 
 LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
@@ -9,15 +11,8 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
              new SliceView(SliceDirection::sagittal)};
   space_ = new SpaceView;
   // The accents are those of the crosshair's lines (slice_view.cpp).
-  frames_ = {new ViewFrame(tr("Transverse"), QColor(107, 166, 250), slices_[0]),
-             new ViewFrame(tr("Patient"), {}, space_), new ViewFrame(tr("Coronal"), QColor(115, 204, 128), slices_[1]),
-             new ViewFrame(tr("Sagittal"), QColor(237, 140, 102), slices_[2])};
-  for (const std::size_t slice : {0, 2, 3}) {
-    frames_[slice]->setToolTip(
-        tr("Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.\n"
-           "Ctrl+wheel: zoom. Shift+drag: shift."));
-  }
-  frames_[1]->setToolTip(tr("Drag: turn. Shift+drag: shift. Wheel: zoom. Click: crosshair there."));
+  frames_ = {new ViewFrame(QColor(107, 166, 250), slices_[0]), new ViewFrame({}, space_),
+             new ViewFrame(QColor(115, 204, 128), slices_[1]), new ViewFrame(QColor(237, 140, 102), slices_[2])};
   auto* square = new QGridLayout(this);
   square->setContentsMargins(0, 0, 0, 0);
   square->setSpacing(3);
@@ -43,14 +38,30 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
       }
     });
   }
-  const std::array<std::pair<QString, scene::PatientView>, 4> sides{{{tr("Surgeon"), scene::PatientView::surgeon},
-                                                                     {tr("Front"), scene::PatientView::anterior},
-                                                                     {tr("Right"), scene::PatientView::right},
-                                                                     {tr("Below"), scene::PatientView::inferior}}};
-  for (const auto& [name, side] : sides) {
-    QToolButton* button = frames_[1]->add_button(name, tr("Look from here, everything in view"));
-    connect(button, &QToolButton::clicked, space_, [this, wanted = side] { space_->look_from(wanted); });
+  std::array<QToolButton*, 4> sides{};
+  for (std::size_t k = 0; const scene::PatientView side : {scene::PatientView::surgeon, scene::PatientView::anterior,
+                                                           scene::PatientView::right, scene::PatientView::inferior}) {
+    sides[k] = frames_[1]->add_button();
+    connect(sides[k], &QToolButton::clicked, space_, [this, side] { space_->look_from(side); });
+    ++k;
   }
+  worded(this, [=, this] {
+    frames_[0]->set_name(tr("Transverse"));
+    frames_[1]->set_name(tr("Patient"));
+    frames_[2]->set_name(tr("Coronal"));
+    frames_[3]->set_name(tr("Sagittal"));
+    for (const std::size_t slice : {0, 2, 3}) {
+      frames_[slice]->setToolTip(
+          tr("Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.\n"
+             "Ctrl+wheel: zoom. Shift+drag: shift."));
+    }
+    frames_[1]->setToolTip(tr("Drag: turn. Shift+drag: shift. Wheel: zoom. Click: crosshair there."));
+    sides[0]->setText(tr("Surgeon"));
+    sides[1]->setText(tr("Front"));
+    sides[2]->setText(tr("Right"));
+    sides[3]->setText(tr("Below"));
+    for (QToolButton* side : sides) side->setToolTip(tr("Look from here, everything in view"));
+  });
   for (ViewFrame* frame : frames_) {
     connect(frame, &ViewFrame::maximise_requested, this, [this, frame] { toggle_maximised(frame); });
   }

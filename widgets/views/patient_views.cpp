@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <QRegularExpression>
 
 #include "scene/anatomy.h"
+#include "words/told.h"
 
 namespace glisson::widgets {
 namespace {
@@ -114,6 +116,12 @@ void PatientViews::set_structure_shown(const std::string& name, bool shown) {
   rebuild_space();
 }
 
+void PatientViews::reword() {
+  if (patient_.structures.empty() && !patient_.anatomy) return;
+  rebuild_slices();
+  rebuild_space();
+}
+
 void PatientViews::set_marked_landmark(const std::string& id) {
   marked_landmark_ = id;
   apply_frame();
@@ -146,7 +154,8 @@ void PatientViews::rebuild_space() {
   std::stable_sort(scene.surfaces.begin(), scene.surfaces.end(),
                    [](const auto& a, const auto& b) { return a.opacity > b.opacity; });
   // The first clause: the whole sentence stands above the views.
-  scene.furniture.warning = patient_.origin.substr(0, patient_.origin.find(':'));
+  static const QRegularExpression end_of_clause("[:,]");
+  scene.furniture.warning = told(patient_.origin).section(end_of_clause, 0, 0).toStdString();
   if (bodies_ == Bodies::both) {
     scene.furniture.key = {{red, tr("Red: one stiffness from the atlas").toStdString()},
                            {blue, tr("Blue: the patient's own stiffness").toStdString()},
@@ -197,8 +206,7 @@ void PatientViews::apply_frame() {
     for (const auto& landmark : shown->landmarks) {
       const bool named = landmark.id == marked_landmark_ || landmark.id.starts_with("tumour");
       const bool far = landmark.displacement_mm >= rehearsal::significant_mm;
-      const QString text =
-          QString("%1  %2 mm").arg(structure_label(landmark.id)).arg(landmark.displacement_mm, 0, 'f', 1);
+      const QString text = tr("%1  %2 mm").arg(structure_label(landmark.id)).arg(landmark.displacement_mm, 0, 'f', 1);
       landmarks.push_back({named ? text.toStdString() : std::string(), landmark.displaced_mm,
                            landmark.id == marked_landmark_ ? 3.5 : 2.2, far ? amber : calm});
     }
@@ -212,7 +220,7 @@ void PatientViews::apply_frame() {
       at_mm = moved_with(patient_body_.front()->points_mm, shown->structures_mm.front(), at_mm);
     }
     arrows.push_back({at_mm - length_mm * tool_->direction, at_mm, 3.2, tool_colour,
-                      QString("%1 N").arg(tool_->force_N, 0, 'f', 1).toStdString()});
+                      tr("%1 N").arg(tool_->force_N, 0, 'f', 1).toStdString()});
   }
   views_.space().view().set_landmarks(landmarks);
   views_.space().view().set_arrows(arrows);

@@ -38,6 +38,8 @@ class PatientViews : public QObject {
   void set_structure_shown(const std::string& name, bool shown);
   // Its name is written beside it.
   void set_marked_landmark(const std::string& id);
+  // The words in the pictures, in the language of now.
+  void reword();
 
  private:
   // One body's surfaces, which move; the structures' order.

@@ -3,9 +3,11 @@
 #include <QMouseEvent>
 #include <QVBoxLayout>
 
+#include "words/worded.h"
+
 namespace glisson::widgets {
 
-ViewFrame::ViewFrame(const QString& name, const QColor& accent, QWidget* view, QWidget* parent) : QFrame(parent) {
+ViewFrame::ViewFrame(const QColor& accent, QWidget* view, QWidget* parent) : QFrame(parent) {
   setObjectName("view_frame");
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(1, 1, 1, 1);
@@ -23,9 +25,9 @@ ViewFrame::ViewFrame(const QString& name, const QColor& accent, QWidget* view, Q
     header_->addWidget(mark);
     header_->addSpacing(6);
   }
-  auto* label = new QLabel(name, bar);
-  label->setObjectName("view_name");
-  header_->addWidget(label);
+  name_ = new QLabel(bar);
+  name_->setObjectName("view_name");
+  header_->addWidget(name_);
   header_->addStretch();
   maximise_ = new QToolButton(bar);
   maximise_->setObjectName("maximise");
@@ -34,19 +36,20 @@ ViewFrame::ViewFrame(const QString& name, const QColor& accent, QWidget* view, Q
   connect(maximise_, &QToolButton::clicked, this, &ViewFrame::maximise_requested);
   column->addWidget(bar);
   column->addWidget(view, 1);
-  show_maximised(false);
+  worded(this, [this] { show_maximised(maximised_); });
 }
 
-QToolButton* ViewFrame::add_button(const QString& text, const QString& tip) {
+void ViewFrame::set_name(const QString& name) { name_->setText(name); }
+
+QToolButton* ViewFrame::add_button() {
   auto* button = new QToolButton(this);
-  button->setText(text);
-  button->setToolTip(tip);
   button->setAutoRaise(true);
   header_->insertWidget(header_->count() - 1, button);
   return button;
 }
 
 void ViewFrame::show_maximised(bool maximised) {
+  maximised_ = maximised;
   maximise_->setIcon(QIcon(maximised ? ":/icons/restore.svg" : ":/icons/maximise.svg"));
   maximise_->setToolTip(maximised ? tr("Show all four views") : tr("Fill the window with this view"));
 }

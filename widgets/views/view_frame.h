@@ -13,10 +13,11 @@ class ViewFrame : public QFrame {
 
  public:
   // `accent` marks the view in the crosshairs of the others; an invalid colour for none.
-  ViewFrame(const QString& name, const QColor& accent, QWidget* view, QWidget* parent = nullptr);
+  ViewFrame(const QColor& accent, QWidget* view, QWidget* parent = nullptr);
 
-  // A small text button in the header.
-  QToolButton* add_button(const QString& text, const QString& tip);
+  void set_name(const QString& name);
+  // A small button in the header, for a text.
+  QToolButton* add_button();
   void show_maximised(bool maximised);
 
  Q_SIGNALS:
@@ -27,6 +28,8 @@ class ViewFrame : public QFrame {
 
  private:
   QHBoxLayout* header_;
+  QLabel* name_;
+  bool maximised_ = false;
   QToolButton* maximise_;
 };
 

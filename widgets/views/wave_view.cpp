@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 
 #include "views/map_picture.h"
-#include "words.h"
+#include "words/told.h"
 
 namespace glisson::widgets {
 namespace {

@@ -1,0 +1,200 @@
+// The window changes its language while it runs: every text that has a translation is in the language chosen, and all
+// are back as they were when English is chosen again.
+
+#include <map>
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QGroupBox>
+#include <QLabel>
+#include <QMenuBar>
+#include <QTreeWidget>
+#include <QtTest>
+#include <QXmlStreamReader>
+#include <set>
+
+#include "main_window.h"
+#include "run_test.h"
+#include "support/shapes.h"
+#include "words/number_box.h"
+#include "words/told.h"
+
+namespace glisson::widgets {
+namespace {
+
+// What resources/translations has for an English text, in whatever context.
+std::map<QString, std::set<QString>> translations(const QString& language) {
+  QFile file(QString(GLISSON_SOURCE_DIR "/resources/translations/glisson_%1.ts").arg(language));
+  if (!file.open(QIODevice::ReadOnly)) qFatal("there is no %s", qPrintable(file.fileName()));
+  std::map<QString, std::set<QString>> found;
+  QXmlStreamReader reader(&file);
+  for (QString source; !reader.atEnd(); reader.readNext()) {
+    if (!reader.isStartElement()) continue;
+    if (reader.name() == u"source") source = reader.readElementText();
+    if (reader.name() == u"translation") found[source].insert(reader.readElementText());
+  }
+  return found;
+}
+
+// Every text that the window holds, shown or not.
+std::vector<QString> texts_of(QWidget& window) {
+  std::vector<QString> texts{window.windowTitle()};
+  for (const auto* label : window.findChildren<QLabel*>()) texts.push_back(label->text());
+  for (const auto* button : window.findChildren<QAbstractButton*>()) texts.push_back(button->text());
+  for (const auto* group : window.findChildren<QGroupBox*>()) texts.push_back(group->title());
+  for (const auto* action : window.findChildren<QAction*>()) texts.push_back(action->text());
+  for (const auto* box : window.findChildren<QComboBox*>()) {
+    for (int n = 0; n < box->count(); ++n) texts.push_back(box->itemText(n));
+  }
+  for (const auto* tabs : window.findChildren<QTabBar*>()) {
+    for (int n = 0; n < tabs->count(); ++n) texts.push_back(tabs->tabText(n));
+  }
+  for (const auto* items : window.findChildren<QAbstractItemView*>()) {
+    const QAbstractItemModel* model = items->model();
+    if (model == nullptr || qobject_cast<QComboBox*>(items->window()) != nullptr) continue;
+    for (int column = 0; column < model->columnCount(); ++column) {
+      texts.push_back(model->headerData(column, Qt::Horizontal).toString());
+      for (int row = 0; row < model->rowCount(); ++row) texts.push_back(model->index(row, column).data().toString());
+    }
+  }
+  for (const auto* widget : window.findChildren<QWidget*>()) texts.push_back(widget->toolTip());
+  return texts;
+}
+
+Patient block_patient() {
+  rehearsal::RehearsalSetup setup;
+  setup.mesh = test::box_of_tetrahedra({4, 3, 3}, {120, 80, 80});
+  setup.patient_youngs_kPa.assign(setup.mesh.cells.size(), 4.0);
+  setup.atlas_youngs_kPa = 8.0;
+  setup.supports = {{geometry::Box{{-1, -1, -1}, {1, 81, 81}}, mechanics::Held{}}};
+  setup.landmarks = {{"tumour-1", {100, 40, 40}}, {"portal-vein-2", {8, 40, 40}}};
+  Patient patient;
+  patient.name = "Block";
+  patient.structures = {{"liver", std::make_shared<geometry::Surface>(boundary_surface(setup.mesh)), 768},
+                        {"somebody's-own", std::make_shared<geometry::Surface>(boundary_surface(setup.mesh)), 7}};
+  for (const PatientStructure& structure : patient.structures) setup.structures.push_back(*structure.surface);
+  auto body = rehearsal::StaticRehearsal::create(std::move(setup));
+  if (!body) qFatal("%s", body.error().message().c_str());
+  patient.rehearsal = std::make_shared<rehearsal::StaticRehearsal>(*std::move(body));
+  return patient;
+}
+
+class LanguageTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1400, 900);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_->show_patient(block_patient());
+    QSignalSpy placed(&window_->rehearsal(), &LiveRehearsal::placed);
+    QTest::mouseClick(window_->findChild<QPushButton*>("hoist"), Qt::LeftButton);
+    QVERIFY(placed.wait(20000));
+    QTest::qWait(100);
+  }
+
+  void speaks_the_language_chosen_in_the_menu_data() {
+    QTest::addColumn<QString>("language");
+    for (const char* language : {"de", "fr", "es"}) QTest::newRow(language) << QString(language);
+  }
+
+  void speaks_the_language_chosen_in_the_menu() {
+    QFETCH(QString, language);
+    choose("en");
+    const std::vector<QString> english = texts_of(*window_);
+    choose(language);
+    const std::vector<QString> now = texts_of(*window_);
+    QCOMPARE(now.size(), english.size());
+    const auto known = translations(language);
+    int changed = 0;
+    for (std::size_t n = 0; n < now.size(); ++n) {
+      const auto translated = known.find(english[n]);
+      if (translated == known.end()) continue;
+      QVERIFY2(translated->second.count(now[n]) == 1,
+               qPrintable(QString("\"%1\" became \"%2\"").arg(english[n], now[n])));
+      changed += now[n] != english[n] ? 1 : 0;
+    }
+    QVERIFY2(changed > 40, qPrintable(QString::number(changed)));
+    choose("en");
+    QVERIFY(texts_of(*window_) == english);
+  }
+
+  void names_menus_structures_and_landmarks_in_german() {
+    choose("de");
+    QCOMPARE(window_->menuBar()->actions().front()->text(), QString("&Datei"));
+    const auto* structures = window_->findChild<QTreeWidget*>("structures");
+    QCOMPARE(structures->topLevelItem(0)->text(0), QString("Leber"));
+    QCOMPARE(structures->topLevelItem(1)->text(0), QString("Somebody's own"));
+    const auto* landmarks = window_->findChild<LandmarkTable*>();
+    QCOMPARE(landmarks->item(1, LandmarkTable::name_column)->text(), QString("Pfortader 2"));
+    choose("en");
+  }
+
+  void tells_the_errors_of_the_core_in_german() {
+    choose("de");
+    const Error error{"mesh-file-invalid",
+                      GLISSON_TEXT("{0} cannot be read as a mesh: {1}."),
+                      {"liver.vtu", GLISSON_TEXT("it holds no tetrahedra")},
+                      GLISSON_TEXT("Open it in ParaView to see whether it is damaged."),
+                      {}};
+    QCOMPARE(told(error),
+             QString("liver.vtu kann nicht als Netz gelesen werden: es enthält keine Tetraeder. Öffnen Sie "
+                     "es in ParaView, um zu sehen, ob es beschädigt ist."));
+    QCOMPARE(told_stage("Writing: labels/liver"), QString("Schreiben: labels/liver"));
+    choose("en");
+  }
+
+  void keeps_an_open_notice_in_step() {
+    const QTemporaryDir empty;
+    QSignalSpy finished(&window_->work(), &BackgroundWork::finished);
+    window_->open_path(empty.path().toStdString());
+    QVERIFY(finished.wait(20000));
+    const auto* notice = window_->findChild<QLabel*>("notice_text");
+    QTRY_VERIFY(notice->text().startsWith("No anatomical images"));
+    choose("de");
+    QCOMPARE(notice->text(), QString("In %1 wurden keine anatomischen Bilder gefunden.").arg(empty.path()));
+    choose("en");
+  }
+
+  void keeps_the_choice_for_the_next_time() {
+    choose("es");
+    QCOMPARE(kept_language(), QString("es"));
+    choose("en");
+    begin_in_kept_language();
+    QCOMPARE(kept_language(), QString("en"));
+  }
+
+  void writes_numbers_with_a_dot_and_takes_a_comma_for_one() {
+    choose("de");
+    QCOMPARE(QLocale().toString(12345.5, 'f', 1), QString("12345.5"));
+    NumberBox box;
+    box.setRange(0, 10);
+    QTest::keyClicks(&box, "\b\b\b\b");
+    box.clear();
+    QTest::keyClicks(&box, "2,5");
+    QCOMPARE(box.value(), 2.5);
+    QCOMPARE(box.text(), QString("2.5"));
+    choose("en");
+  }
+
+  void shuts_down_cleanly() { window_.reset(); }
+
+ private:
+  void choose(const QString& language) {
+    for (QAction* choice : window_->findChild<QMenu*>("language")->actions()) {
+      if (choice->data().toString() == language && choice->isCheckable()) choice->trigger();
+    }
+    QCoreApplication::sendPostedEvents();
+    QTest::qWait(20);
+  }
+
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace
+}  // namespace glisson::widgets
+
+int main(int argc, char** argv) { return glisson::widgets::run_test<glisson::widgets::LanguageTest>(argc, argv); }
+
+#include "language_test.moc"

@@ -1,0 +1,71 @@
+#include "words/language.h"
+
+#include <algorithm>
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QSettings>
+#include <QTranslator>
+
+namespace glisson::widgets {
+namespace {
+
+constexpr const char* language_key = "language";
+
+QSettings settings() { return QSettings("glisson", "glisson"); }
+
+bool spoken(const QString& code) {
+  return std::any_of(languages().begin(), languages().end(), [&](const Language& each) { return each.code == code; });
+}
+
+// The first of the system's languages that the window speaks.
+QString system_language() {
+  for (const QString& language : QLocale::system().uiLanguages()) {
+    const QString code = language.section(QRegularExpression("[-_]"), 0, 0);
+    if (spoken(code)) return code;
+  }
+  return "en";
+}
+
+void install(const QString& file, const QString& folder) {
+  auto* translator = new QTranslator(QCoreApplication::instance());
+  translator->setObjectName("words");
+  if (translator->load(file, folder)) {
+    QCoreApplication::installTranslator(translator);
+  } else {
+    delete translator;
+  }
+}
+
+void speak(const QString& code) {
+  for (auto* before : QCoreApplication::instance()->findChildren<QTranslator*>("words")) delete before;
+  const QString language = spoken(code) ? code : system_language();
+  // Qt's own dialogs first: what is installed last is asked first.
+  install("qtbase_" + language, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+  install("glisson_" + language, ":/translations");
+}
+
+}  // namespace
+
+const std::vector<Language>& languages() {
+  // Names by which those who speak them find them: not translated.
+  static const std::vector<Language> all{{"en", "English"}, {"de", "Deutsch"}, {"fr", "Français"}, {"es", "Español"}};
+  return all;
+}
+
+QString kept_language() { return settings().value(language_key).toString(); }
+
+void choose_language(const QString& code) {
+  settings().setValue(language_key, code);
+  speak(code);
+}
+
+void begin_in_kept_language() {
+  QLocale numbers = QLocale::c();
+  numbers.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
+  QLocale::setDefault(numbers);
+  speak(kept_language());
+}
+
+}  // namespace glisson::widgets

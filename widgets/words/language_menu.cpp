@@ -1,0 +1,32 @@
+#include "words/language_menu.h"
+
+#include <QActionGroup>
+
+#include "words/language.h"
+#include "words/worded.h"
+
+namespace glisson::widgets {
+
+LanguageMenu::LanguageMenu(QWidget* parent) : QMenu(parent) {
+  setObjectName("language");
+  auto* choices = new QActionGroup(this);
+  const auto add = [&](const Language& language) {
+    QAction* choice = addAction(language.name);
+    choice->setData(language.code);
+    choice->setCheckable(true);
+    choice->setChecked(language.code == kept_language());
+    choices->addAction(choice);
+    return choice;
+  };
+  QAction* system = add({});
+  addSeparator();
+  for (const Language& language : languages()) add(language);
+  connect(choices, &QActionGroup::triggered, this,
+          [](const QAction* choice) { choose_language(choice->data().toString()); });
+  worded(this, [=, this] {
+    setTitle(tr("&Language"));
+    system->setText(tr("System language"));
+  });
+}
+
+}  // namespace glisson::widgets

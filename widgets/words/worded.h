@@ -1,0 +1,19 @@
+#pragma once
+// Texts that follow the language of the window:
+//
+//   worded(this, [=, this] {
+//     title->setText(tr("Structures"));
+//     open->setToolTip(tr("Opens a case"));
+//   });
+//
+// sets them now and again at each change of language. A text that is set anywhere else stays in the language of that
+// moment.
+
+#include <functional>
+#include <QWidget>
+
+namespace glisson::widgets {
+
+void worded(QWidget* owner, std::function<void()> set_texts);
+
+}  // namespace glisson::widgets
