@@ -29,7 +29,7 @@ Outcome describe(const elastography::ModulusMap& map) {
                    {"confident_fraction", map.confident_fraction},
                    {"confident_voxels", map.confident.voxels},
                    {"wavelength_mm", map.typical_wavelength_mm},
-                   {"notes", map.notes}},
+                   {"notes", messages(map.notes)}},
                   {}};
   outcome.text = fmt::format(
       "Shear stiffness {:.2f} kPa on average over {} confident voxels ({:.0f} % of the region), middle half {:.2f} to "
@@ -43,7 +43,7 @@ Outcome describe(const elastography::ModulusMap& map) {
     outcome.document["loss_kPa"] = map.mean_loss_kPa;
     outcome.text += fmt::format("Storage {:.2f} kPa, loss {:.2f} kPa\n", map.mean_storage_kPa, map.mean_loss_kPa);
   }
-  outcome.text += bullet_list(map.notes);
+  outcome.text += bullet_list(messages(map.notes));
   return outcome;
 }
 

@@ -32,15 +32,14 @@ Result<Outcome> segment(const Options& options, const Progress& progress) {
                                     : casefile::grow_structure(*patient, options.structure, seeds_mm, progress);
   if (!saved) return failure(saved.error());
   const auto file = patient->file_of(saved->id);
-  std::vector<std::string> notes;
-  for (const Sentence& note : saved->notes) notes.push_back(note.message());
-  return Outcome{{{"structure", saved->name},
-                  {"volume_ml", saved->volume_ml},
-                  {"voxels", saved->voxels},
-                  {"file", file->string()},
-                  {"notes", notes}},
-                 fmt::format("{}: {:.1f} ml, {} voxels\n", saved->name, saved->volume_ml, saved->voxels) +
-                     bullet_list(notes)};
+  const std::vector<std::string> notes = messages(saved->notes);
+  return Outcome{
+      {{"structure", saved->name},
+       {"volume_ml", saved->volume_ml},
+       {"voxels", saved->voxels},
+       {"file", file->string()},
+       {"notes", notes}},
+      fmt::format("{}: {:.1f} ml, {} voxels\n", saved->name, saved->volume_ml, saved->voxels) + bullet_list(notes)};
 }
 
 }  // namespace

@@ -15,4 +15,10 @@ struct Sentence {
   [[nodiscard]] std::string message() const { return fill_in(text, arguments); }
 };
 
+[[nodiscard]] inline std::vector<std::string> messages(const std::vector<Sentence>& sentences) {
+  std::vector<std::string> all;
+  for (const Sentence& sentence : sentences) all.push_back(sentence.message());
+  return all;
+}
+
 }  // namespace glisson

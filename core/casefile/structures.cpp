@@ -53,7 +53,7 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
       notes.push_back({GLISSON_TEXT("The growing left {0} out; it was added to the liver."), {lesion}});
     }
   }
-  for (const Sentence& note : notes) made.notes.push_back(note.message());
+  made.notes = messages(notes);
   auto saved = save_structure(patient, segmentation::make_structure(name, std::move(grown->mask)), std::move(made));
   if (saved) saved->notes = std::move(notes);
   return saved;

@@ -21,11 +21,11 @@ struct Prepared {
   Waves waves;
   double wavelength_mm = 0;
 };
-Result<Prepared> prepare(const WaveImages& images, const InversionOptions& options, std::vector<std::string>& notes);
+Result<Prepared> prepare(const WaveImages& images, const InversionOptions& options, std::vector<Sentence>& notes);
 Mask region_on(const Grid& grid, const std::optional<Mask>& organ, const std::vector<Prepared>& prepared);
 VoxelModulus invert_direct(const std::vector<Prepared>& prepared, const Mask& region, const InversionOptions& options);
 VoxelModulus invert_by_local_frequency(const std::vector<Prepared>& prepared, const Mask& region);
-void take_time_forwards(VoxelModulus& found, std::vector<std::string>& notes);
+void take_time_forwards(VoxelModulus& found, std::vector<Sentence>& notes);
 void fill_pictures(const Waves& waves, ModulusMap& map);
 Result<void> summarise(ModulusMap& map, double least_confidence);
 
@@ -85,14 +85,14 @@ Result<ModulusMap> invert(const std::vector<WaveImages>& images, const std::opti
 
 namespace {
 
-Result<Prepared> prepare(const WaveImages& images, const InversionOptions& options, std::vector<std::string>& notes) {
+Result<Prepared> prepare(const WaveImages& images, const InversionOptions& options, std::vector<Sentence>& notes) {
   Prepared prepared;
   prepared.waves = first_harmonic(images, tissue_of(images), options.unwrapping);
   if (prepared.waves.closed_fraction < 0.9) {
-    notes.push_back(
-        fmt::format("At {:g} Hz the phase of {:.0f} % of the tissue does not come back to itself over a "
-                    "period; those voxels were left out.",
-                    images.frequency_Hz, 100 * (1 - prepared.waves.closed_fraction)));
+    notes.push_back({GLISSON_TEXT("At {0} Hz the phase of {1} % of the tissue does not come back to itself over a "
+                                  "period; those voxels were left out."),
+                     {fmt::format("{:g}", images.frequency_Hz),
+                      fmt::format("{:.0f}", 100 * (1 - prepared.waves.closed_fraction))}});
   }
   if (options.long_waves == LongWaves::curl) {
     auto curl = curl_of(prepared.waves, images.along);
@@ -180,7 +180,7 @@ VoxelModulus invert_by_local_frequency(const std::vector<Prepared>& prepared, co
 
 // No tissue gives energy to a wave. Where the loss comes out negative throughout, the offsets were stored backwards in
 // time, which no header says.
-void take_time_forwards(VoxelModulus& found, std::vector<std::string>& notes) {
+void take_time_forwards(VoxelModulus& found, std::vector<Sentence>& notes) {
   double loss = 0;
   for (std::size_t v = 0; v < found.confidence.size(); ++v) {
     const std::complex<float> modulus = found.modulus_kPa[v];
@@ -188,7 +188,9 @@ void take_time_forwards(VoxelModulus& found, std::vector<std::string>& notes) {
   }
   if (loss >= 0) return;
   for (auto& modulus : found.modulus_kPa) modulus = std::conj(modulus);
-  notes.emplace_back("The loss came out negative, as when the instants run backwards in time; its sign was turned.");
+  notes.push_back(
+      {GLISSON_TEXT("The loss came out negative, as when the instants run backwards in time; its sign was turned."),
+       {}});
 }
 
 void fill_pictures(const Waves& waves, ModulusMap& map) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "base/sentence.h"
 #include "elastography/region_statistics.h"
 #include "elastography/unwrap.h"
 #include "elastography/wave_images.h"
@@ -69,7 +70,7 @@ struct ModulusMap {
   double mean_kPa = 0;                             // confident.mean
   double mean_storage_kPa = 0, mean_loss_kPa = 0;  // over the confident voxels; direct only
   double confident_fraction = 0;                   // of the region's voxels
-  std::vector<std::string> notes;
+  std::vector<Sentence> notes;
 };
 
 // `organ` on any grid: only its voxels are inverted, and none from outside it is used for the direct method, because

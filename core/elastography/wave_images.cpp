@@ -21,8 +21,8 @@ struct Place {
 };
 
 Result<std::vector<Place>> places_of(const std::vector<PhaseImage>& images, const AskedFor& asked,
-                                     std::vector<std::string>& notes);
-void scale_to_radians(std::vector<PhaseImage>& images, std::vector<std::string>& notes);
+                                     std::vector<Sentence>& notes);
+void scale_to_radians(std::vector<PhaseImage>& images, std::vector<Sentence>& notes);
 Result<WaveImages> gather(std::vector<PhaseImage>& images, const std::vector<Place>& places, double frequency_Hz);
 
 }  // namespace
@@ -84,7 +84,7 @@ Result<std::vector<double>> frequencies_of(const std::vector<PhaseImage>& images
 
 // Direction and instant by counting, for the volumes of one series that say neither.
 Result<void> count_through(const std::vector<std::size_t>& series, int first_direction, const AskedFor& asked,
-                           std::vector<Place>& places, std::vector<std::string>& notes) {
+                           std::vector<Place>& places, std::vector<Sentence>& notes) {
   const int volumes = static_cast<int>(series.size());
   if (!asked.directions && volumes > most_instants_of_one_direction) {
     return failure(Error{"waves-no-directions",
@@ -105,13 +105,13 @@ Result<void> count_through(const std::vector<std::size_t>& series, int first_dir
     place.instant = v % instants;
   }
   notes.push_back(
-      fmt::format("The headers name no directions: the {} images were taken as {} x {} instants in their order.",
-                  volumes, directions, instants));
+      {GLISSON_TEXT("The headers name no directions: the {0} images were taken as {1} x {2} instants in their order."),
+       {std::to_string(volumes), std::to_string(directions), std::to_string(instants)}});
   return {};
 }
 
 Result<std::vector<Place>> places_of(const std::vector<PhaseImage>& images, const AskedFor& asked,
-                                     std::vector<std::string>& notes) {
+                                     std::vector<Sentence>& notes) {
   const auto frequencies = frequencies_of(images, asked);
   if (!frequencies) return failure(frequencies.error());
   std::vector<Place> places(images.size());
@@ -134,7 +134,7 @@ Result<std::vector<Place>> places_of(const std::vector<PhaseImage>& images, cons
   return places;
 }
 
-void scale_to_radians(std::vector<PhaseImage>& images, std::vector<std::string>& notes) {
+void scale_to_radians(std::vector<PhaseImage>& images, std::vector<Sentence>& notes) {
   float least = std::numeric_limits<float>::max();
   float most = std::numeric_limits<float>::lowest();
   for (const PhaseImage& image : images) {
@@ -152,8 +152,8 @@ void scale_to_radians(std::vector<PhaseImage>& images, std::vector<std::string>&
     }
     image.volume.unit = "rad";
   }
-  notes.push_back(fmt::format("The phase images have no unit: their full range, {:g} to {:g}, was taken as one turn.",
-                              least, most));
+  notes.push_back({GLISSON_TEXT("The phase images have no unit: their full range, {0} to {1}, was taken as one turn."),
+                   {fmt::format("{:g}", least), fmt::format("{:g}", most)}});
 }
 
 Result<WaveImages> gather(std::vector<PhaseImage>& images, const std::vector<Place>& places, double frequency_Hz) {

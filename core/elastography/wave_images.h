@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "base/sentence.h"
 #include "imaging/image.h"
 #include "imaging/study.h"
 
@@ -41,7 +42,7 @@ struct WaveImages {
 
 struct SortedWaves {
   std::vector<WaveImages> frequencies;  // ascending
-  std::vector<std::string> notes;       // what was assumed, one sentence each
+  std::vector<Sentence> notes;          // what was assumed
 };
 
 // Where the header gives neither direction nor instant, a series is taken to run through all instants of one direction,

@@ -1628,14 +1628,6 @@
         <translation>Mit einer linearen Lösung je Schritt bewegen sich die Materialien &quot;linear&quot; und &quot;corotational&quot;, ohne Bänder oder Kapsel.</translation>
     </message>
     <message>
-        <source>The cut does not cross the body.</source>
-        <translation>Der Schnitt durchquert den Körper nicht.</translation>
-    </message>
-    <message>
-        <source>Check that cut and mesh are in the same coordinates (LPS, mm).</source>
-        <translation>Prüfen Sie, ob Schnitt und Netz in denselben Koordinaten sind (LPS, mm).</translation>
-    </message>
-    <message>
         <source>A tool needs rods with finite ends and a radius above zero, and a pose that turns and moves it.</source>
         <translation>Ein Werkzeug braucht Stäbe mit endlichen Enden und einem Radius größer als null und eine Lage, die es dreht und bewegt.</translation>
     </message>
@@ -1704,10 +1696,6 @@
         <translation>Die Schritte von {0} müssen eine ganze Zahl von 1 bis 1000000 sein.</translation>
     </message>
     <message>
-        <source>The normal of {0} must not be zero.</source>
-        <translation>Die Normale von {0} darf nicht null sein.</translation>
-    </message>
-    <message>
         <source>The nodes of {0} must be a whole number from 1 to 1000000.</source>
         <translation>Die Knoten von {0} müssen eine ganze Zahl von 1 bis 1000000 sein.</translation>
     </message>
@@ -1734,10 +1722,6 @@
     <message>
         <source>Solving</source>
         <translation>Lösen</translation>
-    </message>
-    <message>
-        <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments or the meshfree engine.</source>
-        <translation>Direkt aus Daten gibt es Gleichgewichte mit finiten Elementen: ohne Bewegung, Kapsel, Bänder oder das netzfreie Verfahren.</translation>
     </message>
     <message>
         <source>Moving</source>
@@ -3075,6 +3059,70 @@
         <source>Known are: {1}</source>
         <translation>Bekannt sind: {1}</translation>
     </message>
+    <message>
+        <source>Cut {0} opens the body nowhere.</source>
+        <translation>Schnitt {0} öffnet den Körper nirgends.</translation>
+    </message>
+    <message>
+        <source>Move it through the body, or open it wider; positions are LPS, in mm.</source>
+        <translation>Verschieben Sie ihn durch den Körper, oder öffnen Sie ihn weiter; Positionen sind LPS, in mm.</translation>
+    </message>
+    <message>
+        <source>At large deformation a grasper pulls with a force; {0} has a displacement.</source>
+        <translation>Bei großer Verformung zieht eine Fasszange mit einer Kraft; {0} hat eine Verschiebung.</translation>
+    </message>
+    <message>
+        <source>Give it a pull, or take the material &quot;linear&quot;.</source>
+        <translation>Geben Sie ihr einen Zug, oder nehmen Sie das Material &quot;linear&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} needs exactly one of &quot;normal&quot; (a plane) and &quot;points_mm&quot; (a sheet through them).</source>
+        <translation>{0} braucht genau eines von &quot;normal&quot; (eine Ebene) und &quot;points_mm&quot; (eine Fläche durch sie).</translation>
+    </message>
+    <message>
+        <source>{0} is a sheet: its &quot;center_mm&quot; needs the &quot;radius_mm&quot; that it is open within.</source>
+        <translation>{0} ist eine Fläche: Ihr &quot;center_mm&quot; braucht den &quot;radius_mm&quot;, in dem sie offen ist.</translation>
+    </message>
+    <message>
+        <source>{0} must be a list of three points or more.</source>
+        <translation>{0} muss eine Liste von mindestens drei Punkten sein.</translation>
+    </message>
+    <message>
+        <source>{0} needs exactly one of &quot;{1}&quot; and &quot;{2}&quot;.</source>
+        <translation>{0} braucht genau eines von &quot;{1}&quot; und &quot;{2}&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} must be &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; or {&quot;rods&quot;: [...]}.</source>
+        <translation>{0} muss &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; oder {&quot;rods&quot;: [...]} sein.</translation>
+    </message>
+    <message>
+        <source>Tools in contact are there for equilibrium by finite elements.</source>
+        <translation>Werkzeuge in Kontakt gibt es für das Gleichgewicht mit finiten Elementen.</translation>
+    </message>
+    <message>
+        <source>Elsewhere give a load.</source>
+        <translation>Geben Sie sonst eine Last an.</translation>
+    </message>
+    <message>
+        <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments, tools or the meshfree engine.</source>
+        <translation>Direkt aus Daten gibt es Gleichgewichte mit finiten Elementen: ohne Bewegung, Kapsel, Bänder, Werkzeuge oder das netzfreie Verfahren.</translation>
+    </message>
+    <message>
+        <source>At {0} Hz the phase of {1} % of the tissue does not come back to itself over a period; those voxels were left out.</source>
+        <translation>Bei {0} Hz kehrt die Phase von {1} % des Gewebes über eine Periode nicht zu sich zurück; diese Voxel wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The loss came out negative, as when the instants run backwards in time; its sign was turned.</source>
+        <translation>Der Verlustmodul kam negativ heraus, wie wenn die Zeitpunkte rückwärts laufen; sein Vorzeichen wurde umgekehrt.</translation>
+    </message>
+    <message>
+        <source>The headers name no directions: the {0} images were taken as {1} x {2} instants in their order.</source>
+        <translation>Die Kopfdaten nennen keine Richtungen: Die {0} Bilder wurden als {1} x {2} Zeitpunkte in ihrer Reihenfolge genommen.</translation>
+    </message>
+    <message>
+        <source>The phase images have no unit: their full range, {0} to {1}, was taken as one turn.</source>
+        <translation>Die Phasenbilder haben keine Einheit: Ihr ganzer Bereich, {0} bis {1}, wurde als eine Umdrehung genommen.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -3404,6 +3452,45 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
         <source>Relative residual %1, answered in %2 ms</source>
         <translation>Relatives Residuum %1, Antwort in %2 ms</translation>
     </message>
+    <message>
+        <source>Elastography &amp;waves...</source>
+        <translation>Elastographie-&amp;Wellen …</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ManualWindow</name>
+    <message>
+        <source>Manual - Glisson</source>
+        <translation>Handbuch - Glisson</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Handbuch durchsuchen</translation>
+    </message>
+    <message>
+        <source>Words to search for</source>
+        <translation>Suchwörter</translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation>Seiten des Handbuchs</translation>
+    </message>
+    <message>
+        <source>The page</source>
+        <translation>Die Seite</translation>
+    </message>
+    <message>
+        <source>The manual was not found among the files that ship with Glisson.</source>
+        <translation>Das Handbuch wurde unter den mit Glisson gelieferten Dateien nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>No page holds these words.</source>
+        <translation>Keine Seite enthält diese Wörter.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::PatientViews</name>
@@ -3575,6 +3662,121 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     <message>
         <source>Fill the window with this view</source>
         <translation>Fenster mit dieser Ansicht füllen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::WaveView</name>
+    <message>
+        <source>Elastography waves</source>
+        <translation>Elastographie-Wellen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>A defect in Glisson stopped this: %1</source>
+        <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
+    </message>
+    <message>
+        <source>Inverting the waves</source>
+        <translation>Wellen werden invertiert</translation>
+    </message>
+    <message>
+        <source>Saving the maps</source>
+        <translation>Karten werden gespeichert</translation>
+    </message>
+    <message>
+        <source>The case now holds this stiffness. Build its model anew to use it.</source>
+        <translation>Der Fall enthält jetzt diese Steifigkeit. Erstellen Sie sein Modell neu, um sie zu verwenden.</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>as the images say</source>
+        <translation>wie in den Bildern</translation>
+    </message>
+    <message>
+        <source>&amp;Vibration</source>
+        <translation>&amp;Schwingung</translation>
+    </message>
+    <message>
+        <source>Complex modulus</source>
+        <translation>Komplexer Modul</translation>
+    </message>
+    <message>
+        <source>Local wavelength</source>
+        <translation>Lokale Wellenlänge</translation>
+    </message>
+    <message>
+        <source>&amp;Method</source>
+        <translation>&amp;Verfahren</translation>
+    </message>
+    <message>
+        <source>High-pass</source>
+        <translation>Hochpass</translation>
+    </message>
+    <message>
+        <source>Curl</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Long waves</source>
+        <translation>&amp;Lange Wellen</translation>
+    </message>
+    <message>
+        <source>Compute the stiffness</source>
+        <translation>Steifigkeit berechnen</translation>
+    </message>
+    <message>
+        <source>Shear waves</source>
+        <translation>Scherwellen</translation>
+    </message>
+    <message>
+        <source>rad</source>
+        <translation>rad</translation>
+    </message>
+    <message>
+        <source>Shear stiffness</source>
+        <translation>Schersteifigkeit</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Konfidenz</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Schicht</translation>
+    </message>
+    <message>
+        <source>Accept into the case</source>
+        <translation>In den Fall übernehmen</translation>
+    </message>
+    <message>
+        <source>Compute the stiffness from the waves that the case holds.</source>
+        <translation>Berechnen Sie die Steifigkeit aus den Wellen, die der Fall enthält.</translation>
+    </message>
+    <message>
+        <source>Shear stiffness %1 kPa on average over %2 confident voxels, %3 % of the region; middle half %4 to %5 kPa; vibration %6 Hz, wavelength %7 mm</source>
+        <translation>Schersteifigkeit im Mittel %1 kPa über %2 vertrauenswürdige Voxel, %3 % der Region; mittlere Hälfte %4 bis %5 kPa; Schwingung %6 Hz, Wellenlänge %7 mm</translation>
+    </message>
+    <message>
+        <source>Slice %1 of %2</source>
+        <translation>Schicht %1 von %2</translation>
     </message>
 </context>
 <context>

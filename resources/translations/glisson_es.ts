@@ -1628,14 +1628,6 @@
         <translation>Una resolución lineal por paso mueve los materiales &quot;linear&quot; y &quot;corotational&quot;, sin ligamentos ni cápsula.</translation>
     </message>
     <message>
-        <source>The cut does not cross the body.</source>
-        <translation>El corte no atraviesa el cuerpo.</translation>
-    </message>
-    <message>
-        <source>Check that cut and mesh are in the same coordinates (LPS, mm).</source>
-        <translation>Compruebe que el corte y la malla están en las mismas coordenadas (LPS, mm).</translation>
-    </message>
-    <message>
         <source>A tool needs rods with finite ends and a radius above zero, and a pose that turns and moves it.</source>
         <translation>Un instrumento necesita barras con extremos finitos y radio mayor que cero, y una pose que lo gire y lo mueva.</translation>
     </message>
@@ -1704,10 +1696,6 @@
         <translation>Los pasos de {0} deben ser un número entero de 1 a 1000000.</translation>
     </message>
     <message>
-        <source>The normal of {0} must not be zero.</source>
-        <translation>La normal de {0} no debe ser cero.</translation>
-    </message>
-    <message>
         <source>The nodes of {0} must be a whole number from 1 to 1000000.</source>
         <translation>Los nodos de {0} deben ser un número entero de 1 a 1000000.</translation>
     </message>
@@ -1734,10 +1722,6 @@
     <message>
         <source>Solving</source>
         <translation>Resolviendo</translation>
-    </message>
-    <message>
-        <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments or the meshfree engine.</source>
-        <translation>Directamente a partir de datos hay equilibrios por elementos finitos: sin movimiento, cápsula, ligamentos ni motor sin malla.</translation>
     </message>
     <message>
         <source>Moving</source>
@@ -3075,6 +3059,70 @@
         <source>Known are: {1}</source>
         <translation>Se conocen: {1}</translation>
     </message>
+    <message>
+        <source>Cut {0} opens the body nowhere.</source>
+        <translation>El corte {0} no abre el cuerpo en ninguna parte.</translation>
+    </message>
+    <message>
+        <source>Move it through the body, or open it wider; positions are LPS, in mm.</source>
+        <translation>Muévalo a través del cuerpo o ábralo más; las posiciones son LPS, en mm.</translation>
+    </message>
+    <message>
+        <source>At large deformation a grasper pulls with a force; {0} has a displacement.</source>
+        <translation>Con grandes deformaciones una pinza tira con una fuerza; {0} tiene un desplazamiento.</translation>
+    </message>
+    <message>
+        <source>Give it a pull, or take the material &quot;linear&quot;.</source>
+        <translation>Dele una tracción o tome el material &quot;linear&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} needs exactly one of &quot;normal&quot; (a plane) and &quot;points_mm&quot; (a sheet through them).</source>
+        <translation>{0} necesita exactamente uno de &quot;normal&quot; (un plano) y &quot;points_mm&quot; (una superficie que pasa por ellos).</translation>
+    </message>
+    <message>
+        <source>{0} is a sheet: its &quot;center_mm&quot; needs the &quot;radius_mm&quot; that it is open within.</source>
+        <translation>{0} es una superficie: su &quot;center_mm&quot; necesita el &quot;radius_mm&quot; dentro del cual está abierta.</translation>
+    </message>
+    <message>
+        <source>{0} must be a list of three points or more.</source>
+        <translation>{0} debe ser una lista de al menos tres puntos.</translation>
+    </message>
+    <message>
+        <source>{0} needs exactly one of &quot;{1}&quot; and &quot;{2}&quot;.</source>
+        <translation>{0} necesita exactamente uno de &quot;{1}&quot; y &quot;{2}&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} must be &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; or {&quot;rods&quot;: [...]}.</source>
+        <translation>{0} debe ser &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; o {&quot;rods&quot;: [...]}.</translation>
+    </message>
+    <message>
+        <source>Tools in contact are there for equilibrium by finite elements.</source>
+        <translation>Los instrumentos en contacto existen para el equilibrio por elementos finitos.</translation>
+    </message>
+    <message>
+        <source>Elsewhere give a load.</source>
+        <translation>En los demás casos indique una carga.</translation>
+    </message>
+    <message>
+        <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments, tools or the meshfree engine.</source>
+        <translation>Directamente a partir de datos hay equilibrios por elementos finitos: sin movimiento, cápsula, ligamentos, instrumentos ni motor sin malla.</translation>
+    </message>
+    <message>
+        <source>At {0} Hz the phase of {1} % of the tissue does not come back to itself over a period; those voxels were left out.</source>
+        <translation>A {0} Hz la fase del {1} % del tejido no vuelve a sí misma en un periodo; esos vóxeles se han omitido.</translation>
+    </message>
+    <message>
+        <source>The loss came out negative, as when the instants run backwards in time; its sign was turned.</source>
+        <translation>La pérdida salió negativa, como cuando los instantes van hacia atrás en el tiempo; se ha invertido su signo.</translation>
+    </message>
+    <message>
+        <source>The headers name no directions: the {0} images were taken as {1} x {2} instants in their order.</source>
+        <translation>Las cabeceras no nombran direcciones: las {0} imágenes se han tomado como {1} x {2} instantes en su orden.</translation>
+    </message>
+    <message>
+        <source>The phase images have no unit: their full range, {0} to {1}, was taken as one turn.</source>
+        <translation>Las imágenes de fase no tienen unidad: su intervalo completo, de {0} a {1}, se ha tomado como una vuelta.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -3406,6 +3454,45 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
         <source>Relative residual %1, answered in %2 ms</source>
         <translation>Residuo relativo %1, respuesta en %2 ms</translation>
     </message>
+    <message>
+        <source>Elastography &amp;waves...</source>
+        <translation>&amp;Ondas de elastografía…</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manual</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ManualWindow</name>
+    <message>
+        <source>Manual - Glisson</source>
+        <translation>Manual - Glisson</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Buscar en el manual</translation>
+    </message>
+    <message>
+        <source>Words to search for</source>
+        <translation>Palabras que buscar</translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation>Páginas del manual</translation>
+    </message>
+    <message>
+        <source>The page</source>
+        <translation>La página</translation>
+    </message>
+    <message>
+        <source>The manual was not found among the files that ship with Glisson.</source>
+        <translation>No se ha encontrado el manual entre los archivos que acompañan a Glisson.</translation>
+    </message>
+    <message>
+        <source>No page holds these words.</source>
+        <translation>Ninguna página contiene estas palabras.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::PatientViews</name>
@@ -3577,6 +3664,121 @@ Módulo de Young %2 kPa (media)</translation>
     <message>
         <source>Fill the window with this view</source>
         <translation>Llenar la ventana con esta vista</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::WaveView</name>
+    <message>
+        <source>Elastography waves</source>
+        <translation>Ondas de elastografía</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>A defect in Glisson stopped this: %1</source>
+        <translation>Un defecto de Glisson ha interrumpido esto: %1</translation>
+    </message>
+    <message>
+        <source>Inverting the waves</source>
+        <translation>Invirtiendo las ondas</translation>
+    </message>
+    <message>
+        <source>Saving the maps</source>
+        <translation>Guardando los mapas</translation>
+    </message>
+    <message>
+        <source>The case now holds this stiffness. Build its model anew to use it.</source>
+        <translation>El caso contiene ahora esta rigidez. Construya de nuevo su modelo para usarla.</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>as the images say</source>
+        <translation>según las imágenes</translation>
+    </message>
+    <message>
+        <source>&amp;Vibration</source>
+        <translation>&amp;Vibración</translation>
+    </message>
+    <message>
+        <source>Complex modulus</source>
+        <translation>Módulo complejo</translation>
+    </message>
+    <message>
+        <source>Local wavelength</source>
+        <translation>Longitud de onda local</translation>
+    </message>
+    <message>
+        <source>&amp;Method</source>
+        <translation>&amp;Método</translation>
+    </message>
+    <message>
+        <source>High-pass</source>
+        <translation>Paso alto</translation>
+    </message>
+    <message>
+        <source>Curl</source>
+        <translation>Rotacional</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Conservar</translation>
+    </message>
+    <message>
+        <source>&amp;Long waves</source>
+        <translation>Ondas &amp;largas</translation>
+    </message>
+    <message>
+        <source>Compute the stiffness</source>
+        <translation>Calcular la rigidez</translation>
+    </message>
+    <message>
+        <source>Shear waves</source>
+        <translation>Ondas de cizalla</translation>
+    </message>
+    <message>
+        <source>rad</source>
+        <translation>rad</translation>
+    </message>
+    <message>
+        <source>Shear stiffness</source>
+        <translation>Rigidez a cizalla</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Confianza</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>Accept into the case</source>
+        <translation>Aceptar en el caso</translation>
+    </message>
+    <message>
+        <source>Compute the stiffness from the waves that the case holds.</source>
+        <translation>Calcule la rigidez a partir de las ondas que contiene el caso.</translation>
+    </message>
+    <message>
+        <source>Shear stiffness %1 kPa on average over %2 confident voxels, %3 % of the region; middle half %4 to %5 kPa; vibration %6 Hz, wavelength %7 mm</source>
+        <translation>Rigidez a cizalla de %1 kPa de media en %2 vóxeles de confianza, el %3 % de la región; mitad central de %4 a %5 kPa; vibración %6 Hz, longitud de onda %7 mm</translation>
+    </message>
+    <message>
+        <source>Slice %1 of %2</source>
+        <translation>Corte %1 de %2</translation>
     </message>
 </context>
 <context>

@@ -1628,14 +1628,6 @@
         <translation>Une résolution linéaire par pas fait mouvoir les matériaux &quot;linear&quot; et &quot;corotational&quot;, sans ligaments ni capsule.</translation>
     </message>
     <message>
-        <source>The cut does not cross the body.</source>
-        <translation>La coupe ne traverse pas le corps.</translation>
-    </message>
-    <message>
-        <source>Check that cut and mesh are in the same coordinates (LPS, mm).</source>
-        <translation>Vérifiez que la coupe et le maillage sont dans les mêmes coordonnées (LPS, mm).</translation>
-    </message>
-    <message>
         <source>A tool needs rods with finite ends and a radius above zero, and a pose that turns and moves it.</source>
         <translation>Un outil exige des tiges aux extrémités finies et de rayon supérieur à zéro, et une pose qui le tourne et le déplace.</translation>
     </message>
@@ -1704,10 +1696,6 @@
         <translation>Les pas de {0} doivent être un nombre entier de 1 à 1000000.</translation>
     </message>
     <message>
-        <source>The normal of {0} must not be zero.</source>
-        <translation>La normale de {0} ne doit pas être nulle.</translation>
-    </message>
-    <message>
         <source>The nodes of {0} must be a whole number from 1 to 1000000.</source>
         <translation>Les nœuds de {0} doivent être un nombre entier de 1 à 1000000.</translation>
     </message>
@@ -1734,10 +1722,6 @@
     <message>
         <source>Solving</source>
         <translation>Résolution</translation>
-    </message>
-    <message>
-        <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments or the meshfree engine.</source>
-        <translation>Directement à partir de données, il y a des équilibres par éléments finis : sans mouvement, capsule, ligaments ni moteur sans maillage.</translation>
     </message>
     <message>
         <source>Moving</source>
@@ -3075,6 +3059,70 @@
         <source>Known are: {1}</source>
         <translation>Sont connues : {1}</translation>
     </message>
+    <message>
+        <source>Cut {0} opens the body nowhere.</source>
+        <translation>La coupe {0} n’ouvre le corps nulle part.</translation>
+    </message>
+    <message>
+        <source>Move it through the body, or open it wider; positions are LPS, in mm.</source>
+        <translation>Déplacez-la à travers le corps, ou ouvrez-la davantage ; les positions sont en LPS, en mm.</translation>
+    </message>
+    <message>
+        <source>At large deformation a grasper pulls with a force; {0} has a displacement.</source>
+        <translation>En grande déformation, une pince tire avec une force ; {0} a un déplacement.</translation>
+    </message>
+    <message>
+        <source>Give it a pull, or take the material &quot;linear&quot;.</source>
+        <translation>Donnez-lui une traction, ou prenez le matériau &quot;linear&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} needs exactly one of &quot;normal&quot; (a plane) and &quot;points_mm&quot; (a sheet through them).</source>
+        <translation>{0} exige exactement un parmi &quot;normal&quot; (un plan) et &quot;points_mm&quot; (une surface passant par eux).</translation>
+    </message>
+    <message>
+        <source>{0} is a sheet: its &quot;center_mm&quot; needs the &quot;radius_mm&quot; that it is open within.</source>
+        <translation>{0} est une surface : son &quot;center_mm&quot; exige le &quot;radius_mm&quot; dans lequel elle est ouverte.</translation>
+    </message>
+    <message>
+        <source>{0} must be a list of three points or more.</source>
+        <translation>{0} doit être une liste d’au moins trois points.</translation>
+    </message>
+    <message>
+        <source>{0} needs exactly one of &quot;{1}&quot; and &quot;{2}&quot;.</source>
+        <translation>{0} exige exactement un parmi &quot;{1}&quot; et &quot;{2}&quot;.</translation>
+    </message>
+    <message>
+        <source>{0} must be &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; or {&quot;rods&quot;: [...]}.</source>
+        <translation>{0} doit être &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; ou {&quot;rods&quot;: [...]}.</translation>
+    </message>
+    <message>
+        <source>Tools in contact are there for equilibrium by finite elements.</source>
+        <translation>Les outils en contact existent pour l’équilibre par éléments finis.</translation>
+    </message>
+    <message>
+        <source>Elsewhere give a load.</source>
+        <translation>Ailleurs, donnez une charge.</translation>
+    </message>
+    <message>
+        <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments, tools or the meshfree engine.</source>
+        <translation>Directement à partir de données, il y a des équilibres par éléments finis : sans mouvement, capsule, ligaments, outils ni moteur sans maillage.</translation>
+    </message>
+    <message>
+        <source>At {0} Hz the phase of {1} % of the tissue does not come back to itself over a period; those voxels were left out.</source>
+        <translation>À {0} Hz, la phase de {1} % du tissu ne revient pas à elle-même sur une période ; ces voxels ont été omis.</translation>
+    </message>
+    <message>
+        <source>The loss came out negative, as when the instants run backwards in time; its sign was turned.</source>
+        <translation>La perte est sortie négative, comme si les instants remontaient le temps ; son signe a été inversé.</translation>
+    </message>
+    <message>
+        <source>The headers name no directions: the {0} images were taken as {1} x {2} instants in their order.</source>
+        <translation>Les en-têtes ne nomment pas de directions : les {0} images ont été prises comme {1} x {2} instants dans leur ordre.</translation>
+    </message>
+    <message>
+        <source>The phase images have no unit: their full range, {0} to {1}, was taken as one turn.</source>
+        <translation>Les images de phase n’ont pas d’unité : leur plage entière, de {0} à {1}, a été prise pour un tour.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -3406,6 +3454,45 @@ Ctrl+molette : zoom. Maj+glisser : décaler.</translation>
         <source>Relative residual %1, answered in %2 ms</source>
         <translation>Résidu relatif %1, réponse en %2 ms</translation>
     </message>
+    <message>
+        <source>Elastography &amp;waves...</source>
+        <translation>&amp;Ondes d’élastographie…</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manuel</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ManualWindow</name>
+    <message>
+        <source>Manual - Glisson</source>
+        <translation>Manuel - Glisson</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Chercher dans le manuel</translation>
+    </message>
+    <message>
+        <source>Words to search for</source>
+        <translation>Mots à chercher</translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation>Pages du manuel</translation>
+    </message>
+    <message>
+        <source>The page</source>
+        <translation>La page</translation>
+    </message>
+    <message>
+        <source>The manual was not found among the files that ship with Glisson.</source>
+        <translation>Le manuel n’a pas été trouvé parmi les fichiers livrés avec Glisson.</translation>
+    </message>
+    <message>
+        <source>No page holds these words.</source>
+        <translation>Aucune page ne contient ces mots.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::PatientViews</name>
@@ -3577,6 +3664,121 @@ Module de Young %2 kPa (moyenne)</translation>
     <message>
         <source>Fill the window with this view</source>
         <translation>Remplir la fenêtre avec cette vue</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::WaveView</name>
+    <message>
+        <source>Elastography waves</source>
+        <translation>Ondes d’élastographie</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>A defect in Glisson stopped this: %1</source>
+        <translation>Un défaut de Glisson a interrompu cette opération : %1</translation>
+    </message>
+    <message>
+        <source>Inverting the waves</source>
+        <translation>Inversion des ondes</translation>
+    </message>
+    <message>
+        <source>Saving the maps</source>
+        <translation>Enregistrement des cartes</translation>
+    </message>
+    <message>
+        <source>The case now holds this stiffness. Build its model anew to use it.</source>
+        <translation>Le cas contient maintenant cette rigidité. Reconstruisez son modèle pour l’utiliser.</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>as the images say</source>
+        <translation>selon les images</translation>
+    </message>
+    <message>
+        <source>&amp;Vibration</source>
+        <translation>&amp;Vibration</translation>
+    </message>
+    <message>
+        <source>Complex modulus</source>
+        <translation>Module complexe</translation>
+    </message>
+    <message>
+        <source>Local wavelength</source>
+        <translation>Longueur d’onde locale</translation>
+    </message>
+    <message>
+        <source>&amp;Method</source>
+        <translation>&amp;Méthode</translation>
+    </message>
+    <message>
+        <source>High-pass</source>
+        <translation>Passe-haut</translation>
+    </message>
+    <message>
+        <source>Curl</source>
+        <translation>Rotationnel</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Conserver</translation>
+    </message>
+    <message>
+        <source>&amp;Long waves</source>
+        <translation>Ondes &amp;longues</translation>
+    </message>
+    <message>
+        <source>Compute the stiffness</source>
+        <translation>Calculer la rigidité</translation>
+    </message>
+    <message>
+        <source>Shear waves</source>
+        <translation>Ondes de cisaillement</translation>
+    </message>
+    <message>
+        <source>rad</source>
+        <translation>rad</translation>
+    </message>
+    <message>
+        <source>Shear stiffness</source>
+        <translation>Rigidité en cisaillement</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Confiance</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
+        <source>Accept into the case</source>
+        <translation>Accepter dans le cas</translation>
+    </message>
+    <message>
+        <source>Compute the stiffness from the waves that the case holds.</source>
+        <translation>Calculez la rigidité à partir des ondes que contient le cas.</translation>
+    </message>
+    <message>
+        <source>Shear stiffness %1 kPa on average over %2 confident voxels, %3 % of the region; middle half %4 to %5 kPa; vibration %6 Hz, wavelength %7 mm</source>
+        <translation>Rigidité en cisaillement de %1 kPa en moyenne sur %2 voxels de confiance, %3 % de la région ; moitié centrale de %4 à %5 kPa ; vibration %6 Hz, longueur d’onde %7 mm</translation>
+    </message>
+    <message>
+        <source>Slice %1 of %2</source>
+        <translation>Coupe %1 sur %2</translation>
     </message>
 </context>
 <context>

@@ -260,7 +260,7 @@ TEST(Inversion, InstantsStoredBackwardsGiveTheSameModulus) {
   const auto backwards = invert({images});
   ASSERT_TRUE(forwards && backwards);
   EXPECT_NEAR(backwards->mean_loss_kPa, forwards->mean_loss_kPa, 1e-3);
-  EXPECT_THAT(backwards->notes, testing::Contains(HasSubstr("backwards")));
+  EXPECT_THAT(messages(backwards->notes), testing::Contains(HasSubstr("backwards")));
 }
 
 // Slices that are acquired one after the other meet the vibration at other instants.

@@ -46,7 +46,7 @@ TEST(SortWaves, FollowsTheHeadersWhateverTheOrderOfTheVolumes) {
     }
     EXPECT_EQ(waves.along[direction], Eigen::Vector3d::Unit(static_cast<int>(direction)));
   }
-  EXPECT_THAT(sorted->notes, testing::IsEmpty());
+  EXPECT_THAT(messages(sorted->notes), testing::IsEmpty());
 }
 
 TEST(SortWaves, PartsSeveralFrequencies) {
@@ -94,7 +94,7 @@ TEST(SortWaves, AsksHowManyDirectionsALongSeriesHolds) {
   const auto sorted = sort_waves(images, {.frequency_Hz = 60, .directions = 3});
   ASSERT_TRUE(sorted.has_value());
   EXPECT_EQ(sorted->frequencies[0].phase_rad[2][7][0], 23);
-  EXPECT_THAT(sorted->notes, ElementsAre(HasSubstr("3 x 8")));
+  EXPECT_THAT(messages(sorted->notes), ElementsAre(HasSubstr("3 x 8")));
 }
 
 TEST(SortWaves, PhaseWithoutAUnitIsScaledToOneTurnAndSaysSo) {
@@ -106,7 +106,7 @@ TEST(SortWaves, PhaseWithoutAUnitIsScaledToOneTurnAndSaysSo) {
   EXPECT_NEAR(phase[0][0], -std::numbers::pi, 1e-6);
   EXPECT_NEAR(phase[2][0], 0, 1e-6);
   EXPECT_NEAR(phase[3][0], std::numbers::pi, 1e-6);
-  EXPECT_THAT(sorted->notes, testing::Contains(HasSubstr("one turn")));
+  EXPECT_THAT(messages(sorted->notes), testing::Contains(HasSubstr("one turn")));
 }
 
 TEST(SortWaves, RefusesWhatIsNoWholeWave) {

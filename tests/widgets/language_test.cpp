@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QGroupBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QTreeWidget>
 #include <QtTest>
@@ -15,6 +16,7 @@
 #include "main_window.h"
 #include "run_test.h"
 #include "support/shapes.h"
+#include "views/wave_view.h"
 #include "words/number_box.h"
 #include "words/told.h"
 
@@ -35,9 +37,9 @@ std::map<QString, std::set<QString>> translations(const QString& language) {
   return found;
 }
 
-// Every text that the window holds, shown or not.
-std::vector<QString> texts_of(QWidget& window) {
-  std::vector<QString> texts{window.windowTitle()};
+// Every text that a window holds, shown or not.
+void gather_texts(const QWidget& window, std::vector<QString>& texts) {
+  texts.push_back(window.windowTitle());
   for (const auto* label : window.findChildren<QLabel*>()) texts.push_back(label->text());
   for (const auto* button : window.findChildren<QAbstractButton*>()) texts.push_back(button->text());
   for (const auto* group : window.findChildren<QGroupBox*>()) texts.push_back(group->title());
@@ -57,6 +59,13 @@ std::vector<QString> texts_of(QWidget& window) {
     }
   }
   for (const auto* widget : window.findChildren<QWidget*>()) texts.push_back(widget->toolTip());
+  for (const auto* widget : window.findChildren<QWidget*>()) texts.push_back(widget->accessibleName());
+  for (const auto* line : window.findChildren<QLineEdit*>()) texts.push_back(line->placeholderText());
+}
+
+std::vector<QString> texts_of(const std::vector<const QWidget*>& windows) {
+  std::vector<QString> texts;
+  for (const QWidget* window : windows) gather_texts(*window, texts);
   return texts;
 }
 
@@ -101,10 +110,12 @@ class LanguageTest : public QObject {
 
   void speaks_the_language_chosen_in_the_menu() {
     QFETCH(QString, language);
+    WaveView waves("/nowhere");
+    ManualWindow manual("/nowhere");
     choose("en");
-    const std::vector<QString> english = texts_of(*window_);
+    const std::vector<QString> english = texts_of({window_.get(), &waves, &manual});
     choose(language);
-    const std::vector<QString> now = texts_of(*window_);
+    const std::vector<QString> now = texts_of({window_.get(), &waves, &manual});
     QCOMPARE(now.size(), english.size());
     const auto known = translations(language);
     int changed = 0;
@@ -117,7 +128,7 @@ class LanguageTest : public QObject {
     }
     QVERIFY2(changed > 40, qPrintable(QString::number(changed)));
     choose("en");
-    QVERIFY(texts_of(*window_) == english);
+    QVERIFY(texts_of({window_.get(), &waves, &manual}) == english);
   }
 
   void names_menus_structures_and_landmarks_in_german() {

@@ -1,7 +1,6 @@
 #include "help/manual_window.h"
 
 #include <algorithm>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QListWidget>
@@ -9,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "words/worded.h"
 
 namespace glisson::widgets {
 namespace fs = std::filesystem;
@@ -61,21 +61,14 @@ ManualWindow::ManualWindow(const fs::path& folder, QWidget* parent) : QWidget(pa
 
   connect(words_, &QLineEdit::textChanged, this, &ManualWindow::search);
   connect(titles_, &QListWidget::currentRowChanged, this, &ManualWindow::show_page);
-  name_parts();
-  search({});
-}
-
-void ManualWindow::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) name_parts();
-  QWidget::changeEvent(event);
-}
-
-void ManualWindow::name_parts() {
-  setWindowTitle(tr("Manual - Glisson"));
-  words_->setPlaceholderText(tr("Search the manual"));
-  words_->setAccessibleName(tr("Words to search for"));
-  titles_->setAccessibleName(tr("Pages of the manual"));
-  text_->setAccessibleName(tr("The page"));
+  worded(this, [this] {
+    setWindowTitle(tr("Manual - Glisson"));
+    words_->setPlaceholderText(tr("Search the manual"));
+    words_->setAccessibleName(tr("Words to search for"));
+    titles_->setAccessibleName(tr("Pages of the manual"));
+    text_->setAccessibleName(tr("The page"));
+    if (titles_->count() == 0) search(words_->text());  // the page that is read stays
+  });
 }
 
 void ManualWindow::search(const QString& words) {

@@ -20,14 +20,10 @@ class ManualWindow : public QWidget {
   // Reads the pages of a folder, in the order of their file names. Without any it says that the manual is missing.
   explicit ManualWindow(const std::filesystem::path& folder, QWidget* parent = nullptr);
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
   struct ManualPage {
     QString title, markdown;
   };
-  void name_parts();
   void search(const QString& words);
   void show_page(int row);
 

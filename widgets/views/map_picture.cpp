@@ -10,25 +10,30 @@
 namespace glisson::widgets {
 namespace {
 
-// The side of the patient towards which a direction (LPS) points most.
+// The side of the patient towards which a direction (LPS) points most: DICOM's letters, the same in every language.
 QString side_of(const Eigen::Vector3d& direction) {
   Eigen::Index axis = 0;
   direction.cwiseAbs().maxCoeff(&axis);
   const bool up = direction[axis] > 0;
   switch (axis) {
-    case 0: return up ? MapPicture::tr("L") : MapPicture::tr("R");
-    case 1: return up ? MapPicture::tr("P") : MapPicture::tr("A");
-    default: return up ? MapPicture::tr("H") : MapPicture::tr("F");
+    case 0: return up ? "L" : "R";
+    case 1: return up ? "P" : "A";
+    default: return up ? "H" : "F";
   }
 }
 
 }  // namespace
 
-MapPicture::MapPicture(const QString& title, const QString& unit, Scale scale, QWidget* parent)
-    : QWidget(parent), title_(title), unit_(unit), scale_(scale) {
+MapPicture::MapPicture(Scale scale, QWidget* parent) : QWidget(parent), scale_(scale) {
   setMinimumSize(200, 240);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void MapPicture::set_words(const QString& title, const QString& unit) {
+  title_ = title;
+  unit_ = unit;
   setAccessibleName(title);
+  update();
 }
 
 void MapPicture::show_slice(const imaging::Grid& grid, const std::vector<float>& values,

@@ -19,7 +19,9 @@ class MapPicture : public QWidget {
   Q_OBJECT
 
  public:
-  MapPicture(const QString& title, const QString& unit, Scale scale, QWidget* parent = nullptr);
+  explicit MapPicture(Scale scale, QWidget* parent = nullptr);
+
+  void set_words(const QString& title, const QString& unit);
 
   // One value a voxel of the slice, row after row of the grid; `range` is what the strongest colour stands for. Voxels
   // whose `shown` is 0 are left empty; an empty list shows all.

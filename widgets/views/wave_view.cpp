@@ -9,6 +9,7 @@
 
 #include "views/map_picture.h"
 #include "words/told.h"
+#include "words/worded.h"
 
 namespace glisson::widgets {
 namespace {
@@ -51,7 +52,6 @@ std::vector<Value> slice_of(const std::vector<Value>& values, const imaging::Gri
 }  // namespace
 
 WaveView::WaveView(fs::path case_folder, QWidget* parent) : QWidget(parent), folder_(std::move(case_folder)) {
-  setWindowTitle(tr("Elastography waves"));
   resize(1280, 720);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 12, 14, 12);
@@ -67,7 +67,7 @@ WaveView::WaveView(fs::path case_folder, QWidget* parent) : QWidget(parent), fol
   connect(slice_, &QSlider::valueChanged, this, &WaveView::show_slice);
   connect(play_, &QPushButton::toggled, this, [this](bool playing) {
     playing ? clock_.start() : clock_.stop();
-    play_->setText(playing ? tr("Pause") : tr("Play"));
+    word_result();
   });
   connect(&work_, &BackgroundWork::started, this, [this] {
     invert_->setEnabled(false);
@@ -81,8 +81,13 @@ WaveView::WaveView(fs::path case_folder, QWidget* parent) : QWidget(parent), fol
     accept_->setEnabled(has_result());
     progress_->hide();
   });
-  connect(&work_, &BackgroundWork::broke, this,
-          [this](const QString& what) { say(tr("A defect in Glisson stopped this: %1").arg(what)); });
+  connect(&work_, &BackgroundWork::broke, this, [this](const QString& what) {
+    say([what] { return tr("A defect in Glisson stopped this: %1").arg(what); });
+  });
+  worded(this, [this] {
+    setWindowTitle(tr("Elastography waves"));
+    word_result();
+  });
 }
 
 bool WaveView::has_waves(const fs::path& case_folder) {
@@ -109,7 +114,7 @@ void WaveView::invert() {
                     }));
                 return [this, found] {
                   if (!*found) {
-                    say(told(found->error()));
+                    say([found] { return told(found->error()); });
                     return;
                   }
                   inverted_ = std::make_shared<casefile::InvertedWaves>(std::move(**found));
@@ -125,7 +130,9 @@ void WaveView::accept() {
     auto saved = std::make_shared<Result<void>>(casefile::Case::open(folder).and_then(
         [&](casefile::Case patient) { return casefile::accept_waves(patient, *result); }));
     return BackgroundWork::Then([this, saved] {
-      say(*saved ? tr("The case now holds this stiffness. Build its model anew to use it.") : told(saved->error()));
+      say([saved] {
+        return *saved ? tr("The case now holds this stiffness. Build its model anew to use it.") : told(saved->error());
+      });
       if (*saved) Q_EMIT accepted();
     });
   });
@@ -136,32 +143,31 @@ QWidget* WaveView::make_controls() {
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(10);
-  const auto add = [&](const QString& label, QWidget* control) {
-    auto* text = new QLabel(label);
-    text->setBuddy(control);
-    row->addWidget(text);
+  const auto add = [&](QWidget* control) {
+    auto* name = new QLabel;
+    name->setBuddy(control);
+    row->addWidget(name);
     row->addWidget(control);
     row->addSpacing(8);
+    return name;
   };
-  frequency_ = new QDoubleSpinBox;
+  frequency_ = new NumberBox;
   frequency_->setObjectName("wave_frequency");
   frequency_->setRange(0, 2000);
   frequency_->setDecimals(1);
-  frequency_->setSuffix(tr(" Hz"));
-  frequency_->setSpecialValueText(tr("as the images say"));
-  add(tr("&Vibration"), frequency_);
+  QLabel* frequency_name = add(frequency_);
   method_ = new QComboBox;
   method_->setObjectName("wave_method");
-  method_->addItem(tr("Complex modulus"), static_cast<int>(elastography::InversionMethod::direct));
-  method_->addItem(tr("Local wavelength"), static_cast<int>(elastography::InversionMethod::local_frequency));
-  add(tr("&Method"), method_);
+  method_->addItem({}, static_cast<int>(elastography::InversionMethod::direct));
+  method_->addItem({}, static_cast<int>(elastography::InversionMethod::local_frequency));
+  QLabel* method_name = add(method_);
   long_waves_ = new QComboBox;
   long_waves_->setObjectName("wave_long_waves");
-  long_waves_->addItem(tr("High-pass"), static_cast<int>(elastography::LongWaves::high_pass));
-  long_waves_->addItem(tr("Curl"), static_cast<int>(elastography::LongWaves::curl));
-  long_waves_->addItem(tr("Keep"), static_cast<int>(elastography::LongWaves::keep));
-  add(tr("&Long waves"), long_waves_);
-  invert_ = new QPushButton(tr("Compute the stiffness"));
+  long_waves_->addItem({}, static_cast<int>(elastography::LongWaves::high_pass));
+  long_waves_->addItem({}, static_cast<int>(elastography::LongWaves::curl));
+  long_waves_->addItem({}, static_cast<int>(elastography::LongWaves::keep));
+  QLabel* long_waves_name = add(long_waves_);
+  invert_ = new QPushButton;
   invert_->setObjectName("primary");
   row->addWidget(invert_);
   progress_ = new QProgressBar;
@@ -171,6 +177,19 @@ QWidget* WaveView::make_controls() {
   progress_->hide();
   row->addWidget(progress_);
   row->addStretch();
+  worded(bar, [=, this] {
+    frequency_name->setText(tr("&Vibration"));
+    frequency_->setSuffix(tr(" Hz"));
+    frequency_->setSpecialValueText(tr("as the images say"));
+    method_name->setText(tr("&Method"));
+    method_->setItemText(0, tr("Complex modulus"));
+    method_->setItemText(1, tr("Local wavelength"));
+    long_waves_name->setText(tr("&Long waves"));
+    long_waves_->setItemText(0, tr("High-pass"));
+    long_waves_->setItemText(1, tr("Curl"));
+    long_waves_->setItemText(2, tr("Keep"));
+    invert_->setText(tr("Compute the stiffness"));
+  });
   return bar;
 }
 
@@ -179,13 +198,18 @@ QWidget* WaveView::make_pictures() {
   auto* row = new QHBoxLayout(pictures);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(10);
-  wave_ = new MapPicture(tr("Shear waves"), tr("rad"), Scale::both_ways);
-  modulus_ = new MapPicture(tr("Shear stiffness"), tr("kPa"), Scale::from_zero);
-  confidence_ = new MapPicture(tr("Confidence"), {}, Scale::from_zero);
+  wave_ = new MapPicture(Scale::both_ways);
+  modulus_ = new MapPicture(Scale::from_zero);
+  confidence_ = new MapPicture(Scale::from_zero);
   wave_->setObjectName("wave_picture");
   modulus_->setObjectName("modulus_picture");
   confidence_->setObjectName("confidence_picture");
   for (MapPicture* picture : {wave_, modulus_, confidence_}) row->addWidget(picture, 1);
+  worded(pictures, [this] {
+    wave_->set_words(tr("Shear waves"), tr("rad"));
+    modulus_->set_words(tr("Shear stiffness"), tr("kPa"));
+    confidence_->set_words(tr("Confidence"), {});
+  });
   return pictures;
 }
 
@@ -194,23 +218,23 @@ QWidget* WaveView::make_foot() {
   auto* column = new QVBoxLayout(foot);
   column->setContentsMargins(0, 0, 0, 0);
   auto* row = new QHBoxLayout;
-  play_ = new QPushButton(tr("Play"));
+  play_ = new QPushButton;
   play_->setObjectName("wave_play");
   play_->setCheckable(true);
   play_->setEnabled(false);
   row->addWidget(play_);
-  slice_text_ = new QLabel(tr("Slice"));
+  slice_text_ = new QLabel;
   row->addWidget(slice_text_);
   slice_ = new QSlider(Qt::Horizontal);
   slice_->setObjectName("wave_slice");
   slice_->setEnabled(false);
   row->addWidget(slice_, 1);
-  accept_ = new QPushButton(tr("Accept into the case"));
+  accept_ = new QPushButton;
   accept_->setObjectName("wave_accept");
   accept_->setEnabled(false);
   row->addWidget(accept_);
   column->addLayout(row);
-  summary_ = new QLabel(tr("Compute the stiffness from the waves that the case holds."));
+  summary_ = new QLabel;
   summary_->setObjectName("wave_summary");
   summary_->setWordWrap(true);
   column->addWidget(summary_);
@@ -218,6 +242,7 @@ QWidget* WaveView::make_foot() {
   notes_->setObjectName("faint");
   notes_->setWordWrap(true);
   column->addWidget(notes_);
+  worded(foot, [this] { accept_->setText(tr("Accept into the case")); });
   return foot;
 }
 
@@ -241,6 +266,23 @@ void WaveView::show_result() {
   accept_->setEnabled(true);
   play_->setEnabled(true);
   play_->setChecked(true);
+  say([notes = map.notes] {
+    QStringList sentences;
+    for (const Sentence& note : notes) sentences << told(note);
+    return sentences.join(" ");
+  });
+  word_result();
+}
+
+void WaveView::word_result() {
+  play_->setText(play_->isChecked() ? tr("Pause") : tr("Play"));
+  if (said_) notes_->setText(said_());
+  if (!has_result()) {
+    slice_text_->setText(tr("Slice"));
+    summary_->setText(tr("Compute the stiffness from the waves that the case holds."));
+    return;
+  }
+  const elastography::ModulusMap& map = inverted_->map;
   summary_->setText(tr("Shear stiffness %1 kPa on average over %2 confident voxels, %3 % of the region; middle half %4 "
                        "to %5 kPa; vibration %6 Hz, wavelength %7 mm")
                         .arg(map.mean_kPa, 0, 'f', 2)
@@ -250,9 +292,7 @@ void WaveView::show_result() {
                         .arg(map.confident.percentile_75, 0, 'f', 2)
                         .arg(map.frequencies_Hz.front(), 0, 'g', 4)
                         .arg(map.typical_wavelength_mm, 0, 'f', 0));
-  QStringList notes;
-  for (const std::string& note : map.notes) notes << QString::fromStdString(note);
-  notes_->setText(notes.join(" "));
+  show_slice();
 }
 
 void WaveView::show_slice() {
@@ -280,6 +320,9 @@ void WaveView::step() {
   show_slice();
 }
 
-void WaveView::say(const QString& text) { notes_->setText(text); }
+void WaveView::say(std::function<QString()> words) {
+  said_ = std::move(words);
+  notes_->setText(said_ ? said_() : QString());
+}
 
 }  // namespace glisson::widgets

@@ -4,9 +4,9 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -15,6 +15,7 @@
 #include <QWidget>
 
 #include "casefile/waves.h"
+#include "words/number_box.h"
 #include "work/background_work.h"
 
 namespace glisson::widgets {
@@ -48,16 +49,19 @@ class WaveView : public QWidget {
   void show_result();
   void show_slice();
   void step();
-  void say(const QString& text);
+  void word_result();
+  // The words are asked for again when the language changes.
+  void say(std::function<QString()> words);
 
   std::filesystem::path folder_;
   std::shared_ptr<const casefile::InvertedWaves> inverted_;
+  std::function<QString()> said_;
   double instant_ = 0;
   double wave_range_rad_ = 1, modulus_range_kPa_ = 1;
   BackgroundWork work_;
   QTimer clock_;
 
-  QDoubleSpinBox* frequency_ = nullptr;
+  NumberBox* frequency_ = nullptr;
   QComboBox* method_ = nullptr;
   QComboBox* long_waves_ = nullptr;
   QPushButton* invert_ = nullptr;
