@@ -455,7 +455,7 @@ void MainWindow::show_platforms() {
   if (platforms_ == nullptr) {
     platforms_ = PlatformView::shipped(this);
     platforms_->setWindowFlag(Qt::Window);
-    platforms_->setWindowTitle(tr("What can be worn - Glisson"));
+    worded(platforms_, [window = platforms_.data()] { window->setWindowTitle(tr("What can be worn - Glisson")); });
     platforms_->resize(1500, 960);
     tell_platforms();
   }

@@ -86,7 +86,7 @@ Result<BeamRow> compare_beams(const std::string& patient, const geometry::TetMes
 
 Result<BeamRow> compare_beams(const std::string& patient, const mechanics::VoxelBody& tissue, double mean_kPa,
                               const BeamOptions& options, const Progress& progress) {
-  progress.report(0.0, "Looking for the softest, stiffest and most uneven parts");
+  progress.report(0.0, GLISSON_TEXT("Looking for the softest, stiffest and most uneven parts"));
   const auto places = beam_places(tissue);
   if (!places) return failure(places.error());
   geometry::TetMesh beam = beam_mesh({20, 4, 4}, {length_mm, side_mm, side_mm});
@@ -97,14 +97,14 @@ Result<BeamRow> compare_beams(const std::string& patient, const mechanics::Voxel
   BeamRow row;
   row.patient = patient;
   row.mean_kPa = mean_kPa;
-  progress.report(0.2, "Hoisting the beams");
+  progress.report(0.2, GLISSON_TEXT("Hoisting the beams"));
   const auto control = hoisted(beam, std::vector<double>(beam.cells.size(), row.mean_kPa), options);
   if (!control) return failure(control.error());
   row.control_displacement_mm = control->max_displacement_mm;
   const geometry::Field surface_points =
       *geometry::find_field(geometry::boundary_surface(beam).point_fields, "mesh_point");
   for (std::size_t r = 0; r < places->size(); ++r) {
-    progress.report(0.4 + 0.2 * double(r), "Hoisting the beams");
+    progress.report(0.4 + 0.2 * double(r), GLISSON_TEXT("Hoisting the beams"));
     if (progress.cancelled()) return cancelled();
     BeamComparison& region = row.regions[r];
     region.place = (*places)[r];

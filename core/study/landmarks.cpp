@@ -57,7 +57,7 @@ Result<LandmarksSummary> run_landmarks(const fs::path& folder, const fs::path& o
                          {},
                          folder});
   }
-  progress.report(0.9, "Drawing typical and extreme patients");
+  progress.report(0.9, GLISSON_TEXT("Drawing typical and extreme patients"));
   const auto pictures = draw_examples(*subjects, out, summary, options);
   if (!pictures) return failure(pictures.error());
   return write_batch_csv(out / "landmarks.csv", summary.rows)

@@ -2028,10 +2028,6 @@
         <translation>{0} hat die Quelle „{1}“.</translation>
     </message>
     <message>
-        <source>A figure is measured, from the dissertation, or assumed.</source>
-        <translation>Ein Wert ist gemessen, aus der Dissertation oder angenommen.</translation>
-    </message>
-    <message>
         <source>Idle power</source>
         <translation>Leistung im Leerlauf</translation>
     </message>
@@ -2110,10 +2106,6 @@
     <message>
         <source>It computes {0} frames a second of {1}.</source>
         <translation>Es rechnet {0} von {1} Bildern je Sekunde.</translation>
-    </message>
-    <message>
-        <source>The resolution for {0} mm comes from this curve: {1}</source>
-        <translation>Die Auflösung für {0} mm stammt aus dieser Kurve: {1}</translation>
     </message>
     <message>
         <source>{0} mm is coarser than the convergence study reaches; planned is its coarsest resolution, {1} mm3 a node.</source>
@@ -3123,6 +3115,70 @@
         <source>The phase images have no unit: their full range, {0} to {1}, was taken as one turn.</source>
         <translation>Die Phasenbilder haben keine Einheit: Ihr ganzer Bereich, {0} bis {1}, wurde als eine Umdrehung genommen.</translation>
     </message>
+    <message>
+        <source>The plan has no figure for the effect {0}; it is left out.</source>
+        <translation>Der Plan hat für den Effekt {0} keinen Wert; er wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} was not learnt from the recordings of a platform.</source>
+        <translation>{0} wurde nicht aus den Aufzeichnungen eines Geräts gelernt.</translation>
+    </message>
+    <message>
+        <source>Use the model.json that glisson-cli explain wrote for an experiment of kind &quot;platform&quot;.</source>
+        <translation>Verwenden Sie die model.json, die glisson-cli explain für ein Experiment der Art &quot;platform&quot; geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>A smooth correction has no cause and is left out of the plan.</source>
+        <translation>Eine glatte Korrektur hat keine Ursache und bleibt aus dem Plan.</translation>
+    </message>
+    <message>
+        <source>These recordings are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
+        <translation>Die gefundenen Effekte erklären diese Aufzeichnungen nicht: Sie nehmen einen Teil des Fehlers weg und beweisen keine Ursache.</translation>
+    </message>
+    <message>
+        <source>The experiment is not of kind &quot;material&quot;: it holds no strain and stress.</source>
+        <translation>Das Experiment ist nicht von der Art &quot;material&quot;: Es enthält keine Dehnung und Spannung.</translation>
+    </message>
+    <message>
+        <source>A shear test cannot be used straight: take compression or tension.</source>
+        <translation>Ein Scherversuch kann nicht direkt verwendet werden: Nehmen Sie Druck oder Zug.</translation>
+    </message>
+    <message>
+        <source>A figure is measured, computed, from the dissertation (dissertation), or assumed.</source>
+        <translation>Ein Wert ist gemessen (measured), berechnet (computed), aus der Dissertation (dissertation) oder angenommen (assumed).</translation>
+    </message>
+    <message>
+        <source>It slows itself down at {0} C, and then computes {1} frames a second of {2}.</source>
+        <translation>Es drosselt sich bei {0} C und rechnet dann {1} von {2} Bildern je Sekunde.</translation>
+    </message>
+    <message>
+        <source>The resolution for {0} mm in tissue of {1} kPa comes from this curve ({2}): {3}</source>
+        <translation>Die Auflösung für {0} mm in Gewebe von {1} kPa stammt aus dieser Kurve ({2}): {3}</translation>
+    </message>
+    <message>
+        <source>No beam of 50 x 10 x 10 mm fits into the liver.</source>
+        <translation>Kein Balken von 50 x 10 x 10 mm passt in die Leber.</translation>
+    </message>
+    <message>
+        <source>A beam found no equilibrium: {0}</source>
+        <translation>Ein Balken fand kein Gleichgewicht: {0}</translation>
+    </message>
+    <message>
+        <source>Resolutions must grow from 0.5 mm3 or more to 600 mm3 or less, in 2 to 100 steps.</source>
+        <translation>Auflösungen müssen von 0.5 mm3 oder mehr bis 600 mm3 oder weniger ansteigen, in 2 bis 100 Schritten.</translation>
+    </message>
+    <message>
+        <source>With {0} nodes the beam did not converge: {1}</source>
+        <translation>Mit {0} Knoten ist der Balken nicht konvergiert: {1}</translation>
+    </message>
+    <message>
+        <source>Looking for the softest, stiffest and most uneven parts</source>
+        <translation>Suche nach den weichsten, steifsten und ungleichmäßigsten Teilen</translation>
+    </message>
+    <message>
+        <source>Hoisting the beams</source>
+        <translation>Balken werden angehoben</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -3149,6 +3205,29 @@
     <message>
         <source>Atlas in red, patient in blue: purple where they agree</source>
         <translation>Atlas in Rot, Patient in Blau: violett, wo sie übereinstimmen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ContourPlot</name>
+    <message>
+        <source>Liver (cm³)</source>
+        <translation>Leber (cm³)</translation>
+    </message>
+    <message>
+        <source>Volume of a node (mm³)</source>
+        <translation>Volumen eines Knotens (mm³)</translation>
+    </message>
+    <message>
+        <source>Accuracy (mm)</source>
+        <translation>Genauigkeit (mm)</translation>
+    </message>
+    <message>
+        <source>hot spot</source>
+        <translation>heiße Stelle</translation>
+    </message>
+    <message>
+        <source>this case</source>
+        <translation>dieser Fall</translation>
     </message>
 </context>
 <context>
@@ -3460,6 +3539,18 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
         <source>&amp;Manual</source>
         <translation>&amp;Handbuch</translation>
     </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>&amp;Planen</translation>
+    </message>
+    <message>
+        <source>What can be &amp;worn for this case...</source>
+        <translation>Was sich für diesen Fall &amp;tragen lässt …</translation>
+    </message>
+    <message>
+        <source>What can be worn - Glisson</source>
+        <translation>Was sich tragen lässt - Glisson</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
@@ -3521,6 +3612,391 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
     <message>
         <source>%1 N</source>
         <translation>%1 N</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlatformTable</name>
+    <message>
+        <source>Assumed: %1 %2 (%3)</source>
+        <translation>Angenommen: %1 %2 (%3)</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>belt</source>
+        <translation>Gürtel</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>Rücken</translation>
+    </message>
+    <message>
+        <source>idle draw</source>
+        <translation>Leerlauf</translation>
+    </message>
+    <message>
+        <source>too hot idle</source>
+        <translation>im Leerlauf zu heiß</translation>
+    </message>
+    <message>
+        <source>too slow</source>
+        <translation>zu langsam</translation>
+    </message>
+    <message>
+        <source>slows itself down</source>
+        <translation>drosselt sich</translation>
+    </message>
+    <message>
+        <source>battery</source>
+        <translation>Akku</translation>
+    </message>
+    <message>
+        <source>too hot</source>
+        <translation>zu heiß</translation>
+    </message>
+    <message>
+        <source>✕ fails: %1</source>
+        <translation>✕ reicht nicht: %1</translation>
+    </message>
+    <message>
+        <source>heat</source>
+        <translation>Wärme</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>✓ holds; next limit: %1</source>
+        <translation>✓ hält; nächste Grenze: %1</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Worn on
+the</source>
+        <translation>Getragen
+am</translation>
+    </message>
+    <message>
+        <source>Draws idle
+W</source>
+        <translation>Leerlauf
+W</translation>
+    </message>
+    <message>
+        <source>Battery
+allows W</source>
+        <translation>Akku
+erlaubt W</translation>
+    </message>
+    <message>
+        <source>Left to
+compute W</source>
+        <translation>Rest zum
+Rechnen W</translation>
+    </message>
+    <message>
+        <source>Frames/s
+at most</source>
+        <translation>Bilder/s
+höchstens</translation>
+    </message>
+    <message>
+        <source>Lasts
+h</source>
+        <translation>Hält
+h</translation>
+    </message>
+    <message>
+        <source>Surface
+°C</source>
+        <translation>Oberfl.
+°C</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Assumed
+figures</source>
+        <translation>Annahmen</translation>
+    </message>
+    <message>
+        <source>What it takes from its battery when nothing is computed</source>
+        <translation>Was es seinem Akku entnimmt, wenn nichts gerechnet wird</translation>
+    </message>
+    <message>
+        <source>The largest constant power that its battery carries for the operation</source>
+        <translation>Die größte konstante Leistung, die sein Akku über die Operation trägt</translation>
+    </message>
+    <message>
+        <source>What the battery allows, less what idling takes</source>
+        <translation>Was der Akku erlaubt, abzüglich des Leerlaufs</translation>
+    </message>
+    <message>
+        <source>The frame rate that meets every constraint</source>
+        <translation>Die Bildrate, die jede Bedingung erfüllt</translation>
+    </message>
+    <message>
+        <source>On one charge, at the wanted frame rate or the fastest it computes</source>
+        <translation>Mit einer Ladung, bei der gewünschten Bildrate oder der schnellsten, die es schafft</translation>
+    </message>
+    <message>
+        <source>At the end of the operation</source>
+        <translation>Am Ende der Operation</translation>
+    </message>
+    <message>
+        <source>Figures that nobody measured; ≈ marks what rests on them</source>
+        <translation>Werte, die niemand gemessen hat; ≈ kennzeichnet, was darauf beruht</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlatformView</name>
+    <message>
+        <source>Volume and stiffness of %1</source>
+        <translation>Volumen und Steifigkeit von %1</translation>
+    </message>
+    <message>
+        <source>Volume of %1; its stiffness is not known</source>
+        <translation>Volumen von %1; die Steifigkeit ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Stiffness of %1; its volume is not known</source>
+        <translation>Steifigkeit von %1; das Volumen ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 has no outlined liver yet: type its volume</source>
+        <translation>%1 hat noch keine umrissene Leber: Geben Sie ihr Volumen ein</translation>
+    </message>
+    <message>
+        <source>The case</source>
+        <translation>Der Fall</translation>
+    </message>
+    <message>
+        <source>No case is open: type its figures</source>
+        <translation>Kein Fall ist geöffnet: Geben Sie seine Werte ein</translation>
+    </message>
+    <message>
+        <source> cm³</source>
+        <translation> cm³</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source> kPa</source>
+        <translation> kPa</translation>
+    </message>
+    <message>
+        <source>Mean Young&apos;s modulus. Softer tissue moves farther under the same load, and what a coarse model misses of it grows alike.</source>
+        <translation>Mittlerer Elastizitätsmodul. Weicheres Gewebe bewegt sich unter derselben Last weiter, und was einem groben Modell davon entgeht, wächst ebenso.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>E-Modul</translation>
+    </message>
+    <message>
+        <source>What is wanted</source>
+        <translation>Was gewünscht ist</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Duration of the operation</source>
+        <translation>Dauer der Operation</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> h</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Bildrate</translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation> /s</translation>
+    </message>
+    <message>
+        <source>The room and the skin</source>
+        <translation>Raum und Haut</translation>
+    </message>
+    <message>
+        <source>Operating room</source>
+        <translation>Operationssaal</translation>
+    </message>
+    <message>
+        <source> °C</source>
+        <translation> °C</translation>
+    </message>
+    <message>
+        <source>Hottest surface to be worn</source>
+        <translation>Heißeste tragbare Oberfläche</translation>
+    </message>
+    <message>
+        <source>The work</source>
+        <translation>Die Arbeit</translation>
+    </message>
+    <message>
+        <source>Add devices...</source>
+        <translation>Geräte hinzufügen …</translation>
+    </message>
+    <message>
+        <source>A table of your own, or what glisson-cli platform measure wrote</source>
+        <translation>Eine eigene Tabelle oder was glisson-cli platform measure geschrieben hat</translation>
+    </message>
+    <message>
+        <source>Surface temperature</source>
+        <translation>Oberflächentemperatur</translation>
+    </message>
+    <message>
+        <source>Frame rate that holds</source>
+        <translation>Bildrate, die hält</translation>
+    </message>
+    <message>
+        <source>Battery life</source>
+        <translation>Akkulaufzeit</translation>
+    </message>
+    <message>
+        <source>Mean power</source>
+        <translation>Mittlere Leistung</translation>
+    </message>
+    <message>
+        <source>Add devices</source>
+        <translation>Geräte hinzufügen</translation>
+    </message>
+    <message>
+        <source>Device tables (*.json)</source>
+        <translation>Gerätetabellen (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 nodes of %2 mm³. A frame is %3 block products: %4 MB to move, %5 million operations.</source>
+        <translation>%1 Knoten zu %2 mm³. Ein Bild sind %3 Blockprodukte: %4 MB zu bewegen, %5 Millionen Operationen.</translation>
+    </message>
+    <message>
+        <source>None of these platforms holds.</source>
+        <translation>Keines dieser Geräte hält.</translation>
+    </message>
+    <message>
+        <source>Least obtrusive that holds, on the head: %1</source>
+        <translation>Am wenigsten störend und haltend, am Kopf: %1</translation>
+    </message>
+    <message>
+        <source>Least obtrusive that holds, on the belt: %1</source>
+        <translation>Am wenigsten störend und haltend, am Gürtel: %1</translation>
+    </message>
+    <message>
+        <source>Least obtrusive that holds, on the back: %1</source>
+        <translation>Am wenigsten störend und haltend, am Rücken: %1</translation>
+    </message>
+    <message>
+        <source>Surface after %1 h at %2 frames/s (°C)</source>
+        <translation>Oberfläche nach %1 h bei %2 Bildern/s (°C)</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>Frames/s that hold for %1 h</source>
+        <translation>Bilder/s, die %1 h halten</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Battery lasts at %1 frames/s (h)</source>
+        <translation>Akku hält bei %1 Bildern/s (h)</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>Mean power at %1 frames/s (W)</source>
+        <translation>Mittlere Leistung bei %1 Bildern/s (W)</translation>
+    </message>
+    <message>
+        <source>%1 W: the battery</source>
+        <translation>%1 W: der Akku</translation>
+    </message>
+    <message>
+        <source>an operation of at most %1 h</source>
+        <translation>eine Operation von höchstens %1 h</translation>
+    </message>
+    <message>
+        <source>at most %1 frames/s</source>
+        <translation>höchstens %1 Bilder/s</translation>
+    </message>
+    <message>
+        <source>an accuracy of %1 mm</source>
+        <translation>eine Genauigkeit von %1 mm</translation>
+    </message>
+    <message>
+        <source>a battery of %1 Wh</source>
+        <translation>ein Akku von %1 Wh</translation>
+    </message>
+    <message>
+        <source>a heat sink of %1 °C/W</source>
+        <translation>ein Kühlkörper von %1 °C/W</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>berechnet</translation>
+    </message>
+    <message>
+        <source>dissertation</source>
+        <translation>Dissertation</translation>
+    </message>
+    <message>
+        <source>ASSUMED</source>
+        <translation>ANGENOMMEN</translation>
+    </message>
+    <message>
+        <source>Idle first: it draws %1 W of the %2 W that its battery allows over %3 h; it would last %4 h and reach %5 °C without computing anything.</source>
+        <translation>Zuerst der Leerlauf: Es nimmt %1 W von den %2 W auf, die sein Akku über %3 h erlaubt; ohne zu rechnen hielte es %4 h und erreichte %5 °C.</translation>
+    </message>
+    <message>
+        <source>Frames/s: %1 by its speed, %2 by its battery, %3 by its heat. A frame takes %4 J above idle; mean power %5 W.</source>
+        <translation>Bilder/s: %1 nach Tempo, %2 nach Akku, %3 nach Wärme. Ein Bild braucht %4 J über dem Leerlauf; mittlere Leistung %5 W.</translation>
+    </message>
+    <message>
+        <source>Why it fails:</source>
+        <translation>Warum es nicht reicht:</translation>
+    </message>
+    <message>
+        <source>No single figure would make it hold.</source>
+        <translation>Kein einzelner Wert würde es halten lassen.</translation>
+    </message>
+    <message>
+        <source>It would hold with one of:</source>
+        <translation>Es hielte mit einem davon:</translation>
+    </message>
+    <message>
+        <source>Where its figures come from:</source>
+        <translation>Woher seine Werte stammen:</translation>
     </message>
 </context>
 <context>

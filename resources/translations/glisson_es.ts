@@ -2028,10 +2028,6 @@
         <translation>{0} tiene la fuente «{1}».</translation>
     </message>
     <message>
-        <source>A figure is measured, from the dissertation, or assumed.</source>
-        <translation>Una cifra está medida, procede de la tesis o es supuesta.</translation>
-    </message>
-    <message>
         <source>Idle power</source>
         <translation>Potencia en reposo</translation>
     </message>
@@ -2110,10 +2106,6 @@
     <message>
         <source>It computes {0} frames a second of {1}.</source>
         <translation>Calcula {0} fotogramas por segundo de {1}.</translation>
-    </message>
-    <message>
-        <source>The resolution for {0} mm comes from this curve: {1}</source>
-        <translation>La resolución para {0} mm procede de esta curva: {1}</translation>
     </message>
     <message>
         <source>{0} mm is coarser than the convergence study reaches; planned is its coarsest resolution, {1} mm3 a node.</source>
@@ -3123,6 +3115,70 @@
         <source>The phase images have no unit: their full range, {0} to {1}, was taken as one turn.</source>
         <translation>Las imágenes de fase no tienen unidad: su intervalo completo, de {0} a {1}, se ha tomado como una vuelta.</translation>
     </message>
+    <message>
+        <source>The plan has no figure for the effect {0}; it is left out.</source>
+        <translation>El plan no tiene ninguna cifra para el efecto {0}; se omite.</translation>
+    </message>
+    <message>
+        <source>{0} was not learnt from the recordings of a platform.</source>
+        <translation>{0} no se aprendió de los registros de una plataforma.</translation>
+    </message>
+    <message>
+        <source>Use the model.json that glisson-cli explain wrote for an experiment of kind &quot;platform&quot;.</source>
+        <translation>Use el model.json que glisson-cli explain escribió para un experimento del tipo &quot;platform&quot;.</translation>
+    </message>
+    <message>
+        <source>A smooth correction has no cause and is left out of the plan.</source>
+        <translation>Una corrección suave no tiene causa y queda fuera del plan.</translation>
+    </message>
+    <message>
+        <source>These recordings are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
+        <translation>Los efectos encontrados no explican estos registros: quitan una parte del error y no prueban ninguna causa.</translation>
+    </message>
+    <message>
+        <source>The experiment is not of kind &quot;material&quot;: it holds no strain and stress.</source>
+        <translation>El experimento no es del tipo &quot;material&quot;: no contiene deformación ni tensión.</translation>
+    </message>
+    <message>
+        <source>A shear test cannot be used straight: take compression or tension.</source>
+        <translation>Un ensayo de cizalla no se puede usar directamente: tome compresión o tracción.</translation>
+    </message>
+    <message>
+        <source>A figure is measured, computed, from the dissertation (dissertation), or assumed.</source>
+        <translation>Una cifra está medida (measured), calculada (computed), procede de la tesis (dissertation) o es supuesta (assumed).</translation>
+    </message>
+    <message>
+        <source>It slows itself down at {0} C, and then computes {1} frames a second of {2}.</source>
+        <translation>Se ralentiza a {0} C y entonces calcula {1} fotogramas por segundo de {2}.</translation>
+    </message>
+    <message>
+        <source>The resolution for {0} mm in tissue of {1} kPa comes from this curve ({2}): {3}</source>
+        <translation>La resolución para {0} mm en tejido de {1} kPa procede de esta curva ({2}): {3}</translation>
+    </message>
+    <message>
+        <source>No beam of 50 x 10 x 10 mm fits into the liver.</source>
+        <translation>Ninguna viga de 50 x 10 x 10 mm cabe en el hígado.</translation>
+    </message>
+    <message>
+        <source>A beam found no equilibrium: {0}</source>
+        <translation>Una viga no encontró el equilibrio: {0}</translation>
+    </message>
+    <message>
+        <source>Resolutions must grow from 0.5 mm3 or more to 600 mm3 or less, in 2 to 100 steps.</source>
+        <translation>Las resoluciones deben crecer desde 0.5 mm3 o más hasta 600 mm3 o menos, en 2 a 100 pasos.</translation>
+    </message>
+    <message>
+        <source>With {0} nodes the beam did not converge: {1}</source>
+        <translation>Con {0} nodos la viga no ha convergido: {1}</translation>
+    </message>
+    <message>
+        <source>Looking for the softest, stiffest and most uneven parts</source>
+        <translation>Buscando las partes más blandas, más rígidas y más irregulares</translation>
+    </message>
+    <message>
+        <source>Hoisting the beams</source>
+        <translation>Elevando las vigas</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -3149,6 +3205,29 @@
     <message>
         <source>Atlas in red, patient in blue: purple where they agree</source>
         <translation>Atlas en rojo, paciente en azul: violeta donde coinciden</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ContourPlot</name>
+    <message>
+        <source>Liver (cm³)</source>
+        <translation>Hígado (cm³)</translation>
+    </message>
+    <message>
+        <source>Volume of a node (mm³)</source>
+        <translation>Volumen de un nodo (mm³)</translation>
+    </message>
+    <message>
+        <source>Accuracy (mm)</source>
+        <translation>Precisión (mm)</translation>
+    </message>
+    <message>
+        <source>hot spot</source>
+        <translation>punto caliente</translation>
+    </message>
+    <message>
+        <source>this case</source>
+        <translation>este caso</translation>
     </message>
 </context>
 <context>
@@ -3462,6 +3541,18 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
         <source>&amp;Manual</source>
         <translation>&amp;Manual</translation>
     </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>&amp;Planificar</translation>
+    </message>
+    <message>
+        <source>What can be &amp;worn for this case...</source>
+        <translation>Qué se puede &amp;llevar puesto en este caso…</translation>
+    </message>
+    <message>
+        <source>What can be worn - Glisson</source>
+        <translation>Qué se puede llevar puesto - Glisson</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
@@ -3523,6 +3614,392 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
     <message>
         <source>%1 N</source>
         <translation>%1 N</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlatformTable</name>
+    <message>
+        <source>Assumed: %1 %2 (%3)</source>
+        <translation>Supuesto: %1 %2 (%3)</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>cabeza</translation>
+    </message>
+    <message>
+        <source>belt</source>
+        <translation>cinturón</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>espalda</translation>
+    </message>
+    <message>
+        <source>idle draw</source>
+        <translation>reposo</translation>
+    </message>
+    <message>
+        <source>too hot idle</source>
+        <translation>demasiado caliente en reposo</translation>
+    </message>
+    <message>
+        <source>too slow</source>
+        <translation>demasiado lento</translation>
+    </message>
+    <message>
+        <source>slows itself down</source>
+        <translation>se ralentiza</translation>
+    </message>
+    <message>
+        <source>battery</source>
+        <translation>batería</translation>
+    </message>
+    <message>
+        <source>too hot</source>
+        <translation>demasiado caliente</translation>
+    </message>
+    <message>
+        <source>✕ fails: %1</source>
+        <translation>✕ no sirve: %1</translation>
+    </message>
+    <message>
+        <source>heat</source>
+        <translation>calor</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>velocidad</translation>
+    </message>
+    <message>
+        <source>✓ holds; next limit: %1</source>
+        <translation>✓ aguanta; próximo límite: %1</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>Plataforma</translation>
+    </message>
+    <message>
+        <source>Worn on
+the</source>
+        <translation>Se lleva
+en</translation>
+    </message>
+    <message>
+        <source>Draws idle
+W</source>
+        <translation>En reposo
+W</translation>
+    </message>
+    <message>
+        <source>Battery
+allows W</source>
+        <translation>Batería
+permite W</translation>
+    </message>
+    <message>
+        <source>Left to
+compute W</source>
+        <translation>Queda para
+calcular W</translation>
+    </message>
+    <message>
+        <source>Frames/s
+at most</source>
+        <translation>Fotogr./s
+como máx.</translation>
+    </message>
+    <message>
+        <source>Lasts
+h</source>
+        <translation>Dura
+h</translation>
+    </message>
+    <message>
+        <source>Surface
+°C</source>
+        <translation>Superf.
+°C</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Límite</translation>
+    </message>
+    <message>
+        <source>Assumed
+figures</source>
+        <translation>Cifras
+supuestas</translation>
+    </message>
+    <message>
+        <source>What it takes from its battery when nothing is computed</source>
+        <translation>Lo que toma de su batería cuando no se calcula nada</translation>
+    </message>
+    <message>
+        <source>The largest constant power that its battery carries for the operation</source>
+        <translation>La mayor potencia constante que su batería mantiene durante la operación</translation>
+    </message>
+    <message>
+        <source>What the battery allows, less what idling takes</source>
+        <translation>Lo que permite la batería menos lo que consume el reposo</translation>
+    </message>
+    <message>
+        <source>The frame rate that meets every constraint</source>
+        <translation>La frecuencia de fotogramas que cumple todas las condiciones</translation>
+    </message>
+    <message>
+        <source>On one charge, at the wanted frame rate or the fastest it computes</source>
+        <translation>Con una carga, a la frecuencia de fotogramas deseada o a la más rápida que calcula</translation>
+    </message>
+    <message>
+        <source>At the end of the operation</source>
+        <translation>Al final de la operación</translation>
+    </message>
+    <message>
+        <source>Figures that nobody measured; ≈ marks what rests on them</source>
+        <translation>Cifras que nadie ha medido; ≈ marca lo que depende de ellas</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlatformView</name>
+    <message>
+        <source>Volume and stiffness of %1</source>
+        <translation>Volumen y rigidez de %1</translation>
+    </message>
+    <message>
+        <source>Volume of %1; its stiffness is not known</source>
+        <translation>Volumen de %1; su rigidez no se conoce</translation>
+    </message>
+    <message>
+        <source>Stiffness of %1; its volume is not known</source>
+        <translation>Rigidez de %1; su volumen no se conoce</translation>
+    </message>
+    <message>
+        <source>%1 has no outlined liver yet: type its volume</source>
+        <translation>%1 aún no tiene el hígado delimitado: escriba su volumen</translation>
+    </message>
+    <message>
+        <source>The case</source>
+        <translation>El caso</translation>
+    </message>
+    <message>
+        <source>No case is open: type its figures</source>
+        <translation>No hay ningún caso abierto: escriba sus cifras</translation>
+    </message>
+    <message>
+        <source> cm³</source>
+        <translation> cm³</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Hígado</translation>
+    </message>
+    <message>
+        <source> kPa</source>
+        <translation> kPa</translation>
+    </message>
+    <message>
+        <source>Mean Young&apos;s modulus. Softer tissue moves farther under the same load, and what a coarse model misses of it grows alike.</source>
+        <translation>Módulo de Young medio. Un tejido más blando se mueve más con la misma carga, y lo que un modelo grueso pierde de ello crece igual.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Módulo de Young</translation>
+    </message>
+    <message>
+        <source>What is wanted</source>
+        <translation>Lo que se desea</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Precisión</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Duration of the operation</source>
+        <translation>Duración de la operación</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> h</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Frecuencia de fotogramas</translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation> /s</translation>
+    </message>
+    <message>
+        <source>The room and the skin</source>
+        <translation>La sala y la piel</translation>
+    </message>
+    <message>
+        <source>Operating room</source>
+        <translation>Quirófano</translation>
+    </message>
+    <message>
+        <source> °C</source>
+        <translation> °C</translation>
+    </message>
+    <message>
+        <source>Hottest surface to be worn</source>
+        <translation>Superficie más caliente que se puede llevar</translation>
+    </message>
+    <message>
+        <source>The work</source>
+        <translation>El trabajo</translation>
+    </message>
+    <message>
+        <source>Add devices...</source>
+        <translation>Añadir dispositivos…</translation>
+    </message>
+    <message>
+        <source>A table of your own, or what glisson-cli platform measure wrote</source>
+        <translation>Una tabla propia o lo que escribió glisson-cli platform measure</translation>
+    </message>
+    <message>
+        <source>Surface temperature</source>
+        <translation>Temperatura de la superficie</translation>
+    </message>
+    <message>
+        <source>Frame rate that holds</source>
+        <translation>Frecuencia de fotogramas que aguanta</translation>
+    </message>
+    <message>
+        <source>Battery life</source>
+        <translation>Duración de la batería</translation>
+    </message>
+    <message>
+        <source>Mean power</source>
+        <translation>Potencia media</translation>
+    </message>
+    <message>
+        <source>Add devices</source>
+        <translation>Añadir dispositivos</translation>
+    </message>
+    <message>
+        <source>Device tables (*.json)</source>
+        <translation>Tablas de dispositivos (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 nodes of %2 mm³. A frame is %3 block products: %4 MB to move, %5 million operations.</source>
+        <translation>%1 nodos de %2 mm³. Un fotograma son %3 productos por bloques: %4 MB que mover, %5 millones de operaciones.</translation>
+    </message>
+    <message>
+        <source>None of these platforms holds.</source>
+        <translation>Ninguna de estas plataformas aguanta.</translation>
+    </message>
+    <message>
+        <source>Least obtrusive that holds, on the head: %1</source>
+        <translation>La menos molesta que aguanta, en la cabeza: %1</translation>
+    </message>
+    <message>
+        <source>Least obtrusive that holds, on the belt: %1</source>
+        <translation>La menos molesta que aguanta, en el cinturón: %1</translation>
+    </message>
+    <message>
+        <source>Least obtrusive that holds, on the back: %1</source>
+        <translation>La menos molesta que aguanta, en la espalda: %1</translation>
+    </message>
+    <message>
+        <source>Surface after %1 h at %2 frames/s (°C)</source>
+        <translation>Superficie tras %1 h a %2 fotogramas/s (°C)</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>Frames/s that hold for %1 h</source>
+        <translation>Fotogramas/s que aguantan %1 h</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Battery lasts at %1 frames/s (h)</source>
+        <translation>La batería dura a %1 fotogramas/s (h)</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>Mean power at %1 frames/s (W)</source>
+        <translation>Potencia media a %1 fotogramas/s (W)</translation>
+    </message>
+    <message>
+        <source>%1 W: the battery</source>
+        <translation>%1 W: la batería</translation>
+    </message>
+    <message>
+        <source>an operation of at most %1 h</source>
+        <translation>una operación de como máximo %1 h</translation>
+    </message>
+    <message>
+        <source>at most %1 frames/s</source>
+        <translation>como máximo %1 fotogramas/s</translation>
+    </message>
+    <message>
+        <source>an accuracy of %1 mm</source>
+        <translation>una precisión de %1 mm</translation>
+    </message>
+    <message>
+        <source>a battery of %1 Wh</source>
+        <translation>una batería de %1 Wh</translation>
+    </message>
+    <message>
+        <source>a heat sink of %1 °C/W</source>
+        <translation>un disipador de %1 °C/W</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>medido</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>calculado</translation>
+    </message>
+    <message>
+        <source>dissertation</source>
+        <translation>tesis</translation>
+    </message>
+    <message>
+        <source>ASSUMED</source>
+        <translation>SUPUESTO</translation>
+    </message>
+    <message>
+        <source>Idle first: it draws %1 W of the %2 W that its battery allows over %3 h; it would last %4 h and reach %5 °C without computing anything.</source>
+        <translation>Primero el reposo: consume %1 W de los %2 W que su batería permite durante %3 h; sin calcular nada duraría %4 h y llegaría a %5 °C.</translation>
+    </message>
+    <message>
+        <source>Frames/s: %1 by its speed, %2 by its battery, %3 by its heat. A frame takes %4 J above idle; mean power %5 W.</source>
+        <translation>Fotogramas/s: %1 por su velocidad, %2 por su batería, %3 por su calor. Un fotograma consume %4 J sobre el reposo; potencia media %5 W.</translation>
+    </message>
+    <message>
+        <source>Why it fails:</source>
+        <translation>Por qué no sirve:</translation>
+    </message>
+    <message>
+        <source>No single figure would make it hold.</source>
+        <translation>Ninguna cifra por sí sola la haría aguantar.</translation>
+    </message>
+    <message>
+        <source>It would hold with one of:</source>
+        <translation>Aguantaría con una de estas:</translation>
+    </message>
+    <message>
+        <source>Where its figures come from:</source>
+        <translation>De dónde proceden sus cifras:</translation>
     </message>
 </context>
 <context>

@@ -2028,10 +2028,6 @@
         <translation>{0} a la source « {1} ».</translation>
     </message>
     <message>
-        <source>A figure is measured, from the dissertation, or assumed.</source>
-        <translation>Un chiffre est mesuré, tiré de la thèse ou supposé.</translation>
-    </message>
-    <message>
         <source>Idle power</source>
         <translation>Puissance au repos</translation>
     </message>
@@ -2110,10 +2106,6 @@
     <message>
         <source>It computes {0} frames a second of {1}.</source>
         <translation>Il calcule {0} images par seconde sur {1}.</translation>
-    </message>
-    <message>
-        <source>The resolution for {0} mm comes from this curve: {1}</source>
-        <translation>La résolution pour {0} mm vient de cette courbe : {1}</translation>
     </message>
     <message>
         <source>{0} mm is coarser than the convergence study reaches; planned is its coarsest resolution, {1} mm3 a node.</source>
@@ -3123,6 +3115,70 @@
         <source>The phase images have no unit: their full range, {0} to {1}, was taken as one turn.</source>
         <translation>Les images de phase n’ont pas d’unité : leur plage entière, de {0} à {1}, a été prise pour un tour.</translation>
     </message>
+    <message>
+        <source>The plan has no figure for the effect {0}; it is left out.</source>
+        <translation>Le plan n’a pas de chiffre pour l’effet {0} ; il est omis.</translation>
+    </message>
+    <message>
+        <source>{0} was not learnt from the recordings of a platform.</source>
+        <translation>{0} n’a pas été appris des enregistrements d’une plate-forme.</translation>
+    </message>
+    <message>
+        <source>Use the model.json that glisson-cli explain wrote for an experiment of kind &quot;platform&quot;.</source>
+        <translation>Utilisez le model.json que glisson-cli explain a écrit pour une expérience de type &quot;platform&quot;.</translation>
+    </message>
+    <message>
+        <source>A smooth correction has no cause and is left out of the plan.</source>
+        <translation>Une correction lisse n’a pas de cause et est exclue du plan.</translation>
+    </message>
+    <message>
+        <source>These recordings are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
+        <translation>Les effets trouvés n’expliquent pas ces enregistrements : ils enlèvent une partie de l’erreur et ne prouvent aucune cause.</translation>
+    </message>
+    <message>
+        <source>The experiment is not of kind &quot;material&quot;: it holds no strain and stress.</source>
+        <translation>L’expérience n’est pas de type &quot;material&quot; : elle ne contient ni déformation ni contrainte.</translation>
+    </message>
+    <message>
+        <source>A shear test cannot be used straight: take compression or tension.</source>
+        <translation>Un essai de cisaillement ne peut pas être employé directement : prenez une compression ou une traction.</translation>
+    </message>
+    <message>
+        <source>A figure is measured, computed, from the dissertation (dissertation), or assumed.</source>
+        <translation>Un chiffre est mesuré (measured), calculé (computed), tiré de la thèse (dissertation) ou supposé (assumed).</translation>
+    </message>
+    <message>
+        <source>It slows itself down at {0} C, and then computes {1} frames a second of {2}.</source>
+        <translation>Il se ralentit à {0} C, et calcule alors {1} images par seconde sur {2}.</translation>
+    </message>
+    <message>
+        <source>The resolution for {0} mm in tissue of {1} kPa comes from this curve ({2}): {3}</source>
+        <translation>La résolution pour {0} mm dans un tissu de {1} kPa vient de cette courbe ({2}) : {3}</translation>
+    </message>
+    <message>
+        <source>No beam of 50 x 10 x 10 mm fits into the liver.</source>
+        <translation>Aucune poutre de 50 x 10 x 10 mm ne tient dans le foie.</translation>
+    </message>
+    <message>
+        <source>A beam found no equilibrium: {0}</source>
+        <translation>Une poutre n’a pas trouvé d’équilibre : {0}</translation>
+    </message>
+    <message>
+        <source>Resolutions must grow from 0.5 mm3 or more to 600 mm3 or less, in 2 to 100 steps.</source>
+        <translation>Les résolutions doivent croître de 0.5 mm3 ou plus à 600 mm3 ou moins, en 2 à 100 pas.</translation>
+    </message>
+    <message>
+        <source>With {0} nodes the beam did not converge: {1}</source>
+        <translation>Avec {0} nœuds, la poutre n’a pas convergé : {1}</translation>
+    </message>
+    <message>
+        <source>Looking for the softest, stiffest and most uneven parts</source>
+        <translation>Recherche des parties les plus souples, les plus rigides et les plus irrégulières</translation>
+    </message>
+    <message>
+        <source>Hoisting the beams</source>
+        <translation>Soulèvement des poutres</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -3149,6 +3205,29 @@
     <message>
         <source>Atlas in red, patient in blue: purple where they agree</source>
         <translation>Atlas en rouge, patient en bleu : violet là où ils concordent</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ContourPlot</name>
+    <message>
+        <source>Liver (cm³)</source>
+        <translation>Foie (cm³)</translation>
+    </message>
+    <message>
+        <source>Volume of a node (mm³)</source>
+        <translation>Volume d’un nœud (mm³)</translation>
+    </message>
+    <message>
+        <source>Accuracy (mm)</source>
+        <translation>Précision (mm)</translation>
+    </message>
+    <message>
+        <source>hot spot</source>
+        <translation>point chaud</translation>
+    </message>
+    <message>
+        <source>this case</source>
+        <translation>ce cas</translation>
     </message>
 </context>
 <context>
@@ -3462,6 +3541,18 @@ Ctrl+molette : zoom. Maj+glisser : décaler.</translation>
         <source>&amp;Manual</source>
         <translation>&amp;Manuel</translation>
     </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>&amp;Planifier</translation>
+    </message>
+    <message>
+        <source>What can be &amp;worn for this case...</source>
+        <translation>Ce qui peut être &amp;porté pour ce cas…</translation>
+    </message>
+    <message>
+        <source>What can be worn - Glisson</source>
+        <translation>Ce qui peut être porté - Glisson</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
@@ -3523,6 +3614,392 @@ Ctrl+molette : zoom. Maj+glisser : décaler.</translation>
     <message>
         <source>%1 N</source>
         <translation>%1 N</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlatformTable</name>
+    <message>
+        <source>Assumed: %1 %2 (%3)</source>
+        <translation>Supposé : %1 %2 (%3)</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>tête</translation>
+    </message>
+    <message>
+        <source>belt</source>
+        <translation>ceinture</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>dos</translation>
+    </message>
+    <message>
+        <source>idle draw</source>
+        <translation>repos</translation>
+    </message>
+    <message>
+        <source>too hot idle</source>
+        <translation>trop chaud au repos</translation>
+    </message>
+    <message>
+        <source>too slow</source>
+        <translation>trop lent</translation>
+    </message>
+    <message>
+        <source>slows itself down</source>
+        <translation>se ralentit</translation>
+    </message>
+    <message>
+        <source>battery</source>
+        <translation>batterie</translation>
+    </message>
+    <message>
+        <source>too hot</source>
+        <translation>trop chaud</translation>
+    </message>
+    <message>
+        <source>✕ fails: %1</source>
+        <translation>✕ échoue : %1</translation>
+    </message>
+    <message>
+        <source>heat</source>
+        <translation>chaleur</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>vitesse</translation>
+    </message>
+    <message>
+        <source>✓ holds; next limit: %1</source>
+        <translation>✓ tient ; prochaine limite : %1</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>Plate-forme</translation>
+    </message>
+    <message>
+        <source>Worn on
+the</source>
+        <translation>Porté
+sur</translation>
+    </message>
+    <message>
+        <source>Draws idle
+W</source>
+        <translation>Au repos
+W</translation>
+    </message>
+    <message>
+        <source>Battery
+allows W</source>
+        <translation>Batterie
+permet W</translation>
+    </message>
+    <message>
+        <source>Left to
+compute W</source>
+        <translation>Reste pour
+calculer W</translation>
+    </message>
+    <message>
+        <source>Frames/s
+at most</source>
+        <translation>Images/s
+au plus</translation>
+    </message>
+    <message>
+        <source>Lasts
+h</source>
+        <translation>Dure
+h</translation>
+    </message>
+    <message>
+        <source>Surface
+°C</source>
+        <translation>Surface
+°C</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Limite</translation>
+    </message>
+    <message>
+        <source>Assumed
+figures</source>
+        <translation>Chiffres
+supposés</translation>
+    </message>
+    <message>
+        <source>What it takes from its battery when nothing is computed</source>
+        <translation>Ce qu’elle prend à sa batterie quand rien n’est calculé</translation>
+    </message>
+    <message>
+        <source>The largest constant power that its battery carries for the operation</source>
+        <translation>La plus grande puissance constante que sa batterie soutient pendant l’opération</translation>
+    </message>
+    <message>
+        <source>What the battery allows, less what idling takes</source>
+        <translation>Ce que la batterie permet, moins ce que prend le repos</translation>
+    </message>
+    <message>
+        <source>The frame rate that meets every constraint</source>
+        <translation>La fréquence d’images qui satisfait toutes les contraintes</translation>
+    </message>
+    <message>
+        <source>On one charge, at the wanted frame rate or the fastest it computes</source>
+        <translation>Sur une charge, à la fréquence d’images voulue ou à la plus rapide qu’elle calcule</translation>
+    </message>
+    <message>
+        <source>At the end of the operation</source>
+        <translation>À la fin de l’opération</translation>
+    </message>
+    <message>
+        <source>Figures that nobody measured; ≈ marks what rests on them</source>
+        <translation>Chiffres que personne n’a mesurés ; ≈ marque ce qui en dépend</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::PlatformView</name>
+    <message>
+        <source>Volume and stiffness of %1</source>
+        <translation>Volume et rigidité de %1</translation>
+    </message>
+    <message>
+        <source>Volume of %1; its stiffness is not known</source>
+        <translation>Volume de %1 ; sa rigidité n’est pas connue</translation>
+    </message>
+    <message>
+        <source>Stiffness of %1; its volume is not known</source>
+        <translation>Rigidité de %1 ; son volume n’est pas connu</translation>
+    </message>
+    <message>
+        <source>%1 has no outlined liver yet: type its volume</source>
+        <translation>%1 n’a pas encore de foie délimité : saisissez son volume</translation>
+    </message>
+    <message>
+        <source>The case</source>
+        <translation>Le cas</translation>
+    </message>
+    <message>
+        <source>No case is open: type its figures</source>
+        <translation>Aucun cas n’est ouvert : saisissez ses chiffres</translation>
+    </message>
+    <message>
+        <source> cm³</source>
+        <translation> cm³</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Foie</translation>
+    </message>
+    <message>
+        <source> kPa</source>
+        <translation> kPa</translation>
+    </message>
+    <message>
+        <source>Mean Young&apos;s modulus. Softer tissue moves farther under the same load, and what a coarse model misses of it grows alike.</source>
+        <translation>Module de Young moyen. Un tissu plus souple se déplace davantage sous la même charge, et ce qu’un modèle grossier en manque croît de même.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Module de Young</translation>
+    </message>
+    <message>
+        <source>What is wanted</source>
+        <translation>Ce qui est voulu</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Précision</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Duration of the operation</source>
+        <translation>Durée de l’opération</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> h</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Fréquence d’images</translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation> /s</translation>
+    </message>
+    <message>
+        <source>The room and the skin</source>
+        <translation>La pièce et la peau</translation>
+    </message>
+    <message>
+        <source>Operating room</source>
+        <translation>Salle d’opération</translation>
+    </message>
+    <message>
+        <source> °C</source>
+        <translation> °C</translation>
+    </message>
+    <message>
+        <source>Hottest surface to be worn</source>
+        <translation>Surface portée la plus chaude</translation>
+    </message>
+    <message>
+        <source>The work</source>
+        <translation>Le travail</translation>
+    </message>
+    <message>
+        <source>Add devices...</source>
+        <translation>Ajouter des appareils…</translation>
+    </message>
+    <message>
+        <source>A table of your own, or what glisson-cli platform measure wrote</source>
+        <translation>Une table à vous, ou ce que glisson-cli platform measure a écrit</translation>
+    </message>
+    <message>
+        <source>Surface temperature</source>
+        <translation>Température de surface</translation>
+    </message>
+    <message>
+        <source>Frame rate that holds</source>
+        <translation>Fréquence d’images qui tient</translation>
+    </message>
+    <message>
+        <source>Battery life</source>
+        <translation>Autonomie de la batterie</translation>
+    </message>
+    <message>
+        <source>Mean power</source>
+        <translation>Puissance moyenne</translation>
+    </message>
+    <message>
+        <source>Add devices</source>
+        <translation>Ajouter des appareils</translation>
+    </message>
+    <message>
+        <source>Device tables (*.json)</source>
+        <translation>Tables d’appareils (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 nodes of %2 mm³. A frame is %3 block products: %4 MB to move, %5 million operations.</source>
+        <translation>%1 nœuds de %2 mm³. Une image fait %3 produits par blocs : %4 Mo à déplacer, %5 millions d’opérations.</translation>
+    </message>
+    <message>
+        <source>None of these platforms holds.</source>
+        <translation>Aucune de ces plates-formes ne tient.</translation>
+    </message>
+    <message>
+        <source>Least obtrusive that holds, on the head: %1</source>
+        <translation>La moins gênante qui tient, sur la tête : %1</translation>
+    </message>
+    <message>
+        <source>Least obtrusive that holds, on the belt: %1</source>
+        <translation>La moins gênante qui tient, à la ceinture : %1</translation>
+    </message>
+    <message>
+        <source>Least obtrusive that holds, on the back: %1</source>
+        <translation>La moins gênante qui tient, sur le dos : %1</translation>
+    </message>
+    <message>
+        <source>Surface after %1 h at %2 frames/s (°C)</source>
+        <translation>Surface après %1 h à %2 images/s (°C)</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>Frames/s that hold for %1 h</source>
+        <translation>Images/s qui tiennent %1 h</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Battery lasts at %1 frames/s (h)</source>
+        <translation>La batterie dure à %1 images/s (h)</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>Mean power at %1 frames/s (W)</source>
+        <translation>Puissance moyenne à %1 images/s (W)</translation>
+    </message>
+    <message>
+        <source>%1 W: the battery</source>
+        <translation>%1 W : la batterie</translation>
+    </message>
+    <message>
+        <source>an operation of at most %1 h</source>
+        <translation>une opération d’au plus %1 h</translation>
+    </message>
+    <message>
+        <source>at most %1 frames/s</source>
+        <translation>au plus %1 images/s</translation>
+    </message>
+    <message>
+        <source>an accuracy of %1 mm</source>
+        <translation>une précision de %1 mm</translation>
+    </message>
+    <message>
+        <source>a battery of %1 Wh</source>
+        <translation>une batterie de %1 Wh</translation>
+    </message>
+    <message>
+        <source>a heat sink of %1 °C/W</source>
+        <translation>un dissipateur de %1 °C/W</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>mesuré</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>calculé</translation>
+    </message>
+    <message>
+        <source>dissertation</source>
+        <translation>thèse</translation>
+    </message>
+    <message>
+        <source>ASSUMED</source>
+        <translation>SUPPOSÉ</translation>
+    </message>
+    <message>
+        <source>Idle first: it draws %1 W of the %2 W that its battery allows over %3 h; it would last %4 h and reach %5 °C without computing anything.</source>
+        <translation>Le repos d’abord : elle consomme %1 W sur les %2 W que sa batterie permet pendant %3 h ; elle durerait %4 h et atteindrait %5 °C sans rien calculer.</translation>
+    </message>
+    <message>
+        <source>Frames/s: %1 by its speed, %2 by its battery, %3 by its heat. A frame takes %4 J above idle; mean power %5 W.</source>
+        <translation>Images/s : %1 par sa vitesse, %2 par sa batterie, %3 par sa chaleur. Une image prend %4 J au-dessus du repos ; puissance moyenne %5 W.</translation>
+    </message>
+    <message>
+        <source>Why it fails:</source>
+        <translation>Pourquoi elle échoue :</translation>
+    </message>
+    <message>
+        <source>No single figure would make it hold.</source>
+        <translation>Aucun chiffre seul ne la ferait tenir.</translation>
+    </message>
+    <message>
+        <source>It would hold with one of:</source>
+        <translation>Elle tiendrait avec l’un de ceux-ci :</translation>
+    </message>
+    <message>
+        <source>Where its figures come from:</source>
+        <translation>D’où viennent ses chiffres :</translation>
     </message>
 </context>
 <context>

@@ -112,10 +112,11 @@ class LanguageTest : public QObject {
     QFETCH(QString, language);
     WaveView waves("/nowhere");
     ManualWindow manual("/nowhere");
+    const std::unique_ptr<QWidget> worn(PlatformView::shipped());
     choose("en");
-    const std::vector<QString> english = texts_of({window_.get(), &waves, &manual});
+    const std::vector<QString> english = texts_of({window_.get(), &waves, &manual, worn.get()});
     choose(language);
-    const std::vector<QString> now = texts_of({window_.get(), &waves, &manual});
+    const std::vector<QString> now = texts_of({window_.get(), &waves, &manual, worn.get()});
     QCOMPARE(now.size(), english.size());
     const auto known = translations(language);
     int changed = 0;
@@ -128,7 +129,7 @@ class LanguageTest : public QObject {
     }
     QVERIFY2(changed > 40, qPrintable(QString::number(changed)));
     choose("en");
-    QVERIFY(texts_of({window_.get(), &waves, &manual}) == english);
+    QVERIFY(texts_of({window_.get(), &waves, &manual, worn.get()}) == english);
   }
 
   void names_menus_structures_and_landmarks_in_german() {

@@ -6,15 +6,14 @@
 
 namespace glisson::widgets {
 
-NumberSlider::NumberSlider(double least, double most, double step, int decimals, const QString& suffix, QWidget* parent)
+NumberSlider::NumberSlider(double least, double most, double step, int decimals, QWidget* parent)
     : QWidget(parent), step_(step) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   slider_ = new QSlider(Qt::Horizontal, this);
-  number_ = new QDoubleSpinBox(this);
+  number_ = new NumberBox(this);
   number_->setDecimals(decimals);
   number_->setSingleStep(step);
-  number_->setSuffix(suffix);
   number_->setKeyboardTracking(false);
   number_->setFixedWidth(112);
   row->addWidget(slider_, 1);
@@ -27,6 +26,8 @@ NumberSlider::NumberSlider(double least, double most, double step, int decimals,
     Q_EMIT changed(value);
   });
 }
+
+void NumberSlider::set_suffix(const QString& suffix) { number_->setSuffix(suffix); }
 
 void NumberSlider::set_value(double value) { number_->setValue(value); }
 

@@ -1,9 +1,10 @@
 #pragma once
 // A slider and the number it stands for, kept together.
 
-#include <QDoubleSpinBox>
 #include <QSlider>
 #include <QWidget>
+
+#include "words/number_box.h"
 
 namespace glisson::widgets {
 
@@ -11,8 +12,9 @@ class NumberSlider : public QWidget {
   Q_OBJECT
 
  public:
-  NumberSlider(double least, double most, double step, int decimals, const QString& suffix, QWidget* parent = nullptr);
+  NumberSlider(double least, double most, double step, int decimals, QWidget* parent = nullptr);
 
+  void set_suffix(const QString& suffix);
   [[nodiscard]] double value() const { return number_->value(); }
   void set_value(double value);
   // Keeps the value where it still fits.
@@ -26,7 +28,7 @@ class NumberSlider : public QWidget {
 
   double step_;
   QSlider* slider_;
-  QDoubleSpinBox* number_;
+  NumberBox* number_;
 };
 
 }  // namespace glisson::widgets

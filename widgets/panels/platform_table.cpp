@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 
 #include "words/told.h"
+#include "words/worded.h"
 
 namespace glisson::widgets {
 
@@ -81,17 +82,19 @@ QString limit_of(const PlatformAnswer& answer) {
 
 PlatformTable::PlatformTable(QWidget* parent) : QTableWidget(0, columns, parent) {
   setObjectName("platforms");
-  setHorizontalHeaderLabels({tr("Platform"), tr("Worn on\nthe"), tr("Draws idle\nW"), tr("Battery\nallows W"),
-                             tr("Left to\ncompute W"), tr("Frames/s\nat most"), tr("Lasts\nh"), tr("Surface\n°C"),
-                             tr("Limit"), tr("Assumed\nfigures")});
-  horizontalHeaderItem(idle)->setToolTip(tr("What it takes from its battery when nothing is computed"));
-  horizontalHeaderItem(allowed)->setToolTip(
-      tr("The largest constant power that its battery carries for the operation"));
-  horizontalHeaderItem(left)->setToolTip(tr("What the battery allows, less what idling takes"));
-  horizontalHeaderItem(frames)->setToolTip(tr("The frame rate that meets every constraint"));
-  horizontalHeaderItem(lasts)->setToolTip(tr("On one charge, at the wanted frame rate or the fastest it computes"));
-  horizontalHeaderItem(surface)->setToolTip(tr("At the end of the operation"));
-  horizontalHeaderItem(assumed)->setToolTip(tr("Figures that nobody measured; ≈ marks what rests on them"));
+  worded(this, [this] {
+    setHorizontalHeaderLabels({tr("Platform"), tr("Worn on\nthe"), tr("Draws idle\nW"), tr("Battery\nallows W"),
+                               tr("Left to\ncompute W"), tr("Frames/s\nat most"), tr("Lasts\nh"), tr("Surface\n°C"),
+                               tr("Limit"), tr("Assumed\nfigures")});
+    horizontalHeaderItem(idle)->setToolTip(tr("What it takes from its battery when nothing is computed"));
+    horizontalHeaderItem(allowed)->setToolTip(
+        tr("The largest constant power that its battery carries for the operation"));
+    horizontalHeaderItem(left)->setToolTip(tr("What the battery allows, less what idling takes"));
+    horizontalHeaderItem(frames)->setToolTip(tr("The frame rate that meets every constraint"));
+    horizontalHeaderItem(lasts)->setToolTip(tr("On one charge, at the wanted frame rate or the fastest it computes"));
+    horizontalHeaderItem(surface)->setToolTip(tr("At the end of the operation"));
+    horizontalHeaderItem(assumed)->setToolTip(tr("Figures that nobody measured; ≈ marks what rests on them"));
+  });
   // Widths that do not depend on what is in the cells, so that nothing jumps while a slider moves.
   constexpr std::array<int, columns> widths{0, 66, 82, 76, 82, 80, 66, 72, 250, 78};
   for (int column = 0; column < columns; ++column) setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
@@ -162,8 +165,7 @@ void PlatformTable::show_plan(const platform::Plan& plan, const std::vector<Devi
     put_number(surface, answer.temperature_C,
                {"thermal_resistance_C_per_W", "thermal_time_constant_s", "idle_W", "kernel.active_W"});
     QStringList reasons;
-    for (const platform::Reason& reason : answer.reasons)
-      reasons << told(reason.sentence);
+    for (const platform::Reason& reason : answer.reasons) reasons << told(reason.sentence);
     put(limit, limit_of(answer), reasons.join("\n"))->setForeground(answer.feasible ? green : amber);
     QStringList names;
     for (const std::string& figure : answer.assumed) names << QString::fromStdString(figure);

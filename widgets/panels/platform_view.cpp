@@ -13,6 +13,7 @@
 #include "base/files.h"
 #include "platform/device_file.h"
 #include "words/told.h"
+#include "words/worded.h"
 
 namespace glisson::widgets {
 
@@ -23,8 +24,8 @@ namespace {
 
 constexpr double dissertation_kPa = 12;  // where no case says
 
-QLabel* heading(const QString& text) {
-  auto* label = new QLabel(text);
+QLabel* heading() {
+  auto* label = new QLabel;
   label->setObjectName("heading");
   return label;
 }
@@ -32,11 +33,10 @@ QLabel* heading(const QString& text) {
 QString number(double value, int digits = 3) { return QLocale().toString(value, 'g', digits); }
 QString whole(double value) { return QLocale().toString(value, 'f', 0); }
 
-QDoubleSpinBox* number_box(double least, double most, int decimals, const QString& suffix) {
-  auto* box = new QDoubleSpinBox;
+NumberBox* number_box(double least, double most, int decimals) {
+  auto* box = new NumberBox;
   box->setRange(least, most);
   box->setDecimals(decimals);
-  box->setSuffix(suffix);
   box->setKeyboardTracking(false);
   return box;
 }
@@ -83,7 +83,10 @@ PlatformView::PlatformView(std::vector<Device> devices, platform::ConvergenceCur
     show_picture();
   });
   connect(quantity_, &QComboBox::currentIndexChanged, this, &PlatformView::show_picture);
-  replan();
+  worded(this, [this] {
+    word_case();
+    replan();
+  });
 }
 
 QWidget* PlatformView::shipped(QWidget* parent) {
@@ -94,7 +97,8 @@ QWidget* PlatformView::shipped(QWidget* parent) {
     return platform::read_convergence_curve(folder / "devices" / "convergence.json");
   });
   if (devices && curve) return new PlatformView(*devices, *curve, parent);
-  auto* sorry = new QLabel(told(devices ? curve.error() : devices.error()), parent);
+  auto* sorry = new QLabel(parent);
+  worded(sorry, [sorry, error = devices ? curve.error() : devices.error()] { sorry->setText(told(error)); });
   sorry->setWordWrap(true);
   sorry->setAlignment(Qt::AlignCenter);
   return sorry;
@@ -105,12 +109,20 @@ void PlatformView::show_case(const QString& name, double liver_volume_cm3, doubl
   const QSignalBlocker quiet_youngs(youngs_);
   if (liver_volume_cm3 > 0) volume_->setValue(liver_volume_cm3);
   if (youngs_kPa > 0) youngs_->setValue(youngs_kPa);
-  case_name_->setText(liver_volume_cm3 > 0 && youngs_kPa > 0 ? tr("Volume and stiffness of %1").arg(name)
-                      : liver_volume_cm3 > 0                 ? tr("Volume of %1; its stiffness is not known").arg(name)
-                      : youngs_kPa > 0                       ? tr("Stiffness of %1; its volume is not known").arg(name)
-                                       : tr("%1 has no outlined liver yet: type its volume").arg(name));
+  case_name_words_ = [name = name.toStdString(), volume = liver_volume_cm3 > 0, stiffness = youngs_kPa > 0] {
+    const QString shown = patient_label(name);
+    return volume && stiffness ? tr("Volume and stiffness of %1").arg(shown)
+           : volume            ? tr("Volume of %1; its stiffness is not known").arg(shown)
+           : stiffness         ? tr("Stiffness of %1; its volume is not known").arg(shown)
+                               : tr("%1 has no outlined liver yet: type its volume").arg(shown);
+  };
+  word_case();
   set_accuracy_range();
   replan();
+}
+
+void PlatformView::word_case() {
+  case_name_->setText(case_name_words_ ? case_name_words_() : tr("No case is open: type its figures"));
 }
 
 void PlatformView::add_devices(std::vector<Device> devices) {
@@ -125,61 +137,95 @@ QWidget* PlatformView::make_question() {
   auto* column = new QVBoxLayout(panel);
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(8);
-  const auto add_slider = [&](const QString& title, NumberSlider* slider, const char* object_name) {
-    auto* label = new QLabel(title);
+  const auto add_slider = [&](NumberSlider* slider, const char* object_name) {
+    auto* label = new QLabel;
     label->setBuddy(slider);
     slider->setObjectName(object_name);
     column->addWidget(label);
     column->addWidget(slider);
-    return slider;
+    return label;
+  };
+  const auto add_heading = [&] {
+    QLabel* title = heading();
+    column->addWidget(title);
+    return title;
   };
 
-  column->addWidget(heading(tr("The case")));
-  case_name_ = new QLabel(tr("No case is open: type its figures"));
+  QLabel* case_title = add_heading();
+  case_name_ = new QLabel;
   case_name_->setObjectName("faint");
   case_name_->setWordWrap(true);
   column->addWidget(case_name_);
   auto* form = new QFormLayout;
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  volume_ = number_box(platform::smallest_liver_cm3, platform::largest_liver_cm3, 0, tr(" cm³"));
+  volume_ = number_box(platform::smallest_liver_cm3, platform::largest_liver_cm3, 0);
   volume_->setObjectName("volume");
   volume_->setSingleStep(50);
   volume_->setValue(1500);
-  form->addRow(tr("Liver"), volume_);
-  youngs_ = number_box(1, 100, 1, tr(" kPa"));
+  auto* volume_name = new QLabel;
+  form->addRow(volume_name, volume_);
+  youngs_ = number_box(1, 100, 1);
   youngs_->setObjectName("youngs");
   youngs_->setValue(dissertation_kPa);
-  youngs_->setToolTip(
-      tr("Mean Young's modulus. Softer tissue moves farther under the same load, and what a coarse model "
-         "misses of it grows alike."));
-  form->addRow(tr("Young's modulus"), youngs_);
+  auto* youngs_name = new QLabel;
+  form->addRow(youngs_name, youngs_);
   column->addLayout(form);
   column->addSpacing(8);
 
-  column->addWidget(heading(tr("What is wanted")));
-  accuracy_ = add_slider(tr("Accuracy"), new NumberSlider(1, 8, 0.1, 1, tr(" mm")), "accuracy");
-  duration_ = add_slider(tr("Duration of the operation"), new NumberSlider(0.5, 16, 0.25, 2, tr(" h")), "duration");
-  frames_ = add_slider(tr("Frame rate"), new NumberSlider(1, 60, 1, 0, tr(" /s")), "frame_rate");
+  QLabel* wanted_title = add_heading();
+  accuracy_ = new NumberSlider(1, 8, 0.1, 1);
+  duration_ = new NumberSlider(0.5, 16, 0.25, 2);
+  frames_ = new NumberSlider(1, 60, 1, 0);
+  QLabel* accuracy_name = add_slider(accuracy_, "accuracy");
+  QLabel* duration_name = add_slider(duration_, "duration");
+  QLabel* frames_name = add_slider(frames_, "frame_rate");
   duration_->set_value(3);
   frames_->set_value(10);
   column->addSpacing(8);
-  column->addWidget(heading(tr("The room and the skin")));
-  room_ = add_slider(tr("Operating room"), new NumberSlider(10, 35, 1, 0, tr(" °C")), "room");
-  limit_ = add_slider(tr("Hottest surface to be worn"), new NumberSlider(37, 60, 1, 0, tr(" °C")), "limit");
+  QLabel* room_title = add_heading();
+  room_ = new NumberSlider(10, 35, 1, 0);
+  limit_ = new NumberSlider(37, 60, 1, 0);
+  QLabel* room_name = add_slider(room_, "room");
+  QLabel* limit_name = add_slider(limit_, "limit");
   room_->set_value(18);
   limit_->set_value(45);
   column->addSpacing(8);
-  column->addWidget(heading(tr("The work")));
+  QLabel* work_title = add_heading();
   workload_ = new QLabel;
   workload_->setObjectName("workload");
   workload_->setWordWrap(true);
   column->addWidget(workload_);
   column->addStretch(1);
-  auto* add = new QPushButton(tr("Add devices..."));
-  add->setToolTip(tr("A table of your own, or what glisson-cli platform measure wrote"));
+  auto* add = new QPushButton;
   connect(add, &QPushButton::clicked, this, &PlatformView::choose_devices);
   column->addWidget(add);
+
+  worded(panel, [=, this] {
+    case_title->setText(tr("The case"));
+    volume_name->setText(tr("Liver"));
+    volume_->setSuffix(tr(" cm³"));
+    youngs_name->setText(tr("Young's modulus"));
+    youngs_->setSuffix(tr(" kPa"));
+    youngs_->setToolTip(
+        tr("Mean Young's modulus. Softer tissue moves farther under the same load, and what a coarse model "
+           "misses of it grows alike."));
+    wanted_title->setText(tr("What is wanted"));
+    accuracy_name->setText(tr("Accuracy"));
+    accuracy_->set_suffix(tr(" mm"));
+    duration_name->setText(tr("Duration of the operation"));
+    duration_->set_suffix(tr(" h"));
+    frames_name->setText(tr("Frame rate"));
+    frames_->set_suffix(tr(" /s"));
+    room_title->setText(tr("The room and the skin"));
+    room_name->setText(tr("Operating room"));
+    room_->set_suffix(tr(" °C"));
+    limit_name->setText(tr("Hottest surface to be worn"));
+    limit_->set_suffix(tr(" °C"));
+    work_title->setText(tr("The work"));
+    add->setText(tr("Add devices..."));
+    add->setToolTip(tr("A table of your own, or what glisson-cli platform measure wrote"));
+  });
   return panel;
 }
 
@@ -209,10 +255,8 @@ QWidget* PlatformView::make_answer() {
   plot_column->setContentsMargins(0, 6, 6, 0);
   quantity_ = new QComboBox;
   quantity_->setObjectName("quantity");
-  quantity_->addItem(tr("Surface temperature"), surface_C);
-  quantity_->addItem(tr("Frame rate that holds"), frames);
-  quantity_->addItem(tr("Battery life"), battery);
-  quantity_->addItem(tr("Mean power"), power);
+  quantity_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  for (const Quantity quantity : {surface_C, frames, battery, power}) quantity_->addItem({}, quantity);
   plot_column->addWidget(quantity_, 0, Qt::AlignLeft);
   contours_ = new ContourPlot;
   plot_column->addWidget(contours_, 1);
@@ -230,6 +274,12 @@ QWidget* PlatformView::make_answer() {
   notes_->setWordWrap(true);
   notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column->addWidget(notes_);
+  worded(right, [this] {
+    quantity_->setItemText(surface_C, tr("Surface temperature"));
+    quantity_->setItemText(frames, tr("Frame rate that holds"));
+    quantity_->setItemText(battery, tr("Battery life"));
+    quantity_->setItemText(power, tr("Mean power"));
+  });
   return right;
 }
 
@@ -404,8 +454,7 @@ QString in_full(const PlatformAnswer& answer, const Device& device, const platfo
           "</p>";
   if (!answer.feasible) {
     QStringList reasons;
-    for (const platform::Reason& reason : answer.reasons)
-      reasons << told(reason.sentence).toHtmlEscaped();
+    for (const platform::Reason& reason : answer.reasons) reasons << told(reason.sentence).toHtmlEscaped();
     html += "<p>" + PlatformView::tr("Why it fails:") + "</p>" + listed(reasons);
     const QStringList remedies = remedies_in_words(answer.remedies);
     html += remedies.isEmpty() ? "<p>" + PlatformView::tr("No single figure would make it hold.") + "</p>"

@@ -3,6 +3,7 @@
 // a table of platforms that begins with what they draw when idle, the one that is least obtrusive, one platform in
 // full, and its contours over volume and resolution.
 
+#include <functional>
 #include <optional>
 #include <QComboBox>
 #include <QLabel>
@@ -38,6 +39,7 @@ class PlatformView : public QWidget {
   QWidget* make_question();
   QWidget* make_answer();
   void choose_devices();
+  void word_case();
   void set_accuracy_range();
   void replan();
   void show_platform();
@@ -47,10 +49,11 @@ class PlatformView : public QWidget {
   std::vector<platform::Device> devices_;
   platform::ConvergenceCurve curve_;
   std::optional<platform::Plan> plan_;
+  std::function<QString()> case_name_words_;
 
   QLabel* case_name_;
-  QDoubleSpinBox* volume_;
-  QDoubleSpinBox* youngs_;
+  NumberBox* volume_;
+  NumberBox* youngs_;
   NumberSlider* accuracy_;
   NumberSlider* duration_;
   NumberSlider* frames_;

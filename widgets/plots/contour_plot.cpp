@@ -8,6 +8,8 @@
 #include <limits>
 #include <QVBoxLayout>
 
+#include "words/worded.h"
+
 namespace glisson::widgets {
 namespace {
 
@@ -54,13 +56,10 @@ ContourPlot::ContourPlot(QWidget* parent) : QWidget(parent) {
   plot_->xAxis2->setTicks(false);
   plot_->xAxis2->setTickLabels(false);
   plot_->yAxis2->setTickLabels(true);
-  plot_->xAxis->setLabel(tr("Liver (cm³)"));
-  plot_->yAxis->setLabel(tr("Volume of a node (mm³)"));
   const QSharedPointer<QCPAxisTickerText> ticks(new QCPAxisTickerText);
   for (const double resolution_mm3 : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0})
     ticks->addTick(height_of(resolution_mm3), QLocale().toString(resolution_mm3));
   plot_->yAxis->setTicker(ticks);
-  plot_->yAxis2->setLabel(tr("Accuracy (mm)"));
   map_ = new QCPColorMap(plot_->xAxis, plot_->yAxis);
   map_->setInterpolate(true);
   scale_ = new QCPColorScale(plot_);
@@ -73,6 +72,11 @@ ContourPlot::ContourPlot(QWidget* parent) : QWidget(parent) {
   plot_->axisRect()->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
   scale_->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
   column->addWidget(plot_);
+  worded(this, [this] {
+    plot_->xAxis->setLabel(tr("Liver (cm³)"));
+    plot_->yAxis->setLabel(tr("Volume of a node (mm³)"));
+    plot_->yAxis2->setLabel(tr("Accuracy (mm)"));
+  });
 }
 
 void ContourPlot::show_picture(const ContourPicture& picture) {
