@@ -103,12 +103,6 @@ Result<Measurement> measure_here(const Options& options, const Progress& progres
   return measure(*kernel, meter, survey.missing, measuring, progress);
 }
 
-Json messages(const std::vector<Sentence>& sentences) {
-  Json list = Json::array();
-  for (const Sentence& sentence : sentences) list.push_back(sentence.message());
-  return list;
-}
-
 Json as_json(const MeasuredPoint& point) {
   Json json{{"nodes", point.nodes},     {"bytes", point.bytes},       {"flops", point.flops},
             {"seconds", point.seconds}, {"GB_per_s", point.GB_per_s}, {"GFLOP_per_s", point.GFLOP_per_s}};

@@ -3179,6 +3179,10 @@
         <source>Hoisting the beams</source>
         <translation>Balken werden angehoben</translation>
     </message>
+    <message>
+        <source>Drawing typical and extreme patients</source>
+        <translation>Typische und extreme Patienten werden gezeichnet</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>

@@ -3179,6 +3179,10 @@
         <source>Hoisting the beams</source>
         <translation>Elevando las vigas</translation>
     </message>
+    <message>
+        <source>Drawing typical and extreme patients</source>
+        <translation>Dibujando pacientes típicos y extremos</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>

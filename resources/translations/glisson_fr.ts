@@ -3179,6 +3179,10 @@
         <source>Hoisting the beams</source>
         <translation>Soulèvement des poutres</translation>
     </message>
+    <message>
+        <source>Drawing typical and extreme patients</source>
+        <translation>Dessin de patients typiques et extrêmes</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
