@@ -13,7 +13,9 @@
 #include <QXmlStreamReader>
 #include <set>
 
+#include "help/manual_window.h"
 #include "main_window.h"
+#include "panels/platform_view.h"
 #include "run_test.h"
 #include "support/shapes.h"
 #include "views/wave_view.h"
