@@ -456,7 +456,7 @@ void MainWindow::show_platforms() {
     platforms_ = PlatformView::shipped(this);
     platforms_->setWindowFlag(Qt::Window);
     worded(platforms_, [window = platforms_.data()] { window->setWindowTitle(tr("What can be worn - Glisson")); });
-    platforms_->resize(1500, 960);
+    platforms_->resize(1560, 960);
     tell_platforms();
   }
   platforms_->show();

@@ -3642,7 +3642,7 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
     </message>
     <message>
         <source>too hot idle</source>
-        <translation>im Leerlauf zu heiß</translation>
+        <translation>zu heiß im Leerlauf</translation>
     </message>
     <message>
         <source>too slow</source>
@@ -3900,15 +3900,15 @@ figures</source>
     </message>
     <message>
         <source>Least obtrusive that holds, on the head: %1</source>
-        <translation>Am wenigsten störend und haltend, am Kopf: %1</translation>
+        <translation>Am wenigsten störend von denen, die halten, am Kopf: %1</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the belt: %1</source>
-        <translation>Am wenigsten störend und haltend, am Gürtel: %1</translation>
+        <translation>Am wenigsten störend von denen, die halten, am Gürtel: %1</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the back: %1</source>
-        <translation>Am wenigsten störend und haltend, am Rücken: %1</translation>
+        <translation>Am wenigsten störend von denen, die halten, am Rücken: %1</translation>
     </message>
     <message>
         <source>Surface after %1 h at %2 frames/s (°C)</source>

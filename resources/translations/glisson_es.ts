@@ -3644,11 +3644,11 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
     </message>
     <message>
         <source>too hot idle</source>
-        <translation>demasiado caliente en reposo</translation>
+        <translation>calor en reposo</translation>
     </message>
     <message>
         <source>too slow</source>
-        <translation>demasiado lento</translation>
+        <translation>lentitud</translation>
     </message>
     <message>
         <source>slows itself down</source>
@@ -3660,7 +3660,7 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
     </message>
     <message>
         <source>too hot</source>
-        <translation>demasiado caliente</translation>
+        <translation>calor</translation>
     </message>
     <message>
         <source>✕ fails: %1</source>
@@ -3676,7 +3676,7 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
     </message>
     <message>
         <source>✓ holds; next limit: %1</source>
-        <translation>✓ aguanta; próximo límite: %1</translation>
+        <translation>✓ aguanta; límite: %1</translation>
     </message>
     <message>
         <source>Platform</source>

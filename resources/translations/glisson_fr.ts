@@ -3676,7 +3676,7 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
     </message>
     <message>
         <source>✓ holds; next limit: %1</source>
-        <translation>✓ tient&#xa0;; prochaine limite&#xa0;:&#xa0;%1</translation>
+        <translation>✓ tient&#xa0;; limite&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Platform</source>

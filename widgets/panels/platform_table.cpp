@@ -96,7 +96,7 @@ PlatformTable::PlatformTable(QWidget* parent) : QTableWidget(0, columns, parent)
     horizontalHeaderItem(assumed)->setToolTip(tr("Figures that nobody measured; ≈ marks what rests on them"));
   });
   // Widths that do not depend on what is in the cells, so that nothing jumps while a slider moves.
-  constexpr std::array<int, columns> widths{0, 66, 82, 76, 82, 80, 66, 72, 250, 78};
+  constexpr std::array<int, columns> widths{0, 78, 82, 76, 84, 84, 66, 72, 250, 92};
   for (int column = 0; column < columns; ++column) setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
   horizontalHeader()->setMinimumSectionSize(60);
   horizontalHeader()->setSectionResizeMode(name, QHeaderView::Stretch);
