@@ -2,16 +2,15 @@
 """Makes material tests with an undeclared effect: make_material.py OUT [--kinds a,b] [--sizes 2,4,8,20] [--seed N]
 [--modes compression,tension]. Declared is the linear law with the modulus at rest."""
 
-import argparse
 import json
 import os
-import pathlib
 import sys
 
 sys.dont_write_bytecode = True
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import numpy as np
 
+from asked_cases import asked_cases
 from material import Effects, ramp_and_hold, ramps, stresses
 
 YOUNGS_KPA = 30.0
@@ -84,8 +83,7 @@ def size_kPa(found, without):
     return float(np.sqrt(np.mean(np.concatenate([found[t] - without[t] for t in found if not t.startswith("h")]) ** 2)))
 
 
-def make(out, name, mode, kinds, size, seed):
-    folder = out / name
+def make(folder, mode, kinds, size, seed):
     if (folder / "truth.json").exists():
         return
     rng = np.random.default_rng([seed, *map(ord, mode + "".join(kinds))])
@@ -107,7 +105,7 @@ def make(out, name, mode, kinds, size, seed):
                         "columns": {"time_s": "Time", "stretch": "Stretch", "stress_kPa": "Stress"}})
     for file, held_out in (("experiment.json", False), ("heldout.json", True)):
         (folder / file).write_text(json.dumps({
-            "format": "glisson-experiment/1", "kind": "material", "title": name,
+            "format": "glisson-experiment/1", "kind": "material", "title": folder.name,
             "specimen": {"shape": "cylinder", "diameter_mm": 50, "height_mm": 30}, "mode": mode,
             "declared": {"law": "linear", "youngs_modulus_kPa": YOUNGS_KPA}, "noise_kPa": round(noise, 6),
             "trials": [t for t in written if t["id"].startswith("h-") == held_out]}, indent=1) + "\n")
@@ -118,19 +116,8 @@ def make(out, name, mode, kinds, size, seed):
 
 
 def main():
-    ask = argparse.ArgumentParser(description=__doc__)
-    ask.add_argument("out", type=pathlib.Path)
-    ask.add_argument("--kinds", default=",".join(["null", *INSIDE, *OUTSIDE]), help="comma; a+b is a pair; 'pairs'")
-    ask.add_argument("--sizes", default="4", help="of the effect, in noises")
-    ask.add_argument("--modes", default="compression")
-    ask.add_argument("--seed", type=int, default=1)
-    asked = ask.parse_args()
-    kinds = asked.kinds.replace("pairs", ",".join("+".join(p) for p in PAIRS)).split(",")
-    for mode in asked.modes.split(","):
-        for kind in kinds:
-            for size in map(float, asked.sizes.split(",") if kind != "null" else ["0"]):
-                name = f"{mode}-{kind}-{size:g}x-s{asked.seed}" if size else f"{mode}-null-s{asked.seed}"
-                make(asked.out, name, mode, [] if kind == "null" else kind.split("+"), size, asked.seed)
+    for case in asked_cases(__doc__, [*INSIDE, *OUTSIDE], PAIRS, "modes", "compression"):
+        make(*case)
 
 
 if __name__ == "__main__":

@@ -7,15 +7,15 @@ stepping, a second at a time.
 Sources: Peukert 1897 (t = H (C / (I H))^k); second-order Thevenin model: e.g. He, Xiong, Fan 2011, Energies 4:582.
 """
 
-import argparse
 import json
 import math
-import pathlib
 import sys
 from dataclasses import dataclass
 
 sys.dont_write_bytecode = True
 import numpy as np
+
+from asked_cases import asked_cases
 
 NOMINAL_V, CAPACITY_AH = 3.7, 2.5
 IDLE_W, FULL_W, THERMAL_C_PER_W, TIME_S, AMBIENT_C = 2.0, 8.0, 5.0, 120.0, 23.0
@@ -102,8 +102,7 @@ def patterns(kind, rng):
             "h-steps": steps([0.6, 1, 0.1, 0.9], 220), "h-bursts": [1.0 if t % 120 < 70 else 0.15 for t in range(900)]}
 
 
-def make(out, name, kinds, size, seed, null_of=board):
-    folder = out / name
+def make(folder, kinds, size, seed, null_of):
     if (folder / "truth.json").exists():
         return
     rng = np.random.default_rng([seed, *map(ord, "".join(kinds))])
@@ -132,7 +131,7 @@ def make(out, name, kinds, size, seed, null_of=board):
         "time_constant_s": TIME_S}
     for file, held_out in (("experiment.json", False), ("heldout.json", True)):
         (folder / file).write_text(json.dumps({
-            "format": "glisson-experiment/1", "kind": "platform", "title": name, "declared": declared,
+            "format": "glisson-experiment/1", "kind": "platform", "title": folder.name, "declared": declared,
             "noise": {q: float(f"{factor * NOISE[q]:.6g}") for q in measured},
             "trials": [t for t in written if t["id"].startswith("h-") == held_out]}, indent=1) + "\n")
     shown = {k: v for k, v in vars(effects).items() if v != getattr(Effects(), k)}
@@ -142,19 +141,9 @@ def make(out, name, kinds, size, seed, null_of=board):
 
 
 def main():
-    ask = argparse.ArgumentParser(description=__doc__)
-    ask.add_argument("out", type=pathlib.Path)
-    ask.add_argument("--kinds", default=",".join(["null", *INSIDE, *OUTSIDE]), help="comma; a+b is a pair")
-    ask.add_argument("--sizes", default="4", help="of the effect, in noises")
-    ask.add_argument("--seed", type=int, default=1)
-    asked = ask.parse_args()
-    for kind in asked.kinds.split(","):
-        if kind == "null":
-            make(asked.out, f"cell-null-s{asked.seed}", [], 0, asked.seed, cell)
-            make(asked.out, f"board-null-s{asked.seed}", [], 0, asked.seed, board)
-            continue
-        for size in map(float, asked.sizes.split(",")):
-            make(asked.out, f"{kind}-{size:g}x-s{asked.seed}", kind.split("+"), size, asked.seed)
+    for folder, _, kinds, size, seed in asked_cases(__doc__, [*INSIDE, *OUTSIDE]):
+        for null_of in (board,) if kinds else (cell, board):
+            make(folder if kinds else folder.with_name(f"{null_of.__name__}-{folder.name}"), kinds, size, seed, null_of)
 
 
 if __name__ == "__main__":

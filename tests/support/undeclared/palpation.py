@@ -359,7 +359,7 @@ def against_reading(scene, effects, reading=None):
 def write_case(folder, scene, effects, noise_mm, seed, answer):
     """`answer` goes into truth.json: kinds, outside, size, ..."""
     folder.mkdir(parents=True, exist_ok=True)
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng([seed, *map(ord, folder.name)])
     fixed = np.zeros(len(scene.experiment.points))
     fixed[scene.experiment.held_nodes()] = 1
     write_vtu(folder / "specimen.vtu", scene.experiment, fixed)
