@@ -32,6 +32,9 @@ struct Effect {
   // of exactly no effect hides its time constant). A forward model may add better ones (ForwardModel::starts).
   std::vector<Eigen::VectorXd> starts;
 
+  // A form whose fits are slow: tried only where another form of its kind does about as well as the best.
+  bool late = false;
+
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(parameters.size()); }
 };
 

@@ -8,7 +8,7 @@
 namespace glisson::closedloop {
 namespace {
 
-Folds::Fold fold_without(const ForwardModel& model, const Eigen::MatrixXd& systematic,
+Folds::Fold fold_without(const ForwardModel& model, const SystematicUncertainty& systematic,
                          const std::vector<bool>& left_out) {
   const Observations& all = model.observations();
   std::vector<bool> kept = left_out;
@@ -61,7 +61,7 @@ Folds::Folds(const ForwardModel& model) {
   const Observations& all = model.observations();
   const auto count = static_cast<std::size_t>(all.trial_count());
   if (count < 2) return;
-  const Eigen::MatrixXd systematic = model.systematic_uncertainty();
+  const SystematicUncertainty systematic = model.systematic_uncertainty();
   for (std::size_t trial = 0; trial < count; ++trial) {
     std::vector<bool> left_out(count, false);
     left_out[trial] = true;
@@ -80,6 +80,20 @@ Folds::Folds(const ForwardModel& model) {
     largest_load_ = fold_without(model, systematic, left_out);
 }
 
+namespace {
+
+// To the rows that a fold keeps: a few steps from where the first order leads.
+Result<Fit> refitted_to(const ForwardModel& model, const Fit& fit, const Folds::Fold& fold, const Progress& progress) {
+  constexpr int few_steps = 3;
+  if (parameter_count(fit.settings) == 0) return without_fitting(model, fit.settings, fold.kept);
+  const Eigen::VectorXd near =
+      within_bounds(ranges_of(model, fit.settings),
+                    values_of(fit.settings) + first_order_change(fit, model.observations().measured, fold.kept));
+  return closedloop::fit(model, with_values(fit.settings, near), fold.kept, {.most_iterations = few_steps}, progress);
+}
+
+}  // namespace
+
 LeftOut leave_out(const ForwardModel& model, const Fit& fit, const Folds& folds) {
   return *over_folds(model, fit, folds, [&](const Folds::Fold& fold) -> Result<Eigen::VectorXd> {
     return first_order_prediction(model, fit, fold);
@@ -90,7 +104,7 @@ Result<LeftOut> leave_out_with_refits(const ForwardModel& model, const Fit& fit,
                                       const Progress& progress) {
   if (parameter_count(fit.settings) == 0) return leave_out(model, fit, folds);
   return over_folds(model, fit, folds, [&](const Folds::Fold& fold) -> Result<Eigen::VectorXd> {
-    auto refitted = closedloop::fit(model, fit.settings, fold.kept, {}, progress);
+    auto refitted = refitted_to(model, fit, fold, progress);
     if (!refitted) return failure(std::move(refitted.error()));
     return Eigen::VectorXd(refitted->predicted(fold.left_out.rows()));
   });
@@ -100,7 +114,7 @@ std::optional<double> largest_load_chi2(const ForwardModel& model, const Fit& fi
                                         const Progress& progress) {
   const auto& fold = folds.largest_load();
   if (!fold) return std::nullopt;
-  const auto refitted = closedloop::fit(model, fit.settings, fold->kept, {}, progress);
+  const auto refitted = refitted_to(model, fit, *fold, progress);
   if (!refitted) return std::nullopt;
   return fold->left_out.whiten(model.observations().measured - refitted->predicted).squaredNorm();
 }

@@ -60,6 +60,7 @@ struct Suspect {
   double delta_bic = 0;
   std::vector<std::string> alike;
   std::string removed;  // why it is out of the running ("its solve failed: ..."); empty where it is not
+  bool failed = false;  // its solves failed, rather than that it promised too little
 };
 
 struct NextMeasurement {

@@ -53,8 +53,10 @@ Result<Linearisation> ForwardModel::linearise(const Settings& settings) const {
   return result;
 }
 
-std::vector<Eigen::VectorXd> ForwardModel::starts(const Effect& effect, const Settings&, const Eigen::VectorXd&) const {
-  return effect.starts;
+std::vector<Start> ForwardModel::starts(const Effect& effect, const Settings&, const Eigen::VectorXd&) const {
+  std::vector<Start> starts;
+  for (const Eigen::VectorXd& values : effect.starts) starts.push_back({values});
+  return starts;
 }
 
 Result<Eigen::VectorXd> ForwardModel::predict_further(std::size_t, const Settings&) const {

@@ -3,6 +3,7 @@
 // experiment; tracing, reports and prediction know this interface alone.
 
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "closedloop/effect.h"
 #include "closedloop/experiment.h"
 #include "closedloop/observations.h"
+#include "closedloop/whitening.h"
 
 namespace glisson::closedloop {
 
@@ -19,6 +21,14 @@ namespace glisson::closedloop {
 struct Linearisation {
   Eigen::VectorXd predicted;
   Eigen::MatrixXd derivatives;
+};
+
+// Where a search for an effect may begin.
+struct Start {
+  Eigen::VectorXd values;
+  // How much of the residual's sum of squares, in units of the noise, the effect would take to first order. Known where
+  // fitting is slow: what promises far less than others is not fitted at all.
+  double promise = std::numeric_limits<double>::infinity();
 };
 
 class ForwardModel {
@@ -38,14 +48,13 @@ class ForwardModel {
   // By central or one-sided differences within the bounds unless a model knows better.
   [[nodiscard]] virtual Result<Linearisation> linearise(const Settings& settings) const;
 
-  // Directions in which the prediction itself may be off, correlated over rows, one standard deviation a column: the
-  // discretisation error as a finer solve shows it. Counted as uncertainty, so that it is never named an effect. At
-  // the declared model; no columns where the model is exact.
-  [[nodiscard]] virtual Eigen::MatrixXd systematic_uncertainty() const { return {}; }
+  // How far the declared model's prediction itself may be off: the discretisation error as a finer solve shows it.
+  // Counted as uncertainty, so that it is never named an effect.
+  [[nodiscard]] virtual SystematicUncertainty systematic_uncertainty() const { return {}; }
 
   // Where to begin the search for `effect` when `active` are on already and leave `residual` (measured - predicted).
-  [[nodiscard]] virtual std::vector<Eigen::VectorXd> starts(const Effect& effect, const Settings& active,
-                                                            const Eigen::VectorXd& residual) const;
+  [[nodiscard]] virtual std::vector<Start> starts(const Effect& effect, const Settings& active,
+                                                  const Eigen::VectorXd& residual) const;
 
   // Further trials that could be measured, as sentences for a person ("press at (…) mm with 2 N"), and what settings
   // predict there, in units of the noise.

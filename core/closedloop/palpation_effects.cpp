@@ -122,10 +122,13 @@ std::vector<Effect> strain_stiffening() {
   };
   // Coefficients that stiffen by a tenth at a tenth of strain are 1 (linear) and 10 (exponential); of Yeoh's law and
   // Ogden's, those of soft tissue and gels.
-  return {form(palpation::form_exponential, {"coefficient", 0, 0, 1000, 0, 50, Scale::linear}, 2),
-          form(palpation::form_linear, {"coefficient", 0, 0, 200, 0, 10, Scale::linear}, 1),
-          form(palpation::form_yeoh, {"coefficient", 0, 0.01, 100, 0.5, 10, Scale::logarithmic}, 2),
-          form(palpation::form_ogden, {"exponent", 0, 1, 40, 4, 20, Scale::logarithmic}, 6)};
+  std::vector<Effect> effects = {
+      form(palpation::form_exponential, {"coefficient", 0, 0, 1000, 0, 50, Scale::linear}, 2),
+      form(palpation::form_linear, {"coefficient", 0, 0, 200, 0, 10, Scale::linear}, 1),
+      form(palpation::form_yeoh, {"coefficient", 0, 0.01, 100, 0.5, 10, Scale::logarithmic}, 2),
+      form(palpation::form_ogden, {"exponent", 0, 1, 40, 4, 20, Scale::logarithmic}, 6)};
+  effects[2].late = true;  // Ogden's tells as well whether large strain is it
+  return effects;
 }
 
 Effect support_compliance(const Sizes& sizes, const SpecimenBody& specimen) {
@@ -217,7 +220,8 @@ std::vector<Effect> anisotropy(double poisson_ratio) {
                         {"axis", 1, -2, 2, -1, 1, Scale::linear},
                         {"ratio", 1, lowest, 20, 0.5, 4, Scale::logarithmic}},
                        "The tissue has a grain: it is stiffer (or softer) along one direction than across it.",
-                       {values({1, 0, 0, 1.3}), values({0, 1, 0, 1.3}), values({0, 0, 1, 1.3})}});
+                       {values({1, 0, 0, 1.3}), values({0, 1, 0, 1.3}), values({0, 0, 1, 1.3})},
+                       form == palpation::form_engineering});
   }
   return effects;
 }

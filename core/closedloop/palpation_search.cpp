@@ -12,31 +12,56 @@
 namespace glisson::closedloop {
 namespace {
 
-std::vector<Eigen::VectorXd> compliance_starts(const Effect& effect, const PalpationSolver& solver,
-                                               const PalpationState& state, const ResidualField& left);
-std::vector<Eigen::VectorXd> capsule_starts(const Effect& effect, const PalpationSolver& solver,
-                                            const PalpationState& state, const ResidualField& left);
-std::vector<Eigen::VectorXd> anisotropy_starts(const Effect& effect, const PalpationSolver& solver,
-                                               const PalpationState& state, const ResidualField& left);
-std::vector<Eigen::VectorXd> inclusion_starts(const Effect& effect, const PalpationSolver& solver,
-                                              const PalpationState& state, const ResidualField& left);
+std::vector<Start> compliance_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
+                                     const ResidualField& left);
+std::vector<Start> capsule_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
+                                  const ResidualField& left);
+std::vector<Start> anisotropy_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
+                                     const ResidualField& left);
+std::vector<Start> inclusion_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
+                                    const ResidualField& left);
 
-// How much of a change of the response explains the residual best, and how much of it that takes away (mm2).
-struct Match {
-  double amount = 0;
-  double gain_mm2 = 0;
-};
-Match match(const ResidualField& left, const Eigen::MatrixXd& response_change) {
-  const Eigen::MatrixXd change = (response_change * left.amounts).cwiseProduct(left.seen);
+Match match_response(const ResidualField& left, const Eigen::MatrixXd& response_change) {
+  return match(left, response_change * left.amounts);
+}
+
+}  // namespace
+
+Match match(const ResidualField& left, const Eigen::MatrixXd& change_mm) {
+  const Eigen::MatrixXd change = change_mm.cwiseProduct(left.seen);
   const double along = change.cwiseProduct(left.residual_mm).sum(), size = change.squaredNorm();
   if (!(size > 0)) return {};
   return {along / size, along * along / size};
 }
 
-}  // namespace
+bool bends_with_the_load(const ResidualField& left, double noise_mm) {
+  constexpr int fewest = 4;  // shots that leave something to a square beside a line
+  constexpr double standard_deviations = 4;
+  double gain_mm2 = 0, looked_at = 0;
+  for (Eigen::Index load = 0; load < left.amounts.rows(); ++load) {
+    const double largest = left.amounts.row(load).cwiseAbs().maxCoeff();
+    for (Eigen::Index row = 0; row < left.seen.rows() && largest > 0; ++row) {
+      std::vector<Eigen::Index> shots;
+      for (Eigen::Index s = 0; s < left.seen.cols(); ++s) {
+        if (left.seen(row, s) > 0 && left.amounts(load, s) != 0) shots.push_back(s);
+      }
+      if (static_cast<int>(shots.size()) < fewest) continue;
+      const Eigen::VectorXd amount = left.amounts.row(load)(shots).transpose() / largest;
+      Eigen::MatrixXd line(amount.size(), 2);
+      line << Eigen::VectorXd::Ones(amount.size()), amount;
+      const Eigen::VectorXd square = amount.cwiseAbs2();
+      const Eigen::VectorXd bend = square - line * line.colPivHouseholderQr().solve(square);
+      if (bend.squaredNorm() < 1e-6) continue;
+      const double along = bend.dot(left.residual_mm.row(row)(shots).transpose());
+      gain_mm2 += along * along / bend.squaredNorm();
+      looked_at += 1;
+    }
+  }
+  return gain_mm2 > noise_mm * noise_mm * (looked_at + standard_deviations * std::sqrt(2 * looked_at));
+}
 
-std::vector<Eigen::VectorXd> palpation_starts(const Effect& effect, const PalpationSolver& solver,
-                                              const PalpationState& state, const ResidualField& left) {
+std::vector<Start> palpation_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
+                                    const ResidualField& left) {
   if (effect.kind == palpation::support_compliance) return compliance_starts(effect, solver, state, left);
   if (effect.kind == palpation::capsule) return capsule_starts(effect, solver, state, left);
   if (effect.kind == palpation::anisotropy) return anisotropy_starts(effect, solver, state, left);
@@ -51,25 +76,27 @@ double clamped(double value, const Parameter& parameter) { return std::clamp(val
 Eigen::VectorXd one(double value) { return Eigen::VectorXd::Constant(1, value); }
 
 // Springs as soft as usual, as a measure: what they change, and how much of that is left over.
-std::vector<Eigen::VectorXd> compliance_starts(const Effect& effect, const PalpationSolver& solver,
-                                               const PalpationState& state, const ResidualField& left) {
+std::vector<Start> compliance_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
+                                     const ResidualField& left) {
   Structure soft = state.scaled_structure();
   const double usual = 1.0 / effect.starts.front()[0];
   soft.compliance_mm_per_kPa += usual * state.stiffness_factor;
   const auto before = solver.at_markers(state.scaled_structure());
   const auto after = solver.at_markers(soft);
   if (!before || !after) return {};
-  const Match found = match(left, *after - *before);
-  return {one(clamped(1.0 / (usual * std::clamp(found.amount, 1e-2, 30.0)), effect.parameters[0]))};
+  const Match found = match_response(left, *after - *before);
+  const double compliance = usual * std::clamp(found.amount, 1e-2, 30.0);
+  return {{one(clamped(1.0 / compliance, effect.parameters[0])), found.gain_mm2}};
 }
 
-std::vector<Eigen::VectorXd> capsule_starts(const Effect& effect, const PalpationSolver& solver,
-                                            const PalpationState& state, const ResidualField& left) {
+std::vector<Start> capsule_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
+                                  const ResidualField& left) {
   const auto slope = solver.derivatives_at_markers(state.scaled_structure(), {StructureParameter::capsule});
   if (!slope) return {};
-  const double found_mN_per_mm = match(left, slope->front()).amount * state.stiffness_factor;
+  const Match found = match_response(left, slope->front());
   const double least = 0.1 * effect.starts.front()[0];
-  return {one(clamped(std::max(least, units::N_from_mN(found_mN_per_mm)), effect.parameters[0]))};
+  const double size_N_per_mm = std::max(least, units::N_from_mN(found.amount * state.stiffness_factor));
+  return {{one(clamped(size_N_per_mm, effect.parameters[0])), found.gain_mm2}};
 }
 
 // The axes of a cube through its faces, edges and corners: none is further than 27 degrees from any direction.
@@ -86,8 +113,8 @@ std::vector<Eigen::Vector3d> directions() {
   return all;
 }
 
-std::vector<Eigen::VectorXd> anisotropy_starts(const Effect& effect, const PalpationSolver& solver,
-                                               const PalpationState& state, const ResidualField& left) {
+std::vector<Start> anisotropy_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
+                                     const ResidualField& left) {
   const Structure structure = state.scaled_structure();
   const auto solution = solver.solution(structure);
   if (!solution) return {};
@@ -108,23 +135,21 @@ std::vector<Eigen::VectorXd> anisotropy_starts(const Effect& effect, const Palpa
   std::vector<Match> matches;
   std::vector<std::size_t> order(axes.size());
   for (std::size_t a = 0; a < axes.size(); ++a) {
-    matches.push_back(match(left, changes.middleCols(static_cast<Eigen::Index>(a) * u_mm.cols(), u_mm.cols())));
+    matches.push_back(
+        match_response(left, changes.middleCols(static_cast<Eigen::Index>(a) * u_mm.cols(), u_mm.cols())));
   }
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return matches[a].gain_mm2 > matches[b].gain_mm2; });
-  // A grain that stiffens along one axis softens across it: the best of either sign, where both are any good.
-  std::vector<Eigen::VectorXd> starts;
-  bool have_stiffer = false, have_softer = false;
+  // A strong grain does not act as a weak one: several are worth a closer look.
+  constexpr std::size_t most_starts = 6;
+  std::vector<Start> starts;
   for (const std::size_t a : order) {
-    if (matches[a].gain_mm2 < 0.7 * matches[order.front()].gain_mm2) break;
-    bool& have = matches[a].amount > 0 ? have_stiffer : have_softer;
-    if (have) continue;
-    have = true;
+    if (starts.size() == most_starts || matches[a].gain_mm2 < 0.4 * matches[order.front()].gain_mm2) break;
     Eigen::VectorXd start(4);
-    start << axes[a], clamped(std::clamp(1.0 + matches[a].amount, 0.6, 4.0), effect.parameters[3]);
+    start << axes[a], clamped(std::clamp(std::exp(matches[a].amount), 0.5, 4.0), effect.parameters[3]);
     if (std::abs(start[3] - 1.0) < 0.02) start[3] = matches[a].amount > 0 ? 1.02 : 0.98;
-    starts.push_back(std::move(start));
+    starts.push_back({std::move(start), matches[a].gain_mm2});
   }
   return starts;
 }
@@ -148,8 +173,8 @@ struct Ball {
   [[nodiscard]] double worth_mm2() const { return match.amount > 0 ? match.gain_mm2 : 0.5 * match.gain_mm2; }
 };
 
-std::vector<Eigen::VectorXd> inclusion_starts(const Effect& effect, const PalpationSolver& solver,
-                                              const PalpationState& state, const ResidualField& left) {
+std::vector<Start> inclusion_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
+                                    const ResidualField& left) {
   const auto solution = solver.solution(state.scaled_structure());
   if (!solution) return {};
   const Influence on = influence(solver, **solution, left);
@@ -209,14 +234,14 @@ std::vector<Eigen::VectorXd> inclusion_starts(const Effect& effect, const Palpat
     });
     if (apart) best.push_back(ball);
   }
-  std::vector<Eigen::VectorXd> starts;
+  std::vector<Start> starts;
   for (const Ball& ball : best) {
     Eigen::VectorXd start(5);
     const double ratio = std::exp(std::clamp(ball.match.amount, -1.0, 1.5));
     start << ball.center_mm, clamped(ball.radius_mm, effect.parameters[3]),
         clamped(ball.match.amount > 0 ? std::max(1.3, ratio) : std::min(0.8, ratio), effect.parameters[4]);
     for (int d = 0; d < 3; ++d) start[d] = clamped(start[d], effect.parameters[static_cast<std::size_t>(d)]);
-    starts.push_back(std::move(start));
+    starts.push_back({std::move(start), ball.match.gain_mm2});
   }
   return starts;
 }

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "closedloop/effect.h"
+#include "closedloop/forward_model.h"
 #include "closedloop/palpation_solver.h"
 #include "closedloop/palpation_state.h"
 
@@ -20,8 +20,20 @@ struct ResidualField {
   Eigen::MatrixXd amounts;      // of each unit load (rows) at each shot, divided by the state's stiffness factor
 };
 
-// Best first; empty where the effect's own starts serve as well.
-[[nodiscard]] std::vector<Eigen::VectorXd> palpation_starts(const Effect& effect, const PalpationSolver& solver,
-                                                            const PalpationState& state, const ResidualField& left);
+// How much of a change of what is seen explains the residual best, and how much of its square that takes away.
+struct Match {
+  double amount = 0;
+  double gain_mm2 = 0;
+};
+// A row a place's coordinate, a column a shot.
+[[nodiscard]] Match match(const ResidualField& left, const Eigen::MatrixXd& change_mm);
+
+// Whether what is left bends with the load: the part of it along the square of the load, besides a constant and what is
+// proportional, of each marker's coordinate in each trial, is more than noise would show.
+[[nodiscard]] bool bends_with_the_load(const ResidualField& left, double noise_mm);
+
+// Best first, their promises in mm2; empty where the effect's own starts serve as well.
+[[nodiscard]] std::vector<Start> palpation_starts(const Effect& effect, const PalpationSolver& solver,
+                                                  const PalpationState& state, const ResidualField& left);
 
 }  // namespace glisson::closedloop

@@ -21,7 +21,7 @@ class PlatformModel : public ForwardModel {
   [[nodiscard]] const Observations& observations() const override { return observations_; }
   [[nodiscard]] const std::vector<Effect>& catalogue() const override { return catalogue_; }
   [[nodiscard]] Result<Eigen::VectorXd> predict(const Settings& settings) const override;
-  [[nodiscard]] Eigen::MatrixXd systematic_uncertainty() const override;
+  [[nodiscard]] SystematicUncertainty systematic_uncertainty() const override;
   [[nodiscard]] std::vector<std::string> further_trials() const override;
   [[nodiscard]] Result<Eigen::VectorXd> predict_further(std::size_t trial, const Settings& settings) const override;
 
@@ -169,9 +169,12 @@ Eigen::VectorXd PlatformModel::predicted_by(const PlatformBehaviour& behaviour, 
 }
 
 // What power was between two samples nobody recorded: half of the difference that it can make.
-Eigen::MatrixXd PlatformModel::systematic_uncertainty() const {
+SystematicUncertainty PlatformModel::systematic_uncertainty() const {
   const PlatformBehaviour declared = declared_behaviour(platform_);
-  return (predicted_by(declared, Hold::sample_after) - predicted_by(declared, Hold::sample_before)) / 2;
+  SystematicUncertainty uncertainty;
+  uncertainty.directions =
+      (predicted_by(declared, Hold::sample_after) - predicted_by(declared, Hold::sample_before)) / 2;
+  return uncertainty;
 }
 
 std::vector<std::string> PlatformModel::further_trials() const {

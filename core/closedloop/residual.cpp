@@ -1,6 +1,7 @@
 #include "closedloop/residual.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
@@ -125,10 +126,13 @@ std::vector<std::string> Judgement::shape() const {
 }
 
 double correlation_length(const Observations& observations, const Eigen::VectorXd& white) {
-  std::map<std::pair<int, int>, std::vector<double>> series;
+  // Where there are places, each has its own history.
+  std::map<std::array<double, 5>, std::vector<double>> series;
   for (Eigen::Index row = 0; row < white.size(); ++row) {
     const auto i = static_cast<std::size_t>(row);
-    series[{observations.trial[i], observations.direction[i]}].push_back(white[row]);
+    std::array<double, 5> key{double(observations.trial[i]), double(observations.direction[i]), 0, 0, 0};
+    if (observations.has_places()) Eigen::Vector3d::Map(key.data() + 2) = observations.place_mm.row(row);
+    series[key].push_back(white[row]);
   }
   double length = 1;
   for (std::size_t lag = 1;; ++lag) {

@@ -13,7 +13,11 @@ namespace {
 
 // All candidates get so many steps; those that are then near the best are fitted to the end. A solve can take seconds.
 constexpr int first_iterations = 5;
-constexpr double near_the_best = 4;  // in chi-squared
+constexpr double near_the_best = 1.5;  // in chi-squared
+constexpr double hopeless = 0.1;       // a second start ten times as far as where the first one ended
+// Shares of what the best takes of the error: what promises less than the one is not fitted, and slow forms are tried
+// of kinds that reach the other.
+constexpr double far_less = 0.3, about_as_well = 0.6;
 
 Settings without_kind(Settings settings, const std::string& kind) {
   std::erase_if(settings, [&](const Setting& setting) { return setting.kind == kind; });
@@ -37,7 +41,8 @@ Search::Search(const ForwardModel& model, const TraceOptions& options, const Pro
     : model_(model),
       options_(options),
       progress_(progress),
-      whitening_(model.observations().noise, model.systematic_uncertainty(), all_rows(model.observations())),
+      systematic_(model.systematic_uncertainty()),
+      whitening_(model.observations().noise, systematic_, all_rows(model.observations())),
       folds_(model) {}
 
 double Search::bic_of(const Candidate& candidate) const {
@@ -46,7 +51,7 @@ double Search::bic_of(const Candidate& candidate) const {
 
 Candidate Search::judged(Fit fit) const {
   LeftOut left_out = leave_out(model_, fit, folds_);
-  return {{}, {}, std::move(fit), std::move(left_out), {}};
+  return {{}, {}, std::move(fit), std::move(left_out), {}, false};
 }
 
 Result<Candidate> Search::declared() const {
@@ -67,17 +72,32 @@ std::vector<const Effect*> Search::additions(const Settings& active) const {
   return effects;
 }
 
-Candidate Search::fit_one(const Settings& active, const Effect& effect, const Eigen::VectorXd& residual) const {
-  constexpr std::size_t most_searches = 2;
-  const Settings others = without_kind(active, effect.kind);
-  std::vector<std::pair<double, Settings>> starts;
+// Where the fits of an effect begin, the best first, and what it promises.
+struct Search::Attempt {
+  const Effect* effect = nullptr;
+  std::vector<Settings> starts;
+  double promise = 0;
   std::string problem;
-  const auto values = model_.starts(effect, others, residual);
-  for (const Eigen::VectorXd& value : values) {
-    Settings start = others;
-    start.push_back({effect.kind, effect.form, value});
+};
+
+Search::Attempt Search::begin(const Settings& active, const Effect& effect, const Eigen::VectorXd& residual) const {
+  Attempt attempt{&effect, {}, 0, {}};
+  const Settings others = without_kind(active, effect.kind);
+  for (const Start& start : model_.starts(effect, others, residual)) {
+    attempt.starts.push_back(others);
+    attempt.starts.back().push_back({effect.kind, effect.form, start.values});
+    attempt.promise = std::max(attempt.promise, start.promise);
+  }
+  return attempt;
+}
+
+Candidate Search::fit_from(const Attempt& attempt) const {
+  constexpr std::size_t most_searches = 2;
+  std::vector<std::pair<double, const Settings*>> starts;
+  std::string problem;
+  for (const Settings& start : attempt.starts) {
     double chi2 = 0;
-    if (values.size() > most_searches) {
+    if (attempt.starts.size() > 1) {
       const auto predicted = model_.predict(start);
       if (!predicted) {
         problem = predicted.error().message();
@@ -85,14 +105,15 @@ Candidate Search::fit_one(const Settings& active, const Effect& effect, const Ei
       }
       chi2 = whitening_.whiten(model_.observations().measured - *predicted).squaredNorm();
     }
-    starts.emplace_back(chi2, std::move(start));
+    starts.emplace_back(chi2, &start);
   }
   std::stable_sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   if (starts.size() > most_searches) starts.resize(most_searches);
 
   std::optional<Fit> best;
   for (const auto& [chi2, start] : starts) {
-    auto fitted = fit(model_, start, whitening_, {.most_iterations = first_iterations}, progress_);
+    if (best && best->chi2 < hopeless * chi2) continue;
+    auto fitted = fit(model_, *start, whitening_, {.most_iterations = first_iterations}, progress_);
     if (!fitted) {
       problem = fitted.error().message();
     } else if (!best || fitted->chi2 < best->chi2) {
@@ -100,43 +121,129 @@ Candidate Search::fit_one(const Settings& active, const Effect& effect, const Ei
     }
   }
   Candidate candidate = best ? judged(std::move(*best)) : Candidate{};
-  candidate.kind = effect.kind;
-  candidate.form = effect.form;
-  if (!best) candidate.removed = problem.empty() ? "there is nowhere to begin" : problem;
+  if (!best) {
+    candidate.removed = problem.empty() ? "there is nowhere to begin" : problem;
+    candidate.failed = true;
+  }
   return candidate;
 }
 
+void Search::finish(Candidate& candidate) const {
+  auto finished = fit(model_, candidate.fit.settings, whitening_, {}, progress_);
+  if (!finished) return;
+  Candidate better = judged(std::move(*finished));
+  better.kind = candidate.kind;
+  better.form = candidate.form;
+  candidate = std::move(better);
+}
+
+// In three rounds: what is quick, or promises about as much as the best; then the slow forms of kinds that did well;
+// then those near the best are fitted to the end.
 Result<std::vector<Candidate>> Search::fit_each(const Settings& active, const std::vector<const Effect*>& effects,
                                                 const Progress& progress) const {
   const auto predicted = model_.predict(active);
   if (!predicted) return failure(predicted.error());
   const Eigen::VectorXd residual = model_.observations().measured - *predicted;
+  const double square = plain_square(*predicted);
   std::vector<Candidate> candidates(effects.size());
+  std::vector<Attempt> attempts(effects.size());
   std::atomic<std::size_t> done = 0;
-  parallel_for(effects.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end && !progress_.cancelled(); ++i) {
-      candidates[i] = fit_one(active, *effects[i], residual);
-      progress.report(static_cast<double>(++done) / static_cast<double>(effects.size()),
-                      GLISSON_TEXT("trying effects"));
+  const auto each = [&](const auto& wanted, const auto& act) {
+    std::vector<std::size_t> which;
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+      if (wanted(i)) which.push_back(i);
     }
-  });
+    parallel_for(which.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end && !progress_.cancelled(); ++i) act(which[i]);
+    });
+  };
+  const auto try_one = [&](std::size_t i) {
+    candidates[i] = fit_from(attempts[i]);
+    candidates[i].kind = effects[i]->kind;
+    candidates[i].form = effects[i]->form;
+    progress.report(static_cast<double>(++done) / static_cast<double>(effects.size()), GLISSON_TEXT("trying effects"));
+  };
+  const auto is_fitted = [&](std::size_t i) { return candidates[i].fit.predicted.size() > 0; };
+  const auto most_taken = [&] {
+    double most = 0;
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+      if (is_fitted(i)) most = std::max(most, square - plain_square(candidates[i].fit.predicted));
+    }
+    return most;
+  };
+
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    candidates[i].kind = effects[i]->kind;
+    candidates[i].form = effects[i]->form;
+    candidates[i].removed = "it promised to take much less of the error than others";
+  }
+  each([&](std::size_t i) { return !effects[i]->late; },
+       [&](std::size_t i) { attempts[i] = begin(active, *effects[i], residual); });
+  each([&](std::size_t i) { return !effects[i]->late && std::isinf(attempts[i].promise); }, try_one);
+  double worth_trying = most_taken();
+  for (const Attempt& attempt : attempts) {
+    if (std::isfinite(attempt.promise)) worth_trying = std::max(worth_trying, attempt.promise);
+  }
+  worth_trying *= far_less;
+  each(
+      [&](std::size_t i) {
+        return !effects[i]->late && std::isfinite(attempts[i].promise) && attempts[i].promise >= worth_trying;
+      },
+      try_one);
   if (progress_.cancelled()) return cancelled();
+
+  const double did_well = about_as_well * most_taken();
+  const auto kind_did_well = [&](const Effect& effect) {
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+      if (effects[i]->kind == effect.kind && is_fitted(i) &&
+          square - plain_square(candidates[i].fit.predicted) >= did_well)
+        return true;
+    }
+    return has_kind(active, effect.kind);
+  };
+  std::vector<bool> of_good_kind;
+  for (const Effect* effect : effects) of_good_kind.push_back(effect->late && kind_did_well(*effect));
+  each([&](std::size_t i) { return of_good_kind[i]; },
+       [&](std::size_t i) {
+         attempts[i] = begin(active, *effects[i], residual);
+         try_one(i);
+       });
   double best = std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : candidates) best = std::min(best, chi2_of(candidate));
-  parallel_for(candidates.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end && !progress_.cancelled(); ++i) {
-      Candidate& candidate = candidates[i];
-      if (!candidate.fitted() || candidate.fit.converged || candidate.fit.chi2 > near_the_best * best) continue;
-      auto finished = fit(model_, candidate.fit.settings, whitening_, {}, progress_);
-      if (!finished) continue;
-      Candidate better = judged(std::move(*finished));
-      better.kind = candidate.kind;
-      better.form = candidate.form;
-      candidate = std::move(better);
-    }
-  });
+  each(
+      [&](std::size_t i) {
+        return candidates[i].fitted() && !candidates[i].fit.converged && candidates[i].fit.chi2 <= near_the_best * best;
+      },
+      [&](std::size_t i) { finish(candidates[i]); });
   if (progress_.cancelled()) return cancelled();
   return candidates;
+}
+
+double Search::plain_square(const Eigen::VectorXd& predicted) const {
+  const Observations& all = model_.observations();
+  return (all.measured - predicted).cwiseQuotient(all.noise).squaredNorm();
+}
+
+double Search::excess(const Candidate& candidate) const {
+  const double mean_square =
+      plain_square(candidate.fit.predicted) / static_cast<double>(candidate.fit.predicted.size());
+  return std::sqrt(std::max(0.0, mean_square - 1));
+}
+
+bool Search::leaves_nothing(const Candidate& candidate) const {
+  return judge(model_.observations(), candidate.fit.white, candidate.fit.predicted).is_noise ||
+         excess(candidate) <= indistinct();
+}
+
+// It lowers the plain error, on what was fitted and on what was left out, and by more than the prediction's own error
+// might.
+bool Search::shows(const Candidate& candidate, const Candidate& current) const {
+  const auto rows = static_cast<double>(candidate.fit.predicted.size());
+  const double change =
+      (candidate.fit.predicted - current.fit.predicted).cwiseQuotient(model_.observations().noise).norm();
+  return change > indistinct() * std::sqrt(rows) &&
+         plain_square(candidate.fit.predicted) < plain_square(current.fit.predicted) &&
+         plain_square(candidate.left_out.predicted) < plain_square(current.left_out.predicted);
 }
 
 // On trials left out one by one.
@@ -194,7 +301,7 @@ Result<Candidate> Search::forward(const Candidate& declared, std::vector<Candida
     if (candidates->empty()) return current;
     std::erase_if(*candidates, [&](const Candidate& candidate) {
       return bic_of(candidate) >= bic_of(current) - options_.entry_bic || ran_out_of_range(candidate) ||
-             !predicts_better(candidate, current);
+             !shows(candidate, current) || !predicts_better(candidate, current);
     });
     std::stable_sort(candidates->begin(), candidates->end(),
                      [this](const auto& a, const auto& b) { return rounded(bic_of(a)) < rounded(bic_of(b)); });
@@ -203,8 +310,12 @@ Result<Candidate> Search::forward(const Candidate& declared, std::vector<Candida
     if (next == candidates->end()) return current;
     auto checked = backward(std::move(*next));
     if (!checked) return checked;
+    // From the third on, what takes but a little of what is left names nothing.
+    constexpr double a_little = 0.8;
+    if (current.fit.settings.size() >= 2 && excess(*checked) > a_little * excess(current) && !leaves_nothing(*checked))
+      return current;
     current = std::move(*checked);
-    if (judge(model_.observations(), current.fit.white, current.fit.predicted).is_noise) return current;
+    if (leaves_nothing(current)) return current;
   }
   return current;
 }

@@ -16,6 +16,7 @@ struct Candidate {
   Fit fit;
   LeftOut left_out;
   std::string removed;  // why it is out; empty where it is fitted
+  bool failed = false;  // out because its solves failed, not because it promised too little
   [[nodiscard]] bool fitted() const { return removed.empty(); }
 };
 
@@ -34,6 +35,12 @@ class Search {
   // `chosen` without setting `which`, fitted again.
   Result<Candidate> without(const Candidate& chosen, std::size_t which) const;
 
+  // What is left is noise, or no larger than the prediction's own error.
+  [[nodiscard]] bool leaves_nothing(const Candidate& candidate) const;
+  // How far what is left exceeds the noise: root mean square, in units of the noise; compared with `indistinct`.
+  [[nodiscard]] double excess(const Candidate& candidate) const;
+  [[nodiscard]] double indistinct() const { return systematic_.indistinct; }
+
   [[nodiscard]] double bic_of(const Candidate& candidate) const;
   [[nodiscard]] const Folds& folds() const { return folds_; }
   [[nodiscard]] const Whitening& whitening() const { return whitening_; }
@@ -45,8 +52,13 @@ class Search {
   [[nodiscard]] Result<std::vector<Candidate>> fit_each(const Settings& active,
                                                         const std::vector<const Effect*>& effects,
                                                         const Progress& progress) const;
-  [[nodiscard]] Candidate fit_one(const Settings& active, const Effect& effect, const Eigen::VectorXd& residual) const;
+  struct Attempt;
+  [[nodiscard]] Attempt begin(const Settings& active, const Effect& effect, const Eigen::VectorXd& residual) const;
+  [[nodiscard]] Candidate fit_from(const Attempt& attempt) const;
+  void finish(Candidate& candidate) const;
   [[nodiscard]] Candidate judged(Fit fit) const;
+  [[nodiscard]] double plain_square(const Eigen::VectorXd& predicted) const;
+  [[nodiscard]] bool shows(const Candidate& candidate, const Candidate& current) const;
   [[nodiscard]] bool predicts_better(const Candidate& candidate, const Candidate& current) const;
   [[nodiscard]] bool pays_beyond(const Candidate& candidate, const Candidate& current) const;
   [[nodiscard]] bool ran_out_of_range(const Candidate& candidate) const;
@@ -55,6 +67,7 @@ class Search {
   const ForwardModel& model_;
   const TraceOptions& options_;
   const Progress& progress_;
+  SystematicUncertainty systematic_;
   Whitening whitening_;
   Folds folds_;
   double correlation_ = 1;  // of what the best candidate so far leaves

@@ -39,6 +39,7 @@ class Tracing {
   const Progress& progress_;
   Search search_;
   Explanation explanation_;
+  std::optional<Candidate> declared_;
   std::vector<std::vector<Candidate>> in_place_;  // for each effect that was chosen
   std::vector<Rival> rivals_;
 };
@@ -63,9 +64,10 @@ Result<Explanation> Tracing::run() {
   e.before = error_figures(all(), e.predicted_before);
   e.judgement_before = judge(all(), declared->fit.white, e.predicted_before);
   if (search_.folds().any()) e.held_out_before = held_out_error(all(), e.predicted_before);
+  declared_ = *declared;
   Candidate chosen = *declared;
   std::vector<Candidate> singles;
-  if (!e.judgement_before.is_noise) {
+  if (!search_.leaves_nothing(*declared)) {
     auto selected = search_.select(*declared, singles);
     if (!selected) return failure(std::move(selected.error()));
     selected = with_swaps(std::move(*selected), singles);
@@ -99,6 +101,11 @@ Result<std::vector<Candidate>> Tracing::in_place_of(const Candidate& chosen, std
 Result<Candidate> Tracing::with_swaps(Candidate chosen, const std::vector<Candidate>& singles) {
   constexpr int most_rounds = 3;
   constexpr double clearly = 2;
+  // An explanation that leaves most of the error is none, and which of its effects could be another does not matter.
+  if (search_.excess(chosen) > 0.5 * search_.excess(*declared_)) {
+    in_place_.resize(chosen.fit.settings.size());
+    return chosen;
+  }
   for (int round = 0; round < most_rounds; ++round) {
     in_place_.clear();
     bool swapped = false;
@@ -107,9 +114,16 @@ Result<Candidate> Tracing::with_swaps(Candidate chosen, const std::vector<Candid
       if (!others) return failure(std::move(others.error()));
       std::stable_sort(others->begin(), others->end(),
                        [&](const auto& a, const auto& b) { return search_.bic_of(a) < search_.bic_of(b); });
-      if (!others->empty() && search_.bic_of(others->front()) < search_.bic_of(chosen) - clearly &&
-          others->front().left_out.chi2 <= chosen.left_out.chi2) {
-        chosen = others->front();
+      const auto better = std::find_if(others->begin(), others->end(), [&](const Candidate& other) {
+        const double gain = search_.bic_of(chosen) - search_.bic_of(other);
+        const auto more = parameter_count(other.fit.settings) - parameter_count(chosen.fit.settings);
+        // Of two that the data cannot tell apart, the one of fewer numbers leads.
+        if (more < 0 && gain > -options_.alike_bic)
+          return search_.leaves_nothing(other) || !search_.leaves_nothing(chosen);
+        return gain > (more > 0 ? options_.alike_bic : clearly) && other.left_out.chi2 <= chosen.left_out.chi2;
+      });
+      if (better != others->end()) {
+        chosen = *better;
         swapped = true;
       }
       in_place_.push_back(std::move(*others));
@@ -129,7 +143,7 @@ Result<Candidate> Tracing::with_swaps(Candidate chosen, const std::vector<Candid
 void Tracing::rank(const Candidate& declared, const std::vector<Candidate>& singles) {
   auto& ranking = explanation_.ranking;
   for (const Candidate& single : singles) {
-    Suspect suspect{single.kind, single.form, single.fit.settings, 0, {}, 0, {}, single.removed};
+    Suspect suspect{single.kind, single.form, single.fit.settings, 0, {}, 0, {}, single.removed, single.failed};
     if (single.fitted()) {
       suspect.rms = error_figures(all(), single.fit.predicted).rms;
       suspect.delta_bic = search_.bic_of(single) - search_.bic_of(declared);
@@ -152,8 +166,7 @@ void Tracing::rank(const Candidate& declared, const std::vector<Candidate>& sing
           std::abs(other.delta_bic - suspect.delta_bic) < options_.alike_bic)
         suspect.alike.push_back(other.kind);
     }
-    if (!suspect.removed.empty())
-      explanation_.notes.push_back(fmt::format("{} was left out: {}", suspect.kind, suspect.removed));
+    if (suspect.failed) explanation_.notes.push_back(fmt::format("{} was left out: {}", suspect.kind, suspect.removed));
   }
 }
 
@@ -166,12 +179,17 @@ void Tracing::decide(const Candidate& declared, Candidate& chosen) {
   e.judgement_after = judge(all(), chosen.fit.white, chosen.fit.predicted);
   if (chosen.fit.settings.empty()) {
     const bool small = rms_in_noise(chosen) <= noise_uncertainty;
-    e.verdict = e.judgement_after.is_noise || small ? Verdict::nothing_missing : Verdict::unexplained;
-    if (!e.judgement_after.is_noise && small)
+    e.verdict = search_.leaves_nothing(chosen) || small ? Verdict::nothing_missing : Verdict::unexplained;
+    if (!e.judgement_after.is_noise && small) {
       e.notes.emplace_back("The residual is not quite random, but no larger than the noise can be trusted to be.");
+    } else if (!e.judgement_after.is_noise && e.verdict == Verdict::nothing_missing) {
+      e.notes.emplace_back(
+          "The residual is not quite random, but no larger than what a finer mesh would change of the prediction.");
+    }
   } else {
     const double near = 1 + options_.near_noise_excess / static_cast<double>(chosen.fit.settings.size());
-    e.verdict = e.judgement_after.is_noise || rms_in_noise(chosen) <= near ? Verdict::explained : Verdict::unexplained;
+    e.verdict =
+        search_.leaves_nothing(chosen) || rms_in_noise(chosen) <= near ? Verdict::explained : Verdict::unexplained;
   }
   if (e.verdict == Verdict::unexplained && !chosen.fit.settings.empty() &&
       std::sqrt(chosen.left_out.chi2) > worth_naming * std::sqrt(declared.left_out.chi2) && search_.folds().any()) {
@@ -264,6 +282,14 @@ void Tracing::describe_parameters(const Candidate& chosen, std::vector<FoundEffe
       if (!found.determined)
         explanation_.notes.push_back(
             fmt::format("These data do not determine {} of {}.", parameter.name, effects[i].kind));
+      constexpr double close = 1e-3;
+      const double margin = close * (parameter.upper - parameter.lower);
+      const bool at_end = found.value > parameter.upper - margin ||
+                          (parameter.scale == Scale::logarithmic ? found.value < (1 + close) * parameter.lower
+                                                                 : found.value < parameter.lower + margin);
+      if (at_end)
+        explanation_.notes.push_back(fmt::format("{} of {} ended at the limit of its range ({:.3g}).", parameter.name,
+                                                 effects[i].kind, found.value));
       effects[i].parameters.push_back(std::move(found));
       effect_of_parameter.push_back(i);
       ++at;

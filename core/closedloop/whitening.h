@@ -1,18 +1,29 @@
 #pragma once
-// Residuals in units of what is to be expected of them: independent noise of each number, and directions in which the
-// prediction itself may be off (ForwardModel::systematic_uncertainty). With covariance C = N^2 + U U^T, N the noise and
-// U the directions, whiten() multiplies with a square root of C^-1, so that what it gives is white with variance 1
-// where the model is right.
+// Residuals in units of what is to be expected of them: independent noise of each number, and what the prediction
+// itself may be off by (ForwardModel::systematic_uncertainty). With covariance C = N^2 + V V^T + U U^T, N the noise, V
+// what groups of rows share and U the directions, whiten() multiplies with a square root of C^-1, so that what it gives
+// is white with variance 1 where the model is right.
 
 #include <Eigen/Core>
 #include <vector>
 
 namespace glisson::closedloop {
 
+// How far a prediction may be off, besides the noise of what was measured. Empty: it is exact.
+struct SystematicUncertainty {
+  Eigen::MatrixXd directions;  // one standard deviation a column, independent of each other; rows as observations
+  // Rows of one group are off together: by shared[row] times one number of variance 1. Both empty, or a row each.
+  Eigen::VectorXd shared;
+  std::vector<int> group;  // 0 and up
+  // What changes the prediction by less than this (root mean square over rows, in units of the noise) cannot be told
+  // from the prediction's own error, whatever its shape.
+  double indistinct = 0;
+};
+
 class Whitening {
  public:
-  // Over the rows named; `systematic` has a row for each number and may have no columns.
-  Whitening(const Eigen::VectorXd& noise, const Eigen::MatrixXd& systematic, std::vector<Eigen::Index> rows);
+  // Over the rows named.
+  Whitening(const Eigen::VectorXd& noise, const SystematicUncertainty& systematic, std::vector<Eigen::Index> rows);
 
   [[nodiscard]] const std::vector<Eigen::Index>& rows() const { return rows_; }
 
@@ -21,9 +32,19 @@ class Whitening {
 
  private:
   std::vector<Eigen::Index> rows_;
+  // (1 + s s^T)^-1/2 is 1 - shrinking u u^T, with u = s / |s| and shrinking = 1 - 1 / sqrt(1 + s^2).
+  struct Group {
+    std::vector<Eigen::Index> rows;  // among those named
+    Eigen::VectorXd direction;       // u
+    double shrinking = 0;
+  };
+
+  void leave_groups_out(Eigen::MatrixXd& white) const;
+
   Eigen::VectorXd inverse_noise_;  // of the rows named
-  Eigen::MatrixXd directions_;     // orthonormal columns, of the noise-scaled systematic uncertainty
-  Eigen::VectorXd shrinking_;      // 1 - 1 / sqrt(1 + s^2), s the size along each direction in units of the noise
+  std::vector<Group> groups_;
+  Eigen::MatrixXd directions_;  // orthonormal columns, scaled by the noise and without what groups share
+  Eigen::VectorXd shrinking_;   // 1 - 1 / sqrt(1 + s^2), s the size along each direction in units of the noise
 };
 
 }  // namespace glisson::closedloop

@@ -160,7 +160,7 @@ Fit fit(const ForwardModel& model, Settings settings) {
 Fit best_fit(const ForwardModel& model, const Effect& effect, const Settings& active = {}) {
   const Eigen::VectorXd residual = model.observations().measured - model.predict(active).value();
   Fit best{{}, 1e9};
-  for (const Eigen::VectorXd& start : model.starts(effect, active, residual)) {
+  for (const auto& [start, promise] : model.starts(effect, active, residual)) {
     Settings settings = active;
     settings.push_back({effect.kind, effect.form, start});
     Fit found = fit(model, settings);

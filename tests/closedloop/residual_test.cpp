@@ -87,6 +87,7 @@ TEST(Residual, NeighboursInTimeThatRepeatEachOtherCountLess) {
   Observations all = pad(1, 1, 40);
   all.directions = {"x"};
   std::fill(all.direction.begin(), all.direction.end(), 0);
+  all.place_mm.resize(0, 3);  // one history, not one of each marker
   Eigen::VectorXd series = white_noise(all.rows(), 3);
   EXPECT_NEAR(correlation_length(all, series), 1, 0.2);
   constexpr double memory = 0.9;
@@ -94,13 +95,18 @@ TEST(Residual, NeighboursInTimeThatRepeatEachOtherCountLess) {
   EXPECT_NEAR(correlation_length(all, series), (1 + memory) / (1 - memory), 7);  // of a first-order process: 19
 }
 
-// r^T C^-1 r with C = N^2 + U U^T formed and inverted whole.
+// r^T C^-1 r with C = N^2 + V V^T + U U^T formed and inverted whole.
 TEST(Whitening, IsASquareRootOfTheInverseCovariance) {
   const Eigen::VectorXd noise = Eigen::VectorXd::LinSpaced(12, 0.5, 2);
-  const Eigen::MatrixXd systematic = Eigen::MatrixXd::Random(12, 2) * 3;
+  const Eigen::MatrixXd directions = Eigen::MatrixXd::Random(12, 2) * 3;
+  const Eigen::VectorXd shared = Eigen::VectorXd::Random(12);
+  const std::vector<int> group{0, 0, 0, 1, 1, 1, 2, 2, 2, 0, 1, 2};
   const Eigen::VectorXd residual = Eigen::VectorXd::Random(12);
   const std::vector<Eigen::Index> rows{0, 2, 3, 5, 7, 8, 11};
-  const Eigen::VectorXd white = Whitening(noise, systematic, rows).whiten(residual);
+  const Eigen::VectorXd white = Whitening(noise, {directions, shared, group}, rows).whiten(residual);
+  Eigen::MatrixXd systematic = Eigen::MatrixXd::Zero(12, 5);
+  systematic.leftCols(2) = directions;
+  for (Eigen::Index row = 0; row < 12; ++row) systematic(row, 2 + group[static_cast<std::size_t>(row)]) = shared[row];
   Eigen::MatrixXd covariance = systematic(rows, Eigen::all) * systematic(rows, Eigen::all).transpose();
   covariance.diagonal() += Eigen::VectorXd(noise(rows).array().square());
   const Eigen::VectorXd r = residual(rows);
