@@ -18,6 +18,7 @@ from specimens import block, lobe, pillar
 SPECIMENS = {"block": (lambda: block((60, 60, 40), (6, 6, 4)), (10, 10, 7), (7, 7, 5)),
              "pillar": (lambda: pillar(60, 40, (8, 8, 4)), (10, 10, 7), (7, 7, 5)),
              "lobe": (lambda: lobe(110, 80, 45, (12, 9, 4)), (12, 10, 6), (9, 7, 4)),
+             "tiny": (lambda: block((45, 45, 30), (4, 4, 3)), (6, 6, 5), (6, 6, 4)),
              "small": (lambda: block((45, 45, 30), (5, 5, 3)), (10, 10, 7), (7, 7, 5)),
              "large": (lambda: block((90, 90, 60), (10, 10, 10)), (12, 12, 8), (7, 7, 5))}
 LEAST_NOISE_MM = 0.04  # below this the flat faces and elements of either mesh show

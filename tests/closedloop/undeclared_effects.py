@@ -1,0 +1,42 @@
+#!/usr/bin/python3
+"""Do `explain` and `predict` find what CalculiX did to a specimen? A null and three effects that share one truth, made
+anew in a folder of their own: undeclared_effects.py GLISSON_CLI. Exit code 77 where CalculiX is not installed; the whole
+table is tests/benchmarks/closed_loop.sh."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+UNDECLARED = pathlib.Path(__file__).parents[1] / "support" / "undeclared"
+sys.path.insert(0, str(UNDECLARED))
+try:
+    import calculix
+except ModuleNotFoundError as missing:
+    print(f"skipped: {missing.name} is not installed")
+    sys.exit(77)
+
+CASES = [("null", "0"), ("stiffness-scale", "8"), ("force-bias", "4"), ("frame-misalignment", "4")]
+
+
+def main():
+    if not calculix.available():
+        print("skipped: CalculiX (ccx) is not installed")
+        sys.exit(77)
+    with tempfile.TemporaryDirectory() as folder:
+        env = {**os.environ, "GLISSON_TRUTH_CACHE": folder + "/cache", "OPENBLAS_NUM_THREADS": "1"}
+        for kind, size in CASES:
+            subprocess.run([sys.executable, UNDECLARED / "make_palpation.py", folder + "/cases", "--kinds", kind, "--sizes",
+                            size, "--specimens", "tiny", "--seed", "3"], env=env, check=True)
+        judged = subprocess.run([sys.executable, UNDECLARED / "judge.py", folder + "/cases", "--cli", sys.argv[1], "--out",
+                                 folder + "/judged"], env=env, check=True, capture_output=True, text=True).stdout
+    print(judged)
+    lines = [line for line in judged.splitlines() if line.startswith(("ok ", "WRONG"))]
+    wrong = [line for line in lines if line.startswith("WRONG")]
+    sys.exit(len(lines) != len(CASES) or bool(wrong))
+
+
+if __name__ == "__main__":
+    main()
