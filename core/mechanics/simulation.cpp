@@ -203,6 +203,7 @@ Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<doub
   return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}, {}, {}};
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): one signature for all engines
 Result<Answer> meshfree_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
                                     const Scenario& scenario, const Places& places, const Progress& progress) {
   const auto model =
