@@ -101,8 +101,8 @@ Result<BeamRow> compare_beams(const std::string& patient, const mechanics::Voxel
   const auto control = hoisted(beam, std::vector<double>(beam.cells.size(), row.mean_kPa), options);
   if (!control) return failure(control.error());
   row.control_displacement_mm = control->max_displacement_mm;
-  const geometry::Field surface_points =
-      *geometry::find_field(geometry::boundary_surface(beam).point_fields, "mesh_point");
+  const geometry::Surface at_rest = geometry::boundary_surface(beam);
+  const geometry::Field surface_points = *geometry::find_field(at_rest.point_fields, "mesh_point");
   for (std::size_t r = 0; r < places->size(); ++r) {
     progress.report(0.4 + 0.2 * double(r), GLISSON_TEXT("Hoisting the beams"));
     if (progress.cancelled()) return cancelled();
@@ -111,12 +111,17 @@ Result<BeamRow> compare_beams(const std::string& patient, const mechanics::Voxel
     const auto result = hoisted(beam, sampled_kPa(beam, tissue, region.place), options);
     if (!result) return failure(result.error());
     region.largest_displacement_mm = result->max_displacement_mm;
-    for (const double p : surface_points.values) {
-      const auto point = static_cast<std::size_t>(p);
+    region.lifted = at_rest;
+    geometry::Field apart{"apart_mm", 1, {}};
+    for (std::size_t s = 0; s < surface_points.values.size(); ++s) {
+      const auto point = static_cast<std::size_t>(surface_points.values[s]);
       const double apart_mm = (result->displacement_mm[point] - control->displacement_mm[point]).norm();
       region.mean_mm += apart_mm / double(surface_points.values.size());
       region.max_mm = std::max(region.max_mm, apart_mm);
+      region.lifted.points_mm[s] += result->displacement_mm[point];
+      apart.values.push_back(apart_mm);
     }
+    geometry::set_field(region.lifted.point_fields, std::move(apart));
   }
   return row;
 }

@@ -15,6 +15,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "geometry/surface.h"
 #include "geometry/tetrahedra.h"
 #include "mechanics/compliance_distance.h"
 #include "mechanics/scenario.h"
@@ -53,6 +54,7 @@ struct BeamComparison {
   BeamPlace place;
   double largest_displacement_mm = 0;
   double mean_mm = 0, max_mm = 0;  // apart from the control beam, over the surface
+  geometry::Surface lifted;        // in the beam's own frame (x along it, z up), with the point field "apart_mm"
 };
 
 struct BeamRow {

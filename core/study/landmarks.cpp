@@ -9,15 +9,12 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/units.h"
-#include "casefile/result_folder.h"
 #include "geometry/surface.h"
 #include "imaging/filters.h"
 #include "mechanics/compliance_distance.h"
 #include "rehearsal/comparison.h"
-#include "scene/case_scenes.h"
-#include "scene/composite.h"
 #include "segmentation/resample.h"
-#include "study/landmarks_report.h"
+#include "study/landmarks_pictures.h"
 #include "study/subjects.h"
 
 namespace glisson::study {
@@ -27,10 +24,9 @@ namespace {
 using rehearsal::significant_mm;
 
 std::string fingerprint_of(const LandmarksOptions& options);
+mechanics::VoxelBody trusted_tissue(const MeasuredLiver& liver, double poisson_ratio);
 Result<NamedNumbers> misplacements_in(const Subject& subject, const LandmarksOptions& options);
 void summarise(LandmarksSummary& summary);
-Result<std::vector<ExamplePicture>> draw_examples(const std::vector<Subject>& subjects, const fs::path& out,
-                                                  const LandmarksSummary& summary, const LandmarksOptions& options);
 
 }  // namespace
 
@@ -58,12 +54,20 @@ Result<LandmarksSummary> run_landmarks(const fs::path& folder, const fs::path& o
                          folder});
   }
   progress.report(0.9, GLISSON_TEXT("Drawing typical and extreme patients"));
-  const auto pictures = draw_examples(*subjects, out, summary, options);
+  const auto pictures = draw_landmarks_pictures(*subjects, out, summary, options);
   if (!pictures) return failure(pictures.error());
   return write_batch_csv(out / "landmarks.csv", summary.rows)
       .and_then([&] { return write_text_file(out / "summary.json", summary_text(summary)); })
       .and_then([&] { return report::write_html(out / "report.html", landmarks_page(summary, options, *pictures)); })
       .map([&] { return std::move(summary); });
+}
+
+Result<BeamRow> beams_of(const std::string& patient, const MeasuredLiver& liver, const LandmarksOptions& options) {
+  const double poisson_ratio = options.retraction.poisson_ratio;
+  const auto statistics = elastography::statistics_of(liver.values_kPa());
+  if (!statistics) return failure(statistics.error());
+  return compare_beams(patient, trusted_tissue(liver, poisson_ratio),
+                       units::youngs_from_shear(statistics->mean, poisson_ratio), options.beams);
 }
 
 std::string summary_text(const LandmarksSummary& summary) {
@@ -162,9 +166,7 @@ Result<NamedNumbers> misplacements_in(const Subject& subject, const LandmarksOpt
   if (!statistics) return failure(statistics.error());
   const auto retraction = retract(*liver, options.retraction);
   if (!retraction) return failure(retraction.error());
-  const double poisson_ratio = options.retraction.poisson_ratio;
-  const auto beams = compare_beams(subject.id, trusted_tissue(*liver, poisson_ratio),
-                                   units::youngs_from_shear(statistics->mean, poisson_ratio), options.beams);
+  const auto beams = beams_of(subject.id, *liver, options);
   if (!beams) return failure(beams.error());
 
   NamedNumbers row{{"mean_kPa", statistics->mean},
@@ -183,8 +185,9 @@ Result<NamedNumbers> misplacements_in(const Subject& subject, const LandmarksOpt
   for (std::size_t r = 0; r < beams->regions.size(); ++r) {
     const BeamComparison& region = beams->regions[r];
     const std::string name = region_columns[r];
-    row.emplace_back(name + "_mean_kPa", units::shear_from_youngs(region.place.mean_kPa, poisson_ratio));
-    row.emplace_back(name + "_sd_kPa", units::shear_from_youngs(region.place.sd_kPa, poisson_ratio));
+    row.emplace_back(name + "_mean_kPa",
+                     units::shear_from_youngs(region.place.mean_kPa, options.retraction.poisson_ratio));
+    row.emplace_back(name + "_sd_kPa", units::shear_from_youngs(region.place.sd_kPa, options.retraction.poisson_ratio));
     row.emplace_back(name + "_mean_mm", region.mean_mm);
     row.emplace_back(name + "_max_mm", region.max_mm);
   }
@@ -226,56 +229,6 @@ void summarise(LandmarksSummary& summary) {
   }
   const auto any = std::count_if(largest.begin(), largest.end(), [](double mm) { return mm >= significant_mm; });
   summary.any_region_fraction = static_cast<double>(any) / static_cast<double>(summary.patients);
-}
-
-// The patients of figure 4.12: the median one, and those nearest to one, two, ... standard deviations above the mean.
-std::vector<std::size_t> example_rows(const LandmarksSummary& summary, int count) {
-  const elastography::RegionStatistics& mm = summary.between[1].mm;
-  std::vector<std::size_t> chosen;
-  for (int n = 0; n < count; ++n) {
-    const double wanted_mm = n == 0 ? mm.median : mm.mean + n * mm.sd;
-    std::optional<std::size_t> nearest;
-    double least_mm = 0;
-    for (std::size_t r = 0; r < summary.rows.size(); ++r) {
-      if (!summary.rows[r].error.empty() || std::find(chosen.begin(), chosen.end(), r) != chosen.end()) continue;
-      const double away_mm = std::abs(column_of({summary.rows[r]}, "atlas_near_tool_mm").front() - wanted_mm);
-      if (nearest && away_mm >= least_mm) continue;
-      nearest = r;
-      least_mm = away_mm;
-    }
-    if (nearest) chosen.push_back(*nearest);
-  }
-  return chosen;
-}
-
-Result<std::vector<ExamplePicture>> draw_examples(const std::vector<Subject>& subjects, const fs::path& out,
-                                                  const LandmarksSummary& summary, const LandmarksOptions& options) {
-  std::vector<ExamplePicture> pictures;
-  for (const std::size_t r : example_rows(summary, options.pictures)) {
-    const BatchRow& row = summary.rows[r];
-    const auto subject = std::find_if(subjects.begin(), subjects.end(), [&](const auto& s) { return s.id == row.id; });
-    GLISSON_ASSERT(subject != subjects.end());
-    const auto liver = read_subject(*subject);
-    if (!liver) return failure(liver.error());
-    const auto retraction = retract(*liver, options.retraction);
-    if (!retraction) return failure(retraction.error());
-    const fs::path folder = out / "examples" / row.id;
-    auto saved = casefile::write_result(folder / "measured", retraction->measured).and_then([&] {
-      return casefile::write_result(folder / "atlas", retraction->atlas);
-    });
-    if (!saved) return failure(saved.error());
-    auto scene = scene::comparison_scene(folder / "atlas", "Atlas", folder / "measured", "MRE");
-    if (!scene) return failure(scene.error());
-    scene->in_blue.furniture.warning = options.warning;
-    // The tool pulls to the front and the head, which is seen from the side.
-    scene->in_blue.camera = scene::fit(scene->in_blue, scene::PatientView::right, 900.0 / 675);
-    const auto picture = scene::draw_red_blue(*scene, 900, 675);
-    if (!picture) return failure(picture.error());
-    const double mm = column_of({row}, "atlas_near_tool_mm").front();
-    pictures.push_back({folder / "atlas-and-mre.png", row.id, mm});
-    if (auto written = scene::write_png(*picture, pictures.back().file); !written) return failure(written.error());
-  }
-  return pictures;
 }
 
 }  // namespace

@@ -43,11 +43,14 @@ struct LandmarksSummary {
 };
 
 // Patients as run_cohort takes them. Into `out`: patients/ID.json, landmarks.csv, summary.json, report.html, and
-// examples/ID/{measured,atlas} (results that can be opened) with their pictures.
+// examples/ID with pictures, and {measured,atlas} (results that can be opened).
 //
 // Fails as run_batch does, and with "landmarks-all-failed".
 Result<LandmarksSummary> run_landmarks(const std::filesystem::path& folder, const std::filesystem::path& out,
                                        const LandmarksOptions& options = {}, const Progress& progress = {});
+
+// The beams of one patient, in the tissue that the map is to be trusted in. Fails as compare_beams does.
+Result<BeamRow> beams_of(const std::string& patient, const MeasuredLiver& liver, const LandmarksOptions& options);
 
 // What summary.json holds, as JSON text.
 std::string summary_text(const LandmarksSummary& summary);

@@ -78,7 +78,7 @@ report::Table patients(const LandmarksSummary& summary) {
 }  // namespace
 
 report::Page landmarks_page(const LandmarksSummary& summary, const LandmarksOptions& options,
-                            const std::vector<ExamplePicture>& pictures) {
+                            const LandmarksPictures& pictures) {
   const RetractionOptions& retraction = options.retraction;
   report::Page page;
   page.title = "What an atlas, or one stiffness, misplaces";
@@ -98,14 +98,9 @@ report::Page landmarks_page(const LandmarksSummary& summary, const LandmarksOpti
       "same with the patient's mean alone instead of the map; and how far the map is from that mean. Boxes hold "
       "the middle half of the patients, whiskers 5 to 95 % (fig. 4.10).",
       summary.between));
-  report::FigureRow figures;
-  for (const ExamplePicture& picture : pictures) {
-    figures.figures.push_back({picture.file, fmt::format("{}: {:.1f} mm apart at the tool; atlas in red, MRE in blue",
-                                                         picture.patient, picture.near_tool_mm)});
-  }
   page.blocks.emplace_back(report::Paragraph{
       "The median patient, and those nearest to one, two and three standard deviations above the mean (fig. 4.12):"});
-  page.blocks.emplace_back(std::move(figures));
+  page.blocks.emplace_back(report::FigureRow{pictures.between});
   page.blocks.emplace_back(report::Heading{"Within a liver"});
   page.blocks.emplace_back(report::Paragraph{fmt::format(
       "Beams of 50 x 10 x 10 mm from where a liver is softest, stiffest and most uneven, lifted by {:.2g} N, against a "
@@ -115,6 +110,11 @@ report::Page landmarks_page(const LandmarksSummary& summary, const LandmarksOpti
       options.beams.force_N, options.beams.foundation_kPa_per_mm, 100 * summary.any_region_fraction)});
   page.blocks.emplace_back(
       box_plot("How far a beam of the region is from one of the liver's mean, at most (fig. 4.13).", summary.within));
+  if (!pictures.within.empty()) {
+    page.blocks.emplace_back(
+        report::Paragraph{"Patients in whom one region agrees with the mean and the other two do not (fig. 4.14):"});
+    page.blocks.emplace_back(report::FigureRow{pictures.within});
+  }
   page.blocks.emplace_back(soft_against_stiff(summary));
   page.blocks.emplace_back(shares(summary));
   page.blocks.emplace_back(patients(summary));

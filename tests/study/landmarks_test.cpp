@@ -70,6 +70,9 @@ TEST(Landmarks, AreMisplacedWhereALiverIsNotLikeTheAtlas) {
   EXPECT_THAT(page, HasSubstr("SIMULATED ellipsoids"));
   EXPECT_THAT(page, HasSubstr("5 mm: matters"));
   EXPECT_THAT(page, HasSubstr("data:image/png"));
+  const bool one_agrees =
+      value(halves, "soft_max_mm") >= 5 && value(halves, "stiff_max_mm") < 5 && value(halves, "uneven_max_mm") >= 5;
+  EXPECT_EQ(fs::exists(folder.path() / "out" / "examples" / "p3-stiffness" / "beams.png"), one_agrees);
 
   const auto again = run_landmarks(maps, folder.path() / "out", options);
   ASSERT_TRUE(again.has_value());
