@@ -85,7 +85,7 @@ TEST(Measure, DeviceCanBePlannedWithAndShared) {
   PlanRequest request;
   request.liver_volume_cm3 = 1000;
   request.accuracy_mm = 8;
-  const auto planned = plan(request, *devices, test::shipped_curve());
+  const auto planned = plan(request, *devices, test::dissertation_curve());
   ASSERT_TRUE(planned);
   // 6061 nodes: below the measured 10,000, whose time then counts: 2 ms at least, 200 products a frame.
   EXPECT_LE(planned->platforms[0].fps_by_computing, 2.5);

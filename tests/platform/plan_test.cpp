@@ -33,7 +33,7 @@ bool fails_by(const PlatformAnswer& answer, Constraint constraint) {
 
 TEST(Plan, TheDissertationsQuestionOfFiveHours) {
   // "a 1000 cm3 liver, < 5 mm, 5 hours: would a backpack do? a head mounted one?" (section 6.1)
-  const auto planned = plan(question(5, 5, 10), test::shipped_devices(), test::shipped_curve());
+  const auto planned = plan(question(5, 5, 10), test::shipped_devices(), test::dissertation_curve());
   ASSERT_TRUE(planned);
   for (const char* id : {"de5-fpga", "k40-gpu", "de10-fpga", "tx2-gpu"}) {
     const PlatformAnswer& answer = answer_for(*planned, id);
@@ -51,7 +51,7 @@ TEST(Plan, TheDissertationsQuestionOfFiveHours) {
 
 TEST(Plan, RecommendsTheLeastObtrusiveThatHolds) {
   const auto devices = test::shipped_devices();
-  const auto planned = plan(question(5, 5, 10), devices, test::shipped_curve());
+  const auto planned = plan(question(5, 5, 10), devices, test::dissertation_curve());
   ASSERT_TRUE(planned->recommended);
   const PlatformAnswer& chosen = answer_for(*planned, *planned->recommended);
   EXPECT_TRUE(chosen.feasible);
@@ -66,7 +66,7 @@ TEST(Plan, FeasibleIsWhatEveryConstraintSays) {
     for (const double fps : {10.0, 25.0, 60.0}) {
       for (const double accuracy_mm : {1.0, 3.0, 8.0}) {
         const auto planned =
-            plan(question(accuracy_mm, duration_h, fps), test::shipped_devices(), test::shipped_curve());
+            plan(question(accuracy_mm, duration_h, fps), test::shipped_devices(), test::dissertation_curve());
         ASSERT_TRUE(planned);
         bool some = false;
         for (const PlatformAnswer& answer : planned->platforms) {
@@ -85,7 +85,7 @@ TEST(Plan, FeasibleIsWhatEveryConstraintSays) {
 TEST(Plan, EachRemedyAloneMakesThePlatformHold) {
   // A hair is given beyond each threshold: it was found by halving to 2^-50.
   constexpr double hair = 1e-6;
-  const ConvergenceCurve curve = test::shipped_curve();
+  const ConvergenceCurve curve = test::dissertation_curve();
   int tried = 0;
   for (const PlanRequest& request :
        {question(2, 5, 25), question(3, 2, 15), question(1, 3, 10), question(7, 3.05, 10)}) {
@@ -129,7 +129,7 @@ TEST(Plan, EachRemedyAloneMakesThePlatformHold) {
 }
 
 TEST(Plan, SmallHeadroomIsNotHidden) {
-  const auto planned = plan(question(14, 3, 10), test::shipped_devices(), test::shipped_curve());
+  const auto planned = plan(question(14, 3, 10), test::shipped_devices(), test::dissertation_curve());
   ASSERT_TRUE(answer_for(*planned, "tx2-gpu").feasible);
   std::string notes;
   for (const Sentence& note : planned->notes) notes += note.message() + "\n";
@@ -141,7 +141,7 @@ TEST(Plan, SupplyLossCountsAgainstTheBattery) {
   auto devices = test::shipped_devices();
   Device device = test::device_named(devices, "tx2-gpu");
   device.supply_efficiency.value = 0.5;
-  const auto planned = plan(question(8, 1, 10), {device}, test::shipped_curve());
+  const auto planned = plan(question(8, 1, 10), {device}, test::dissertation_curve());
   EXPECT_NEAR(planned->platforms.front().idle.idle_h, 9 / 5.6, 1e-9);
 }
 
@@ -149,12 +149,12 @@ TEST(Plan, SupplyLossCountsAgainstTheBattery) {
 TEST(Plan, ThrottlingCostsFramesAndStaysCool) {
   Device device = test::device_named(test::shipped_devices(), "xavier-nx-gpu");
   const PlanRequest request = question(2, 2, 20);
-  const auto free = plan(request, {device}, test::shipped_curve());
+  const auto free = plan(request, {device}, test::dissertation_curve());
   const double unbridled_C = free->platforms.front().temperature_C;
   ASSERT_TRUE(free->platforms.front().feasible);
   device.throttle_C.value = 30;
   ASSERT_GT(unbridled_C, device.throttle_C.value);
-  const auto planned = plan(request, {device}, test::shipped_curve());
+  const auto planned = plan(request, {device}, test::dissertation_curve());
   const PlatformAnswer& answer = planned->platforms.front();
   EXPECT_FALSE(answer.feasible);
   EXPECT_TRUE(fails_by(answer, Constraint::throttling));
@@ -165,23 +165,23 @@ TEST(Plan, ThrottlingCostsFramesAndStaysCool) {
   EXPECT_GT(answer.battery_h, free->platforms.front().battery_h);  // what is not computed is not drawn
   ASSERT_TRUE(answer.remedies.thermal_resistance_C_per_W);
   device.thermal_resistance_C_per_W.value = *answer.remedies.thermal_resistance_C_per_W * (1 - 1e-6);
-  EXPECT_TRUE(plan(request, {device}, test::shipped_curve())->platforms.front().feasible);
+  EXPECT_TRUE(plan(request, {device}, test::dissertation_curve())->platforms.front().feasible);
 }
 
 TEST(Plan, SofterLiversAskForMoreNodes) {
   PlanRequest request = question(5, 3, 10);
   request.youngs_kPa = 12;
-  const double nodes = plan(request, test::shipped_devices(), test::shipped_curve())->workload.nodes;
-  EXPECT_EQ(nodes, plan(question(5, 3, 10), test::shipped_devices(), test::shipped_curve())->workload.nodes);
+  const double nodes = plan(request, test::shipped_devices(), test::dissertation_curve())->workload.nodes;
+  EXPECT_EQ(nodes, plan(question(5, 3, 10), test::shipped_devices(), test::dissertation_curve())->workload.nodes);
   request.youngs_kPa = 6;
-  EXPECT_GT(plan(request, test::shipped_devices(), test::shipped_curve())->workload.nodes, nodes);
+  EXPECT_GT(plan(request, test::shipped_devices(), test::dissertation_curve())->workload.nodes, nodes);
   request.youngs_kPa = 0;
-  EXPECT_EQ(plan(request, test::shipped_devices(), test::shipped_curve()).error().code, "request-invalid");
+  EXPECT_EQ(plan(request, test::shipped_devices(), test::dissertation_curve()).error().code, "request-invalid");
 }
 
 TEST(Plan, ImpossibleQuestionsAreRefused) {
   const auto code = [](const PlanRequest& request) {
-    const auto planned = plan(request, test::shipped_devices(), test::shipped_curve());
+    const auto planned = plan(request, test::shipped_devices(), test::dissertation_curve());
     return planned ? std::string("planned") : planned.error().code;
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
