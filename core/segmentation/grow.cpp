@@ -181,7 +181,7 @@ Region region_of(const Mask& tissue, const std::vector<Seed>& seeds, const GrowO
 // Vessels and tumours closed, the outline smoothed, on the image's own grid.
 Mask finished(const Region& region, const Grid& grid, const std::array<int, 3>& block, const GrowOptions& options) {
   Mask closed = with_margin(with_margin(region.whole, options.closing_radius_mm), -options.closing_radius_mm);
-  closed = fill_holes(std::move(closed));
+  closed = fill_holes(closed);
   const Grid& coarse = closed.grid;
   closed = smooth(std::move(closed), 0.7 * coarse.spacing_mm.maxCoeff());
 
