@@ -1,5 +1,6 @@
 #include "cohort_options.h"
 
+#include <fmt/format.h>
 #include <filesystem>
 
 #include "study/cohort.h"
@@ -36,6 +37,19 @@ Result<Outcome> list_patients(const std::string& folder) {
     for (const std::string& id : ids) outcome.text += id + "\n";
     return outcome;
   });
+}
+
+void add_rows(const std::vector<study::BatchRow>& rows, Outcome& outcome) {
+  outcome.document["rows"] = Json::array();
+  for (const study::BatchRow& row : rows) {
+    Json json{{"patient", row.id}};
+    for (const auto& [name, value] : row.values) json[name] = value;
+    if (!row.error.empty()) {
+      json["error"] = row.error;
+      outcome.text += fmt::format("  {}: {}\n", row.id, row.error);
+    }
+    outcome.document["rows"].push_back(std::move(json));
+  }
 }
 
 }  // namespace glisson::cli

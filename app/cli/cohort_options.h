@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "command.h"
+#include "study/batch.h"
 
 namespace glisson::cli {
 
@@ -24,5 +26,8 @@ Result<std::string> folder_of(const CohortChoice& choice);
 
 // The patients' names (--list).
 Result<Outcome> list_patients(const std::string& folder);
+
+// "rows" of the document, and a line of the text for each patient who could not be used.
+void add_rows(const std::vector<study::BatchRow>& rows, Outcome& outcome);
 
 }  // namespace glisson::cli

@@ -25,16 +25,7 @@ Outcome describe(const study::CohortSummary& summary) {
       summary.low_kPa, summary.high_kPa, 100 * summary.like_atlas_fraction, 100 * summary.in_atlas_fraction,
       summary.upper_limit_ratio, summary.rank_correlation);
   Outcome outcome{parse_json(study::summary_text(summary)).value(), std::move(text)};
-  outcome.document["rows"] = Json::array();
-  for (const study::BatchRow& row : summary.rows) {
-    Json json{{"patient", row.id}};
-    for (const auto& [name, value] : row.values) json[name] = value;
-    if (!row.error.empty()) {
-      json["error"] = row.error;
-      outcome.text += fmt::format("  {}: {}\n", row.id, row.error);
-    }
-    outcome.document["rows"].push_back(std::move(json));
-  }
+  add_rows(summary.rows, outcome);
   return outcome;
 }
 

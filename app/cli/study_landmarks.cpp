@@ -33,16 +33,7 @@ Outcome describe(const study::LandmarksSummary& summary) {
           described("Between patients", summary.between) + described("Within a liver", summary.within) +
           fmt::format("In {:.0f} % of the patients one of the three regions at least is 5 mm off\n",
                       100 * summary.any_region_fraction)};
-  outcome.document["rows"] = Json::array();
-  for (const study::BatchRow& row : summary.rows) {
-    Json json{{"patient", row.id}};
-    for (const auto& [name, value] : row.values) json[name] = value;
-    if (!row.error.empty()) {
-      json["error"] = row.error;
-      outcome.text += fmt::format("  {}: {}\n", row.id, row.error);
-    }
-    outcome.document["rows"].push_back(std::move(json));
-  }
+  add_rows(summary.rows, outcome);
   return outcome;
 }
 

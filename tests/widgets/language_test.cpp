@@ -13,6 +13,7 @@
 #include <QXmlStreamReader>
 #include <set>
 
+#include "block_patient.h"
 #include "help/manual_window.h"
 #include "main_window.h"
 #include "panels/platform_view.h"
@@ -71,22 +72,10 @@ std::vector<QString> texts_of(const std::vector<const QWidget*>& windows) {
   return texts;
 }
 
-Patient block_patient() {
-  rehearsal::RehearsalSetup setup;
-  setup.mesh = test::box_of_tetrahedra({4, 3, 3}, {120, 80, 80});
-  setup.patient_youngs_kPa.assign(setup.mesh.cells.size(), 4.0);
-  setup.atlas_youngs_kPa = 8.0;
-  setup.supports = {{geometry::Box{{-1, -1, -1}, {1, 81, 81}}, mechanics::Held{}}};
-  setup.landmarks = {{"tumour-1", {100, 40, 40}}, {"portal-vein-2", {8, 40, 40}}};
-  Patient patient;
-  patient.name = "Block";
-  patient.structures = {{"liver", std::make_shared<geometry::Surface>(boundary_surface(setup.mesh)), 768},
-                        {"somebody's-own", std::make_shared<geometry::Surface>(boundary_surface(setup.mesh)), 7}};
-  for (const PatientStructure& structure : patient.structures) setup.structures.push_back(*structure.surface);
-  auto body = rehearsal::StaticRehearsal::create(std::move(setup));
-  if (!body) qFatal("%s", body.error().message().c_str());
-  patient.rehearsal = std::make_shared<rehearsal::StaticRehearsal>(*std::move(body));
-  return patient;
+Patient named_block() {
+  return block_patient(
+      {4, 3, 3}, {{"tumour-1", {100, 40, 40}}, {"portal-vein-2", {8, 40, 40}}},
+      {{"somebody's-own", std::make_shared<geometry::Surface>(test::sphere_surface(10, 2, {100, 40, 40})), 7}});
 }
 
 class LanguageTest : public QObject {
@@ -98,7 +87,7 @@ class LanguageTest : public QObject {
     window_->resize(1400, 900);
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    window_->show_patient(block_patient());
+    window_->show_patient(named_block());
     QSignalSpy placed(&window_->rehearsal(), &LiveRehearsal::placed);
     QTest::mouseClick(window_->findChild<QPushButton*>("hoist"), Qt::LeftButton);
     QVERIFY(placed.wait(20000));

@@ -9,6 +9,7 @@
 #include <QSlider>
 #include <QtTest>
 
+#include "block_patient.h"
 #include "main_window.h"
 #include "panels/platform_view.h"
 #include "run_test.h"
@@ -29,24 +30,12 @@ imaging::Volume slope() {
   return volume;
 }
 
-Patient block_patient() {
-  rehearsal::RehearsalSetup setup;
-  setup.mesh = test::box_of_tetrahedra({6, 4, 4}, {120, 80, 80});
-  setup.patient_youngs_kPa.assign(setup.mesh.cells.size(), 4.0);
-  setup.atlas_youngs_kPa = 8.0;
-  setup.supports = {{geometry::Box{{-1, -1, -1}, {1, 81, 81}}, mechanics::Held{}}};
-  setup.landmarks = {{"tumour-1", {100, 40, 40}}, {"hilum", {8, 40, 40}}};
-  Patient patient;
-  patient.name = "Block";
+Patient simulated_block() {
+  Patient patient = block_patient(
+      {6, 4, 4}, {{"tumour-1", {100, 40, 40}}, {"hilum", {8, 40, 40}}},
+      {{"tumour-1", std::make_shared<geometry::Surface>(test::sphere_surface(10, 2, {100, 40, 40})), 4.2}});
   patient.origin = "SIMULATED: a block";
   patient.anatomy = std::make_shared<imaging::Volume>(slope());
-  patient.structures = {
-      {"liver", std::make_shared<geometry::Surface>(boundary_surface(setup.mesh)), 768},
-      {"tumour-1", std::make_shared<geometry::Surface>(test::sphere_surface(10, 2, {100, 40, 40})), 4.2}};
-  for (const PatientStructure& structure : patient.structures) setup.structures.push_back(*structure.surface);
-  auto body = rehearsal::StaticRehearsal::create(std::move(setup));
-  if (!body) qFatal("%s", body.error().message().c_str());
-  patient.rehearsal = std::make_shared<rehearsal::StaticRehearsal>(*std::move(body));
   return patient;
 }
 
@@ -59,7 +48,7 @@ class WindowTest : public QObject {
     window_->resize(1400, 900);
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    window_->show_patient(block_patient());
+    window_->show_patient(simulated_block());
     QTest::qWait(300);
   }
 
@@ -76,14 +65,14 @@ class WindowTest : public QObject {
     auto* view = window_->findChild<PlatformView*>();
     QVERIFY(view != nullptr && view->isVisible());
     QCOMPARE(view->plan()->request.liver_volume_cm3, 768.0);
-    Patient other = block_patient();
+    Patient other = simulated_block();
     other.structures.front().volume_ml = 1200;
     other.mean_youngs_kPa = 4;
     window_->show_patient(other);  // while it is open
     QCOMPARE(view->plan()->request.liver_volume_cm3, 1200.0);
     QCOMPARE(*view->plan()->request.youngs_kPa, 4.0);
     view->close();
-    window_->show_patient(block_patient());
+    window_->show_patient(simulated_block());
   }
 
   void places_a_tool_where_the_person_clicks() {
