@@ -83,10 +83,9 @@ Wrong Walk::through_geometry() {
   if (dataset != "polydata" && dataset != "unstructured_grid") return "it holds a " + dataset;
 
   for (std::string part = text.word(); !part.empty(); part = text.word()) {
+    if (part == "point_data" || part == "cell_data") break;
     Wrong wrong;
-    if (part == "point_data" || part == "cell_data") {
-      break;
-    } else if (part == "points") {
+    if (part == "points") {
       const auto points = text.count();
       if (!points || *points > UINT64_MAX / 3 || !text.skip_values(3 * *points, text.word())) {
         wrong = GLISSON_TEXT("its points are not all there");
