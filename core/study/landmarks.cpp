@@ -62,12 +62,11 @@ Result<LandmarksSummary> run_landmarks(const fs::path& folder, const fs::path& o
       .map([&] { return std::move(summary); });
 }
 
-Result<BeamRow> beams_of(const std::string& patient, const MeasuredLiver& liver, const LandmarksOptions& options) {
+Result<BeamRow> beams_of(const std::string& patient, const MeasuredLiver& liver, double mean_shear_kPa,
+                         const LandmarksOptions& options) {
   const double poisson_ratio = options.retraction.poisson_ratio;
-  const auto statistics = elastography::statistics_of(liver.values_kPa());
-  if (!statistics) return failure(statistics.error());
   return compare_beams(patient, trusted_tissue(liver, poisson_ratio),
-                       units::youngs_from_shear(statistics->mean, poisson_ratio), options.beams);
+                       units::youngs_from_shear(mean_shear_kPa, poisson_ratio), options.beams);
 }
 
 std::string summary_text(const LandmarksSummary& summary) {
@@ -166,7 +165,7 @@ Result<NamedNumbers> misplacements_in(const Subject& subject, const LandmarksOpt
   if (!statistics) return failure(statistics.error());
   const auto retraction = retract(*liver, options.retraction);
   if (!retraction) return failure(retraction.error());
-  const auto beams = beams_of(subject.id, *liver, options);
+  const auto beams = beams_of(subject.id, *liver, statistics->mean, options);
   if (!beams) return failure(beams.error());
 
   NamedNumbers row{{"mean_kPa", statistics->mean},

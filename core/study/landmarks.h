@@ -49,8 +49,10 @@ struct LandmarksSummary {
 Result<LandmarksSummary> run_landmarks(const std::filesystem::path& folder, const std::filesystem::path& out,
                                        const LandmarksOptions& options = {}, const Progress& progress = {});
 
-// The beams of one patient, in the tissue that the map is to be trusted in. Fails as compare_beams does.
-Result<BeamRow> beams_of(const std::string& patient, const MeasuredLiver& liver, const LandmarksOptions& options);
+// The beams of one patient, in the tissue that the map is to be trusted in, against one of the liver's mean (column
+// "mean_kPa"). Fails as compare_beams does.
+Result<BeamRow> beams_of(const std::string& patient, const MeasuredLiver& liver, double mean_shear_kPa,
+                         const LandmarksOptions& options);
 
 // What summary.json holds, as JSON text.
 std::string summary_text(const LandmarksSummary& summary);

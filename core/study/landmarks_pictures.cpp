@@ -47,7 +47,9 @@ Result<LandmarksPictures> draw_landmarks_pictures(const std::vector<Subject>& su
     const BatchRow& row = summary.rows[r];
     const fs::path picture = out / "examples" / row.id / "beams.png";
     const auto drawn = liver_of(row)
-                           .and_then([&](const MeasuredLiver& liver) { return beams_of(row.id, liver, options); })
+                           .and_then([&](const MeasuredLiver& liver) {
+                             return beams_of(row.id, liver, column_of({row}, "mean_kPa").front(), options);
+                           })
                            .and_then([&](const BeamRow& beams) { return draw_beams(beams, picture, options.warning); });
     if (!drawn) return failure(drawn.error());
     pictures.within.push_back({picture, row.id + ": beams of its soft, stiff and most uneven region, lifted"});
