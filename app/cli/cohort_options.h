@@ -7,6 +7,7 @@
 
 #include "command.h"
 #include "study/batch.h"
+#include "study/cohort.h"
 
 namespace glisson::cli {
 
@@ -26,6 +27,18 @@ Result<std::string> folder_of(const CohortChoice& choice);
 
 // The patients' names (--list).
 Result<Outcome> list_patients(const std::string& folder);
+
+// study(folder, options) over the patients chosen, or their names. `options` are a study's, told here which patient
+// alone is asked for and what to warn of.
+template <typename StudyOptions, typename Study>
+Result<Outcome> run_over_cohort(const CohortChoice& choice, StudyOptions options, const Study& study) {
+  const auto folder = folder_of(choice);
+  if (!folder) return failure(folder.error());
+  if (choice.list) return list_patients(*folder);
+  options.only = choice.only;
+  options.warning = study::cohort_warning(*folder);
+  return study(*folder, options);
+}
 
 // "rows" of the document, and a line of the text for each patient who could not be used.
 void add_rows(const std::vector<study::BatchRow>& rows, Outcome& outcome);

@@ -29,13 +29,10 @@ Outcome describe(const study::CohortSummary& summary) {
   return outcome;
 }
 
-Result<Outcome> run(Options options, const Progress& progress) {
-  const auto folder = folder_of(options.patients);
-  if (!folder) return failure(folder.error());
-  if (options.patients.list) return list_patients(*folder);
-  options.cohort.only = options.patients.only;
-  options.cohort.warning = study::cohort_warning(*folder);
-  return study::run_cohort(*folder, options.patients.out, options.cohort, progress).map(describe);
+Result<Outcome> run(const Options& options, const Progress& progress) {
+  return run_over_cohort(options.patients, options.cohort, [&](const std::string& folder, const auto& chosen) {
+    return study::run_cohort(folder, options.patients.out, chosen, progress).map(describe);
+  });
 }
 
 }  // namespace

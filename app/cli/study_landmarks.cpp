@@ -37,13 +37,10 @@ Outcome describe(const study::LandmarksSummary& summary) {
   return outcome;
 }
 
-Result<Outcome> run(Options options, const Progress& progress) {
-  const auto folder = folder_of(options.patients);
-  if (!folder) return failure(folder.error());
-  if (options.patients.list) return list_patients(*folder);
-  options.landmarks.only = options.patients.only;
-  options.landmarks.warning = study::cohort_warning(*folder);
-  return study::run_landmarks(*folder, options.patients.out, options.landmarks, progress).map(describe);
+Result<Outcome> run(const Options& options, const Progress& progress) {
+  return run_over_cohort(options.patients, options.landmarks, [&](const std::string& folder, const auto& chosen) {
+    return study::run_landmarks(folder, options.patients.out, chosen, progress).map(describe);
+  });
 }
 
 }  // namespace
