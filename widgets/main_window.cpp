@@ -1,5 +1,6 @@
 #include "main_window.h"
 
+#include <algorithm>
 #include <QCloseEvent>
 #include <QDir>
 #include <QDropEvent>
@@ -14,8 +15,8 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "base/result.h"
 #include "base/files.h"
-#include "panels/platform_view.h"
 #include "session/load_patient.h"
 #include "views/wave_view.h"
 #include "words/language_menu.h"
@@ -36,29 +37,100 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setAcceptDrops(true);
   resize(1600, 1000);
   study_panel_ = new StudyPanel;
-  rehearse_panel_ = new RehearsePanel(rehearsal_);
   auto* left = new QWidget;
   auto* left_column = new QVBoxLayout(left);
   left_column->setContentsMargins(0, 0, 0, 0);
   left_column->setSpacing(0);
   left_column->addWidget(study_panel_, 1);
   left_column->addWidget(make_next_step());
+  panels_ = new QStackedWidget;
   auto* across = new QSplitter(Qt::Horizontal);
   across->addWidget(left);
   across->addWidget(make_centre());
-  across->addWidget(rehearse_panel_);
+  across->addWidget(panels_);
   across->setStretchFactor(1, 1);
   across->setSizes({250, 940, 410});
   across->setChildrenCollapsible(false);
-  setCentralWidget(across);
+  pages_ = new QStackedWidget;
+  pages_->addWidget(across);
+  bar_ = new WorkspaceBar;
+  auto* whole = new QWidget;
+  auto* rows = new QVBoxLayout(whole);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  rows->addWidget(bar_);
+  rows->addWidget(make_messages());
+  rows->addWidget(pages_, 1);
+  setCentralWidget(whole);
   patient_views_ = new PatientViews(*views_, this);
   make_menus();
   make_status_bar();
+  make_workspaces();
   connect_parts();
+  go_to("rehearse");
   worded(this, [this] {
     word_patient();
     patient_views_->reword();
   });
+}
+
+// In the order of the work.
+void MainWindow::make_workspaces() {
+  rehearse_panel_ = new RehearsePanel(rehearsal_);
+  add_workspace(
+      {.id = "rehearse",
+       .name = [] { return tr("Rehearse"); },
+       .about = [] { return tr("Pull with a tool, and see what moves and how far."); },
+       .widget = rehearse_panel_,
+       .show_patient = [this](const Patient& patient) { rehearse_panel_->set_ready(patient.rehearsal != nullptr); },
+       .missing =
+           [](const Patient& patient) {
+             return patient.rehearsal ? QString() : tr("Needs a model of the liver: build it first.");
+           }});
+  QWidget* platforms = PlatformView::shipped();
+  add_workspace({.id = "platform",
+                 .name = [] { return tr("Platform"); },
+                 .about = [] { return tr("Find what can be worn for this case."); },
+                 .widget = platforms,
+                 .place = Workspace::Place::whole_window,
+                 .show_patient =
+                     [view = qobject_cast<PlatformView*>(platforms)](const Patient& patient) {
+                       if (view == nullptr || patient.name.empty()) return;
+                       const bool outlined = !patient.structures.empty() && patient.structures.front().name == "liver";
+                       view->show_case(QString::fromStdString(patient.name),
+                                       outlined ? patient.structures.front().volume_ml : 0, patient.mean_youngs_kPa);
+                     }});
+}
+
+void MainWindow::add_workspace(Workspace workspace) {
+  const int index = static_cast<int>(workspaces_.size());
+  (workspace.place == Workspace::Place::whole_window ? pages_ : panels_)->addWidget(workspace.widget);
+  bar_->add(workspace);
+  QAction* go = go_menu_->addAction({}, QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + index)), bar_,
+                                    [this, index] { bar_->choose(index); });
+  worded(go_menu_, [go, name = workspace.name] { go->setText(name()); });
+  workspaces_.push_back(std::move(workspace));
+}
+
+void MainWindow::go_to(const QString& workspace_id) {
+  const auto found = std::find_if(workspaces_.begin(), workspaces_.end(),
+                                  [&](const Workspace& workspace) { return workspace.id == workspace_id; });
+  GLISSON_ASSERT(found != workspaces_.end());
+  bar_->choose(static_cast<int>(found - workspaces_.begin()));
+}
+
+QString MainWindow::workspace() const { return workspaces_.at(static_cast<std::size_t>(bar_->current())).id; }
+
+Bench MainWindow::bench() {
+  return {.work = work_,
+          .views = *views_,
+          .patient_views = *patient_views_,
+          .rehearsal = rehearsal_,
+          .patient = [this]() -> const Patient& { return patient_; },
+          .change = [this](const QString& title, auto loader) { load(title, std::move(loader)); },
+          .tell_error = [this](const Error& error) { show_error(error); },
+          .tell_status = [this](const QString& text) { status_->setText(text); },
+          .go_to = [this](const QString& workspace_id) { go_to(workspace_id); }};
 }
 
 void MainWindow::open_path(const fs::path& opened) {
@@ -113,10 +185,10 @@ void MainWindow::show_patient(const Patient& patient) {
   study_panel_->show_patient(patient);
   patient_views_->show_patient(patient);
   rehearsal_.set_body(patient.rehearsal);
-  rehearse_panel_->set_ready(patient.rehearsal != nullptr);
+  for (const Workspace& workspace : workspaces_) workspace.show_patient(patient);
+  bar_->show_patient(patient);
   save_picture_->setEnabled(true);
   show_waves_->setEnabled(!patient.folder.empty() && WaveView::has_waves(patient.folder));
-  tell_platforms();
   next_ = patient.folder.empty() ? NextStep::none : next_step(patient.folder);
   next_step_->setVisible(next_ != NextStep::none);
   word_patient();
@@ -145,9 +217,7 @@ void MainWindow::make_menus() {
   show_waves_->setEnabled(false);
   file->addSeparator();
   QAction* quit = file->addAction({}, QKeySequence::Quit, this, &QWidget::close);
-  QMenu* plan = menuBar()->addMenu(QString());
-  QAction* worn = plan->addAction({}, QKeySequence("Ctrl+P"), this, &MainWindow::show_platforms);
-  worn->setObjectName("wearables");
+  go_menu_ = menuBar()->addMenu(QString());
   menuBar()->addMenu(new LanguageMenu(this));
   QMenu* help = menuBar()->addMenu(QString());
   QAction* manual = help->addAction({}, QKeySequence::HelpContents, this, &MainWindow::show_manual);
@@ -160,22 +230,22 @@ void MainWindow::make_menus() {
     save_picture_->setText(tr("&Save the picture..."));
     show_waves_->setText(tr("Elastography &waves..."));
     quit->setText(tr("&Quit"));
-    plan->setTitle(tr("&Plan"));
-    worn->setText(tr("What can be &worn for this case..."));
+    go_menu_->setTitle(tr("&Go"));
     help->setTitle(tr("&Help"));
     manual->setText(tr("&Manual"));
     about->setText(tr("&About Glisson"));
   });
 }
 
-QWidget* MainWindow::make_centre() {
-  auto* centre = new QWidget;
-  auto* column = new QVBoxLayout(centre);
+QWidget* MainWindow::make_messages() {
+  auto* messages = new QWidget;
+  auto* column = new QVBoxLayout(messages);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
 
   notice_ = new QWidget;
   notice_->setObjectName("notice");
+  notice_->setAttribute(Qt::WA_StyledBackground);
   auto* row = new QHBoxLayout(notice_);
   row->setContentsMargins(12, 8, 8, 8);
   notice_text_ = new QLabel;
@@ -194,6 +264,18 @@ QWidget* MainWindow::make_centre() {
   origin_->setWordWrap(true);
   origin_->hide();
   column->addWidget(origin_);
+  worded(messages, [=, this] {
+    dismiss->setText(tr("Close"));
+    if (notice_words_) notice_text_->setText(notice_words_());
+  });
+  return messages;
+}
+
+QWidget* MainWindow::make_centre() {
+  auto* centre = new QWidget;
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
 
   views_ = new LinkedViews;
   views_->hide();
@@ -235,13 +317,11 @@ QWidget* MainWindow::make_centre() {
   column->addWidget(welcome_, 1);
 
   worded(this, [=, this] {
-    dismiss->setText(tr("Close"));
     title->setText(tr("Plan a liver operation"));
     words->setText(tr("Drop a case or a folder of DICOM images here, or begin with the demo patient."));
     demo->setText(tr("Open the demo patient"));
     open_case->setText(tr("Open a case..."));
     open_images->setText(tr("Open images..."));
-    if (notice_words_) notice_text_->setText(notice_words_());
   });
   return centre;
 }
@@ -320,6 +400,16 @@ void MainWindow::connect_parts() {
     work_.cancel();
   });
 
+  connect(bar_, &WorkspaceBar::chosen, this, [this](int index) {
+    const Workspace& workspace = workspaces_.at(static_cast<std::size_t>(index));
+    const bool whole = workspace.place == Workspace::Place::whole_window;
+    if (whole) {
+      pages_->setCurrentWidget(workspace.widget);
+    } else {
+      pages_->setCurrentIndex(0);
+      panels_->setCurrentWidget(workspace.widget);
+    }
+  });
   connect(study_panel_, &StudyPanel::slice_image_chosen, patient_views_, &PatientViews::set_slice_image);
   connect(study_panel_, &StudyPanel::structure_shown, patient_views_, &PatientViews::set_structure_shown);
   connect(rehearse_panel_, &RehearsePanel::bodies_chosen, patient_views_, &PatientViews::set_bodies);
@@ -449,27 +539,6 @@ void MainWindow::take_next_step() {
   } else {
     load(tr("Building the model"), [folder](const Progress& progress) { return build_model(folder, progress); });
   }
-}
-
-void MainWindow::show_platforms() {
-  if (platforms_ == nullptr) {
-    platforms_ = PlatformView::shipped(this);
-    platforms_->setWindowFlag(Qt::Window);
-    worded(platforms_, [window = platforms_.data()] { window->setWindowTitle(tr("What can be worn - Glisson")); });
-    platforms_->resize(1560, 960);
-    tell_platforms();
-  }
-  platforms_->show();
-  platforms_->raise();
-  platforms_->activateWindow();
-}
-
-void MainWindow::tell_platforms() {
-  auto* view = qobject_cast<PlatformView*>(platforms_.data());
-  if (view == nullptr || patient_.name.empty()) return;
-  const bool outlined = !patient_.structures.empty() && patient_.structures.front().name == "liver";
-  view->show_case(QString::fromStdString(patient_.name), outlined ? patient_.structures.front().volume_ml : 0,
-                  patient_.mean_youngs_kPa);
 }
 
 void MainWindow::show_error(const Error& error) {

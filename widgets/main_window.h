@@ -1,16 +1,19 @@
 #pragma once
-// The window: patient on the left, four views in the middle, the rehearsal on the right.
+// The window: workspaces along the top. Those about the patient have the patient on the left, four views in the middle
+// and their own panel on the right; the others fill the window.
 
 #include <filesystem>
 #include <functional>
 #include <QLabel>
 #include <QMainWindow>
-#include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QStackedWidget>
+#include <vector>
 
 #include "help/manual_window.h"
 #include "imaging/study.h"
+#include "panels/platform_view.h"
 #include "panels/rehearse_panel.h"
 #include "panels/study_panel.h"
 #include "session/live_rehearsal.h"
@@ -20,6 +23,7 @@
 #include "views/patient_views.h"
 #include "words/told.h"
 #include "work/background_work.h"
+#include "workspaces/workspace_bar.h"
 
 namespace glisson::widgets {
 
@@ -34,6 +38,10 @@ class MainWindow : public QMainWindow {
   void open_demo();
   void show_patient(const Patient& patient);
 
+  // "rehearse", ...; see workspaces/workspace.h.
+  void go_to(const QString& workspace_id);
+  [[nodiscard]] QString workspace() const;
+
   [[nodiscard]] LinkedViews& views() { return *views_; }
   [[nodiscard]] LiveRehearsal& rehearsal() { return rehearsal_; }
   [[nodiscard]] BackgroundWork& work() { return work_; }
@@ -44,7 +52,11 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  void make_workspaces();
+  void add_workspace(Workspace workspace);
+  [[nodiscard]] Bench bench();
   void make_menus();
+  QWidget* make_messages();
   QWidget* make_centre();
   QWidget* make_next_step();
   void make_status_bar();
@@ -56,8 +68,6 @@ class MainWindow : public QMainWindow {
   void show_manual();
   void show_waves();
   void about();
-  void show_platforms();
-  void tell_platforms();
 
   // Loads a patient on a worker thread, then shows it or says what went wrong.
   void load(const QString& title, std::function<Result<Patient>(const Progress&)> loader,
@@ -81,6 +91,11 @@ class MainWindow : public QMainWindow {
   StudyPanel* study_panel_ = nullptr;
   RehearsePanel* rehearse_panel_ = nullptr;
   ManualWindow* manual_ = nullptr;  // from the first time that it is asked for
+  WorkspaceBar* bar_ = nullptr;
+  std::vector<Workspace> workspaces_;
+  QStackedWidget* pages_ = nullptr;   // the patient with the views first
+  QStackedWidget* panels_ = nullptr;  // to the right of the views
+  QMenu* go_menu_ = nullptr;
   QLabel* origin_ = nullptr;
   QWidget* notice_ = nullptr;
   QLabel* notice_text_ = nullptr;
@@ -96,7 +111,6 @@ class MainWindow : public QMainWindow {
   QPushButton* cancel_ = nullptr;
   QAction* save_picture_ = nullptr;
   QAction* show_waves_ = nullptr;
-  QPointer<QWidget> platforms_;  // a window of its own, made when asked for
 };
 
 }  // namespace glisson::widgets

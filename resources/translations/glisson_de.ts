@@ -3544,16 +3544,28 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
         <translation>&amp;Handbuch</translation>
     </message>
     <message>
-        <source>&amp;Plan</source>
-        <translation>&amp;Planen</translation>
+        <source>Rehearse</source>
+        <translation>Proben</translation>
     </message>
     <message>
-        <source>What can be &amp;worn for this case...</source>
-        <translation>Was sich für diesen Fall &amp;tragen lässt …</translation>
+        <source>Pull with a tool, and see what moves and how far.</source>
+        <translation>Mit einem Werkzeug ziehen und sehen, was sich wie weit bewegt.</translation>
     </message>
     <message>
-        <source>What can be worn - Glisson</source>
-        <translation>Was sich tragen lässt - Glisson</translation>
+        <source>Needs a model of the liver: build it first.</source>
+        <translation>Braucht ein Modell der Leber: Bauen Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>Plattform</translation>
+    </message>
+    <message>
+        <source>Find what can be worn for this case.</source>
+        <translation>Finden, was sich für diesen Fall tragen lässt.</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>&amp;Gehe zu</translation>
     </message>
 </context>
 <context>
@@ -4257,6 +4269,13 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     <message>
         <source>Slice %1 of %2</source>
         <translation>Schicht %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::WorkspaceBar</name>
+    <message>
+        <source>%1 (Ctrl+%2)</source>
+        <translation>%1 (Strg+%2)</translation>
     </message>
 </context>
 <context>

@@ -3546,16 +3546,28 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
         <translation>&amp;Manual</translation>
     </message>
     <message>
-        <source>&amp;Plan</source>
-        <translation>&amp;Planificar</translation>
+        <source>Rehearse</source>
+        <translation>Ensayar</translation>
     </message>
     <message>
-        <source>What can be &amp;worn for this case...</source>
-        <translation>Qué se puede &amp;llevar puesto en este caso…</translation>
+        <source>Pull with a tool, and see what moves and how far.</source>
+        <translation>Tirar con un instrumento y ver qué se mueve y cuánto.</translation>
     </message>
     <message>
-        <source>What can be worn - Glisson</source>
-        <translation>Qué se puede llevar puesto - Glisson</translation>
+        <source>Needs a model of the liver: build it first.</source>
+        <translation>Hace falta un modelo del hígado: constrúyalo primero.</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>Plataforma</translation>
+    </message>
+    <message>
+        <source>Find what can be worn for this case.</source>
+        <translation>Encontrar qué se puede llevar puesto en este caso.</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>&amp;Ir</translation>
     </message>
 </context>
 <context>
@@ -4260,6 +4272,13 @@ Módulo de Young %2 kPa (media)</translation>
     <message>
         <source>Slice %1 of %2</source>
         <translation>Corte %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::WorkspaceBar</name>
+    <message>
+        <source>%1 (Ctrl+%2)</source>
+        <translation>%1 (Ctrl+%2)</translation>
     </message>
 </context>
 <context>

@@ -3546,16 +3546,28 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
         <translation>&amp;Manuel</translation>
     </message>
     <message>
-        <source>&amp;Plan</source>
-        <translation>&amp;Planifier</translation>
+        <source>Rehearse</source>
+        <translation>Répéter</translation>
     </message>
     <message>
-        <source>What can be &amp;worn for this case...</source>
-        <translation>Ce qui peut être &amp;porté pour ce cas…</translation>
+        <source>Pull with a tool, and see what moves and how far.</source>
+        <translation>Tirer avec un instrument et voir ce qui bouge, et de combien.</translation>
     </message>
     <message>
-        <source>What can be worn - Glisson</source>
-        <translation>Ce qui peut être porté - Glisson</translation>
+        <source>Needs a model of the liver: build it first.</source>
+        <translation>Il faut un modèle du foie : construisez-le d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>Plateforme</translation>
+    </message>
+    <message>
+        <source>Find what can be worn for this case.</source>
+        <translation>Trouver ce qui peut être porté pour ce cas.</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>&amp;Aller</translation>
     </message>
 </context>
 <context>
@@ -4260,6 +4272,13 @@ Module de Young&#xa0;%2 kPa (moyenne)</translation>
     <message>
         <source>Slice %1 of %2</source>
         <translation>Coupe&#xa0;%1 sur&#xa0;%2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::WorkspaceBar</name>
+    <message>
+        <source>%1 (Ctrl+%2)</source>
+        <translation>%1 (Ctrl+%2)</translation>
     </message>
 </context>
 <context>

@@ -157,7 +157,7 @@ class StudyTest : public QObject {
     window_ = std::make_unique<MainWindow>();
     window_->show();
     window_->open_path(case_folder() / "case.json");
-    auto* name = window_->findChild<QLabel*>("patient_name");
+    auto* name = window_->findChild<StudyPanel*>()->findChild<QLabel*>("patient_name");
     QTRY_VERIFY_WITH_TIMEOUT(name->text().contains("dropped"), patience_ms);
   }
 

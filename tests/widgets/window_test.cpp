@@ -5,6 +5,7 @@
 
 #include <QDoubleSpinBox>
 #include <QPushButton>
+#include <QToolButton>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QtTest>
@@ -58,20 +59,38 @@ class WindowTest : public QObject {
     QVERIFY(origin->text().contains("SIMULATED"));
   }
 
+  void goes_to_a_workspace_by_mouse_and_by_key() {
+    QCOMPARE(window_->workspace(), "rehearse");
+    QTest::mouseClick(child<QToolButton>("workspace_platform"), Qt::LeftButton);
+    QCOMPARE(window_->workspace(), "platform");
+    QVERIFY(window_->findChild<PlatformView*>()->isVisible());
+    QVERIFY(!child<QPushButton>("place")->isVisible());
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    QTest::keyClick(window_.get(), Qt::Key_1, Qt::ControlModifier);
+    QCOMPARE(window_->workspace(), "rehearse");
+    QVERIFY(child<QPushButton>("place")->isVisible());
+  }
+
+  void a_workspace_that_is_not_ready_says_what_it_needs() {
+    Patient bare = simulated_block();
+    bare.rehearsal = nullptr;
+    window_->show_patient(bare);
+    const auto* button = child<QToolButton>("workspace_rehearse");
+    QVERIFY(button->toolTip().contains("Needs a model"));
+    window_->show_patient(simulated_block());
+    QVERIFY(!button->toolTip().contains("Needs a model"));
+  }
+
   void plans_what_can_be_worn_for_the_patient_shown() {
-    auto* plan = window_->findChild<QAction*>("wearables");
-    QVERIFY(plan != nullptr);
-    plan->trigger();
     auto* view = window_->findChild<PlatformView*>();
-    QVERIFY(view != nullptr && view->isVisible());
     QCOMPARE(view->plan()->request.liver_volume_cm3, 768.0);
     Patient other = simulated_block();
     other.structures.front().volume_ml = 1200;
     other.mean_youngs_kPa = 4;
-    window_->show_patient(other);  // while it is open
+    window_->show_patient(other);
     QCOMPARE(view->plan()->request.liver_volume_cm3, 1200.0);
     QCOMPARE(*view->plan()->request.youngs_kPa, 4.0);
-    view->close();
     window_->show_patient(simulated_block());
   }
 

@@ -1,0 +1,44 @@
+#pragma once
+// A workspace is one stop of the work, left to right: Study, Segment, Model, Rehearse, Resect, Register, Platform,
+// Evidence, Report. Any widget can be one; it says by showEvent() and hideEvent() when it is at work.
+
+#include <functional>
+#include <QString>
+#include <QWidget>
+
+#include "session/live_rehearsal.h"
+#include "session/patient.h"
+#include "views/patient_views.h"
+#include "work/background_work.h"
+
+namespace glisson::widgets {
+
+struct Workspace {
+  enum class Place { beside_views, whole_window };
+
+  QString id;                      // "rehearse": for code, never seen
+  std::function<QString()> name;   // in the language of now
+  std::function<QString()> about;  // one sentence: what is done here
+  QWidget* widget = nullptr;
+  Place place = Place::beside_views;
+  // A patient was opened, or what is known of this one has changed.
+  std::function<void(const Patient&)> show_patient = [](const Patient&) {};
+  // What it needs before anything can be done here, and how to get it; empty when it is ready.
+  std::function<QString(const Patient&)> missing = [](const Patient&) { return QString(); };
+};
+
+// What workspaces share; the window owns it and outlives them.
+struct Bench {
+  BackgroundWork& work;
+  LinkedViews& views;
+  PatientViews& patient_views;
+  LiveRehearsal& rehearsal;
+  std::function<const Patient&()> patient;
+  // Changes the case on a worker thread and shows the patient that comes of it, or says what went wrong.
+  std::function<void(const QString& title, std::function<Result<Patient>(const Progress&)>)> change;
+  std::function<void(const Error&)> tell_error;
+  std::function<void(const QString&)> tell_status;
+  std::function<void(const QString& workspace_id)> go_to;
+};
+
+}  // namespace glisson::widgets
