@@ -1,9 +1,12 @@
 #include "theme.h"
 
+#include <map>
 #include <QApplication>
 #include <QFile>
 #include <QPalette>
+#include <QSettings>
 #include <QStyleFactory>
+#include <QTextStream>
 
 // Resources of a static library are left out by the linker unless somebody asks for them; outside any namespace.
 static void take_in_resources() {
@@ -12,36 +15,77 @@ static void take_in_resources() {
 }
 
 namespace glisson::widgets {
+namespace {
 
-void apply_dark_theme(QApplication& application) {
-  take_in_resources();
-  application.setStyle(QStyleFactory::create("Fusion"));
-  QPalette palette;
-  const QColor window(0x1b, 0x1f, 0x26);
-  const QColor base(0x14, 0x17, 0x1c);
-  const QColor raised(0x2a, 0x30, 0x3a);
-  const QColor text(0xe4, 0xe8, 0xee);
-  const QColor faint(0x7d, 0x87, 0x95);
-  const QColor accent(0x2f, 0x9e, 0xa8);
-  palette.setColor(QPalette::Window, window);
-  palette.setColor(QPalette::WindowText, text);
-  palette.setColor(QPalette::Base, base);
-  palette.setColor(QPalette::AlternateBase, QColor(0x18, 0x1c, 0x22));
-  palette.setColor(QPalette::Text, text);
-  palette.setColor(QPalette::Button, raised);
-  palette.setColor(QPalette::ButtonText, text);
-  palette.setColor(QPalette::ToolTipBase, raised);
-  palette.setColor(QPalette::ToolTipText, text);
-  palette.setColor(QPalette::PlaceholderText, faint);
-  palette.setColor(QPalette::Highlight, accent);
-  palette.setColor(QPalette::HighlightedText, Qt::white);
-  palette.setColor(QPalette::Link, QColor(0x5c, 0xc4, 0xcd));
-  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
-    palette.setColor(QPalette::Disabled, role, QColor(0x5c, 0x64, 0x70));
+constexpr const char* theme_key = "theme";
+Theme applied = Theme::dark;
+
+QSettings settings() { return QSettings("glisson", "glisson"); }
+
+QString text_of(const QString& resource) {
+  QFile file(resource);
+  return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+// Lines "name #rrggbb".
+std::map<QString, QString> colours(Theme theme) {
+  QString lines = text_of(theme == Theme::dark ? ":/themes/dark.colours" : ":/themes/light.colours");
+  QTextStream stream(&lines);
+  std::map<QString, QString> found;
+  while (!stream.atEnd()) {
+    QString name;
+    QString colour;
+    stream >> name >> colour;
+    if (!colour.isEmpty()) found[name] = colour;
   }
-  application.setPalette(palette);
-  QFile sheet(":/themes/dark.qss");
-  if (sheet.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(sheet.readAll()));
+  return found;
+}
+
+QPalette palette_of(const std::map<QString, QString>& named) {
+  const auto colour = [&](const char* name) { return QColor(named.at(name)); };
+  QPalette palette;
+  palette.setColor(QPalette::Window, colour("panel"));
+  palette.setColor(QPalette::WindowText, colour("ink"));
+  palette.setColor(QPalette::Base, colour("page"));
+  palette.setColor(QPalette::AlternateBase, colour("stripe"));
+  palette.setColor(QPalette::Text, colour("ink"));
+  palette.setColor(QPalette::Button, colour("raised"));
+  palette.setColor(QPalette::ButtonText, colour("ink"));
+  palette.setColor(QPalette::ToolTipBase, colour("raised"));
+  palette.setColor(QPalette::ToolTipText, colour("ink"));
+  palette.setColor(QPalette::PlaceholderText, colour("waiting"));
+  palette.setColor(QPalette::Highlight, colour("accent"));
+  palette.setColor(QPalette::HighlightedText, colour("on_accent"));
+  palette.setColor(QPalette::Link, colour("accent_edge"));
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+    palette.setColor(QPalette::Disabled, role, colour("disabled"));
+  }
+  return palette;
+}
+
+}  // namespace
+
+void apply_theme(Theme theme) {
+  take_in_resources();
+  applied = theme;
+  const auto named = colours(theme);
+  QString sheet = text_of(":/themes/window.qss");
+  for (const auto& [name, colour] : named) sheet.replace('@' + name + '@', colour);
+  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QApplication::setPalette(palette_of(named));
+  qApp->setStyleSheet(sheet);
+}
+
+QColor theme_colour(const char* name) {
+  static const std::map<QString, QString> named[] = {colours(Theme::dark), colours(Theme::light)};
+  return QColor(named[applied == Theme::dark ? 0 : 1].at(name));
+}
+
+Theme kept_theme() { return settings().value(theme_key).toString() == "light" ? Theme::light : Theme::dark; }
+
+void keep_theme(Theme theme) {
+  settings().setValue(theme_key, theme == Theme::light ? "light" : "dark");
+  apply_theme(theme);
 }
 
 }  // namespace glisson::widgets

@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   name_application();
   QApplication::setApplicationDisplayName("Glisson");
-  glisson::widgets::apply_dark_theme(application);
+  glisson::widgets::apply_theme(glisson::widgets::kept_theme());
   glisson::widgets::begin_in_kept_language();
   QApplication::setWindowIcon(QIcon(":/icons/glisson.svg"));
 

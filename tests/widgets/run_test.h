@@ -24,7 +24,7 @@ int run_test(int argc, char** argv) {
   const QTemporaryDir settings;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   choose_language("en");
-  apply_dark_theme(application);
+  apply_theme(Theme::dark);
   begin_in_kept_language();
   Test test;
   return QTest::qExec(&test, argc, argv);

@@ -2,13 +2,12 @@
 
 #include <QHeaderView>
 
+#include "theme.h"
 #include "words/told.h"
 #include "words/worded.h"
 
 namespace glisson::widgets {
 namespace {
-
-const QColor amber(255, 190, 80);
 
 QTableWidgetItem* ensured(QTableWidget& table, int row, int column) {
   if (table.item(row, column) == nullptr) table.setItem(row, column, new QTableWidgetItem);
@@ -72,6 +71,7 @@ void LandmarkTable::fill_row(int row, const mechanics::DisplacedLandmark& landma
   flag->setText(atlas_far ? tr("▲ Atlas off") : moves_far ? tr("● Moves") : QString());
   // Colour repeats what the words say.
   const QBrush plain;
+  const QColor amber = theme_colour("warning");
   moves->setForeground(moves_far ? QBrush(amber) : plain);
   apart->setForeground(atlas_far ? QBrush(amber) : plain);
   flag->setForeground(moves_far || atlas_far ? QBrush(amber) : plain);

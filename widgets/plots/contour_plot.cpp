@@ -8,14 +8,11 @@
 #include <limits>
 #include <QVBoxLayout>
 
+#include "plots/themed_plot.h"
 #include "words/worded.h"
 
 namespace glisson::widgets {
 namespace {
-
-const QColor ink(0xe4, 0xe8, 0xee);
-const QColor faint(0x8a, 0x94, 0xa3);
-const QColor page(0x14, 0x17, 0x1c);
 
 // Resolutions stand in equal ratios; QCPColorMap knows no logarithmic axes.
 double height_of(double resolution_mm3) { return std::log10(resolution_mm3); }
@@ -33,15 +30,6 @@ QCPColorGradient heights() {
   return gradient;
 }
 
-void make_dark(QCPAxis* axis) {
-  axis->setBasePen(QPen(faint));
-  axis->setTickPen(QPen(faint));
-  axis->setSubTickPen(Qt::NoPen);
-  axis->setTickLabelColor(ink);
-  axis->setLabelColor(ink);
-  axis->grid()->setVisible(false);
-}
-
 }  // namespace
 
 ContourPlot::ContourPlot(QWidget* parent) : QWidget(parent) {
@@ -49,10 +37,9 @@ ContourPlot::ContourPlot(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   plot_ = new QCustomPlot(this);
-  plot_->setBackground(page);
   plot_->setMinimumSize(360, 240);
   plot_->axisRect()->setupFullAxesBox();
-  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis, plot_->xAxis2, plot_->yAxis2}) make_dark(axis);
+  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis, plot_->xAxis2, plot_->yAxis2}) axis->grid()->setVisible(false);
   plot_->xAxis2->setTicks(false);
   plot_->xAxis2->setTickLabels(false);
   plot_->yAxis2->setTickLabels(true);
@@ -65,12 +52,13 @@ ContourPlot::ContourPlot(QWidget* parent) : QWidget(parent) {
   scale_ = new QCPColorScale(plot_);
   scale_->setBarWidth(12);
   scale_->setGradient(heights());
-  make_dark(scale_->axis());
+  scale_->axis()->grid()->setVisible(false);
   plot_->plotLayout()->addElement(0, 1, scale_);
   map_->setColorScale(scale_);
   auto* margins = new QCPMarginGroup(plot_);
   plot_->axisRect()->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
   scale_->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
+  themed(plot_);
   column->addWidget(plot_);
   worded(this, [this] {
     plot_->xAxis->setLabel(tr("Liver (cm³)"));
@@ -140,7 +128,7 @@ void ContourPlot::draw_contour(const Contour& contour, double label_at) {
       segments[static_cast<std::size_t>(label_at * static_cast<double>(segments.size()))];
   auto* label = new QCPItemText(plot_);
   label->setText(contour.label);
-  label->setColor(contour.wanted ? Qt::black : ink);
+  label->setColor(contour.wanted ? Qt::black : Qt::white);
   label->setBrush(contour.wanted ? QColor(255, 255, 255, 220) : QColor(20, 23, 28, 190));
   label->setPadding({4, 1, 4, 1});
   label->position->setCoords((labelled.from[0] + labelled.to[0]) / 2,
