@@ -1,6 +1,7 @@
 #include "main_window.h"
 
 #include <algorithm>
+#include <cmath>
 #include <QCloseEvent>
 #include <QDir>
 #include <QDropEvent>
@@ -9,15 +10,21 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QSplitter>
 #include <QStackedLayout>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
-#include "base/result.h"
 #include "base/files.h"
+#include "base/result.h"
+#include "diary/diary_window.h"
+#include "help/shortcuts_window.h"
 #include "session/load_patient.h"
+#include "settings/settings.h"
+#include "settings/settings_window.h"
 #include "views/wave_view.h"
 #include "words/language_menu.h"
 #include "words/told.h"
@@ -31,9 +38,35 @@ namespace fs = std::filesystem;
 fs::path path_of(const QString& text) { return fs::path(text.toStdU16String()); }
 QString text_of(const fs::path& path) { return QString::fromStdU16String(path.u16string()); }
 
+// What this program keeps for itself on this computer.
+fs::path own_folder() { return path_of(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)); }
+
+QString diary_file() {
+  std::error_code problem;
+  fs::create_directories(own_folder(), problem);
+  return text_of(own_folder() / "glisson.log");
+}
+
+// Who draws, "llvmpipe (LLVM 15.0.6, 256 bits)"; unknown before the widget was first shown.
+QString drawn_by(QOpenGLWidget& widget) {
+  if (widget.context() == nullptr) return "unknown";
+  widget.makeCurrent();
+  const auto* name = reinterpret_cast<const char*>(widget.context()->functions()->glGetString(GL_RENDERER));
+  widget.doneCurrent();
+  return QString::fromUtf8(name);
+}
+
+// "about 2 min left", once there is something to go by.
+QString time_left(double fraction, qint64 elapsed_ms) {
+  if (fraction < 0.05 || elapsed_ms < 3000) return {};
+  const int left_s = static_cast<int>(std::ceil(static_cast<double>(elapsed_ms) / 1000 * (1 - fraction) / fraction));
+  return left_s < 60 ? MainWindow::tr("about %1 s left").arg(left_s)
+                     : MainWindow::tr("about %1 min left").arg((left_s + 30) / 60);
+}
+
 }  // namespace
 
-MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file()), open_work_(own_folder() / "open") {
   setAcceptDrops(true);
   resize(1600, 1000);
   study_panel_ = new StudyPanel;
@@ -68,6 +101,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   make_workspaces();
   connect_parts();
   go_to("rehearse");
+  offer_lost_work();
+  diary_.note("The window is made.");
   worded(this, [this] {
     word_patient();
     patient_views_->reword();
@@ -192,6 +227,9 @@ void MainWindow::show_patient(const Patient& patient) {
   next_ = patient.folder.empty() ? NextStep::none : next_step(patient.folder);
   next_step_->setVisible(next_ != NextStep::none);
   word_patient();
+  if (!patient.folder.empty()) remember_case(patient.folder);
+  keep_open_work();
+  diary_.note("A patient is shown.");
 }
 
 void MainWindow::word_patient() {
@@ -210,23 +248,37 @@ void MainWindow::make_menus() {
       file->addAction(QIcon(":/icons/open.svg"), {}, QKeySequence::Open, this, &MainWindow::choose_case);
   QAction* open_images = file->addAction({}, QKeySequence("Ctrl+Shift+O"), this, &MainWindow::choose_study);
   QAction* open_demo = file->addAction({}, QKeySequence("Ctrl+D"), this, &MainWindow::open_demo);
+  QMenu* recent = file->addMenu(QString());
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] { list_recent(*recent); });
   file->addSeparator();
   save_picture_ = file->addAction({}, QKeySequence::Save, this, &MainWindow::save_picture);
   save_picture_->setEnabled(false);
   show_waves_ = file->addAction({}, QKeySequence("Ctrl+W"), this, &MainWindow::show_waves);
   show_waves_->setEnabled(false);
   file->addSeparator();
+  QAction* settings = file->addAction({}, QKeySequence("Ctrl+,"), this, [this] { SettingsWindow(this).exec(); });
+  settings->setObjectName("settings");
+  file->addSeparator();
   QAction* quit = file->addAction({}, QKeySequence::Quit, this, &QWidget::close);
   go_menu_ = menuBar()->addMenu(QString());
   menuBar()->addMenu(new LanguageMenu(this));
   QMenu* help = menuBar()->addMenu(QString());
   QAction* manual = help->addAction({}, QKeySequence::HelpContents, this, &MainWindow::show_manual);
+  QAction* keys = help->addAction({}, QKeySequence("Ctrl+F1"), this, [this] { (new ShortcutsWindow(this))->show(); });
+  keys->setObjectName("keys");
+  QAction* diary = help->addAction({}, this, &MainWindow::show_diary);
+  diary->setObjectName("log");
+  help->addSeparator();
   QAction* about = help->addAction({}, this, &MainWindow::about);
   worded(this, [=, this] {
     file->setTitle(tr("&File"));
     open_case->setText(tr("&Open a case..."));
     open_images->setText(tr("Open &images (DICOM folder)..."));
     open_demo->setText(tr("Open the &demo patient"));
+    recent->setTitle(tr("Open &recent"));
+    settings->setText(tr("Se&ttings..."));
+    keys->setText(tr("&Keys..."));
+    diary->setText(tr("&Log and problems..."));
     save_picture_->setText(tr("&Save the picture..."));
     show_waves_->setText(tr("Elastography &waves..."));
     quit->setText(tr("&Quit"));
@@ -281,48 +333,13 @@ QWidget* MainWindow::make_centre() {
   views_->hide();
   column->addWidget(views_, 1);
 
-  welcome_ = new QWidget;
-  auto* page = new QVBoxLayout(welcome_);
-  page->addStretch(2);
-  auto* mark = new QLabel;
-  mark->setPixmap(QIcon(":/icons/glisson.svg").pixmap(112, 112));
-  mark->setAlignment(Qt::AlignCenter);
-  page->addWidget(mark);
-  auto* title = new QLabel;
-  title->setObjectName("welcome_title");
-  title->setAlignment(Qt::AlignCenter);
-  page->addWidget(title);
-  auto* words = new QLabel;
-  words->setObjectName("faint");
-  words->setAlignment(Qt::AlignCenter);
-  page->addWidget(words);
-  page->addSpacing(12);
-  auto* buttons = new QHBoxLayout;
-  buttons->addStretch();
-  auto* demo = new QPushButton;
-  demo->setObjectName("primary");
-  auto* open_case = new QPushButton;
-  auto* open_images = new QPushButton;
-  for (QPushButton* button : {demo, open_case, open_images}) buttons->addWidget(button);
-  buttons->addStretch();
-  page->addLayout(buttons);
-  page->addSpacing(24);
-  welcome_stage_ = new QLabel;
-  welcome_stage_->setAlignment(Qt::AlignCenter);
-  page->addWidget(welcome_stage_);
-  page->addStretch(3);
-  connect(demo, &QPushButton::clicked, this, &MainWindow::open_demo);
-  connect(open_case, &QPushButton::clicked, this, &MainWindow::choose_case);
-  connect(open_images, &QPushButton::clicked, this, &MainWindow::choose_study);
+  welcome_ = new WelcomePage;
+  connect(welcome_, &WelcomePage::demo_wanted, this, &MainWindow::open_demo);
+  connect(welcome_, &WelcomePage::case_wanted, this, &MainWindow::choose_case);
+  connect(welcome_, &WelcomePage::images_wanted, this, &MainWindow::choose_study);
+  connect(welcome_, &WelcomePage::recent_wanted, this, &MainWindow::open_path);
+  connect(welcome_, &WelcomePage::lost_wanted, this, &MainWindow::open_lost_work);
   column->addWidget(welcome_, 1);
-
-  worded(this, [=, this] {
-    title->setText(tr("Plan a liver operation"));
-    words->setText(tr("Drop a case or a folder of DICOM images here, or begin with the demo patient."));
-    demo->setText(tr("Open the demo patient"));
-    open_case->setText(tr("Open a case..."));
-    open_images->setText(tr("Open images..."));
-  });
   return centre;
 }
 
@@ -374,27 +391,27 @@ void MainWindow::make_status_bar() {
 
 void MainWindow::connect_parts() {
   connect(&work_, &BackgroundWork::started, this, [this](const QString& title) {
+    work_time_.start();
+    diary_.note("Long work began.");
     status_->setText(title);
     progress_->setValue(0);
     progress_->show();
     cancel_->setEnabled(true);
     cancel_->show();
   });
-  connect(&work_, &BackgroundWork::progressed, this, [this](double fraction, const QString& stage) {
-    progress_->setValue(static_cast<int>(1000 * fraction));
-    if (stage.isEmpty()) return;
-    status_->setText(told_stage(stage));
-    welcome_stage_->setText(tr("%1 (%2 %)").arg(told_stage(stage)).arg(100 * fraction, 0, 'f', 0));
-  });
+  connect(&work_, &BackgroundWork::progressed, this, &MainWindow::show_progress);
   connect(&work_, &BackgroundWork::finished, this, [this] {
     status_->clear();
-    welcome_stage_->clear();
+    welcome_->show_stage({});
     progress_->hide();
     cancel_->hide();
+    diary_.note("Long work ended.", static_cast<double>(work_time_.elapsed()));
   });
   connect(&work_, &BackgroundWork::broke, this, [this](const QString& what) {
+    diary_.note_defect();
     show_notice([what] { return tr("A defect in Glisson stopped this: %1").arg(what); });
   });
+  connect(&stalls_, &StallWatch::stood_still, this, [this](double ms) { diary_.note_stall(ms); });
   connect(cancel_, &QPushButton::clicked, this, [this] {
     cancel_->setEnabled(false);
     work_.cancel();
@@ -409,6 +426,7 @@ void MainWindow::connect_parts() {
       pages_->setCurrentIndex(0);
       panels_->setCurrentWidget(workspace.widget);
     }
+    keep_open_work();
   });
   connect(study_panel_, &StudyPanel::slice_image_chosen, patient_views_, &PatientViews::set_slice_image);
   connect(study_panel_, &StudyPanel::structure_shown, patient_views_, &PatientViews::set_structure_shown);
@@ -431,6 +449,15 @@ void MainWindow::connect_parts() {
   connect(&rehearsal_, &LiveRehearsal::placed, this,
           [this](double solve_ms) { status_->setText(tr("Tool placed in %1 ms.").arg(solve_ms, 0, 'f', 0)); });
   connect(&rehearsal_, &LiveRehearsal::failed, this, &MainWindow::show_error);
+}
+
+void MainWindow::show_progress(double fraction, const QString& stage) {
+  progress_->setValue(static_cast<int>(1000 * fraction));
+  const QString left = time_left(fraction, work_time_.elapsed());
+  if (!stage.isEmpty()) {
+    status_->setText(left.isEmpty() ? told_stage(stage) : tr("%1, %2").arg(told_stage(stage), left));
+    welcome_->show_stage(tr("%1 (%2 %)").arg(told_stage(stage)).arg(100 * fraction, 0, 'f', 0));
+  }
 }
 
 void MainWindow::choose_case() {
@@ -460,6 +487,55 @@ void MainWindow::show_manual() {
   manual_->show();
   manual_->raise();
   manual_->activateWindow();
+}
+
+void MainWindow::show_diary() {
+  auto* window = new DiaryWindow(diary_, drawn_by(views_->space()), this);
+  window->setAttribute(Qt::WA_DeleteOnClose);
+  window->show();
+}
+
+void MainWindow::list_recent(QMenu& menu) {
+  menu.clear();
+  for (const fs::path& folder : recent_cases()) {
+    QAction* open = menu.addAction(text_of(folder.stem()), this, [this, folder] { open_path(folder); });
+    open->setToolTip(text_of(folder));
+  }
+  if (menu.isEmpty()) menu.addAction(tr("None yet"))->setEnabled(false);
+  menu.addSeparator();
+  menu.addAction(tr("Forget them"), this, [] { forget_recent_cases(); });
+}
+
+void MainWindow::offer_lost_work() {
+  lost_work_ = open_work_.take_lost();
+  if (lost_work_) welcome_->offer_lost(lost_work_->case_folder);
+}
+
+void MainWindow::open_lost_work() {
+  const OpenWork work = *lost_work_;
+  load(
+      tr("Opening %1").arg(text_of(work.case_folder.filename())),
+      [folder = work.case_folder](const Progress& progress) { return load_patient(folder, progress); },
+      [this, work] {
+        for (const Workspace& workspace : workspaces_) {
+          if (workspace.id.toStdString() == work.workspace) go_to(workspace.id);
+        }
+        if (work.tool && patient_.rehearsal) {
+          rehearsal_.set_direction(work.tool->direction);
+          rehearsal_.set_force_N(work.tool->force_N);
+          rehearsal_.place_tool(work.tool->center_mm, work.tool->radius_mm);
+        }
+      });
+}
+
+void MainWindow::keep_open_work() {
+  if (patient_.folder.empty()) return;
+  OpenWork work{.case_folder = patient_.folder, .workspace = workspace().toStdString(), .tool = {}};
+  if (rehearsal_.has_tool()) {
+    work.tool = {rehearsal_.tool_center_mm(), rehearsal_.tool_radius_mm(), rehearsal_.force_N(),
+                 rehearsal_.direction()};
+  }
+  if (const auto kept = open_work_.keep(work); !kept) diary_.note(kept.error());
 }
 
 void MainWindow::show_waves() {
@@ -542,6 +618,7 @@ void MainWindow::take_next_step() {
 }
 
 void MainWindow::show_error(const Error& error) {
+  diary_.note(error);
   if (error.code == "cancelled") {
     status_->setText(tr("Cancelled."));
     return;
@@ -589,6 +666,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   work_.cancel();
+  open_work_.forget();
   QMainWindow::closeEvent(event);
 }
 

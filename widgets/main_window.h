@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QMainWindow>
 #include <QProgressBar>
@@ -11,13 +12,17 @@
 #include <QStackedWidget>
 #include <vector>
 
+#include "diary/diary.h"
+#include "diary/stall_watch.h"
 #include "help/manual_window.h"
 #include "imaging/study.h"
 #include "panels/platform_view.h"
 #include "panels/rehearse_panel.h"
 #include "panels/study_panel.h"
+#include "panels/welcome_page.h"
 #include "session/live_rehearsal.h"
 #include "session/load_patient.h"
+#include "session/open_work.h"
 #include "session/patient.h"
 #include "views/linked_views.h"
 #include "views/patient_views.h"
@@ -45,6 +50,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] LinkedViews& views() { return *views_; }
   [[nodiscard]] LiveRehearsal& rehearsal() { return rehearsal_; }
   [[nodiscard]] BackgroundWork& work() { return work_; }
+  [[nodiscard]] const Diary& diary() const { return diary_; }
+  [[nodiscard]] StallWatch& stalls() { return stalls_; }
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -60,12 +67,18 @@ class MainWindow : public QMainWindow {
   QWidget* make_centre();
   QWidget* make_next_step();
   void make_status_bar();
+  void show_progress(double fraction, const QString& stage);
   void connect_parts();
 
   void choose_case();
   void choose_study();
   void save_picture();
   void show_manual();
+  void show_diary();
+  void list_recent(QMenu& menu);
+  void offer_lost_work();
+  void open_lost_work();
+  void keep_open_work();
   void show_waves();
   void about();
 
@@ -82,6 +95,10 @@ class MainWindow : public QMainWindow {
   void word_patient();
   [[nodiscard]] std::optional<ToolInView> tool_in_view() const;
 
+  Diary diary_;
+  StallWatch stalls_;
+  OpenWorkFile open_work_;
+  std::optional<OpenWork> lost_work_;  // what a window before this one left open
   Patient patient_;
   NextStep next_ = NextStep::none;
   LiveRehearsal rehearsal_;
@@ -100,8 +117,8 @@ class MainWindow : public QMainWindow {
   QWidget* notice_ = nullptr;
   QLabel* notice_text_ = nullptr;
   std::function<QString()> notice_words_;
-  QWidget* welcome_ = nullptr;
-  QLabel* welcome_stage_ = nullptr;
+  WelcomePage* welcome_ = nullptr;
+  QElapsedTimer work_time_;
   QWidget* next_step_ = nullptr;
   QLabel* next_step_text_ = nullptr;
   QPushButton* next_step_button_ = nullptr;

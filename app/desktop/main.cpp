@@ -7,7 +7,9 @@
 #include <QSurfaceFormat>
 
 #include "base/files.h"
+#include "base/parallel.h"
 #include "main_window.h"
+#include "settings/settings.h"
 #include "theme.h"
 #include "words/language.h"
 
@@ -61,6 +63,7 @@ int main(int argc, char** argv) {
   QApplication::setApplicationDisplayName("Glisson");
   glisson::widgets::apply_theme(glisson::widgets::kept_theme());
   glisson::widgets::begin_in_kept_language();
+  glisson::set_thread_count(glisson::widgets::kept_threads());
   QApplication::setWindowIcon(QIcon(":/icons/glisson.svg"));
 
   const QStringList paths = positional_arguments(arguments, application);

@@ -3235,6 +3235,37 @@
     </message>
 </context>
 <context>
+    <name>glisson::widgets::DiaryWindow</name>
+    <message>
+        <source>Log - Glisson</source>
+        <translation>Protokoll - Glisson</translation>
+    </message>
+    <message>
+        <source>What Glisson did, in English, for those who mend it. It holds nothing about a patient: no names, no paths, no values. Nothing is sent anywhere; you decide who gets it.</source>
+        <translation>Was Glisson getan hat, auf Englisch, für alle, die es reparieren. Über Patienten steht hier nichts: keine Namen, keine Pfade, keine Werte. Nichts wird irgendwohin gesendet; Sie entscheiden, wer es bekommt.</translation>
+    </message>
+    <message>
+        <source>The log</source>
+        <translation>Das Protokoll</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Save a report of the problem...</source>
+        <translation>Bericht über das Problem speichern...</translation>
+    </message>
+    <message>
+        <source>Save a report of the problem</source>
+        <translation>Bericht über das Problem speichern</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::LandmarkTable</name>
     <message>
         <source>Landmark</source>
@@ -3412,26 +3443,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Plan a liver operation</source>
-        <translation>Eine Leberoperation planen</translation>
-    </message>
-    <message>
-        <source>Drop a case or a folder of DICOM images here, or begin with the demo patient.</source>
-        <translation>Ziehen Sie einen Fall oder einen Ordner mit DICOM-Bildern hierher, oder beginnen Sie mit dem Demopatienten.</translation>
-    </message>
-    <message>
-        <source>Open the demo patient</source>
-        <translation>Demopatienten öffnen</translation>
-    </message>
-    <message>
-        <source>Open a case...</source>
-        <translation>Fall öffnen …</translation>
-    </message>
-    <message>
-        <source>Open images...</source>
-        <translation>Bilder öffnen …</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
@@ -3566,6 +3577,42 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
     <message>
         <source>&amp;Go</source>
         <translation>&amp;Gehe zu</translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation>noch etwa %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min left</source>
+        <translation>noch etwa %1 min</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Se&amp;ttings...</source>
+        <translation>&amp;Einstellungen...</translation>
+    </message>
+    <message>
+        <source>&amp;Keys...</source>
+        <translation>&amp;Tasten...</translation>
+    </message>
+    <message>
+        <source>&amp;Log and problems...</source>
+        <translation>&amp;Protokoll und Probleme...</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
+    </message>
+    <message>
+        <source>Forget them</source>
+        <translation>Liste leeren</translation>
     </message>
 </context>
 <context>
@@ -4103,6 +4150,84 @@ figures</source>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::SettingsWindow</name>
+    <message>
+        <source>Settings - Glisson</source>
+        <translation>Einstellungen - Glisson</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>&amp;Aussehen</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>System language</source>
+        <translation>Sprache des Systems</translation>
+    </message>
+    <message>
+        <source>&amp;Processors</source>
+        <translation>&amp;Prozessoren</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>Alle %1</translation>
+    </message>
+    <message>
+        <source>How many processors long computations may take</source>
+        <translation>Wie viele Prozessoren lange Rechnungen nutzen dürfen</translation>
+    </message>
+    <message>
+        <source>&amp;Patients&apos; names in what leaves this window</source>
+        <translation>&amp;Patientennamen in allem, was dieses Fenster verlässt</translation>
+    </message>
+    <message>
+        <source>Pictures, movies and reports name a patient only then. The log never does.</source>
+        <translation>Nur dann nennen Bilder, Filme und Berichte einen Patienten. Das Protokoll tut es nie.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ShortcutsWindow</name>
+    <message>
+        <source>Keys - Glisson</source>
+        <translation>Tasten - Glisson</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Words to search for</source>
+        <translation>Suchwörter</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Was sie tut</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Taste</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::StudyPanel</name>
     <message>
         <source>Slices show</source>
@@ -4269,6 +4394,37 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     <message>
         <source>Slice %1 of %2</source>
         <translation>Schicht %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::WelcomePage</name>
+    <message>
+        <source>Plan a liver operation</source>
+        <translation>Eine Leberoperation planen</translation>
+    </message>
+    <message>
+        <source>Drop a case or a folder of DICOM images here, or begin with the demo patient.</source>
+        <translation>Ziehen Sie einen Fall oder einen Ordner mit DICOM-Bildern hierher, oder beginnen Sie mit dem Demopatienten.</translation>
+    </message>
+    <message>
+        <source>Open the demo patient</source>
+        <translation>Demopatienten öffnen</translation>
+    </message>
+    <message>
+        <source>Open a case...</source>
+        <translation>Fall öffnen …</translation>
+    </message>
+    <message>
+        <source>Open images...</source>
+        <translation>Bilder öffnen …</translation>
+    </message>
+    <message>
+        <source>Opened before</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Glisson ended unexpectedly. Open %1 as it was</source>
+        <translation>Glisson wurde unerwartet beendet. %1 öffnen, wie es war</translation>
     </message>
 </context>
 <context>

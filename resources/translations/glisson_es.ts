@@ -3235,6 +3235,37 @@
     </message>
 </context>
 <context>
+    <name>glisson::widgets::DiaryWindow</name>
+    <message>
+        <source>Log - Glisson</source>
+        <translation>Registro - Glisson</translation>
+    </message>
+    <message>
+        <source>What Glisson did, in English, for those who mend it. It holds nothing about a patient: no names, no paths, no values. Nothing is sent anywhere; you decide who gets it.</source>
+        <translation>Lo que Glisson ha hecho, en inglés, para quienes lo reparan. No contiene nada sobre un paciente: ni nombres, ni rutas, ni valores. No se envía nada a ninguna parte; usted decide quién lo recibe.</translation>
+    </message>
+    <message>
+        <source>The log</source>
+        <translation>El registro</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Save a report of the problem...</source>
+        <translation>Guardar un informe del problema...</translation>
+    </message>
+    <message>
+        <source>Save a report of the problem</source>
+        <translation>Guardar un informe del problema</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Texto (*.txt)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::LandmarkTable</name>
     <message>
         <source>Landmark</source>
@@ -3414,26 +3445,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>Plan a liver operation</source>
-        <translation>Planificar una operación de hígado</translation>
-    </message>
-    <message>
-        <source>Drop a case or a folder of DICOM images here, or begin with the demo patient.</source>
-        <translation>Arrastre aquí un caso o una carpeta de imágenes DICOM, o empiece con el paciente de demostración.</translation>
-    </message>
-    <message>
-        <source>Open the demo patient</source>
-        <translation>Abrir el paciente de demostración</translation>
-    </message>
-    <message>
-        <source>Open a case...</source>
-        <translation>Abrir un caso…</translation>
-    </message>
-    <message>
-        <source>Open images...</source>
-        <translation>Abrir imágenes…</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
     </message>
@@ -3568,6 +3579,42 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
     <message>
         <source>&amp;Go</source>
         <translation>&amp;Ir</translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation>quedan unos %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min left</source>
+        <translation>quedan unos %1 min</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Abiertos &amp;recientemente</translation>
+    </message>
+    <message>
+        <source>Se&amp;ttings...</source>
+        <translation>&amp;Ajustes...</translation>
+    </message>
+    <message>
+        <source>&amp;Keys...</source>
+        <translation>&amp;Teclas...</translation>
+    </message>
+    <message>
+        <source>&amp;Log and problems...</source>
+        <translation>&amp;Registro y problemas...</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Ninguno todavía</translation>
+    </message>
+    <message>
+        <source>Forget them</source>
+        <translation>Vaciar la lista</translation>
     </message>
 </context>
 <context>
@@ -4106,6 +4153,84 @@ supuestas</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::SettingsWindow</name>
+    <message>
+        <source>Settings - Glisson</source>
+        <translation>Ajustes - Glisson</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>&amp;Aspecto</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscuro</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>System language</source>
+        <translation>Idioma del sistema</translation>
+    </message>
+    <message>
+        <source>&amp;Processors</source>
+        <translation>&amp;Procesadores</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>Los %1</translation>
+    </message>
+    <message>
+        <source>How many processors long computations may take</source>
+        <translation>Cuántos procesadores pueden usar los cálculos largos</translation>
+    </message>
+    <message>
+        <source>&amp;Patients&apos; names in what leaves this window</source>
+        <translation>Nombres de los &amp;pacientes en lo que sale de esta ventana</translation>
+    </message>
+    <message>
+        <source>Pictures, movies and reports name a patient only then. The log never does.</source>
+        <translation>Solo entonces las imágenes, las películas y los informes nombran a un paciente. El registro nunca lo hace.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ShortcutsWindow</name>
+    <message>
+        <source>Keys - Glisson</source>
+        <translation>Teclas - Glisson</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Words to search for</source>
+        <translation>Palabras que buscar</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Qué hace</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Tecla</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::StudyPanel</name>
     <message>
         <source>Slices show</source>
@@ -4272,6 +4397,37 @@ Módulo de Young %2 kPa (media)</translation>
     <message>
         <source>Slice %1 of %2</source>
         <translation>Corte %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::WelcomePage</name>
+    <message>
+        <source>Plan a liver operation</source>
+        <translation>Planificar una operación de hígado</translation>
+    </message>
+    <message>
+        <source>Drop a case or a folder of DICOM images here, or begin with the demo patient.</source>
+        <translation>Arrastre aquí un caso o una carpeta de imágenes DICOM, o empiece con el paciente de demostración.</translation>
+    </message>
+    <message>
+        <source>Open the demo patient</source>
+        <translation>Abrir el paciente de demostración</translation>
+    </message>
+    <message>
+        <source>Open a case...</source>
+        <translation>Abrir un caso…</translation>
+    </message>
+    <message>
+        <source>Open images...</source>
+        <translation>Abrir imágenes…</translation>
+    </message>
+    <message>
+        <source>Opened before</source>
+        <translation>Abiertos recientemente</translation>
+    </message>
+    <message>
+        <source>Glisson ended unexpectedly. Open %1 as it was</source>
+        <translation>Glisson terminó de forma inesperada. Abrir %1 tal como estaba</translation>
     </message>
 </context>
 <context>

@@ -3235,6 +3235,37 @@
     </message>
 </context>
 <context>
+    <name>glisson::widgets::DiaryWindow</name>
+    <message>
+        <source>Log - Glisson</source>
+        <translation>Journal - Glisson</translation>
+    </message>
+    <message>
+        <source>What Glisson did, in English, for those who mend it. It holds nothing about a patient: no names, no paths, no values. Nothing is sent anywhere; you decide who gets it.</source>
+        <translation>Ce que Glisson a fait, en anglais, pour ceux qui le réparent. Rien n&apos;y concerne un patient : ni nom, ni chemin, ni valeur. Rien n&apos;est envoyé nulle part ; vous décidez qui le reçoit.</translation>
+    </message>
+    <message>
+        <source>The log</source>
+        <translation>Le journal</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Save a report of the problem...</source>
+        <translation>Enregistrer un rapport du problème...</translation>
+    </message>
+    <message>
+        <source>Save a report of the problem</source>
+        <translation>Enregistrer un rapport du problème</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Texte (*.txt)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::LandmarkTable</name>
     <message>
         <source>Landmark</source>
@@ -3414,26 +3445,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>Plan a liver operation</source>
-        <translation>Planifier une opération du foie</translation>
-    </message>
-    <message>
-        <source>Drop a case or a folder of DICOM images here, or begin with the demo patient.</source>
-        <translation>Déposez ici un cas ou un dossier d’images DICOM, ou commencez par le patient de démonstration.</translation>
-    </message>
-    <message>
-        <source>Open the demo patient</source>
-        <translation>Ouvrir le patient de démonstration</translation>
-    </message>
-    <message>
-        <source>Open a case...</source>
-        <translation>Ouvrir un cas…</translation>
-    </message>
-    <message>
-        <source>Open images...</source>
-        <translation>Ouvrir des images…</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
     </message>
@@ -3568,6 +3579,42 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
     <message>
         <source>&amp;Go</source>
         <translation>&amp;Aller</translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation>encore %1 s environ</translation>
+    </message>
+    <message>
+        <source>about %1 min left</source>
+        <translation>encore %1 min environ</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Ouverts &amp;récemment</translation>
+    </message>
+    <message>
+        <source>Se&amp;ttings...</source>
+        <translation>Ré&amp;glages...</translation>
+    </message>
+    <message>
+        <source>&amp;Keys...</source>
+        <translation>&amp;Touches...</translation>
+    </message>
+    <message>
+        <source>&amp;Log and problems...</source>
+        <translation>&amp;Journal et problèmes...</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Aucun pour l&apos;instant</translation>
+    </message>
+    <message>
+        <source>Forget them</source>
+        <translation>Vider la liste</translation>
     </message>
 </context>
 <context>
@@ -4106,6 +4153,84 @@ supposés</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::SettingsWindow</name>
+    <message>
+        <source>Settings - Glisson</source>
+        <translation>Réglages - Glisson</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>&amp;Apparence</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>System language</source>
+        <translation>Langue du système</translation>
+    </message>
+    <message>
+        <source>&amp;Processors</source>
+        <translation>&amp;Processeurs</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>Les %1</translation>
+    </message>
+    <message>
+        <source>How many processors long computations may take</source>
+        <translation>Combien de processeurs les longs calculs peuvent utiliser</translation>
+    </message>
+    <message>
+        <source>&amp;Patients&apos; names in what leaves this window</source>
+        <translation>Noms des &amp;patients dans ce qui quitte cette fenêtre</translation>
+    </message>
+    <message>
+        <source>Pictures, movies and reports name a patient only then. The log never does.</source>
+        <translation>Images, films et rapports ne nomment un patient que dans ce cas. Le journal ne le fait jamais.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ShortcutsWindow</name>
+    <message>
+        <source>Keys - Glisson</source>
+        <translation>Touches - Glisson</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Words to search for</source>
+        <translation>Mots à chercher</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Ce qu&apos;elle fait</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Touche</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::StudyPanel</name>
     <message>
         <source>Slices show</source>
@@ -4272,6 +4397,37 @@ Module de Young&#xa0;%2 kPa (moyenne)</translation>
     <message>
         <source>Slice %1 of %2</source>
         <translation>Coupe&#xa0;%1 sur&#xa0;%2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::WelcomePage</name>
+    <message>
+        <source>Plan a liver operation</source>
+        <translation>Planifier une opération du foie</translation>
+    </message>
+    <message>
+        <source>Drop a case or a folder of DICOM images here, or begin with the demo patient.</source>
+        <translation>Déposez ici un cas ou un dossier d’images DICOM, ou commencez par le patient de démonstration.</translation>
+    </message>
+    <message>
+        <source>Open the demo patient</source>
+        <translation>Ouvrir le patient de démonstration</translation>
+    </message>
+    <message>
+        <source>Open a case...</source>
+        <translation>Ouvrir un cas…</translation>
+    </message>
+    <message>
+        <source>Open images...</source>
+        <translation>Ouvrir des images…</translation>
+    </message>
+    <message>
+        <source>Opened before</source>
+        <translation>Ouverts récemment</translation>
+    </message>
+    <message>
+        <source>Glisson ended unexpectedly. Open %1 as it was</source>
+        <translation>Glisson s&apos;est arrêté de façon inattendue. Ouvrir %1 tel qu&apos;il était</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,7 @@ int run_test(int argc, char** argv) {
   // No choice of this computer's user is read or written; the window speaks English until a test says otherwise.
   const QTemporaryDir settings;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  qputenv("XDG_DATA_HOME", settings.path().toUtf8());
   choose_language("en");
   apply_theme(Theme::dark);
   begin_in_kept_language();

@@ -5,9 +5,9 @@
 
 #include <QDoubleSpinBox>
 #include <QPushButton>
-#include <QToolButton>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QToolButton>
 #include <QtTest>
 
 #include "block_patient.h"

@@ -1,0 +1,31 @@
+#pragma once
+// Measures how long the window's event loop stood still: a timer that should ring every 20 ms, and how late it is.
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+namespace glisson::widgets {
+
+class StallWatch : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr double noticeable_ms = 100;  // what a hand on the mouse notices
+
+  explicit StallWatch(QObject* parent = nullptr);
+
+  // The longest since the watch began, or since it was last forgotten.
+  [[nodiscard]] double longest_ms() const { return longest_ms_; }
+  void forget() { longest_ms_ = 0; }
+
+ Q_SIGNALS:
+  void stood_still(double ms);  // for longer than noticeable_ms
+
+ private:
+  QTimer timer_;
+  QElapsedTimer since_;
+  double longest_ms_ = 0;
+};
+
+}  // namespace glisson::widgets

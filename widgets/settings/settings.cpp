@@ -1,0 +1,53 @@
+#include "settings/settings.h"
+
+#include <QSettings>
+#include <QStringList>
+
+#include "base/parallel.h"
+
+namespace glisson::widgets {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* names_key = "show_names_outside";
+constexpr const char* threads_key = "threads";
+constexpr const char* recent_key = "recent_cases";
+constexpr qsizetype most_recent_cases = 8;
+
+QSettings settings() { return QSettings("glisson", "glisson"); }
+
+}  // namespace
+
+bool names_shown_outside() { return settings().value(names_key, false).toBool(); }
+
+void show_names_outside(bool shown) { settings().setValue(names_key, shown); }
+
+int kept_threads() { return std::max(0, settings().value(threads_key, 0).toInt()); }
+
+void keep_threads(int threads) {
+  settings().setValue(threads_key, threads);
+  set_thread_count(threads);
+}
+
+std::vector<fs::path> recent_cases() {
+  std::vector<fs::path> there;
+  for (const QString& folder : settings().value(recent_key).toStringList()) {
+    const fs::path path(folder.toStdU16String());
+    std::error_code problem;
+    if (fs::exists(path / "case.json", problem)) there.push_back(path);
+  }
+  return there;
+}
+
+void remember_case(const fs::path& folder) {
+  const QString text = QString::fromStdU16String(fs::absolute(folder).lexically_normal().u16string());
+  QStringList folders = settings().value(recent_key).toStringList();
+  folders.removeAll(text);
+  folders.prepend(text);
+  settings().setValue(recent_key, folders.mid(0, most_recent_cases));
+}
+
+void forget_recent_cases() { settings().remove(recent_key); }
+
+}  // namespace glisson::widgets
