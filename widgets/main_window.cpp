@@ -22,6 +22,7 @@
 #include "base/result.h"
 #include "diary/diary_window.h"
 #include "help/shortcuts_window.h"
+#include "help/tour_stops.h"
 #include "session/load_patient.h"
 #include "settings/settings.h"
 #include "settings/settings_window.h"
@@ -94,6 +95,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file
   rows->addWidget(bar_);
   rows->addWidget(make_messages());
   rows->addWidget(pages_, 1);
+  tour_ = new TourCard;
+  rows->addWidget(tour_);
   setCentralWidget(whole);
   patient_views_ = new PatientViews(*views_, this);
   make_menus();
@@ -188,7 +191,7 @@ void MainWindow::open_path(const fs::path& opened) {
   });
 }
 
-void MainWindow::open_demo() {
+void MainWindow::open_demo_then(std::function<void()> once_shown) {
   const fs::path folder = path_of(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)) / "demo";
   load(
       tr("Opening the demo patient"),
@@ -200,8 +203,7 @@ void MainWindow::open_demo() {
           return patient;
         });
       },
-      // The demo begins with the retraction that it is about.
-      [this] { rehearse_panel_->hoist_segment_vi(); });
+      std::move(once_shown));
 }
 
 void MainWindow::show_patient(const Patient& patient) {
@@ -264,6 +266,8 @@ void MainWindow::make_menus() {
   menuBar()->addMenu(new LanguageMenu(this));
   QMenu* help = menuBar()->addMenu(QString());
   QAction* manual = help->addAction({}, QKeySequence::HelpContents, this, &MainWindow::show_manual);
+  QAction* tour = help->addAction({}, this, &MainWindow::take_tour);
+  tour->setObjectName("take_tour");
   QAction* keys = help->addAction({}, QKeySequence("Ctrl+F1"), this, [this] { (new ShortcutsWindow(this))->show(); });
   keys->setObjectName("keys");
   QAction* diary = help->addAction({}, this, &MainWindow::show_diary);
@@ -277,6 +281,7 @@ void MainWindow::make_menus() {
     open_demo->setText(tr("Open the &demo patient"));
     recent->setTitle(tr("Open &recent"));
     settings->setText(tr("Se&ttings..."));
+    tour->setText(tr("&Tour on the demo patient"));
     keys->setText(tr("&Keys..."));
     diary->setText(tr("&Log and problems..."));
     save_picture_->setText(tr("&Save the picture..."));
@@ -411,6 +416,7 @@ void MainWindow::connect_parts() {
     diary_.note_defect();
     show_notice([what] { return tr("A defect in Glisson stopped this: %1").arg(what); });
   });
+  connect(tour_, &TourCard::arrived, this, &MainWindow::go_to);
   connect(&stalls_, &StallWatch::stood_still, this, [this](double ms) { diary_.note_stall(ms); });
   connect(cancel_, &QPushButton::clicked, this, [this] {
     cancel_->setEnabled(false);
@@ -487,6 +493,18 @@ void MainWindow::show_manual() {
   manual_->show();
   manual_->raise();
   manual_->activateWindow();
+}
+
+void MainWindow::take_tour() {
+  if (patient_.name == demo_patient_name) return start_tour();
+  open_demo_then([this] { start_tour(); });
+}
+
+void MainWindow::start_tour() {
+  std::set<QString> there;
+  for (const Workspace& workspace : workspaces_) there.insert(workspace.id);
+  diary_.note("The tour begins.");
+  tour_->start(tour_stops(there, {{"rehearse", [this] { rehearse_panel_->hoist_segment_vi(); }}}));
 }
 
 void MainWindow::show_diary() {

@@ -15,6 +15,7 @@
 #include "diary/diary.h"
 #include "diary/stall_watch.h"
 #include "help/manual_window.h"
+#include "help/tour.h"
 #include "imaging/study.h"
 #include "panels/platform_view.h"
 #include "panels/rehearse_panel.h"
@@ -40,9 +41,14 @@ class MainWindow : public QMainWindow {
 
   // A case folder, or anything that holds images; what it is decides what happens.
   void open_path(const std::filesystem::path& path);
-  void open_demo();
+  void open_demo() {
+    open_demo_then([this] { rehearse_panel_->hoist_segment_vi(); });
+  }
   void show_patient(const Patient& patient);
 
+  // Opens the demo patient unless it is open, then walks through the workspaces.
+  void take_tour();
+  [[nodiscard]] TourCard& tour() { return *tour_; }
   // "rehearse", ...; see workspaces/workspace.h.
   void go_to(const QString& workspace_id);
   [[nodiscard]] QString workspace() const;
@@ -75,6 +81,7 @@ class MainWindow : public QMainWindow {
   void save_picture();
   void show_manual();
   void show_diary();
+  void start_tour();
   void list_recent(QMenu& menu);
   void offer_lost_work();
   void open_lost_work();
@@ -82,6 +89,7 @@ class MainWindow : public QMainWindow {
   void show_waves();
   void about();
 
+  void open_demo_then(std::function<void()> once_shown);
   // Loads a patient on a worker thread, then shows it or says what went wrong.
   void load(const QString& title, std::function<Result<Patient>(const Progress&)> loader,
             std::function<void()> once_shown = {});
@@ -112,6 +120,7 @@ class MainWindow : public QMainWindow {
   std::vector<Workspace> workspaces_;
   QStackedWidget* pages_ = nullptr;   // the patient with the views first
   QStackedWidget* panels_ = nullptr;  // to the right of the views
+  TourCard* tour_ = nullptr;
   QMenu* go_menu_ = nullptr;
   QLabel* origin_ = nullptr;
   QWidget* notice_ = nullptr;

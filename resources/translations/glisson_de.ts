@@ -3614,6 +3614,10 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
         <source>Forget them</source>
         <translation>Liste leeren</translation>
     </message>
+    <message>
+        <source>&amp;Tour on the demo patient</source>
+        <translation>&amp;Rundgang am Demopatienten</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
@@ -4271,6 +4275,29 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::TourCard</name>
+    <message>
+        <source>End the tour</source>
+        <translation>Rundgang beenden</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::ViewFrame</name>
     <message>
         <source>Show all four views</source>
@@ -4514,6 +4541,81 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     <message>
         <source>Hilum</source>
         <translation>Leberhilus</translation>
+    </message>
+</context>
+<context>
+    <name>tour</name>
+    <message>
+        <source>Study: the images</source>
+        <translation>Studie: die Bilder</translation>
+    </message>
+    <message>
+        <source>Every case begins with its images. Drop a DICOM folder on the window: Glisson proposes what each series is for, and you correct it. Here you also see what a case still lacks.</source>
+        <translation>Jeder Fall beginnt mit seinen Bildern. Ziehen Sie einen DICOM-Ordner auf das Fenster: Glisson schlägt vor, wozu jede Serie dient, und Sie berichtigen es. Hier sehen Sie auch, was einem Fall noch fehlt.</translation>
+    </message>
+    <message>
+        <source>Segment: what is where</source>
+        <translation>Segmentieren: was wo liegt</translation>
+    </message>
+    <message>
+        <source>The liver, its vessels and tumours as coloured outlines in the slices. Paint, erase, grow and smooth; every step can be undone, even after the case was closed.</source>
+        <translation>Die Leber, ihre Gefäße und Tumoren als farbige Umrisse in den Schnitten. Malen, radieren, wachsen lassen und glätten; jeder Schritt lässt sich rückgängig machen, auch nachdem der Fall geschlossen war.</translation>
+    </message>
+    <message>
+        <source>Model: how stiff each part is</source>
+        <translation>Modell: wie steif jeder Teil ist</translation>
+    </message>
+    <message>
+        <source>The liver becomes tetrahedra, and each gets the patient&apos;s own stiffness from MR elastography. What holds the liver in place is shown too.</source>
+        <translation>Die Leber wird zu Tetraedern, und jedes bekommt die eigene Steifigkeit des Patienten aus der MR-Elastographie. Auch was die Leber hält, ist zu sehen.</translation>
+    </message>
+    <message>
+        <source>Rehearse: pull, and see</source>
+        <translation>Proben: ziehen und sehen</translation>
+    </message>
+    <message>
+        <source>A retractor hoists segment VI with 2 N. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
+        <translation>Ein Retraktor hebt Segment VI mit 2 N. Ändern Sie die Kraft oder setzen Sie das Werkzeug mit einem Klick woanders an: Die Tabelle verfolgt jeden Tumor und jedes Gefäß und markiert, was 5 mm oder mehr abweicht.</translation>
+    </message>
+    <message>
+        <source>Resect: what is left</source>
+        <translation>Resezieren: was übrig bleibt</translation>
+    </message>
+    <message>
+        <source>A cutting surface divides the liver: volumes of specimen and remnant, the smallest margin to each tumour, and the vessels that are crossed.</source>
+        <translation>Eine Schnittfläche teilt die Leber: Volumen von Resektat und Rest, der kleinste Abstand zu jedem Tumor und die Gefäße, die gekreuzt werden.</translation>
+    </message>
+    <message>
+        <source>Register: can the overlay be trusted</source>
+        <translation>Registrieren: ist der Überlagerung zu trauen</translation>
+    </message>
+    <message>
+        <source>Laparoscopic video is registered to the model, and SIRGn shows on each triangle how well, for one algorithm or two side by side.</source>
+        <translation>Laparoskopisches Video wird auf das Modell registriert, und SIRGn zeigt auf jedem Dreieck, wie gut, für einen Algorithmus oder zwei nebeneinander.</translation>
+    </message>
+    <message>
+        <source>Platform: what to wear</source>
+        <translation>Plattform: was zu tragen ist</translation>
+    </message>
+    <message>
+        <source>Which wearable computer carries this case for as long as the operation takes: frames a second, battery and heat, and why the others do not.</source>
+        <translation>Welcher tragbare Rechner diesen Fall trägt, so lange die Operation dauert: Bilder pro Sekunde, Akku und Wärme, und warum die anderen es nicht tun.</translation>
+    </message>
+    <message>
+        <source>Evidence: where the model is wrong</source>
+        <translation>Evidenz: wo das Modell irrt</translation>
+    </message>
+    <message>
+        <source>Measurements are held against the model. What it cannot explain is traced to a cause; you accept that cause for this patient, and can take it back.</source>
+        <translation>Messungen werden dem Modell gegenübergestellt. Was es nicht erklären kann, wird auf eine Ursache zurückgeführt; Sie nehmen sie für diesen Patienten an und können es widerrufen.</translation>
+    </message>
+    <message>
+        <source>Report: one page</source>
+        <translation>Bericht: eine Seite</translation>
+    </message>
+    <message>
+        <source>All that was done for this patient, to read, save or print. The name is masked unless you ask for it in the settings.</source>
+        <translation>Alles, was für diesen Patienten getan wurde, zum Lesen, Speichern oder Drucken. Der Name ist verdeckt, außer Sie verlangen ihn in den Einstellungen.</translation>
     </message>
 </context>
 </TS>

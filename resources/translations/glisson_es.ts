@@ -3616,6 +3616,10 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
         <source>Forget them</source>
         <translation>Vaciar la lista</translation>
     </message>
+    <message>
+        <source>&amp;Tour on the demo patient</source>
+        <translation>&amp;Recorrido con el paciente de demostración</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
@@ -4274,6 +4278,29 @@ Módulo de Young %2 kPa (media)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::TourCard</name>
+    <message>
+        <source>End the tour</source>
+        <translation>Terminar el recorrido</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Listo</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::ViewFrame</name>
     <message>
         <source>Show all four views</source>
@@ -4517,6 +4544,81 @@ Módulo de Young %2 kPa (media)</translation>
     <message>
         <source>Hilum</source>
         <translation>Hilio hepático</translation>
+    </message>
+</context>
+<context>
+    <name>tour</name>
+    <message>
+        <source>Study: the images</source>
+        <translation>Estudio: las imágenes</translation>
+    </message>
+    <message>
+        <source>Every case begins with its images. Drop a DICOM folder on the window: Glisson proposes what each series is for, and you correct it. Here you also see what a case still lacks.</source>
+        <translation>Todo caso empieza por sus imágenes. Suelte una carpeta DICOM sobre la ventana: Glisson propone para qué sirve cada serie y usted lo corrige. Aquí también ve qué le falta todavía a un caso.</translation>
+    </message>
+    <message>
+        <source>Segment: what is where</source>
+        <translation>Segmentar: qué está dónde</translation>
+    </message>
+    <message>
+        <source>The liver, its vessels and tumours as coloured outlines in the slices. Paint, erase, grow and smooth; every step can be undone, even after the case was closed.</source>
+        <translation>El hígado, sus vasos y tumores como contornos de color en los cortes. Pinte, borre, haga crecer y suavice; cada paso se puede deshacer, incluso después de cerrar el caso.</translation>
+    </message>
+    <message>
+        <source>Model: how stiff each part is</source>
+        <translation>Modelo: la rigidez de cada parte</translation>
+    </message>
+    <message>
+        <source>The liver becomes tetrahedra, and each gets the patient&apos;s own stiffness from MR elastography. What holds the liver in place is shown too.</source>
+        <translation>El hígado se convierte en tetraedros y cada uno recibe la rigidez propia del paciente según la elastografía por RM. También se muestra qué sujeta el hígado.</translation>
+    </message>
+    <message>
+        <source>Rehearse: pull, and see</source>
+        <translation>Ensayar: tirar y ver</translation>
+    </message>
+    <message>
+        <source>A retractor hoists segment VI with 2 N. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
+        <translation>Un retractor levanta el segmento VI con 2 N. Cambie la fuerza o coloque el instrumento en otro lugar con un clic: la tabla sigue cada tumor y cada vaso, y marca lo que se desvía 5 mm o más.</translation>
+    </message>
+    <message>
+        <source>Resect: what is left</source>
+        <translation>Resecar: lo que queda</translation>
+    </message>
+    <message>
+        <source>A cutting surface divides the liver: volumes of specimen and remnant, the smallest margin to each tumour, and the vessels that are crossed.</source>
+        <translation>Una superficie de corte divide el hígado: volúmenes de la pieza y del remanente, el menor margen a cada tumor y los vasos que se cruzan.</translation>
+    </message>
+    <message>
+        <source>Register: can the overlay be trusted</source>
+        <translation>Registrar: ¿se puede confiar en la superposición?</translation>
+    </message>
+    <message>
+        <source>Laparoscopic video is registered to the model, and SIRGn shows on each triangle how well, for one algorithm or two side by side.</source>
+        <translation>El vídeo laparoscópico se registra con el modelo, y SIRGn muestra en cada triángulo con qué calidad, para un algoritmo o dos en paralelo.</translation>
+    </message>
+    <message>
+        <source>Platform: what to wear</source>
+        <translation>Plataforma: qué llevar</translation>
+    </message>
+    <message>
+        <source>Which wearable computer carries this case for as long as the operation takes: frames a second, battery and heat, and why the others do not.</source>
+        <translation>Qué ordenador corporal sirve para este caso mientras dure la operación: imágenes por segundo, batería y calor, y por qué los demás no sirven.</translation>
+    </message>
+    <message>
+        <source>Evidence: where the model is wrong</source>
+        <translation>Evidencia: dónde se equivoca el modelo</translation>
+    </message>
+    <message>
+        <source>Measurements are held against the model. What it cannot explain is traced to a cause; you accept that cause for this patient, and can take it back.</source>
+        <translation>Las mediciones se comparan con el modelo. Lo que no puede explicar se atribuye a una causa; usted la acepta para este paciente y puede retirarla.</translation>
+    </message>
+    <message>
+        <source>Report: one page</source>
+        <translation>Informe: una página</translation>
+    </message>
+    <message>
+        <source>All that was done for this patient, to read, save or print. The name is masked unless you ask for it in the settings.</source>
+        <translation>Todo lo hecho para este paciente, para leer, guardar o imprimir. El nombre se oculta salvo que lo pida en los ajustes.</translation>
     </message>
 </context>
 </TS>

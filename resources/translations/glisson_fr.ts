@@ -3616,6 +3616,10 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
         <source>Forget them</source>
         <translation>Vider la liste</translation>
     </message>
+    <message>
+        <source>&amp;Tour on the demo patient</source>
+        <translation>&amp;Visite guidée avec le patient de démonstration</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
@@ -4274,6 +4278,29 @@ Module de Young&#xa0;%2 kPa (moyenne)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::TourCard</name>
+    <message>
+        <source>End the tour</source>
+        <translation>Terminer la visite</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::ViewFrame</name>
     <message>
         <source>Show all four views</source>
@@ -4517,6 +4544,81 @@ Module de Young&#xa0;%2 kPa (moyenne)</translation>
     <message>
         <source>Hilum</source>
         <translation>Hile hépatique</translation>
+    </message>
+</context>
+<context>
+    <name>tour</name>
+    <message>
+        <source>Study: the images</source>
+        <translation>Étude : les images</translation>
+    </message>
+    <message>
+        <source>Every case begins with its images. Drop a DICOM folder on the window: Glisson proposes what each series is for, and you correct it. Here you also see what a case still lacks.</source>
+        <translation>Tout cas commence par ses images. Déposez un dossier DICOM sur la fenêtre : Glisson propose à quoi sert chaque série, et vous corrigez. Vous voyez aussi ici ce qui manque encore à un cas.</translation>
+    </message>
+    <message>
+        <source>Segment: what is where</source>
+        <translation>Segmenter : où se trouve quoi</translation>
+    </message>
+    <message>
+        <source>The liver, its vessels and tumours as coloured outlines in the slices. Paint, erase, grow and smooth; every step can be undone, even after the case was closed.</source>
+        <translation>Le foie, ses vaisseaux et ses tumeurs en contours colorés sur les coupes. Peindre, effacer, faire croître et lisser ; chaque pas peut être annulé, même après la fermeture du cas.</translation>
+    </message>
+    <message>
+        <source>Model: how stiff each part is</source>
+        <translation>Modèle : la raideur de chaque partie</translation>
+    </message>
+    <message>
+        <source>The liver becomes tetrahedra, and each gets the patient&apos;s own stiffness from MR elastography. What holds the liver in place is shown too.</source>
+        <translation>Le foie devient un ensemble de tétraèdres, et chacun reçoit la raideur propre du patient, tirée de l&apos;élastographie par IRM. Ce qui tient le foie en place est montré aussi.</translation>
+    </message>
+    <message>
+        <source>Rehearse: pull, and see</source>
+        <translation>Répéter : tirer et voir</translation>
+    </message>
+    <message>
+        <source>A retractor hoists segment VI with 2 N. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
+        <translation>Un écarteur soulève le segment VI avec 2 N. Changez la force, ou placez l&apos;instrument ailleurs d&apos;un clic : le tableau suit chaque tumeur et chaque vaisseau, et marque ce qui s&apos;écarte de 5 mm ou plus.</translation>
+    </message>
+    <message>
+        <source>Resect: what is left</source>
+        <translation>Réséquer : ce qui reste</translation>
+    </message>
+    <message>
+        <source>A cutting surface divides the liver: volumes of specimen and remnant, the smallest margin to each tumour, and the vessels that are crossed.</source>
+        <translation>Une surface de coupe divise le foie : volumes de la pièce et du foie restant, plus petite marge à chaque tumeur, et vaisseaux traversés.</translation>
+    </message>
+    <message>
+        <source>Register: can the overlay be trusted</source>
+        <translation>Recaler : peut-on se fier à la superposition</translation>
+    </message>
+    <message>
+        <source>Laparoscopic video is registered to the model, and SIRGn shows on each triangle how well, for one algorithm or two side by side.</source>
+        <translation>La vidéo laparoscopique est recalée sur le modèle, et SIRGn montre sur chaque triangle avec quelle qualité, pour un algorithme ou deux côte à côte.</translation>
+    </message>
+    <message>
+        <source>Platform: what to wear</source>
+        <translation>Plateforme : que porter</translation>
+    </message>
+    <message>
+        <source>Which wearable computer carries this case for as long as the operation takes: frames a second, battery and heat, and why the others do not.</source>
+        <translation>Quel ordinateur portable sur soi suffit à ce cas pendant toute l&apos;opération : images par seconde, batterie et chaleur, et pourquoi les autres ne suffisent pas.</translation>
+    </message>
+    <message>
+        <source>Evidence: where the model is wrong</source>
+        <translation>Preuves : où le modèle se trompe</translation>
+    </message>
+    <message>
+        <source>Measurements are held against the model. What it cannot explain is traced to a cause; you accept that cause for this patient, and can take it back.</source>
+        <translation>Les mesures sont confrontées au modèle. Ce qu&apos;il ne peut expliquer est ramené à une cause ; vous l&apos;acceptez pour ce patient, et pouvez revenir en arrière.</translation>
+    </message>
+    <message>
+        <source>Report: one page</source>
+        <translation>Rapport : une page</translation>
+    </message>
+    <message>
+        <source>All that was done for this patient, to read, save or print. The name is masked unless you ask for it in the settings.</source>
+        <translation>Tout ce qui a été fait pour ce patient, à lire, enregistrer ou imprimer. Le nom est masqué, sauf demande dans les réglages.</translation>
     </message>
 </context>
 </TS>
