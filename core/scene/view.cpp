@@ -133,6 +133,12 @@ void View::set_window(std::size_t slice, double center, double width) {
 
 void View::set_furniture(const Furniture& furniture) { parts_->scene.furniture = furniture; }
 
+void View::set_pixel_scale(double pixel_scale) {
+  if (pixel_scale == parts_->pixel_scale) return;
+  parts_->pixel_scale = pixel_scale;
+  for (const auto& slice : parts_->slices) slice->set_line_scale(pixel_scale);
+}
+
 void View::set_transparency(Transparency transparency) { parts_->transparency = transparency; }
 
 void View::set_camera(const Camera& camera) {

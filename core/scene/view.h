@@ -24,8 +24,7 @@ enum class Transparency { exact, quick };
 
 class View {
  public:
-  // The renderer must outlive the view and belong to a render window before the first frame. `pixel_scale` is how
-  // many device pixels one pixel of line width or text stands for (2 on a high-resolution screen).
+  // The renderer must outlive the view and belong to a render window before the first frame.
   explicit View(vtkRenderer& renderer, double pixel_scale = 1);
   ~View();
   View(const View&) = delete;
@@ -53,6 +52,8 @@ class View {
   void set_window(std::size_t slice, double center, double width);
   void set_furniture(const Furniture& furniture);
 
+  // How many device pixels one pixel of line width or text stands for (2 on a high-resolution screen).
+  void set_pixel_scale(double pixel_scale);
   void set_transparency(Transparency transparency);
   void set_camera(const Camera& camera);
   [[nodiscard]] const Camera& camera() const;

@@ -51,7 +51,7 @@ RenderWidget::RenderWidget(QWidget* parent) : QOpenGLWidget(parent), vtk_(std::m
        {vtkCommand::WindowMakeCurrentEvent, vtkCommand::WindowIsCurrentEvent, vtkCommand::WindowSupportsOpenGLEvent}) {
     vtk_->window->AddObserver(event, vtk_->events);
   }
-  view_ = std::make_unique<scene::View>(*vtk_->renderer, devicePixelRatioF());
+  view_ = std::make_unique<scene::View>(*vtk_->renderer);
 }
 
 RenderWidget::~RenderWidget() {
@@ -88,6 +88,7 @@ void RenderWidget::paintGL() {
   state->Push();
   state->vtkglDepthFunc(GL_LEQUAL);
   vtk_->window->SetSize(width, height);
+  view_->set_pixel_scale(devicePixelRatioF());  // another one when the window moves to another screen
   view_->prepare_frame(width, height);
   vtk_->window->Render();
 
