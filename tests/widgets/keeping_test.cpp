@@ -6,6 +6,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <QComboBox>
 #include <QPlainTextEdit>
 #include <QSignalSpy>
@@ -183,6 +184,25 @@ class KeepingTest : public QObject {
       QVERIFY2(listed.contains(action->shortcut().toString(QKeySequence::NativeText)), qPrintable(action->text()));
     }
     QVERIFY(actions > 8);
+  }
+
+  // What /proc/net lists of this process; the X server and D-Bus are reached by sockets in the file system.
+  void opens_no_network_socket() {
+    MainWindow window;
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    std::set<std::string> mine;
+    for (const auto& entry : fs::directory_iterator("/proc/self/fd")) {
+      std::error_code gone;
+      const std::string target = fs::read_symlink(entry.path(), gone).string();
+      if (target.rfind("socket:[", 0) == 0) mine.insert(target.substr(8, target.size() - 9));
+    }
+    QVERIFY(!mine.empty());  // the X server's
+    for (const char* table : {"tcp", "tcp6", "udp", "udp6", "raw", "raw6"}) {
+      std::ifstream lines(std::string("/proc/self/net/") + table);
+      std::string word;
+      while (lines >> word) QVERIFY2(mine.count(word) == 0, table);
+    }
   }
 
   void no_key_does_two_things() {
