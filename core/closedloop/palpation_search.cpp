@@ -120,13 +120,13 @@ std::vector<Start> anisotropy_starts(const Effect& effect, const PalpationSolver
   if (!solution) return {};
   const Eigen::MatrixXd& u_mm = (*solution)->u_mm;
   const auto axes = directions();
-  const AnisotropyLaw law =
-      effect.form == palpation::form_engineering ? AnisotropyLaw::engineering : AnisotropyLaw::fibres;
+  const mechanics::GrainLaw law =
+      effect.form == palpation::form_engineering ? mechanics::GrainLaw::engineering : mechanics::GrainLaw::fibres;
   Eigen::MatrixXd forces_mN(u_mm.rows(), u_mm.cols() * static_cast<Eigen::Index>(axes.size()));
   parallel_for(static_cast<std::size_t>(forces_mN.cols()), 1, [&](std::size_t begin, std::size_t end) {
     for (auto c = static_cast<Eigen::Index>(begin); c < static_cast<Eigen::Index>(end); ++c) {
       Structure grained = structure;
-      grained.anisotropy = Anisotropy{law, axes[static_cast<std::size_t>(c / u_mm.cols())], 1.0};
+      grained.anisotropy = mechanics::Grain{law, axes[static_cast<std::size_t>(c / u_mm.cols())], 1.0};
       forces_mN.col(c) = -stiffness_derivative(solver.specimen(), grained, StructureParameter::anisotropy_ratio,
                                                u_mm.col(c % u_mm.cols()));
     }

@@ -44,9 +44,9 @@ PalpationState state_of(const Settings& settings, double held_from_kPa_per_mm) {
       state.rotation_deg = p.head<3>();
       state.translation_mm = p.tail<3>();
     } else if (setting.kind == palpation::anisotropy) {
-      state.structure.anisotropy =
-          Anisotropy{setting.form == palpation::form_engineering ? AnisotropyLaw::engineering : AnisotropyLaw::fibres,
-                     p.head<3>(), p[3]};
+      state.structure.anisotropy = mechanics::Grain{
+          setting.form == palpation::form_engineering ? mechanics::GrainLaw::engineering : mechanics::GrainLaw::fibres,
+          p.head<3>(), p[3]};
     } else if (setting.kind == palpation::capsule) {
       state.structure.capsule_mN_per_mm = units::mN_from_N(p[0]);
     } else if (setting.kind == palpation::preload && setting.form == palpation::form_pressure) {

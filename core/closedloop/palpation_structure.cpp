@@ -1,23 +1,19 @@
 #include "closedloop/palpation_structure.h"
 
 #include <cmath>
-#include <Eigen/LU>
 
 #include "mechanics/block_assembly.h"
 #include "mechanics/quadrature.h"
 #include "mechanics/shape_functions.h"
-#include "mechanics/small_strain.h"
 
 namespace glisson::closedloop {
 namespace {
 
 using mechanics::Matrix9d;
-using mechanics::Vector9d;
 
 std::optional<SoftSupports> soft_supports(const mechanics::Body& body);
 double inside(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm);
 double inside_by_depth(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm);
-Matrix9d tangent_of(const Anisotropy& anisotropy, double poisson_ratio);
 
 // A spring face's stiffness (kPa/mm) and its derivative by the compliance.
 double spring(const SoftSupports::Face& face, double compliance) {
@@ -38,7 +34,7 @@ bool operator==(const Structure& a, const Structure& b) {
   const auto same_inclusion = [](const Inclusion& x, const Inclusion& y) {
     return x.center_mm == y.center_mm && x.radius_mm == y.radius_mm && x.ratio == y.ratio;
   };
-  const auto same_anisotropy = [](const Anisotropy& x, const Anisotropy& y) {
+  const auto same_anisotropy = [](const mechanics::Grain& x, const mechanics::Grain& y) {
     return x.law == y.law && x.axis == y.axis && x.ratio == y.ratio;
   };
   return a.inclusion.has_value() == b.inclusion.has_value() &&
@@ -65,20 +61,24 @@ Result<SpecimenBody> specimen_body(geometry::TetMesh mesh, std::vector<double> y
       });
 }
 
+double modulus_factor(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm) {
+  return std::exp(std::log(inclusion.ratio) * inside(inclusion, place_mm, edge_mm));
+}
+
 std::vector<double> modulus_factors(const SpecimenBody& specimen, const Structure& structure) {
   const Elements& elements = specimen.elements;
   std::vector<double> factors(elements.points.size(), 1.0);
   if (!structure.inclusion || structure.inclusion->ratio == 1.0) return factors;
-  const double log_ratio = std::log(structure.inclusion->ratio);
   for (std::size_t p = 0; p < factors.size(); ++p) {
-    const double edge_mm = elements.edge_mm[p / Elements::points_per_cell];
-    factors[p] = std::exp(log_ratio * inside(*structure.inclusion, elements.points[p].position_mm, edge_mm));
+    factors[p] = modulus_factor(*structure.inclusion, elements.points[p].position_mm,
+                                elements.edge_mm[p / Elements::points_per_cell]);
   }
   return factors;
 }
 
 Matrix9d unit_tangent(const SpecimenBody& specimen, const Structure& structure) {
-  return tangent_of(structure.anisotropy.value_or(Anisotropy{}), specimen.body.options.poisson_ratio);
+  return mechanics::unit_tangent(structure.anisotropy.value_or(mechanics::Grain{}),
+                                 specimen.body.options.poisson_ratio);
 }
 
 Eigen::SparseMatrix<double> stiffness(const SpecimenBody& specimen, const Structure& structure) {
@@ -168,13 +168,13 @@ Eigen::VectorXd stiffness_derivative(const SpecimenBody& specimen, const Structu
     case StructureParameter::anisotropy_ratio: {
       // The tangent is one 9x9 matrix for the whole body: differencing it costs nothing and errs by 1e-10.
       const auto moved = [&](double by) {
-        Anisotropy anisotropy = structure.anisotropy.value();
+        mechanics::Grain anisotropy = structure.anisotropy.value();
         if (parameter == StructureParameter::anisotropy_ratio) {
           anisotropy.ratio += by;
         } else {
           anisotropy.axis[static_cast<int>(parameter) - static_cast<int>(StructureParameter::axis_x)] += by;
         }
-        return tangent_of(anisotropy, body.options.poisson_ratio);
+        return mechanics::unit_tangent(anisotropy, body.options.poisson_ratio);
       };
       constexpr double step = 1e-5;
       const Matrix9d tangent = (moved(step) - moved(-step)) / (2.0 * step);
@@ -269,37 +269,6 @@ double inside(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, doubl
 double inside_by_depth(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm) {
   const double in = inside(inclusion, place_mm, edge_mm);
   return 2.0 * steepness_per_mm(edge_mm) * in * (1.0 - in);
-}
-
-// The stiffness whose inverse, on symmetric tensors, is the compliance.
-Matrix9d inverse_on_symmetric(const Matrix9d& compliance) {
-  Eigen::Matrix<double, 9, 6> basis = Eigen::Matrix<double, 9, 6>::Zero();
-  int column = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = i; j < 3; ++j, ++column) {
-      basis(i + 3 * j, column) += i == j ? 0.5 : std::sqrt(0.5);
-      basis(j + 3 * i, column) += i == j ? 0.5 : std::sqrt(0.5);
-    }
-  }
-  const Eigen::Matrix<double, 6, 6> inverse = (basis.transpose() * compliance * basis).inverse();
-  return basis * inverse * basis.transpose();
-}
-
-Matrix9d tangent_of(const Anisotropy& anisotropy, double poisson_ratio) {
-  const Matrix9d isotropic = mechanics::isotropic_tangent_kPa(mechanics::lame_from_youngs(1.0, poisson_ratio));
-  if (anisotropy.ratio == 1.0) return isotropic;
-  const Eigen::Vector3d axis = anisotropy.axis.normalized();
-  const Vector9d along = mechanics::as_vector(axis * axis.transpose());
-  if (anisotropy.law == AnisotropyLaw::fibres) {
-    return isotropic + (anisotropy.ratio - 1.0) * along * along.transpose();
-  }
-  const Vector9d identity = mechanics::as_vector(Eigen::Matrix3d::Identity());
-  const Vector9d across = identity - along;
-  const Matrix9d change =
-      poisson_ratio * (along * across.transpose() + across * along.transpose()) - along * along.transpose();
-  const Matrix9d compliance = (1.0 + poisson_ratio) * Matrix9d::Identity() -
-                              poisson_ratio * identity * identity.transpose() + (1.0 - 1.0 / anisotropy.ratio) * change;
-  return inverse_on_symmetric(compliance);
 }
 
 FaceMembrane face_membrane(const mechanics::Body& body, const mechanics::BoundaryFace& face) {

@@ -3,12 +3,7 @@
 //
 // - A stiff inclusion multiplies Young's modulus by `ratio` inside a sphere. So that the model changes smoothly with
 //   the sphere, the logarithm of the modulus goes over from outside to inside within about half a cell.
-// - Anisotropy is transverse isotropy about an axis, in one of two laws. `fibres` adds to the isotropic body fibres
-//   that bear tension and compression along the axis, (ratio - 1) E (a.eps a)^2 / 2: the modulus along the axis is
-//   ratio E, the shear moduli stay, and so does the resistance to a change of volume. `engineering` takes E_axis =
-//   ratio E, the transverse modulus E, one Poisson's ratio nu = nu_axis,transverse = nu_transverse, and the isotropic
-//   shear moduli, which is how programs for orthotropic bodies are usually fed; it is not positive definite for ratios
-//   below about (4 nu - 1) / (2 - 2 nu). Both are isotropic at ratio 1.
+// - Anisotropy is transverse isotropy about an axis, in one of the two laws of mechanics/grain.h.
 // - Compliant supports: springs under the boundary faces all of whose points a support holds, per unit area, equal in
 //   all directions, instead of holding them; a declared foundation gets the compliance in series.
 // - A capsule is a membrane on the whole surface, without bending stiffness: Young's modulus times thickness (mN/mm),
@@ -22,6 +17,7 @@
 #include <vector>
 
 #include "closedloop/palpation_elements.h"
+#include "mechanics/grain.h"
 
 namespace glisson::closedloop {
 
@@ -31,17 +27,9 @@ struct Inclusion {
   double ratio = 1;
 };
 
-enum class AnisotropyLaw { fibres, engineering };
-
-struct Anisotropy {
-  AnisotropyLaw law = AnisotropyLaw::fibres;
-  Eigen::Vector3d axis{0, 0, 1};  // of any length but zero
-  double ratio = 1;
-};
-
 struct Structure {
   std::optional<Inclusion> inclusion;
-  std::optional<Anisotropy> anisotropy;
+  std::optional<mechanics::Grain> anisotropy;
   double compliance_mm_per_kPa = 0;  // of the supports; 0 holds as declared
   double capsule_mN_per_mm = 0;
 };
@@ -82,7 +70,9 @@ Result<SpecimenBody> specimen_body(geometry::TetMesh mesh, std::vector<double> y
                                    std::vector<mechanics::Support> supports, double poisson_ratio,
                                    double density_kg_mm3);
 
-// The factor on Young's modulus at every quadrature point.
+// The factor on Young's modulus at a place in a cell, which is as large as the regular tetrahedron of that edge.
+[[nodiscard]] double modulus_factor(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm);
+// ... at every quadrature point.
 [[nodiscard]] std::vector<double> modulus_factors(const SpecimenBody& specimen, const Structure& structure);
 // Stress by displacement gradient, per unit of Young's modulus.
 [[nodiscard]] mechanics::Matrix9d unit_tangent(const SpecimenBody& specimen, const Structure& structure);

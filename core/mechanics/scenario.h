@@ -13,6 +13,7 @@
 #include "base/units.h"
 #include "geometry/surface.h"
 #include "mechanics/cut.h"
+#include "mechanics/grain.h"
 #include "mechanics/meshfree_options.h"
 #include "mechanics/rigid_tool.h"
 
@@ -143,6 +144,7 @@ struct Scenario {
   std::optional<YoungsModulus> youngs_modulus;  // absent: the mesh's own field `youngs_modulus_kPa`
   std::vector<Support> supports;
   std::optional<Capsule> capsule;
+  std::optional<Grain> grain;  // equilibrium by finite elements, material `linear`
   Loads loads;
   std::optional<Motion> motion;
   std::vector<Landmark> landmarks;

@@ -19,6 +19,7 @@ Support support_from(const Json& json, const std::string& where);
 Load load_from(const Json& json, const std::string& where);
 Vector3d gravity_of_patient_from(const Json& json, const std::string& where);
 Capsule capsule_from(const Json& json, const std::string& where);
+Grain grain_from(const Json& json, const std::string& where);
 Landmark landmark_from(const Json& json, const std::string& where);
 Motion motion_from(const Json& json, const std::string& where);
 MeshfreeOptions meshfree_from(const Json& json, const std::string& where);
@@ -60,6 +61,12 @@ std::string scenario_text(const Scenario& scenario) {
     json["capsule"] = {{"youngs_modulus_kPa", scenario.capsule->youngs_modulus_kPa},
                        {"thickness_mm", scenario.capsule->thickness_mm}};
   }
+  if (scenario.grain) {
+    const Vector3d& axis = scenario.grain->axis;
+    json["grain"] = {{"axis", {axis.x(), axis.y(), axis.z()}},
+                     {"ratio", scenario.grain->ratio},
+                     {"law", scenario.grain->law == GrainLaw::fibres ? "fibres" : "engineering"}};
+  }
   json["loads"] = Json::array();
   for (const Load& load : scenario.loads) json["loads"].push_back(load_json(load));
   if (scenario.motion) {
@@ -100,7 +107,7 @@ void refuse_same_ids(const std::vector<Named>& named, const char* each) {
 Scenario scenario_from(const Json& json) {
   known_keys(json,
              {"engine", "material", "strain_stiffening", "poisson_ratio", "density_kg_m3", "youngs_modulus_kPa",
-              "tissue", "supports", "capsule", "loads", "motion", "landmarks", "cuts", "tools", "meshfree"},
+              "tissue", "supports", "capsule", "grain", "loads", "motion", "landmarks", "cuts", "tools", "meshfree"},
              "The scenario");
   Scenario scenario;
   if (json.contains("engine")) {
@@ -145,6 +152,7 @@ Scenario scenario_from(const Json& json) {
     scenario.youngs_modulus = tissue->youngs_modulus_kPa(scenario.poisson_ratio);
   }
   if (json.contains("capsule")) scenario.capsule = capsule_from(json["capsule"], "capsule");
+  if (json.contains("grain")) scenario.grain = grain_from(json["grain"], "grain");
   scenario.supports = list_of<Support>(json, "supports", "support", support_from);
   scenario.loads = list_of<Load>(json, "loads", "load", load_from);
   scenario.landmarks = list_of<Landmark>(json, "landmarks", "landmark", landmark_from);
@@ -237,6 +245,18 @@ Capsule capsule_from(const Json& json, const std::string& where) {
   }
   capsule.thickness_mm = positive_number(required(json, "thickness_mm", where), where + ", thickness_mm");
   return capsule;
+}
+
+Grain grain_from(const Json& json, const std::string& where) {
+  known_keys(json, {"axis", "ratio", "law"}, where);
+  Grain grain;
+  grain.axis = vector(required(json, "axis", where), where + ", axis");
+  grain.ratio = positive_number(required(json, "ratio", where), where + ", ratio");
+  if (json.contains("law")) {
+    grain.law = one_of<GrainLaw>(json["law"], where + ", law",
+                                 {{"fibres", GrainLaw::fibres}, {"engineering", GrainLaw::engineering}});
+  }
+  return grain;
 }
 
 Landmark landmark_from(const Json& json, const std::string& where) {

@@ -18,6 +18,7 @@ namespace {
 
 bool is_linear(const Scenario& scenario);
 Result<void> check_tools(const Scenario& scenario);
+Result<void> check_grain(const Scenario& scenario, const SimulationOptions& options);
 Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
                                  const Scenario& scenario, const Places& places, const Progress& progress);
 Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
@@ -36,6 +37,7 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
                             const Progress& progress) {
   if (auto checked = geometry::check_tetrahedra(whole); !checked) return failure(std::move(checked.error()));
   if (auto available = check_tools(scenario); !available) return failure(std::move(available.error()));
+  if (auto available = check_grain(scenario, options); !available) return failure(std::move(available.error()));
   const bool meshfree = scenario.engine == Engine::meshfree;
   const auto body = open_cuts(whole, scenario.cuts, meshfree ? Along::exactly : Along::nearly);
   if (!body) return failure(body.error());
@@ -143,11 +145,16 @@ bool has_ligaments(const Scenario& scenario) {
                      [](const Support& support) { return std::holds_alternative<Ligament>(support.how); });
 }
 
+bool may_have_grain(const Scenario& scenario) {
+  return scenario.engine == Engine::fem && !scenario.motion && is_linear(scenario);
+}
+
 StaticOptions options_of(const Scenario& scenario) {
   StaticOptions options;
   options.poisson_ratio = scenario.poisson_ratio;
   options.density_kg_mm3 = scenario.density_kg_mm3;
   options.capsule = scenario.capsule;
+  options.grain = scenario.grain;
   options.parts = scenario.cuts.empty() ? StaticOptions::Parts::one : StaticOptions::Parts::several;
   return options;
 }
@@ -166,6 +173,14 @@ Result<void> check_tools(const Scenario& scenario) {
                        {},
                        GLISSON_TEXT("Elsewhere give a load."),
                        {}});
+}
+
+Result<void> check_grain(const Scenario& scenario, const SimulationOptions& options) {
+  if (!scenario.grain || (may_have_grain(scenario) && !options.data)) return {};
+  return failure(
+      "not-available",
+      GLISSON_TEXT("A grain is there for equilibrium by finite elements, with the material \"linear\" and without "
+                   "ligaments."));
 }
 
 std::string names_of(const geometry::Fields& fields) {

@@ -66,6 +66,9 @@ struct Simulation {
 Result<Simulation> simulate(const geometry::TetMesh& mesh, const Scenario& scenario,
                             const SimulationOptions& options = {}, const Progress& progress = {});
 
+// Can this question be asked of a body with a grain?
+[[nodiscard]] bool may_have_grain(const Scenario& scenario);
+
 // Where the landmarks lie in the body. Failures: "landmark-outside" (the first beyond the tolerance),
 // "landmark-invalid" (not a finite point).
 Result<std::vector<PointInMesh>> locate_landmarks(const geometry::TetMesh& mesh, const std::vector<Landmark>& landmarks,

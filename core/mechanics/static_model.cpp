@@ -25,6 +25,11 @@ Result<StaticModel> StaticModel::create(geometry::TetMesh mesh, std::vector<doub
                                         const Progress& progress) {
   const Stopwatch watch;
   progress.report(0.0, GLISSON_TEXT("Checking the model"));
+  if (options.grain) {
+    if (auto sound = check_grain(*options.grain, options.poisson_ratio); !sound) {
+      return failure(std::move(sound.error()));
+    }
+  }
   auto body = prepare_body(std::move(mesh), std::move(youngs_kPa), std::move(supports), options, Holding::required);
   if (!body) return failure(std::move(body.error()));
   if (!body->resolved.ligaments.empty()) {
@@ -163,7 +168,12 @@ std::vector<Eigen::Vector3d> StaticModel::displacement_at(const StaticResult& re
 }
 
 std::vector<double> StaticModel::von_mises_kPa(const StaticResult& result) const {
-  return von_mises_of_cells(parts_->mesh, parts_->layout, parts_->materials, nodal_displacements(*parts_, result));
+  const Eigen::VectorXd u_mm = nodal_displacements(*parts_, result);
+  if (const auto& grain = parts_->options.grain) {
+    return von_mises_of_cells(parts_->mesh, parts_->layout, parts_->youngs_kPa,
+                              unit_tangent(*grain, parts_->options.poisson_ratio), u_mm);
+  }
+  return von_mises_of_cells(parts_->mesh, parts_->layout, parts_->materials, u_mm);
 }
 
 Result<StaticResult> solve_static(geometry::TetMesh mesh, std::vector<double> youngs_kPa, std::vector<Support> supports,

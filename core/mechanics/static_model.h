@@ -3,7 +3,8 @@
 // one likes.
 //
 // Quadratic tetrahedra with straight edges (ten nodes), which do not lock as Poisson's ratio nears 1/2; linear
-// ones (four nodes) exist to be compared with. Isotropic, one Young's modulus a cell, one Poisson's ratio:
+// ones (four nodes) exist to be compared with. One Young's modulus a cell, one Poisson's ratio, isotropic unless the
+// options say a grain (grain.h):
 //   sigma = lambda tr(eps) I + 2 mu eps,  eps = (grad u + grad u^T) / 2,
 //   lambda = E nu / ((1 + nu) (1 - 2 nu)),  mu = E / (2 (1 + nu))
 // (any text on elasticity, e.g. Bower, Applied Mechanics of Solids, 3.2). Not valid where strains or rotations
@@ -34,6 +35,7 @@ struct StaticOptions {
   double relative_tolerance = 1e-6;  // far below any measured modulus; what is reached is usually 1e-12, and 1e-8 near
                                      // incompressibility, where rounding ends it
   std::optional<Capsule> capsule = std::nullopt;  // over the whole boundary
+  std::optional<Grain> grain = std::nullopt;      // of the whole body; StaticModel alone knows it
   int max_refinements = 8;  // each gains several digits; more would not help a matrix that needs them
   // May parts hang apart, as they do behind a cut? For equilibrium each must then be held by itself.
   enum class Parts { one, several } parts = Parts::one;
@@ -53,7 +55,7 @@ class StaticModel {
   // check_tetrahedra; "modulus-invalid" (the first cell is named), "poisson-invalid", "support-empty" (a support
   // that names nothing), "body-free" (not held enough to be in equilibrium; the free motion is named),
   // "too-large" (the factor would not fit the memory limit), "factorisation-failed", "cancelled"; "not-available" (a
-  // ligament, which only pulls: find_equilibrium knows it).
+  // ligament, which only pulls: find_equilibrium knows it); "grain-invalid".
   static Result<StaticModel> create(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
                                     std::vector<Support> supports, StaticOptions options = {},
                                     const Progress& progress = {});

@@ -18,6 +18,19 @@ CellDisplacement displacement_of_cell(const NodeLayout& layout, std::size_t cell
   return displacement;
 }
 
+template <typename StressOf>
+std::vector<double> von_mises_at_centroids(const geometry::TetMesh& mesh, const NodeLayout& layout,
+                                           const Eigen::VectorXd& u_mm, const StressOf& stress_of) {
+  std::vector<double> stresses(layout.cells.size());
+  parallel_for(stresses.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      stresses[c] =
+          von_mises(stress_of(c, displacement_gradient(mesh, layout, c, Eigen::Vector4d::Constant(0.25), u_mm)));
+    }
+  });
+  return stresses;
+}
+
 Eigen::Vector3d principal_strains(const Eigen::Matrix3d& f, StrainMeasure measure) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal;
   if (measure == StrainMeasure::small) {
@@ -65,14 +78,17 @@ StrainRange strain_range(const geometry::TetMesh& mesh, const NodeLayout& layout
 
 std::vector<double> von_mises_of_cells(const geometry::TetMesh& mesh, const NodeLayout& layout,
                                        const std::vector<Lame>& materials, const Eigen::VectorXd& u_mm) {
-  std::vector<double> stresses(layout.cells.size());
-  parallel_for(stresses.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      const Eigen::Matrix3d gradient = displacement_gradient(mesh, layout, c, Eigen::Vector4d::Constant(0.25), u_mm);
-      stresses[c] = von_mises(stress_kPa(materials[c], small_strain(gradient)));
-    }
+  return von_mises_at_centroids(mesh, layout, u_mm, [&](std::size_t c, const Eigen::Matrix3d& gradient) {
+    return stress_kPa(materials[c], small_strain(gradient));
   });
-  return stresses;
+}
+
+std::vector<double> von_mises_of_cells(const geometry::TetMesh& mesh, const NodeLayout& layout,
+                                       const std::vector<double>& youngs_kPa, const Matrix9d& unit_tangent,
+                                       const Eigen::VectorXd& u_mm) {
+  return von_mises_at_centroids(mesh, layout, u_mm, [&](std::size_t c, const Eigen::Matrix3d& gradient) {
+    return (youngs_kPa[c] * as_matrix(unit_tangent * as_vector(gradient))).eval();
+  });
 }
 
 }  // namespace glisson::mechanics

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/tetrahedra.h"
+#include "mechanics/deformation.h"
 #include "mechanics/linear_elasticity.h"
 #include "mechanics/node_layout.h"
 
@@ -28,5 +29,9 @@ struct StrainRange {
 // Von Mises stress (kPa) at each cell's centroid.
 [[nodiscard]] std::vector<double> von_mises_of_cells(const geometry::TetMesh& mesh, const NodeLayout& layout,
                                                      const std::vector<Lame>& materials, const Eigen::VectorXd& u_mm);
+// The same where one tangent per unit of Young's modulus (grain.h) says the stress.
+[[nodiscard]] std::vector<double> von_mises_of_cells(const geometry::TetMesh& mesh, const NodeLayout& layout,
+                                                     const std::vector<double>& youngs_kPa,
+                                                     const Matrix9d& unit_tangent, const Eigen::VectorXd& u_mm);
 
 }  // namespace glisson::mechanics

@@ -63,19 +63,23 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
     watched.insert(watched.end(), in_mesh.begin(), in_mesh.end());
     parts->structures.push_back(std::move(structure));
   }
-  const auto body_of = [&](std::vector<double> youngs_kPa, const Progress& part) {
-    return mechanics::StaticModel::create(setup.mesh, std::move(youngs_kPa), setup.supports, setup.options, part)
+  mechanics::StaticOptions twins_options = setup.options;
+  twins_options.grain.reset();
+  const auto body_of = [&](std::vector<double> youngs_kPa, const mechanics::StaticOptions& options,
+                           const Progress& part) {
+    return mechanics::StaticModel::create(setup.mesh, std::move(youngs_kPa), setup.supports, options, part)
         .and_then([&](mechanics::StaticModel model) {
           return ContactBody::create(std::move(model), setup.standing_loads, watched);
         });
   };
-  auto patient = body_of(std::move(setup.patient_youngs_kPa), progress.part(0.0, setup.atlas_youngs_kPa ? 0.5 : 1.0));
+  auto patient = body_of(std::move(setup.patient_youngs_kPa), setup.options,
+                         progress.part(0.0, setup.atlas_youngs_kPa ? 0.5 : 1.0));
   if (!patient) return failure(std::move(patient.error()));
   parts->patient = std::move(*patient);
   Moment untouched{{}, parts->patient->untouched(), {}};
   if (setup.atlas_youngs_kPa) {
-    auto atlas =
-        body_of(std::vector<double>(setup.mesh.cells.size(), *setup.atlas_youngs_kPa), progress.part(0.5, 1.0));
+    auto atlas = body_of(std::vector<double>(setup.mesh.cells.size(), *setup.atlas_youngs_kPa), twins_options,
+                         progress.part(0.5, 1.0));
     if (!atlas) return failure(std::move(atlas.error()));
     parts->atlas = std::move(*atlas);
     untouched.atlas = parts->atlas->untouched();

@@ -78,8 +78,11 @@ struct PlacedTool::Parts {
 Result<StaticRehearsal> StaticRehearsal::create(RehearsalSetup setup, const Progress& progress) {
   const auto start = Clock::now();
   auto parts = std::make_shared<Parts>();
-  const auto body_of = [&](std::vector<double> youngs_kPa, const Progress& part) -> Result<Parts::Body> {
-    auto model = StaticModel::create(setup.mesh, std::move(youngs_kPa), setup.supports, setup.options, part);
+  mechanics::StaticOptions twins_options = setup.options;
+  twins_options.grain.reset();
+  const auto body_of = [&](std::vector<double> youngs_kPa, const mechanics::StaticOptions& options,
+                           const Progress& part) -> Result<Parts::Body> {
+    auto model = StaticModel::create(setup.mesh, std::move(youngs_kPa), setup.supports, options, part);
     if (!model) return failure(std::move(model.error()));
     auto standing = model->solve(setup.standing_loads);
     if (!standing) return failure(std::move(standing.error()));
@@ -87,12 +90,13 @@ Result<StaticRehearsal> StaticRehearsal::create(RehearsalSetup setup, const Prog
     return Parts::Body{std::move(*model), std::move(*standing)};
   };
 
-  auto patient = body_of(std::move(setup.patient_youngs_kPa), progress.part(0.0, setup.atlas_youngs_kPa ? 0.5 : 0.95));
+  auto patient = body_of(std::move(setup.patient_youngs_kPa), setup.options,
+                         progress.part(0.0, setup.atlas_youngs_kPa ? 0.5 : 0.95));
   if (!patient) return failure(std::move(patient.error()));
   parts->patient = std::move(*patient);
   if (setup.atlas_youngs_kPa) {
-    auto atlas =
-        body_of(std::vector<double>(setup.mesh.cells.size(), *setup.atlas_youngs_kPa), progress.part(0.5, 0.95));
+    auto atlas = body_of(std::vector<double>(setup.mesh.cells.size(), *setup.atlas_youngs_kPa), twins_options,
+                         progress.part(0.5, 0.95));
     if (!atlas) return failure(std::move(atlas.error()));
     parts->atlas = std::move(*atlas);
   }

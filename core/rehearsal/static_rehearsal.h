@@ -29,7 +29,7 @@ struct RehearsalSetup {
   mechanics::Loads standing_loads;  // act always: gravity, pneumoperitoneum
   std::vector<mechanics::Landmark> landmarks;
   std::vector<geometry::Surface> structures;  // tumours, vessels: their points move with the liver around them
-  mechanics::StaticOptions options;
+  mechanics::StaticOptions options;           // a grain in them is the patient's; the twin has none
   double landmark_tolerance_mm = 10.0;
 };
 
