@@ -46,6 +46,7 @@ void add_platform(CLI::App& app, Action& chosen);
 void add_deidentify(CLI::App& app, Action& chosen);
 void add_explain(CLI::App& app, Action& chosen);
 void add_predict(CLI::App& app, Action& chosen);
+void add_accept(CLI::App& app, Action& chosen);
 void add_demo(CLI::App& app, Action& chosen);
 
 // All of them, in the order in which --help lists them.

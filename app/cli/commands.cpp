@@ -29,6 +29,7 @@ void add_commands(CLI::App& app, Action& chosen) {
   add_platform(app, chosen);
   add_explain(app, chosen);
   add_predict(app, chosen);
+  add_accept(app, chosen);
   add_deidentify(app, chosen);
 }
 

@@ -6,6 +6,7 @@
 #include "base/files.h"
 #include "casefile/model.h"
 #include "command.h"
+#include "evidence_answer.h"
 #include "geometry/mesh_file.h"
 #include "rehearsal/session.h"
 #include "shared_options.h"
@@ -74,16 +75,15 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
     return casefile::read_model(patient);
   });
   if (!model) return failure(model.error());
-  rehearsal::RehearsalSetup setup;
-  setup.mesh = std::move(model->mesh);
-  setup.patient_youngs_kPa = std::move(model->youngs_kPa);
-  setup.atlas_youngs_kPa = model->atlas_youngs_kPa;
-  setup.supports = std::move(model->supports);
-  setup.landmarks = std::move(model->landmarks);
-  auto engine = rehearsal::SessionEngine::create(std::move(setup), progress.part(0.0, 0.7));
+  const casefile::Evidence evidence = model->evidence;
+  auto engine = rehearsal::SessionEngine::create(casefile::rehearsal_setup(std::move(*model)), progress.part(0.0, 0.7));
   if (!engine) return failure(std::move(engine.error()));
 
   Outcome outcome{{{"steps", Json::array()}}, ""};
+  if (!evidence.effects.empty()) {
+    outcome.document["evidence"] = evidence_json(evidence);
+    outcome.text = evidence_text(evidence);
+  }
   rehearsal::Recording recording;
   std::optional<std::size_t> first_other;
   for (std::size_t i = 0; i < commands->size(); ++i) {

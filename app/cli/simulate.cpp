@@ -23,16 +23,33 @@ struct Options {
   std::string out;
 };
 
-// A case brings its mesh, and what the scenario leaves out: the usual supports, and landmarks on tumours and vessels.
-Result<geometry::TetMesh> mesh_and_defaults(const Options& options, mechanics::Scenario& scenario) {
-  if (options.mesh_file) return geometry::read_tetrahedra(*options.mesh_file);
+struct Question {
+  geometry::TetMesh mesh;
+  mechanics::Scenario scenario;
+  std::vector<Sentence> evidence;  // what of it is in, and what is left out
+};
+
+// A case brings its mesh, and what the scenario leaves out: the usual supports, landmarks on tumours and vessels, and
+// accepted evidence.
+Result<Question> question(const Options& options, mechanics::Scenario scenario) {
+  if (options.mesh_file) {
+    return geometry::read_tetrahedra(*options.mesh_file).map([&](geometry::TetMesh mesh) {
+      return Question{std::move(mesh), std::move(scenario), {}};
+    });
+  }
   auto model = casefile::Case::open(*options.case_folder).and_then([](const casefile::Case& patient) {
     return casefile::read_model(patient);
   });
   if (!model) return failure(model.error());
-  if (scenario.supports.empty()) scenario.supports = model->supports;
-  if (scenario.landmarks.empty()) scenario.landmarks = model->landmarks;
-  return std::move(model->mesh);
+  if (options.data_file) {  // which say how stiff the organ is, in every direction
+    model->capsule.reset();
+    model->grain.reset();
+    std::erase_if(model->evidence.effects, [](const closedloop::LearntEffect& effect) {
+      return effect.kind != "support-compliance" && effect.kind != "preload";
+    });
+  }
+  std::vector<Sentence> evidence = casefile::put_into(scenario, *model);
+  return Question{std::move(model->mesh), std::move(scenario), std::move(evidence)};
 }
 
 std::string describe(const mechanics::Simulation& simulation) {
@@ -65,12 +82,13 @@ Result<Outcome> simulate(const Options& options, const Progress& progress) {
   auto scenario = mechanics::read_scenario(options.scenario_file);
   if (!scenario) return failure(scenario.error());
   progress.report(0.0, GLISSON_TEXT("Reading the mesh"));
-  const auto mesh = mesh_and_defaults(options, *scenario);
-  if (!mesh) return failure(mesh.error());
-  const auto settings = simulation_options(options, *scenario);
+  const auto asked = question(options, std::move(*scenario));
+  if (!asked) return failure(asked.error());
+  const auto settings = simulation_options(options, asked->scenario);
   if (!settings) return failure(settings.error());
-  const auto simulation = mechanics::simulate(*mesh, *scenario, *settings, progress);
+  auto simulation = mechanics::simulate(asked->mesh, asked->scenario, *settings, progress);
   if (!simulation) return failure(simulation.error());
+  for (const Sentence& said : asked->evidence) simulation->result.notes.push_back(said.message());
   if (!simulation->result.may_be_used()) {
     return failure(Error{"not-converged",
                          GLISSON_TEXT("The computation did not converge: {0}"),
@@ -81,6 +99,7 @@ Result<Outcome> simulate(const Options& options, const Progress& progress) {
   if (auto written = casefile::write_result(options.out, *simulation); !written) return failure(written.error());
   Outcome outcome{parse_json(casefile::result_text(*simulation)).value(), describe(*simulation)};
   outcome.document["out"] = options.out;
+  if (!asked->evidence.empty()) outcome.document["evidence"] = messages(asked->evidence);
   return outcome;
 }
 

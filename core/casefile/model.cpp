@@ -126,6 +126,22 @@ Result<elastography::Reliability> reliability_of(const Case& patient) {
 }
 
 Result<PatientModel> read_model(const Case& patient) {
+  auto model = read_model_before_evidence(patient);
+  if (!model) return model;
+  auto learnt = with_evidence(patient, organ_of(*model), model->mesh);
+  if (!learnt) return failure(std::move(learnt.error()));
+  if (learnt->evidence.effects.empty()) return model;
+  model->youngs_kPa = std::move(learnt->organ.youngs_kPa);
+  geometry::set_field(model->mesh.cell_fields, {mechanics::youngs_modulus_field, 1, model->youngs_kPa});
+  model->supports = std::move(learnt->organ.supports);
+  model->capsule = learnt->organ.capsule;
+  model->grain = learnt->organ.grain;
+  model->standing_loads = std::move(learnt->organ.standing_loads);
+  model->evidence = std::move(learnt->evidence);
+  return model;
+}
+
+Result<PatientModel> read_model_before_evidence(const Case& patient) {
   auto mesh =
       patient.file_of("meshes/model").and_then([](const fs::path& file) { return geometry::read_tetrahedra(file); });
   if (!mesh) {

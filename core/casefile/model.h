@@ -8,9 +8,11 @@
 
 #include "base/progress.h"
 #include "casefile/case.h"
+#include "casefile/evidence.h"
 #include "elastography/cell_stiffness.h"
 #include "mechanics/scenario.h"
 #include "meshing/mesh_labels.h"
+#include "rehearsal/static_rehearsal.h"
 #include "segmentation/structures.h"
 
 namespace glisson::casefile {
@@ -50,14 +52,30 @@ struct StructureSurface {
   geometry::Surface surface;
 };
 struct PatientModel {
-  geometry::TetMesh mesh;          // with youngs_modulus_kPa, bare_area, diaphragm
+  geometry::TetMesh mesh;          // with youngs_modulus_kPa (as below), bare_area, diaphragm
   std::vector<double> youngs_kPa;  // one a cell
   double atlas_youngs_kPa = 0;     // of the twin that it is compared with
   std::vector<mechanics::Support> supports;
+  std::optional<mechanics::Capsule> capsule;  // these three by evidence alone
+  std::optional<mechanics::Grain> grain;
+  mechanics::Loads standing_loads;
+  Evidence evidence;  // that is in all of this
   std::vector<mechanics::Landmark> landmarks;
   std::vector<StructureSurface> structures;  // those inside the liver
   StructureSurface liver;                    // its smooth surface, for pictures
 };
 Result<PatientModel> read_model(const Case& patient);
+
+// As elastography says, whatever evidence was accepted; and what of it evidence may change.
+Result<PatientModel> read_model_before_evidence(const Case& patient);
+[[nodiscard]] closedloop::OrganModel organ_of(const PatientModel& model);
+
+// The model as a rehearsal takes it, with its landmarks, without the structures' surfaces.
+[[nodiscard]] rehearsal::RehearsalSetup rehearsal_setup(PatientModel model);
+
+// What a case brings to a scenario: the modulus stands in the mesh, supports and landmarks where the scenario has none,
+// and what was accepted of the evidence. What the scenario says itself stands; what of the evidence is left out for
+// that, or because its engine or material cannot hold it, is answered, besides what is carried.
+std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel& model);
 
 }  // namespace glisson::casefile

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/json.h"
+#include "closedloop/learnt_organ.h"
 
 namespace glisson::closedloop {
 namespace {
@@ -96,6 +97,12 @@ std::string model_text(const Explanation& explanation, const ForwardModel& model
             {"verdict", name_of(explanation.verdict)},
             {"learnt_from", experiment.file.filename().string()},
             {"effects", Json::array()}};
+  if (const auto* palpation = std::get_if<Palpation>(&experiment.setup)) {
+    const SpecimenPlace place = place_of(palpation->mesh);
+    json["specimen"] = {{"min_mm", glisson::json_of(place.min_mm)},
+                        {"max_mm", glisson::json_of(place.max_mm)},
+                        {"volume_mm3", place.volume_mm3}};
+  }
   for (const FoundEffect& effect : explanation.effects) {
     Json one{{"kind", effect.kind}};
     if (!effect.form.empty()) one["law"] = effect.form;

@@ -91,6 +91,51 @@ TEST_F(SmallLiver, ACutThatMissesIsRefusedAndLeavesNothing) {
   EXPECT_EQ(glisson_cli({"resect", patient(), "--out", file("none")}).exit_code, 2);  // neither plane nor points
 }
 
+TEST_F(SmallLiver, AcceptedEvidenceChangesWhatIsRehearsedAndIsTakenBackToTheBit) {
+  ASSERT_TRUE(write_text_file(folder_->path() / "model.json", R"({"format": "glisson-closedloop-model/1",
+    "kind": "palpation", "verdict": "explained", "effects": [
+    {"kind": "stiffness-scale", "parameters": {"factor": 0.5}},
+    {"kind": "anisotropy", "law": "fibres", "parameters": {"axis": [1, 0, 0], "ratio": 2}},
+    {"kind": "force-bias", "parameters": {"zero_N": 0, "gain": 1.1}}]})"));
+  ASSERT_TRUE(write_text_file(folder_->path() / "pull.json", R"({"loads": [
+    {"tool": {"center_mm": [0, -50, 0], "radius_mm": 15, "force_N": [0, -0.5, 0]}}]})"));
+  ASSERT_TRUE(write_text_file(folder_->path() / "hook.json", R"({"format": "glisson-session/1", "commands": [
+    {"hold": {"id": "hook", "shape": "nathanson-retractor", "position_mm": [0, 0, -70], "direction": [0, 0, 1],
+              "push_mN": 200}}]})"));
+  const auto pull = [&](const char* out) {
+    return answer({"simulate", patient(), "--scenario", file("pull.json"), "--out", file(out)});
+  };
+  const auto hold = [&] { return answer({"session", patient(), "--commands", file("hook.json")}); };
+  const Json before = pull("before");
+  const Json held_before = hold();
+  EXPECT_FALSE(before.contains("evidence"));
+
+  const Json accepted =
+      answer({"accept", patient(), file("model.json"), "--effect", "stiffness-scale", "--effect", "force-bias"});
+  ASSERT_EQ(accepted.at("effects").size(), 2u);
+  EXPECT_TRUE(accepted.at("effects")[0].at("carried").get<bool>());
+  EXPECT_FALSE(accepted.at("effects")[1].at("carried").get<bool>());
+  EXPECT_EQ(answer({"accept", patient()}), accepted);
+  const Json softer = pull("softer");
+  EXPECT_EQ(softer.at("evidence").size(), 2u);
+  const double moved = before.at("landmarks")[0].at("displacement_mm");
+  EXPECT_GT(softer.at("landmarks")[0].at("displacement_mm").get<double>(), 1.5 * moved);
+  EXPECT_LE(softer.at("landmarks")[0].at("displacement_mm").get<double>(), 2 * moved);  // springs do not soften
+  const Json held_softer = hold();
+  EXPECT_EQ(held_softer.at("evidence").at("effects").size(), 2u);
+  EXPECT_NE(held_softer.at("steps")[0].at("digest"), held_before.at("steps")[0].at("digest"));
+
+  answer({"accept", patient(), file("model.json"), "--effect", "anisotropy"});  // in its place
+  EXPECT_LT(pull("grained").at("max_displacement_mm").get<double>(), before.at("max_displacement_mm").get<double>());
+  EXPECT_THAT(read_text_file(folder_->path() / "grained/scenario.json").value(), HasSubstr("\"grain\""));
+
+  EXPECT_TRUE(answer({"accept", patient(), "--take-back"}).at("effects").empty());
+  EXPECT_EQ(pull("after").at("landmarks"), before.at("landmarks"));
+  EXPECT_EQ(hold().at("steps")[0].at("digest"), held_before.at("steps")[0].at("digest"));
+  EXPECT_EQ(glisson_cli({"accept", patient(), "--effect", "capsule"}).exit_code, 2);
+  EXPECT_EQ(glisson_cli({"accept", patient(), "--take-back", "--effect", "capsule"}).exit_code, 1);
+}
+
 TEST_F(SmallLiver, ASessionWithTwoToolsIsRecordedAndReplaysToTheBit) {
   const char* commands = R"({"format": "glisson-session/1", "commands": [
     {"hold": {"id": "hook", "shape": "nathanson-retractor", "position_mm": [0, 0, -70], "direction": [0, 0, 1],

@@ -30,16 +30,12 @@ Result<void> prepare_rehearsal(const casefile::Case& from, Patient& patient, con
   if (!model) return failure(model.error());
   patient.structures.push_back(structure_of(model->liver));
   for (const auto& structure : model->structures) patient.structures.push_back(structure_of(structure));
-  rehearsal::RehearsalSetup setup;
-  for (const PatientStructure& structure : patient.structures) setup.structures.push_back(*structure.surface);
   patient.mean_youngs_kPa = std::accumulate(model->youngs_kPa.begin(), model->youngs_kPa.end(), 0.0) /
                             static_cast<double>(std::max<std::size_t>(1, model->youngs_kPa.size()));
   patient.atlas_youngs_kPa = model->atlas_youngs_kPa;
-  setup.mesh = std::move(model->mesh);
-  setup.patient_youngs_kPa = std::move(model->youngs_kPa);
-  setup.atlas_youngs_kPa = model->atlas_youngs_kPa;
-  setup.supports = std::move(model->supports);
-  setup.landmarks = std::move(model->landmarks);
+  patient.evidence = model->evidence;
+  rehearsal::RehearsalSetup setup = casefile::rehearsal_setup(*std::move(model));
+  for (const PatientStructure& structure : patient.structures) setup.structures.push_back(*structure.surface);
   auto rehearsal = rehearsal::StaticRehearsal::create(std::move(setup), progress);
   if (!rehearsal) return failure(rehearsal.error());
   patient.rehearsal = std::make_shared<rehearsal::StaticRehearsal>(*std::move(rehearsal));

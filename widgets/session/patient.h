@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/sentence.h"
+#include "casefile/evidence.h"
 #include "geometry/surface.h"
 #include "imaging/image.h"
 #include "rehearsal/static_rehearsal.h"
@@ -29,6 +30,7 @@ struct Patient {
   // Absent until the model was built. Its structures are those above, in their order.
   std::shared_ptr<const rehearsal::StaticRehearsal> rehearsal;
   std::vector<Sentence> remarks;  // what the last step found worth looking at
+  casefile::Evidence evidence;    // accepted of measurements: in the rehearsal, or said why not
   double mean_youngs_kPa = 0;     // of the model's cells
   double atlas_youngs_kPa = 0;    // of its atlas twin
 };

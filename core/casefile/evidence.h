@@ -1,0 +1,38 @@
+#pragma once
+// What measurements showed of a patient's tissue and a person accepted: evidence/model, the model.json of explain with
+// the effects that were wanted. read_model (model.h) puts it into the organ that is rehearsed, so that an accepted
+// effect changes what the surgeon sees; taken back, the organ is what it was, to the bit.
+//
+// A case holds one such model; accepting another puts it in its place. Each change is one transaction of the case.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "casefile/case.h"
+#include "closedloop/learnt_organ.h"
+
+namespace glisson::casefile {
+
+struct Evidence {
+  std::vector<closedloop::LearntEffect> effects;  // accepted, whether the organ can carry them or not
+  std::vector<Sentence> remarks;
+};
+
+// Accepts the effects of these kinds, all where none is named. Refused: "case-lacks-entry" before there is a model;
+// "evidence-empty" where the model found nothing missing; those of closedloop::learn_organ. Then the case is as it was.
+Result<Evidence> accept_evidence(Case& patient, const std::filesystem::path& model_file,
+                                 const std::vector<std::string>& kinds = {});
+
+// Takes back the effects of these kinds, all where none is named; what is left of them is answered. Refused:
+// "effect-missing" where one was not accepted.
+Result<Evidence> take_back_evidence(Case& patient, const std::vector<std::string>& kinds = {});
+
+// The organ with the evidence that the case holds; as it came, where it holds none. Refused: "evidence-damaged".
+struct OrganByEvidence {
+  closedloop::OrganModel organ;
+  Evidence evidence;
+};
+Result<OrganByEvidence> with_evidence(const Case& patient, closedloop::OrganModel organ, const geometry::TetMesh& mesh);
+
+}  // namespace glisson::casefile

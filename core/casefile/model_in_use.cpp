@@ -1,0 +1,60 @@
+// A case's model as rehearsals and scenarios take it.
+
+#include <algorithm>
+
+#include "casefile/model.h"
+#include "mechanics/simulation.h"
+
+namespace glisson::casefile {
+
+closedloop::OrganModel organ_of(const PatientModel& model) {
+  return {model.youngs_kPa, model.supports, model.capsule, model.grain, model.standing_loads};
+}
+
+rehearsal::RehearsalSetup rehearsal_setup(PatientModel model) {
+  rehearsal::RehearsalSetup setup;
+  setup.mesh = std::move(model.mesh);
+  setup.patient_youngs_kPa = std::move(model.youngs_kPa);
+  setup.atlas_youngs_kPa = model.atlas_youngs_kPa;
+  setup.supports = std::move(model.supports);
+  setup.standing_loads = std::move(model.standing_loads);
+  setup.landmarks = std::move(model.landmarks);
+  setup.options.capsule = model.capsule;
+  setup.options.grain = model.grain;
+  return setup;
+}
+
+std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel& model) {
+  const bool own_supports = !scenario.supports.empty(), own_modulus = scenario.youngs_modulus.has_value(),
+             own_capsule = scenario.capsule.has_value(), no_grain = !mechanics::may_have_grain(scenario);
+  const auto why_not = [&](const std::string& kind) -> std::string {
+    if (own_supports && kind == "support-compliance") {
+      return GLISSON_TEXT("The scenario says itself what holds the organ: the effect {0} is left out.");
+    }
+    if (own_modulus && (kind == "stiffness-scale" || kind == "viscoelastic-creep" || kind == "stiff-inclusion")) {
+      return GLISSON_TEXT("The scenario says itself how stiff the organ is: the effect {0} is left out.");
+    }
+    if (own_capsule && kind == "capsule") {
+      return GLISSON_TEXT("The scenario says itself what skin the organ has: the effect {0} is left out.");
+    }
+    if (no_grain && kind == "anisotropy") {
+      return GLISSON_TEXT("Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.");
+    }
+    return {};
+  };
+  std::vector<Sentence> said;
+  for (const closedloop::LearntEffect& effect : model.evidence.effects) {
+    std::string reason = effect.carried ? why_not(effect.kind) : std::string();
+    said.push_back(reason.empty() ? effect.sentence : Sentence{std::move(reason), {effect.kind}});
+  }
+  said.insert(said.end(), model.evidence.remarks.begin(), model.evidence.remarks.end());
+
+  if (!own_supports) scenario.supports = model.supports;
+  if (scenario.landmarks.empty()) scenario.landmarks = model.landmarks;
+  if (!own_capsule) scenario.capsule = model.capsule;
+  if (!no_grain && !scenario.grain) scenario.grain = model.grain;
+  scenario.loads.insert(scenario.loads.end(), model.standing_loads.begin(), model.standing_loads.end());
+  return said;
+}
+
+}  // namespace glisson::casefile

@@ -1,0 +1,304 @@
+#include "closedloop/learnt_organ.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+
+#include "base/json.h"
+#include "base/units.h"
+#include "closedloop/palpation_effects.h"
+#include "closedloop/palpation_structure.h"
+#include "mechanics/quadrature.h"
+
+namespace glisson::closedloop {
+namespace {
+
+// A number that no organ can have.
+struct Misfit {
+  std::string name;
+};
+
+// One effect of the file.
+struct Learnt {
+  std::string kind;
+  std::string form;
+  const Json& parameters;
+
+  [[nodiscard]] double number(const char* name) const { return numbers(name, 1)[0]; }
+  [[nodiscard]] double above_zero(const char* name) const {
+    const double value = number(name);
+    if (value <= 0) throw Misfit{name};
+    return value;
+  }
+  [[nodiscard]] Eigen::Vector3d vector(const char* name) const { return Eigen::Vector3d::Map(numbers(name, 3).data()); }
+  // A list, or a single number; of any length where `size` is 0.
+  [[nodiscard]] std::vector<double> numbers(const char* name, std::size_t size = 0) const {
+    const Json& json = parameters.at(name);
+    auto values = json.is_array() ? json.get<std::vector<double>>() : std::vector<double>{json.get<double>()};
+    const bool finite = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+    if (!finite || values.empty() || (size > 0 && values.size() != size)) throw Misfit{name};
+    return values;
+  }
+};
+
+struct Circumstances {
+  const geometry::TetMesh& mesh;
+  bool material_test;
+  bool same_organ;  // the specimen was this organ in this place
+};
+
+LearntEffect take(const Learnt& effect, const Circumstances& about, OrganModel& organ);
+std::vector<Sentence> remarks_on(const Json& document);
+SpecimenPlace place_from(const Json& json);
+Failure not_complete(const std::filesystem::path& file);
+
+}  // namespace
+
+Result<LearntOrgan> learn_organ(OrganModel declared, const geometry::TetMesh& mesh,
+                                const std::filesystem::path& model_file, const std::vector<std::string>& kinds) {
+  const auto document = read_json_file(model_file);
+  if (!document) return failure(document.error());
+  LearntOrgan learnt{std::move(declared), {}, {}};
+  const auto wanted = [&](const std::string& kind) {
+    return kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+  };
+  try {
+    const bool material_test = document->at("kind") == "material";
+    if (document->at("format") != "glisson-closedloop-model/1" ||
+        (!material_test && document->at("kind") != "palpation")) {
+      return failure(Error{"model-invalid",
+                           GLISSON_TEXT("{0} was not learnt from tissue."),
+                           {model_file.filename().string()},
+                           GLISSON_TEXT("Use the model.json that glisson-cli explain wrote for a palpation or a "
+                                        "material test; a platform's goes to glisson-cli platform learn."),
+                           model_file});
+    }
+    const bool same_organ =
+        document->contains("specimen") && same_place(place_from(document->at("specimen")), place_of(mesh));
+    const Circumstances about{mesh, material_test, same_organ};
+    for (const Json& json : document->at("effects")) {
+      const Learnt effect{json.at("kind").get<std::string>(), json.value("law", std::string()), json.at("parameters")};
+      if (wanted(effect.kind)) learnt.effects.push_back(take(effect, about, learnt.organ));
+    }
+    learnt.remarks = remarks_on(*document);
+  } catch (const Json::exception&) {
+    return not_complete(model_file);
+  } catch (const Misfit& misfit) {
+    return failure(Error{"model-invalid",
+                         GLISSON_TEXT("In {0} no tissue can have such a {1}."),
+                         {model_file.filename().string(), misfit.name},
+                         {},
+                         model_file});
+  }
+  for (const std::string& kind : kinds) {
+    if (std::any_of(learnt.effects.begin(), learnt.effects.end(), [&](const auto& one) { return one.kind == kind; }))
+      continue;
+    return failure(Error{"effect-missing",
+                         GLISSON_TEXT("{0} has no effect {1}."),
+                         {model_file.filename().string(), kind},
+                         {},
+                         model_file});
+  }
+  return learnt;
+}
+
+SpecimenPlace place_of(const geometry::TetMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const auto& cell : mesh.cells) {
+    for (const int point : cell) box.extend(mesh.points_mm[static_cast<std::size_t>(point)]);
+  }
+  return {box.min(), box.max(), geometry::volume_mm3(mesh)};
+}
+
+bool same_place(const SpecimenPlace& a, const SpecimenPlace& b) {
+  constexpr double part = 0.01;
+  const double near_mm = part * (b.max_mm - b.min_mm).norm();
+  return (a.min_mm - b.min_mm).norm() <= near_mm && (a.max_mm - b.max_mm).norm() <= near_mm &&
+         std::abs(a.volume_mm3 - b.volume_mm3) <= part * b.volume_mm3;
+}
+
+namespace {
+
+std::string shown(double value) { return fmt::format("{:.3g}", value); }
+
+void scale(OrganModel& organ, double factor) {
+  for (double& youngs_kPa : organ.youngs_kPa) youngs_kPa *= factor;
+}
+
+// The share of the instantaneous modulus that is left after long. A palpation's terms are of the creep function, a
+// material test's of the relaxation function.
+double left_after_long(const Learnt& effect, bool material_test) {
+  double sum = 0;
+  for (const double amplitude : effect.numbers("amplitude")) {
+    if (amplitude < 0) throw Misfit{"amplitude"};
+    sum += amplitude;
+  }
+  if (material_test && sum >= 1) throw Misfit{"amplitude"};
+  return material_test ? 1 - sum : 1 / (1 + sum);
+}
+
+void put_in(const Inclusion& inclusion, const geometry::TetMesh& mesh, std::vector<double>& youngs_kPa) {
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const double edge_mm = std::cbrt(6.0 * std::sqrt(2.0) * geometry::cell_volume_mm3(mesh, c));
+    double mean = 0;
+    for (const mechanics::TetPoint& at : mechanics::tet_points_degree_2()) {
+      Eigen::Vector3d place_mm = Eigen::Vector3d::Zero();
+      for (int i = 0; i < 4; ++i) {
+        place_mm += at.barycentric[i] * mesh.points_mm[static_cast<std::size_t>(mesh.cells[c][std::size_t(i)])];
+      }
+      mean += at.weight * modulus_factor(inclusion, place_mm, edge_mm);
+    }
+    youngs_kPa[c] *= mean;
+  }
+}
+
+// What holds in some directions only, or is a ligament, stays as it is.
+void give_way(std::vector<mechanics::Support>& supports, double foundation_kPa_per_mm) {
+  for (mechanics::Support& support : supports) {
+    if (const auto* held = std::get_if<mechanics::Held>(&support.how)) {
+      if (held->directions == std::array<bool, 3>{true, true, true}) {
+        support.how = mechanics::Foundation{foundation_kPa_per_mm};
+      }
+    } else if (auto* spring = std::get_if<mechanics::Foundation>(&support.how)) {
+      spring->stiffness_kPa_per_mm = 1 / (1 / spring->stiffness_kPa_per_mm + 1 / foundation_kPa_per_mm);
+    }
+  }
+}
+
+void put_skin_on(double stiffness_mN_per_mm, std::optional<mechanics::Capsule>& capsule) {
+  if (!capsule) capsule.emplace();
+  capsule->thickness_mm += stiffness_mN_per_mm / capsule->youngs_modulus_kPa;
+}
+
+LearntEffect carried(const Learnt& effect, std::string text, std::vector<std::string> arguments) {
+  return {effect.kind, true, {std::move(text), std::move(arguments)}};
+}
+LearntEffect left_out(const Learnt& effect, std::string text, std::vector<std::string> arguments = {}) {
+  return {effect.kind, false, {std::move(text), std::move(arguments)}};
+}
+
+// Linear elasticity cannot stiffen. Fung's law, exp(b q) with q the square of a pulled bar's strain, is Veronda and
+// Westmann's at small strain with c2 = b / 3, for there I1 - 3 is three times that square.
+LearntEffect stiffening(const Learnt& effect, const Circumstances& about) {
+  if (effect.form == palpation::form_exponential && !about.material_test) {
+    return left_out(effect,
+                    GLISSON_TEXT("The organ stiffens with strain, which this linear rehearsal cannot hold; a scenario "
+                                 "can, with the material \"veronda-westmann\" and \"strain_stiffening\": {0}."),
+                    {shown(effect.number("coefficient") / 3)});
+  }
+  return left_out(effect, GLISSON_TEXT("The organ stiffens with strain, which this linear rehearsal cannot hold."));
+}
+
+LearntEffect preloaded(const Learnt& effect, const Circumstances& about, OrganModel& organ) {
+  if (!about.same_organ) {
+    return left_out(effect, GLISSON_TEXT("What loaded the specimen while it was measured does not load the organ."));
+  }
+  if (effect.form == palpation::form_pressure) {
+    const double pressure_kPa = effect.number("pressure_kPa");
+    organ.standing_loads.emplace_back(mechanics::PressureLoad{pressure_kPa});
+    return carried(effect, GLISSON_TEXT("A pressure of {0} kPa acts on the organ all the time."),
+                   {shown(pressure_kPa)});
+  }
+  const Eigen::Vector3d gravity_m_s2 = effect.vector("gravity_m_s2");
+  organ.standing_loads.emplace_back(mechanics::GravityLoad{units::mm_s2_from_m_s2(1.0) * gravity_m_s2});
+  return carried(effect, GLISSON_TEXT("A weight acts on the organ all the time, by ({0}, {1}, {2}) m/s2."),
+                 {shown(gravity_m_s2.x()), shown(gravity_m_s2.y()), shown(gravity_m_s2.z())});
+}
+
+LearntEffect grained(const Learnt& effect, const Circumstances& about, OrganModel& organ) {
+  const mechanics::Grain grain{
+      effect.form == palpation::form_engineering ? mechanics::GrainLaw::engineering : mechanics::GrainLaw::fibres,
+      effect.vector("axis"), effect.above_zero("ratio")};
+  if (!mechanics::check_grain(grain, mechanics::Scenario{}.poisson_ratio)) throw Misfit{"ratio"};
+  organ.grain = grain;
+  const Eigen::Vector3d axis = grain.axis.normalized();
+  const std::vector<std::string> arguments{shown(grain.ratio), shown(axis.x()), shown(axis.y()), shown(axis.z())};
+  return about.same_organ
+             ? carried(effect, GLISSON_TEXT("The organ is {0} times as stiff along ({1}, {2}, {3}) as across."),
+                       arguments)
+             : carried(effect,
+                       GLISSON_TEXT("The organ is {0} times as stiff along ({1}, {2}, {3}) as across: the specimen's "
+                                    "axes are taken for the patient's."),
+                       arguments);
+}
+
+LearntEffect take(const Learnt& effect, const Circumstances& about, OrganModel& organ) {
+  if (effect.kind == palpation::stiffness_scale) {
+    const double factor = effect.above_zero("factor");
+    scale(organ, factor);
+    return carried(effect, GLISSON_TEXT("The whole organ is {0} times as stiff as was declared."), {shown(factor)});
+  }
+  if (effect.kind == palpation::viscoelastic_creep) {
+    const double left = left_after_long(effect, about.material_test);
+    scale(organ, left);
+    return carried(effect, GLISSON_TEXT("Held for long, the organ creeps: it is {0} times as stiff as at once."),
+                   {shown(left)});
+  }
+  if (effect.kind == palpation::stiff_inclusion) {
+    const Inclusion inclusion{effect.vector("center_mm"), effect.above_zero("radius_mm"), effect.above_zero("ratio")};
+    if (!about.same_organ) {
+      return left_out(effect, GLISSON_TEXT("The specimen's hard spot has no place in the organ: the specimen is not "
+                                           "this organ in this place."));
+    }
+    put_in(inclusion, about.mesh, organ.youngs_kPa);
+    return carried(effect,
+                   GLISSON_TEXT("A spot of {0} mm radius at ({1}, {2}, {3}) is {4} times as stiff as around it."),
+                   {shown(inclusion.radius_mm), fmt::format("{:.0f}", inclusion.center_mm.x()),
+                    fmt::format("{:.0f}", inclusion.center_mm.y()), fmt::format("{:.0f}", inclusion.center_mm.z()),
+                    shown(inclusion.ratio)});
+  }
+  if (effect.kind == palpation::support_compliance) {
+    const double foundation_kPa_per_mm = effect.above_zero("foundation_kPa_per_mm");
+    give_way(organ.supports, foundation_kPa_per_mm);
+    return carried(effect, GLISSON_TEXT("What holds the organ gives way like a spring of {0} kPa/mm."),
+                   {shown(foundation_kPa_per_mm)});
+  }
+  if (effect.kind == palpation::capsule) {
+    const double stiffness_N_per_mm = effect.number("stiffness_N_per_mm");
+    if (stiffness_N_per_mm < 0) throw Misfit{"stiffness_N_per_mm"};
+    put_skin_on(units::mN_from_N(stiffness_N_per_mm), organ.capsule);
+    return carried(effect, GLISSON_TEXT("A skin of {0} N/mm lies around the organ."), {shown(stiffness_N_per_mm)});
+  }
+  if (effect.kind == palpation::anisotropy) return grained(effect, about, organ);
+  if (effect.kind == palpation::strain_stiffening) return stiffening(effect, about);
+  if (effect.kind == palpation::preload) return preloaded(effect, about, organ);
+  if (effect.kind == palpation::force_bias) {
+    return left_out(effect, GLISSON_TEXT("The load cell was off: that is of the measurement, and leaves the organ as "
+                                         "it is."));
+  }
+  if (effect.kind == palpation::frame_misalignment) {
+    return left_out(effect, GLISSON_TEXT("The camera's frame was off: that is of the measurement, and leaves the organ "
+                                         "as it is."));
+  }
+  return left_out(effect, GLISSON_TEXT("This linear rehearsal cannot hold the effect {0}."), {effect.kind});
+}
+
+std::vector<Sentence> remarks_on(const Json& document) {
+  std::vector<Sentence> remarks;
+  if (document.contains("smooth_correction")) {
+    remarks.push_back({GLISSON_TEXT("A smooth correction has no cause and is left out of the rehearsal."), {}});
+  }
+  if (document.value("verdict", std::string()) == "unexplained") {
+    remarks.push_back({GLISSON_TEXT("These measurements are not explained by the effects found: they take a part of "
+                                    "the error away, and are no proof of a cause."),
+                       {}});
+  }
+  return remarks;
+}
+
+SpecimenPlace place_from(const Json& json) {
+  const auto corner = [&](const char* name) {
+    const auto values = json.at(name).get<std::array<double, 3>>();
+    return Eigen::Vector3d(values[0], values[1], values[2]);
+  };
+  return {corner("min_mm"), corner("max_mm"), json.at("volume_mm3").get<double>()};
+}
+
+Failure not_complete(const std::filesystem::path& file) {
+  return failure(
+      Error{"model-invalid", GLISSON_TEXT("{0} is not a complete model."), {file.filename().string()}, {}, file});
+}
+
+}  // namespace
+}  // namespace glisson::closedloop

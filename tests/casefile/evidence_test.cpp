@@ -1,0 +1,194 @@
+// Accepted evidence changes the organ of a case and its rehearsal; taken back, they are what they were, to the bit.
+
+#include "casefile/evidence.h"
+
+#include <gmock/gmock.h>
+#include <fstream>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "casefile/model.h"
+#include "geometry/mesh_file.h"
+#include "mechanics/bodies.h"
+#include "mechanics/simulation.h"
+
+namespace glisson::casefile {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+Json effect(const char* kind, const Json& parameters) { return {{"kind", kind}, {"parameters", parameters}}; }
+const Json scaled = effect("stiffness-scale", {{"factor", 2.0}});
+const Json skin = effect("capsule", {{"stiffness_N_per_mm", 0.5}});
+const Json bias = effect("force-bias", {{"zero_N", 0.0}, {"gain", 1.2}});
+
+// A block that is held at its back, as the liver is by its bare area.
+class EvidenceTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto made = Case::create(folder_);
+    ASSERT_TRUE(made);
+    geometry::TetMesh mesh = mechanics::test::box(6, 4, 4, {90, 60, 60});
+    mechanics::test::name_points(mesh, "bare_area", [](const Eigen::Vector3d& p) { return p.y() == 60; });
+    mechanics::test::name_points(mesh, "diaphragm", [](const Eigen::Vector3d& p) { return p.z() == 60 && p.y() < 50; });
+    geometry::set_field(mesh.cell_fields,
+                        {mechanics::youngs_modulus_field, 1, std::vector<double>(mesh.cells.size(), 6.0)});
+    ASSERT_TRUE(made->add("meshes/model", ".vtu", {"stiffness", {}, {}, {}, {}},
+                          [&](const fs::path& file) { return geometry::write_tetrahedra(file, mesh); }));
+  }
+  Case open() { return Case::open(folder_).value(); }
+  fs::path model(const std::vector<Json>& effects, const char* verdict = "explained") {
+    const fs::path file = temporary_.path() / "model.json";
+    const Json json{
+        {"format", "glisson-closedloop-model/1"}, {"kind", "palpation"}, {"verdict", verdict}, {"effects", effects}};
+    EXPECT_TRUE(write_text_file(file, json.dump()));
+    return file;
+  }
+  // Where a rehearsed retraction brings the surface.
+  static std::vector<Eigen::Vector3d> retracted(const Case& patient) {
+    const auto rehearsal = rehearsal::StaticRehearsal::create(rehearsal_setup(read_model(patient).value())).value();
+    return rehearsal.place_tool({60, 0, 30}, 15)->answer({0, -0.5, 0.3}).patient.surface_mm;
+  }
+
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path() / "patient.glisson";
+};
+
+TEST_F(EvidenceTest, AcceptedItChangesTheRehearsalByTheRightAmountTakenBackNotAtAll) {
+  Case patient = open();
+  const auto rest = geometry::boundary_surface(read_model(patient)->mesh).points_mm;
+  const auto before = retracted(patient);
+  const auto accepted = accept_evidence(patient, model({scaled, bias}));
+  ASSERT_TRUE(accepted) << accepted.error().message();
+  ASSERT_THAT(accepted->effects, SizeIs(2));
+  EXPECT_TRUE(accepted->effects[0].carried);
+  EXPECT_FALSE(accepted->effects[1].carried);
+  const auto after = retracted(open());
+  // Springs under the diaphragm do not scale, so that a block twice as stiff moves by a little less than half; where
+  // nothing but the held back resists, by half.
+  double largest_mm = 0;
+  for (std::size_t p = 0; p < rest.size(); ++p) largest_mm = std::max(largest_mm, (before[p] - rest[p]).norm());
+  ASSERT_GT(largest_mm, 1.0);
+  const PatientModel stiff = read_model(open()).value();
+  EXPECT_EQ(stiff.youngs_kPa.front(), 12.0);
+  rehearsal::RehearsalSetup by_hand = rehearsal_setup(read_model_before_evidence(open()).value());
+  for (double& youngs_kPa : by_hand.patient_youngs_kPa) youngs_kPa *= 2;
+  const auto expected = rehearsal::StaticRehearsal::create(by_hand)
+                            ->place_tool({60, 0, 30}, 15)
+                            ->answer({0, -0.5, 0.3})
+                            .patient.surface_mm;
+  for (std::size_t p = 0; p < rest.size(); ++p) EXPECT_EQ(after[p], expected[p]);
+
+  Case again = open();
+  ASSERT_TRUE(take_back_evidence(again));
+  EXPECT_EQ(retracted(open()), before);  // to the bit
+  EXPECT_FALSE(fs::exists(folder_ / "evidence/model.json"));
+}
+
+TEST_F(EvidenceTest, TheCaseSaysWhereItIsFrom) {
+  Case patient = open();
+  const fs::path file = model({scaled});
+  ASSERT_TRUE(accept_evidence(patient, file));
+  const Entry* entry = open().find("evidence/model");
+  const Case opened = open();
+  entry = opened.find("evidence/model");
+  ASSERT_NE(entry, nullptr);
+  EXPECT_EQ(entry->made.by, "accept");
+  EXPECT_EQ(entry->made.options.at("effects"), "stiffness-scale");
+  EXPECT_EQ(entry->made.sources.at(file.string()), sha256_of_file(file).value());
+  EXPECT_TRUE(entry->from_sha256.contains("meshes/model"));
+  EXPECT_EQ(opened.freshness("evidence/model"), Freshness::current);
+}
+
+TEST_F(EvidenceTest, OneEffectIsTakenBackAndTheOtherStays) {
+  Case patient = open();
+  ASSERT_TRUE(accept_evidence(patient, model({scaled, skin})));
+  EXPECT_TRUE(read_model(open())->capsule.has_value());
+  const auto left = take_back_evidence(patient, {"stiffness-scale"});
+  ASSERT_TRUE(left) << left.error().message();
+  ASSERT_THAT(left->effects, SizeIs(1));
+  const PatientModel model_now = read_model(open()).value();
+  EXPECT_EQ(model_now.youngs_kPa.front(), 6.0);
+  EXPECT_NEAR(model_now.capsule->youngs_modulus_kPa * model_now.capsule->thickness_mm, 500, 1e-9);  // mN/mm
+  EXPECT_EQ(take_back_evidence(patient, {"stiffness-scale"}).error().code, "effect-missing");
+  ASSERT_TRUE(take_back_evidence(patient, {"capsule"}));
+  EXPECT_EQ(open().find("evidence/model"), nullptr);
+}
+
+TEST_F(EvidenceTest, AnotherModelTakesItsPlace) {
+  Case patient = open();
+  ASSERT_TRUE(accept_evidence(patient, model({scaled})));
+  ASSERT_TRUE(accept_evidence(patient, model({skin})));
+  EXPECT_EQ(read_model(open())->youngs_kPa.front(), 6.0);
+  EXPECT_TRUE(read_model(open())->capsule.has_value());
+}
+
+TEST_F(EvidenceTest, WhatIsRefusedLeavesTheCaseAsItWas) {
+  Case patient = open();
+  const std::string before = read_text_file(folder_ / "case.json").value();
+  EXPECT_EQ(accept_evidence(patient, model({})).error().code, "evidence-empty");
+  EXPECT_EQ(accept_evidence(patient, model({effect("stiffness-scale", {{"factor", 0.0}})})).error().code,
+            "model-invalid");
+  EXPECT_EQ(accept_evidence(patient, model({scaled}), {"capsule"}).error().code, "effect-missing");
+  EXPECT_FALSE(accept_evidence(patient, temporary_.path() / "no-such.json"));
+  EXPECT_EQ(read_text_file(folder_ / "case.json").value(), before);
+  EXPECT_FALSE(fs::exists(folder_ / "evidence/model.json"));
+  Case empty = Case::create(temporary_.path() / "empty.glisson").value();
+  EXPECT_EQ(accept_evidence(empty, model({scaled})).error().code, "case-lacks-entry");
+}
+
+TEST_F(EvidenceTest, DamagedEvidenceIsSaidWithWhatToDo) {
+  Case patient = open();
+  ASSERT_TRUE(accept_evidence(patient, model({scaled})));
+  std::ofstream(folder_ / "evidence/model.json") << "{}";
+  const auto read = read_model(open());
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().code, "evidence-damaged");
+  EXPECT_THAT(read.error().advice(), HasSubstr("--take-back"));
+  ASSERT_TRUE(take_back_evidence(patient));
+  EXPECT_TRUE(read_model(open()));
+}
+
+TEST_F(EvidenceTest, AModelMadeAnewIsRemarkedOn) {
+  Case patient = open();
+  ASSERT_TRUE(accept_evidence(patient, model({scaled})));
+  geometry::TetMesh mesh = read_model_before_evidence(patient)->mesh;
+  geometry::set_field(mesh.cell_fields,
+                      {mechanics::youngs_modulus_field, 1, std::vector<double>(mesh.cells.size(), 7.0)});
+  ASSERT_TRUE(patient.add("meshes/model", ".vtu", {"stiffness", {}, {}, {}, {}},
+                          [&](const fs::path& file) { return geometry::write_tetrahedra(file, mesh); }));
+  const PatientModel now = read_model(open()).value();
+  EXPECT_EQ(now.youngs_kPa.front(), 14.0);
+  ASSERT_THAT(now.evidence.remarks, SizeIs(1));
+  EXPECT_THAT(now.evidence.remarks.front().message(), HasSubstr("made anew"));
+}
+
+TEST_F(EvidenceTest, WhatAScenarioSaysItselfStandsAndThatIsSaid) {
+  Case patient = open();
+  ASSERT_TRUE(
+      accept_evidence(patient, model({scaled, skin, effect("support-compliance", {{"foundation_kPa_per_mm", 0.5}}),
+                                      effect("anisotropy", {{"axis", {0, 0, 1}}, {"ratio", 2.0}})})));
+  const PatientModel model_now = read_model(patient).value();
+  mechanics::Scenario plain;
+  const auto carried = put_into(plain, model_now);
+  ASSERT_THAT(carried, SizeIs(4));
+  EXPECT_TRUE(plain.capsule && plain.grain);
+  EXPECT_TRUE(std::holds_alternative<mechanics::Foundation>(plain.supports.front().how));
+
+  mechanics::Scenario own;
+  own.material = mechanics::MaterialLaw::neo_hookean;
+  own.youngs_modulus = 5.0;
+  own.supports = {{geometry::Box{{-1, 50, -1}, {91, 61, 61}}, mechanics::Held{}}};
+  own.capsule = mechanics::Capsule{.thickness_mm = 0.01};
+  const auto said = put_into(own, model_now);
+  ASSERT_THAT(said, SizeIs(4));
+  for (const Sentence& sentence : said) EXPECT_THAT(sentence.message(), HasSubstr("is left out"));
+  EXPECT_TRUE(std::holds_alternative<mechanics::Held>(own.supports.front().how));
+  EXPECT_EQ(own.capsule->thickness_mm, 0.01);
+  EXPECT_FALSE(own.grain);
+}
+
+}  // namespace
+}  // namespace glisson::casefile
