@@ -115,16 +115,19 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file
 // In the order of the work.
 void MainWindow::make_workspaces() {
   rehearse_panel_ = new RehearsePanel(rehearsal_);
-  add_workspace(
-      {.id = "rehearse",
-       .name = [] { return tr("Rehearse"); },
-       .about = [] { return tr("Pull with a tool, and see what moves and how far."); },
-       .widget = rehearse_panel_,
-       .show_patient = [this](const Patient& patient) { rehearse_panel_->set_ready(patient.rehearsal != nullptr); },
-       .missing =
-           [](const Patient& patient) {
-             return patient.rehearsal ? QString() : tr("Needs a model of the liver: build it first.");
-           }});
+  add_workspace({.id = "rehearse",
+                 .name = [] { return tr("Rehearse"); },
+                 .about = [] { return tr("Pull with a tool, and see what moves and how far."); },
+                 .widget = rehearse_panel_,
+                 .show_patient =
+                     [this](const Patient& patient) {
+                       rehearse_panel_->set_ready(patient.rehearsal != nullptr);
+                       rehearse_panel_->show_evidence(patient.evidence);
+                     },
+                 .missing =
+                     [](const Patient& patient) {
+                       return patient.rehearsal ? QString() : tr("Needs a model of the liver: build it first.");
+                     }});
   QWidget* platforms = PlatformView::shipped();
   add_workspace({.id = "platform",
                  .name = [] { return tr("Platform"); },

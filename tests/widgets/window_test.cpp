@@ -82,6 +82,21 @@ class WindowTest : public QObject {
     QVERIFY(!button->toolTip().contains("Needs a model"));
   }
 
+  void says_what_evidence_changed_of_the_model() {
+    const auto* evidence = window_->findChild<QLabel*>("evidence");
+    QVERIFY(!evidence->isVisible());
+    Patient changed = simulated_block();
+    changed.evidence.effects = {
+        {"stiffness-scale", true, {"The whole organ is {0} times as stiff as was declared.", {"2"}}},
+        {"force-bias", false, {"The load cell was off.", {}}}};
+    window_->show_patient(changed);
+    QVERIFY(evidence->isVisible());
+    QVERIFY(evidence->text().contains("Changed by evidence: The whole organ is 2 times as stiff"));
+    QVERIFY(evidence->text().contains("The load cell was off."));
+    window_->show_patient(simulated_block());  // taken back
+    QVERIFY(!evidence->isVisible());
+  }
+
   void plans_what_can_be_worn_for_the_patient_shown() {
     auto* view = window_->findChild<PlatformView*>();
     QCOMPARE(view->plan()->request.liver_volume_cm3, 768.0);

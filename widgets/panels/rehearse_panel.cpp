@@ -37,6 +37,11 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent)
   missing_->setObjectName("faint");
   missing_->setWordWrap(true);
   column->addWidget(missing_);
+  evidence_text_ = new QLabel(this);
+  evidence_text_->setObjectName("evidence");
+  evidence_text_->setWordWrap(true);
+  evidence_text_->hide();
+  column->addWidget(evidence_text_);
   controls_ = new QWidget(this);
   auto* inner = new QVBoxLayout(controls_);
   inner->setContentsMargins(0, 0, 0, 0);
@@ -66,8 +71,27 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent)
     missing_->setText(tr("Open a case with a model of the liver, or the demo patient, to rehearse a retraction."));
     look_title->setText(tr("Show the liver with the stiffness of"));
     landmarks_title->setText(tr("Landmarks"));
+    word_evidence();
     show_frame();
   });
+}
+
+void RehearsePanel::show_evidence(const casefile::Evidence& evidence) {
+  evidence_ = evidence;
+  evidence_text_->setVisible(!evidence.effects.empty());
+  word_evidence();
+}
+
+void RehearsePanel::word_evidence() {
+  QStringList changed, left_out;
+  for (const closedloop::LearntEffect& effect : evidence_.effects) {
+    (effect.carried ? changed : left_out) << told(effect.sentence);
+  }
+  for (const Sentence& remark : evidence_.remarks) left_out << told(remark);
+  QStringList paragraphs;
+  if (!changed.isEmpty()) paragraphs << tr("Changed by evidence: %1").arg(changed.join(" "));
+  if (!left_out.isEmpty()) paragraphs << tr("Evidence to bear in mind: %1").arg(left_out.join(" "));
+  evidence_text_->setText(paragraphs.join("\n"));
 }
 
 QWidget* RehearsePanel::make_tool_group() {

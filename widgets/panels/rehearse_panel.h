@@ -10,6 +10,7 @@
 #include <QSlider>
 #include <QWidget>
 
+#include "casefile/evidence.h"
 #include "panels/comparison_choice.h"
 #include "panels/landmark_table.h"
 #include "rehearsal/tool_presets.h"
@@ -26,6 +27,8 @@ class RehearsePanel : public QWidget {
 
   // With a model there is something to rehearse; without, the panel says what is missing.
   void set_ready(bool ready);
+  // What measurements changed of the model that is rehearsed, and what of them it cannot hold.
+  void show_evidence(const casefile::Evidence& evidence);
   // A click on the liver, while placing: the tool goes there.
   void place_at(const Eigen::Vector3d& position_mm, const Eigen::Vector3d& outward_normal);
   // The retractor under segment VI, with its usual force.
@@ -42,6 +45,7 @@ class RehearsePanel : public QWidget {
  private:
   enum Direction { hoist, pull, push };
 
+  void word_evidence();
   QWidget* make_tool_group();
   QWidget* make_look_group();
   [[nodiscard]] const rehearsal::ToolPreset& preset() const;
@@ -53,6 +57,8 @@ class RehearsePanel : public QWidget {
   Eigen::Vector3d normal_{0, -1, 0};  // outward, where the tool stands
   Eigen::Vector3d hoist_direction_{0, -1, 0};
   QLabel* missing_;
+  QLabel* evidence_text_;
+  casefile::Evidence evidence_;
   QWidget* controls_;
   QComboBox* tool_;
   QPushButton* place_;
