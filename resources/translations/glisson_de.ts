@@ -3183,6 +3183,142 @@
         <source>Drawing typical and extreme patients</source>
         <translation>Typische und extreme Patienten werden gezeichnet</translation>
     </message>
+    <message>
+        <source>{0} has no effect that could be accepted: nothing is missing.</source>
+        <translation>{0} enthält keinen Effekt, der übernommen werden könnte: Es fehlt nichts.</translation>
+    </message>
+    <message>
+        <source>The effect {0} was not accepted into {1}.</source>
+        <translation>Der Effekt {0} wurde nicht in {1} übernommen.</translation>
+    </message>
+    <message>
+        <source>The accepted evidence of {0} cannot be read: {1}</source>
+        <translation>Der übernommene Befund von {0} ist nicht lesbar: {1}</translation>
+    </message>
+    <message>
+        <source>Take it back (glisson-cli accept CASE --take-back) and accept it again.</source>
+        <translation>Nehmen Sie ihn zurück (glisson-cli accept CASE --take-back) und übernehmen Sie ihn neu.</translation>
+    </message>
+    <message>
+        <source>The model was made anew after this evidence had been accepted: see whether it still holds.</source>
+        <translation>Das Modell wurde neu gemacht, nachdem dieser Befund übernommen worden war: Prüfen Sie, ob er noch gilt.</translation>
+    </message>
+    <message>
+        <source>The scenario says itself what holds the organ: the effect {0} is left out.</source>
+        <translation>Das Szenario sagt selbst, was das Organ hält: Der Effekt {0} bleibt weg.</translation>
+    </message>
+    <message>
+        <source>The scenario says itself how stiff the organ is: the effect {0} is left out.</source>
+        <translation>Das Szenario sagt selbst, wie steif das Organ ist: Der Effekt {0} bleibt weg.</translation>
+    </message>
+    <message>
+        <source>The scenario says itself what skin the organ has: the effect {0} is left out.</source>
+        <translation>Das Szenario sagt selbst, welche Hülle das Organ hat: Der Effekt {0} bleibt weg.</translation>
+    </message>
+    <message>
+        <source>Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.</source>
+        <translation>Nur ein lineares Gleichgewicht mit finiten Elementen kann eine Faserrichtung haben: Der Effekt {0} bleibt weg.</translation>
+    </message>
+    <message>
+        <source>{0} was not learnt from tissue.</source>
+        <translation>{0} wurde nicht an Gewebe gelernt.</translation>
+    </message>
+    <message>
+        <source>Use the model.json that glisson-cli explain wrote for a palpation or a material test; a platform&apos;s goes to glisson-cli platform learn.</source>
+        <translation>Nehmen Sie die model.json, die glisson-cli explain für eine Palpation oder einen Materialversuch geschrieben hat; die einer Plattform gehört zu glisson-cli platform learn.</translation>
+    </message>
+    <message>
+        <source>In {0} no tissue can have such a {1}.</source>
+        <translation>In {0}: Kein Gewebe kann ein solches {1} haben.</translation>
+    </message>
+    <message>
+        <source>{0} has no effect {1}.</source>
+        <translation>{0} enthält keinen Effekt {1}.</translation>
+    </message>
+    <message>
+        <source>The organ stiffens with strain, which this linear rehearsal cannot hold; a scenario can, with the material &quot;veronda-westmann&quot; and &quot;strain_stiffening&quot;: {0}.</source>
+        <translation>Das Organ versteift mit der Dehnung, was diese lineare Probe nicht fassen kann; ein Szenario kann es, mit dem Material &quot;veronda-westmann&quot; und &quot;strain_stiffening&quot;: {0}.</translation>
+    </message>
+    <message>
+        <source>The organ stiffens with strain, which this linear rehearsal cannot hold.</source>
+        <translation>Das Organ versteift mit der Dehnung, was diese lineare Probe nicht fassen kann.</translation>
+    </message>
+    <message>
+        <source>What loaded the specimen while it was measured does not load the organ.</source>
+        <translation>Was den Prüfkörper während der Messung belastet hat, belastet das Organ nicht.</translation>
+    </message>
+    <message>
+        <source>A pressure of {0} kPa acts on the organ all the time.</source>
+        <translation>Ein Druck von {0} kPa wirkt ständig auf das Organ.</translation>
+    </message>
+    <message>
+        <source>A weight acts on the organ all the time, by ({0}, {1}, {2}) m/s2.</source>
+        <translation>Ein Gewicht wirkt ständig auf das Organ, mit ({0}, {1}, {2}) m/s2.</translation>
+    </message>
+    <message>
+        <source>The organ is {0} times as stiff along ({1}, {2}, {3}) as across.</source>
+        <translation>Das Organ ist entlang ({1}, {2}, {3}) {0}-mal so steif wie quer dazu.</translation>
+    </message>
+    <message>
+        <source>The organ is {0} times as stiff along ({1}, {2}, {3}) as across: the specimen&apos;s axes are taken for the patient&apos;s.</source>
+        <translation>Das Organ ist entlang ({1}, {2}, {3}) {0}-mal so steif wie quer dazu: Die Achsen des Prüfkörpers werden für die des Patienten genommen.</translation>
+    </message>
+    <message>
+        <source>The whole organ is {0} times as stiff as was declared.</source>
+        <translation>Das ganze Organ ist {0}-mal so steif wie angegeben.</translation>
+    </message>
+    <message>
+        <source>Held for long, the organ creeps: it is {0} times as stiff as at once.</source>
+        <translation>Lange gehalten, kriecht das Organ: Es ist dann {0}-mal so steif wie im ersten Augenblick.</translation>
+    </message>
+    <message>
+        <source>The specimen&apos;s hard spot has no place in the organ: the specimen is not this organ in this place.</source>
+        <translation>Die harte Stelle des Prüfkörpers hat im Organ keinen Ort: Der Prüfkörper ist nicht dieses Organ an diesem Ort.</translation>
+    </message>
+    <message>
+        <source>A spot of {0} mm radius at ({1}, {2}, {3}) is {4} times as stiff as around it.</source>
+        <translation>Eine Stelle mit {0} mm Radius bei ({1}, {2}, {3}) ist {4}-mal so steif wie um sie herum.</translation>
+    </message>
+    <message>
+        <source>What holds the organ gives way like a spring of {0} kPa/mm.</source>
+        <translation>Was das Organ hält, gibt nach wie eine Feder von {0} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>A skin of {0} N/mm lies around the organ.</source>
+        <translation>Eine Hülle von {0} N/mm liegt um das Organ.</translation>
+    </message>
+    <message>
+        <source>The load cell was off: that is of the measurement, and leaves the organ as it is.</source>
+        <translation>Die Kraftmessdose war verstellt: Das betrifft die Messung und lässt das Organ, wie es ist.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s frame was off: that is of the measurement, and leaves the organ as it is.</source>
+        <translation>Das Koordinatensystem der Kamera war verschoben: Das betrifft die Messung und lässt das Organ, wie es ist.</translation>
+    </message>
+    <message>
+        <source>This linear rehearsal cannot hold the effect {0}.</source>
+        <translation>Diese lineare Probe kann den Effekt {0} nicht fassen.</translation>
+    </message>
+    <message>
+        <source>A smooth correction has no cause and is left out of the rehearsal.</source>
+        <translation>Eine glatte Korrektur hat keine Ursache und bleibt aus der Probe.</translation>
+    </message>
+    <message>
+        <source>These measurements are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
+        <translation>Die gefundenen Effekte erklären diese Messungen nicht: Sie nehmen einen Teil des Fehlers weg und beweisen keine Ursache.</translation>
+    </message>
+    <message>
+        <source>A grain needs an axis of some length and a ratio above zero.</source>
+        <translation>Eine Faserrichtung braucht eine Achse von einiger Länge und ein Verhältnis über null.</translation>
+    </message>
+    <message>
+        <source>With a ratio of {0} along the grain no stable material is left at a Poisson&apos;s ratio of {1}.</source>
+        <translation>Mit einem Verhältnis von {0} entlang der Fasern bleibt bei einer Querdehnzahl von {1} kein stabiles Material.</translation>
+    </message>
+    <message>
+        <source>A grain is there for equilibrium by finite elements, with the material &quot;linear&quot; and without ligaments.</source>
+        <translation>Eine Faserrichtung gibt es für das Gleichgewicht mit finiten Elementen, mit dem Material &quot;linear&quot; und ohne Bänder.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -4151,6 +4287,14 @@ figures</source>
     <message>
         <source>Strains may reach %1 %, more than this linear model is made for.</source>
         <translation>Dehnungen können %1 % erreichen, mehr, als dieses lineare Modell abbilden kann.</translation>
+    </message>
+    <message>
+        <source>Changed by evidence: %1</source>
+        <translation>Durch Befunde verändert: %1</translation>
+    </message>
+    <message>
+        <source>Evidence to bear in mind: %1</source>
+        <translation>Befunde, die zu bedenken sind: %1</translation>
     </message>
 </context>
 <context>

@@ -3183,6 +3183,142 @@
         <source>Drawing typical and extreme patients</source>
         <translation>Dibujando pacientes típicos y extremos</translation>
     </message>
+    <message>
+        <source>{0} has no effect that could be accepted: nothing is missing.</source>
+        <translation>{0} no contiene ningún efecto que aceptar: no falta nada.</translation>
+    </message>
+    <message>
+        <source>The effect {0} was not accepted into {1}.</source>
+        <translation>El efecto {0} no se había aceptado en {1}.</translation>
+    </message>
+    <message>
+        <source>The accepted evidence of {0} cannot be read: {1}</source>
+        <translation>No se puede leer la evidencia aceptada de {0}: {1}</translation>
+    </message>
+    <message>
+        <source>Take it back (glisson-cli accept CASE --take-back) and accept it again.</source>
+        <translation>Retírela (glisson-cli accept CASE --take-back) y acéptela de nuevo.</translation>
+    </message>
+    <message>
+        <source>The model was made anew after this evidence had been accepted: see whether it still holds.</source>
+        <translation>El modelo se hizo de nuevo después de aceptar esta evidencia: compruebe si sigue siendo válida.</translation>
+    </message>
+    <message>
+        <source>The scenario says itself what holds the organ: the effect {0} is left out.</source>
+        <translation>El escenario dice por sí mismo qué sujeta el órgano: el efecto {0} se omite.</translation>
+    </message>
+    <message>
+        <source>The scenario says itself how stiff the organ is: the effect {0} is left out.</source>
+        <translation>El escenario dice por sí mismo la rigidez del órgano: el efecto {0} se omite.</translation>
+    </message>
+    <message>
+        <source>The scenario says itself what skin the organ has: the effect {0} is left out.</source>
+        <translation>El escenario dice por sí mismo qué envoltura tiene el órgano: el efecto {0} se omite.</translation>
+    </message>
+    <message>
+        <source>Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.</source>
+        <translation>Solo un equilibrio lineal por elementos finitos puede tener una dirección de fibras: el efecto {0} se omite.</translation>
+    </message>
+    <message>
+        <source>{0} was not learnt from tissue.</source>
+        <translation>{0} no se aprendió de un tejido.</translation>
+    </message>
+    <message>
+        <source>Use the model.json that glisson-cli explain wrote for a palpation or a material test; a platform&apos;s goes to glisson-cli platform learn.</source>
+        <translation>Use el model.json que glisson-cli explain escribió para una palpación o un ensayo de material; el de una plataforma va a glisson-cli platform learn.</translation>
+    </message>
+    <message>
+        <source>In {0} no tissue can have such a {1}.</source>
+        <translation>En {0}, ningún tejido puede tener tal {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has no effect {1}.</source>
+        <translation>{0} no tiene ningún efecto {1}.</translation>
+    </message>
+    <message>
+        <source>The organ stiffens with strain, which this linear rehearsal cannot hold; a scenario can, with the material &quot;veronda-westmann&quot; and &quot;strain_stiffening&quot;: {0}.</source>
+        <translation>El órgano se rigidiza con la deformación, lo que este ensayo lineal no puede recoger; un escenario sí puede, con el material &quot;veronda-westmann&quot; y &quot;strain_stiffening&quot;: {0}.</translation>
+    </message>
+    <message>
+        <source>The organ stiffens with strain, which this linear rehearsal cannot hold.</source>
+        <translation>El órgano se rigidiza con la deformación, lo que este ensayo lineal no puede recoger.</translation>
+    </message>
+    <message>
+        <source>What loaded the specimen while it was measured does not load the organ.</source>
+        <translation>Lo que cargaba la muestra durante la medición no carga el órgano.</translation>
+    </message>
+    <message>
+        <source>A pressure of {0} kPa acts on the organ all the time.</source>
+        <translation>Una presión de {0} kPa actúa siempre sobre el órgano.</translation>
+    </message>
+    <message>
+        <source>A weight acts on the organ all the time, by ({0}, {1}, {2}) m/s2.</source>
+        <translation>Un peso actúa siempre sobre el órgano, de ({0}, {1}, {2}) m/s2.</translation>
+    </message>
+    <message>
+        <source>The organ is {0} times as stiff along ({1}, {2}, {3}) as across.</source>
+        <translation>El órgano es {0} veces tan rígido a lo largo de ({1}, {2}, {3}) como a través.</translation>
+    </message>
+    <message>
+        <source>The organ is {0} times as stiff along ({1}, {2}, {3}) as across: the specimen&apos;s axes are taken for the patient&apos;s.</source>
+        <translation>El órgano es {0} veces tan rígido a lo largo de ({1}, {2}, {3}) como a través: los ejes de la muestra se toman por los del paciente.</translation>
+    </message>
+    <message>
+        <source>The whole organ is {0} times as stiff as was declared.</source>
+        <translation>El órgano entero es {0} veces tan rígido como se declaró.</translation>
+    </message>
+    <message>
+        <source>Held for long, the organ creeps: it is {0} times as stiff as at once.</source>
+        <translation>Sujetado mucho tiempo, el órgano fluye: es entonces {0} veces tan rígido como al instante.</translation>
+    </message>
+    <message>
+        <source>The specimen&apos;s hard spot has no place in the organ: the specimen is not this organ in this place.</source>
+        <translation>El punto duro de la muestra no tiene lugar en el órgano: la muestra no es este órgano en este lugar.</translation>
+    </message>
+    <message>
+        <source>A spot of {0} mm radius at ({1}, {2}, {3}) is {4} times as stiff as around it.</source>
+        <translation>Una zona de {0} mm de radio en ({1}, {2}, {3}) es {4} veces tan rígida como su entorno.</translation>
+    </message>
+    <message>
+        <source>What holds the organ gives way like a spring of {0} kPa/mm.</source>
+        <translation>Lo que sujeta el órgano cede como un muelle de {0} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>A skin of {0} N/mm lies around the organ.</source>
+        <translation>Una envoltura de {0} N/mm rodea el órgano.</translation>
+    </message>
+    <message>
+        <source>The load cell was off: that is of the measurement, and leaves the organ as it is.</source>
+        <translation>La célula de carga estaba desajustada: eso atañe a la medición y deja el órgano como está.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s frame was off: that is of the measurement, and leaves the organ as it is.</source>
+        <translation>El sistema de la cámara estaba desplazado: eso atañe a la medición y deja el órgano como está.</translation>
+    </message>
+    <message>
+        <source>This linear rehearsal cannot hold the effect {0}.</source>
+        <translation>Este ensayo lineal no puede recoger el efecto {0}.</translation>
+    </message>
+    <message>
+        <source>A smooth correction has no cause and is left out of the rehearsal.</source>
+        <translation>Una corrección suave no tiene causa y queda fuera del ensayo.</translation>
+    </message>
+    <message>
+        <source>These measurements are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
+        <translation>Los efectos encontrados no explican estas mediciones: quitan una parte del error y no prueban ninguna causa.</translation>
+    </message>
+    <message>
+        <source>A grain needs an axis of some length and a ratio above zero.</source>
+        <translation>Una dirección de fibras necesita un eje de cierta longitud y una razón mayor que cero.</translation>
+    </message>
+    <message>
+        <source>With a ratio of {0} along the grain no stable material is left at a Poisson&apos;s ratio of {1}.</source>
+        <translation>Con una razón de {0} a lo largo de las fibras no queda ningún material estable con un coeficiente de Poisson de {1}.</translation>
+    </message>
+    <message>
+        <source>A grain is there for equilibrium by finite elements, with the material &quot;linear&quot; and without ligaments.</source>
+        <translation>Una dirección de fibras existe para el equilibrio por elementos finitos, con el material &quot;linear&quot; y sin ligamentos.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -4154,6 +4290,14 @@ supuestas</translation>
     <message>
         <source>Strains may reach %1 %, more than this linear model is made for.</source>
         <translation>Las deformaciones pueden llegar al %1 %, más de lo que admite este modelo lineal.</translation>
+    </message>
+    <message>
+        <source>Changed by evidence: %1</source>
+        <translation>Cambiado por la evidencia: %1</translation>
+    </message>
+    <message>
+        <source>Evidence to bear in mind: %1</source>
+        <translation>Evidencia que tener presente: %1</translation>
     </message>
 </context>
 <context>

@@ -3183,6 +3183,142 @@
         <source>Drawing typical and extreme patients</source>
         <translation>Dessin de patients typiques et extrêmes</translation>
     </message>
+    <message>
+        <source>{0} has no effect that could be accepted: nothing is missing.</source>
+        <translation>{0} ne contient aucun effet à accepter&#xa0;: il ne manque rien.</translation>
+    </message>
+    <message>
+        <source>The effect {0} was not accepted into {1}.</source>
+        <translation>L’effet {0} n’a pas été accepté dans {1}.</translation>
+    </message>
+    <message>
+        <source>The accepted evidence of {0} cannot be read: {1}</source>
+        <translation>Les observations acceptées de {0} ne peuvent pas être lues&#xa0;: {1}</translation>
+    </message>
+    <message>
+        <source>Take it back (glisson-cli accept CASE --take-back) and accept it again.</source>
+        <translation>Retirez-les (glisson-cli accept CASE --take-back) et acceptez-les de nouveau.</translation>
+    </message>
+    <message>
+        <source>The model was made anew after this evidence had been accepted: see whether it still holds.</source>
+        <translation>Le modèle a été refait après l’acceptation de ces observations&#xa0;: vérifiez qu’elles valent encore.</translation>
+    </message>
+    <message>
+        <source>The scenario says itself what holds the organ: the effect {0} is left out.</source>
+        <translation>Le scénario dit lui-même ce qui tient l’organe&#xa0;: l’effet {0} est écarté.</translation>
+    </message>
+    <message>
+        <source>The scenario says itself how stiff the organ is: the effect {0} is left out.</source>
+        <translation>Le scénario dit lui-même la rigidité de l’organe&#xa0;: l’effet {0} est écarté.</translation>
+    </message>
+    <message>
+        <source>The scenario says itself what skin the organ has: the effect {0} is left out.</source>
+        <translation>Le scénario dit lui-même quelle enveloppe a l’organe&#xa0;: l’effet {0} est écarté.</translation>
+    </message>
+    <message>
+        <source>Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.</source>
+        <translation>Seul un équilibre linéaire par éléments finis peut avoir une direction de fibres&#xa0;: l’effet {0} est écarté.</translation>
+    </message>
+    <message>
+        <source>{0} was not learnt from tissue.</source>
+        <translation>{0} n’a pas été appris sur un tissu.</translation>
+    </message>
+    <message>
+        <source>Use the model.json that glisson-cli explain wrote for a palpation or a material test; a platform&apos;s goes to glisson-cli platform learn.</source>
+        <translation>Prenez le model.json que glisson-cli explain a écrit pour une palpation ou un essai de matériau&#xa0;; celui d’une plateforme va à glisson-cli platform learn.</translation>
+    </message>
+    <message>
+        <source>In {0} no tissue can have such a {1}.</source>
+        <translation>Dans {0}, aucun tissu ne peut avoir un tel {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has no effect {1}.</source>
+        <translation>{0} n’a pas d’effet {1}.</translation>
+    </message>
+    <message>
+        <source>The organ stiffens with strain, which this linear rehearsal cannot hold; a scenario can, with the material &quot;veronda-westmann&quot; and &quot;strain_stiffening&quot;: {0}.</source>
+        <translation>L’organe se rigidifie avec la déformation, ce que cette répétition linéaire ne peut pas rendre&#xa0;; un scénario le peut, avec le matériau &quot;veronda-westmann&quot; et &quot;strain_stiffening&quot;: {0}.</translation>
+    </message>
+    <message>
+        <source>The organ stiffens with strain, which this linear rehearsal cannot hold.</source>
+        <translation>L’organe se rigidifie avec la déformation, ce que cette répétition linéaire ne peut pas rendre.</translation>
+    </message>
+    <message>
+        <source>What loaded the specimen while it was measured does not load the organ.</source>
+        <translation>Ce qui chargeait l’échantillon pendant la mesure ne charge pas l’organe.</translation>
+    </message>
+    <message>
+        <source>A pressure of {0} kPa acts on the organ all the time.</source>
+        <translation>Une pression de {0} kPa agit en permanence sur l’organe.</translation>
+    </message>
+    <message>
+        <source>A weight acts on the organ all the time, by ({0}, {1}, {2}) m/s2.</source>
+        <translation>Un poids agit en permanence sur l’organe, de ({0}, {1}, {2}) m/s2.</translation>
+    </message>
+    <message>
+        <source>The organ is {0} times as stiff along ({1}, {2}, {3}) as across.</source>
+        <translation>L’organe est {0} fois aussi rigide le long de ({1}, {2}, {3}) qu’en travers.</translation>
+    </message>
+    <message>
+        <source>The organ is {0} times as stiff along ({1}, {2}, {3}) as across: the specimen&apos;s axes are taken for the patient&apos;s.</source>
+        <translation>L’organe est {0} fois aussi rigide le long de ({1}, {2}, {3}) qu’en travers&#xa0;: les axes de l’échantillon sont pris pour ceux du patient.</translation>
+    </message>
+    <message>
+        <source>The whole organ is {0} times as stiff as was declared.</source>
+        <translation>L’organe entier est {0} fois aussi rigide que déclaré.</translation>
+    </message>
+    <message>
+        <source>Held for long, the organ creeps: it is {0} times as stiff as at once.</source>
+        <translation>Tenu longtemps, l’organe flue&#xa0;: il est alors {0} fois aussi rigide qu’au premier instant.</translation>
+    </message>
+    <message>
+        <source>The specimen&apos;s hard spot has no place in the organ: the specimen is not this organ in this place.</source>
+        <translation>Le point dur de l’échantillon n’a pas de place dans l’organe&#xa0;: l’échantillon n’est pas cet organe à cette place.</translation>
+    </message>
+    <message>
+        <source>A spot of {0} mm radius at ({1}, {2}, {3}) is {4} times as stiff as around it.</source>
+        <translation>Une zone de {0} mm de rayon en ({1}, {2}, {3}) est {4} fois aussi rigide que ce qui l’entoure.</translation>
+    </message>
+    <message>
+        <source>What holds the organ gives way like a spring of {0} kPa/mm.</source>
+        <translation>Ce qui tient l’organe cède comme un ressort de {0} kPa/mm.</translation>
+    </message>
+    <message>
+        <source>A skin of {0} N/mm lies around the organ.</source>
+        <translation>Une enveloppe de {0} N/mm entoure l’organe.</translation>
+    </message>
+    <message>
+        <source>The load cell was off: that is of the measurement, and leaves the organ as it is.</source>
+        <translation>Le capteur de force était déréglé&#xa0;: cela concerne la mesure et laisse l’organe tel qu’il est.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s frame was off: that is of the measurement, and leaves the organ as it is.</source>
+        <translation>Le repère de la caméra était décalé&#xa0;: cela concerne la mesure et laisse l’organe tel qu’il est.</translation>
+    </message>
+    <message>
+        <source>This linear rehearsal cannot hold the effect {0}.</source>
+        <translation>Cette répétition linéaire ne peut pas rendre l’effet {0}.</translation>
+    </message>
+    <message>
+        <source>A smooth correction has no cause and is left out of the rehearsal.</source>
+        <translation>Une correction lisse n’a pas de cause et est exclue de la répétition.</translation>
+    </message>
+    <message>
+        <source>These measurements are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
+        <translation>Les effets trouvés n’expliquent pas ces mesures&#xa0;: ils enlèvent une partie de l’erreur et ne prouvent aucune cause.</translation>
+    </message>
+    <message>
+        <source>A grain needs an axis of some length and a ratio above zero.</source>
+        <translation>Une direction de fibres demande un axe d’une certaine longueur et un rapport supérieur à zéro.</translation>
+    </message>
+    <message>
+        <source>With a ratio of {0} along the grain no stable material is left at a Poisson&apos;s ratio of {1}.</source>
+        <translation>Avec un rapport de {0} le long des fibres, il ne reste aucun matériau stable pour un coefficient de Poisson de {1}.</translation>
+    </message>
+    <message>
+        <source>A grain is there for equilibrium by finite elements, with the material &quot;linear&quot; and without ligaments.</source>
+        <translation>Une direction de fibres existe pour l’équilibre par éléments finis, avec le matériau &quot;linear&quot; et sans ligaments.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -4154,6 +4290,14 @@ supposés</translation>
     <message>
         <source>Strains may reach %1 %, more than this linear model is made for.</source>
         <translation>Les déformations peuvent atteindre&#xa0;%1&#xa0;%, plus que ne le permet ce modèle linéaire.</translation>
+    </message>
+    <message>
+        <source>Changed by evidence: %1</source>
+        <translation>Modifié par les observations&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Evidence to bear in mind: %1</source>
+        <translation>Observations à garder à l’esprit&#xa0;: %1</translation>
     </message>
 </context>
 <context>
