@@ -7,6 +7,8 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "casefile/entry_record.h"
+#include "casefile/folder_lock.h"
 #include "imaging/volume_file.h"
 
 namespace glisson::casefile {
@@ -15,8 +17,6 @@ namespace {
 
 constexpr const char* format_name = "glisson-case/1";
 
-Json to_json(const Entry& entry);
-Result<Entry> entry_from_json(const Json& json, const fs::path& case_json);
 Failure not_a_case(const fs::path& folder, const std::string& why);
 
 // Where a new file waits until case.json knows it.
@@ -53,26 +53,37 @@ Result<Case> Case::create(const fs::path& folder) {
 }
 
 Result<Case> Case::open(const fs::path& folder) {
-  const fs::path case_json = folder / "case.json";
+  Case opened;
+  opened.folder_ = folder;
+  if (auto read = opened.reread(); !read) return failure(read.error());
+  // Whoever holds the lock is alive and is changing the case: what lies there is theirs to finish.
+  const FolderLock lock(folder, FolderLock::Wait::not_at_all);
+  if (lock.taken()) return opened;
+  if (auto read = opened.reread(); !read) return failure(read.error());
+  if (auto finished = opened.finish_interrupted_addition(); !finished) return failure(finished.error());
+  return opened;
+}
+
+Result<void> Case::reread() {
+  const fs::path case_json = folder_ / "case.json";
   std::error_code problem;
-  if (!fs::exists(case_json, problem)) return not_a_case(folder, GLISSON_TEXT("it holds no case.json"));
+  if (!fs::exists(case_json, problem)) return not_a_case(folder_, GLISSON_TEXT("it holds no case.json"));
   const auto document = read_json_file(case_json);
   if (!document) return failure(document.error());
   if (!document->is_object() || document->value("format", Json()) != format_name) {
-    return not_a_case(folder, GLISSON_TEXT("case.json does not say \"format\": \"glisson-case/1\""));
+    return not_a_case(folder_, GLISSON_TEXT("case.json does not say \"format\": \"glisson-case/1\""));
   }
-  Case opened;
-  opened.folder_ = folder;
+  origin_.clear();
   if (const auto origin = document->find("origin"); origin != document->end() && origin->is_string()) {
-    opened.origin_ = origin->get<std::string>();
+    origin_ = origin->get<std::string>();
   }
+  entries_.clear();
   for (const Json& json : document->value("entries", Json::array())) {
-    auto entry = entry_from_json(json, case_json);
+    auto entry = entry_of(json.dump(), case_json);
     if (!entry) return failure(entry.error());
-    opened.entries_.push_back(std::move(*entry));
+    entries_.push_back(std::move(*entry));
   }
-  if (auto finished = opened.finish_interrupted_addition(); !finished) return failure(finished.error());
-  return opened;
+  return {};
 }
 
 const Entry* Case::find(const std::string& id) const {
@@ -99,6 +110,8 @@ Result<imaging::Volume> Case::volume(const std::string& id) const {
 }
 
 Result<void> Case::set_origin(std::string origin) {
+  const FolderLock lock(folder_, FolderLock::Wait::until_free);
+  if (auto read = reread(); !read) return read;
   std::swap(origin_, origin);
   auto saved = save();
   if (!saved) std::swap(origin_, origin);
@@ -107,52 +120,70 @@ Result<void> Case::set_origin(std::string origin) {
 
 Result<void> Case::add(const std::string& id, const std::string& extension, Made made,
                        const std::function<Result<void>(const fs::path&)>& write) {
+  const FolderLock lock(folder_, FolderLock::Wait::until_free);
+  if (auto read = reread(); !read) return read;
   Entry entry{id, fs::path(id + extension), {}, std::move(made), {}, version(), utc_now()};
   for (const std::string& source : entry.made.from) {
-    const Entry* known = find(source);
-    GLISSON_ASSERT(known != nullptr);
     // Another program may have edited a label since: what counts is the content that was used.
-    auto content = sha256_of_file(folder_ / known->file);
+    auto content = file_of(source).and_then(sha256_of_file);
     if (!content) return failure(content.error());
     entry.from_sha256[source] = std::move(*content);
   }
-
-  const fs::path target = folder_ / entry.file;
-  const fs::path waiting = waiting_place(target);
-  std::error_code problem;
-  fs::create_directories(target.parent_path(), problem);
-  if (auto written = write(waiting); !written) {
-    fs::remove(waiting, problem);
-    return written;
-  }
-  auto content = sha256_of_file(waiting);
-  if (!content) return failure(content.error());
-  entry.sha256 = std::move(*content);
-
-  const std::vector<Entry> before = entries_;
-  std::erase_if(entries_, [&](const Entry& present) { return present.id == id; });
-  entries_.push_back(std::move(entry));
-  if (auto saved = save(); !saved) {
-    entries_ = before;
-    fs::remove(waiting, problem);
-    return saved;
-  }
-  return finish_interrupted_addition();
+  return put({{id, std::move(entry), write}});
 }
 
-Result<void> Case::remove(const std::string& id) {
-  const Entry* entry = find(id);
-  if (!entry) return {};
-  const fs::path file = folder_ / entry->file;
+Result<void> Case::remove(const std::string& id) { return replace({{id, std::nullopt, {}}}); }
+
+Result<void> Case::replace(const std::vector<Replacement>& replacements) {
+  const FolderLock lock(folder_, FolderLock::Wait::until_free);
+  if (auto read = reread(); !read) return read;
+  return put(replacements);
+}
+
+// Under the lock, on what case.json says now. An entry without a content is given that of the file written for it.
+Result<void> Case::put(const std::vector<Replacement>& replacements) {
   const std::vector<Entry> before = entries_;
-  std::erase_if(entries_, [&](const Entry& present) { return present.id == id; });
-  if (auto saved = save(); !saved) {
-    entries_ = before;
-    return saved;
-  }
+  std::vector<fs::path> waiting, leaving;
   std::error_code ignored;
-  fs::remove(file, ignored);
-  return {};
+  const auto take_back = [&](const Error& error) {
+    entries_ = before;
+    for (const fs::path& file : waiting) fs::remove(file, ignored);
+    return failure(error);
+  };
+  for (const Replacement& replacement : replacements) {
+    const auto present = std::find_if(entries_.begin(), entries_.end(),
+                                      [&](const Entry& entry) { return entry.id == replacement.id; });
+    const bool known = present != entries_.end();
+    if (known && (!replacement.entry || replacement.entry->file != present->file)) {
+      leaving.push_back(folder_ / present->file);
+    }
+    if (!replacement.entry) {
+      if (known) entries_.erase(present);
+      continue;
+    }
+    Entry entry = *replacement.entry;
+    waiting.push_back(waiting_place(folder_ / entry.file));
+    fs::create_directories(waiting.back().parent_path(), ignored);
+    if (auto written = replacement.write(waiting.back()); !written) return take_back(written.error());
+    auto content = sha256_of_file(waiting.back());
+    if (!content) return take_back(content.error());
+    if (!entry.sha256.empty() && entry.sha256 != *content) {
+      return take_back(Error{"case-wrong-content",
+                             GLISSON_TEXT("{0} would not come out as it was."),
+                             {(folder_ / entry.file).string()},
+                             {},
+                             folder_ / entry.file});
+    }
+    entry.sha256 = std::move(*content);
+    if (known) {
+      *present = std::move(entry);
+    } else {
+      entries_.push_back(std::move(entry));
+    }
+  }
+  if (auto saved = save(); !saved) return take_back(saved.error());
+  for (const fs::path& file : leaving) fs::remove(file, ignored);
+  return finish_interrupted_addition();
 }
 
 Freshness Case::freshness(const std::string& id) const {
@@ -172,7 +203,7 @@ Result<void> Case::save() const {
   Json document{{"format", format_name}, {"version", version()}};
   if (!origin_.empty()) document["origin"] = origin_;
   document["entries"] = Json::array();
-  for (const Entry& entry : entries_) document["entries"].push_back(to_json(entry));
+  for (const Entry& entry : entries_) document["entries"].push_back(Json::parse(record_of(entry)));
   return write_json_file(folder_ / "case.json", document);
 }
 
@@ -201,45 +232,6 @@ Result<void> Case::finish_interrupted_addition() const {
 }
 
 namespace {
-
-Json to_json(const Entry& entry) {
-  Json made{{"by", entry.made.by}, {"version", entry.version}, {"when", entry.when_utc}};
-  if (!entry.made.options.empty()) made["options"] = entry.made.options;
-  if (!entry.from_sha256.empty()) made["from"] = entry.from_sha256;
-  if (!entry.made.sources.empty()) made["sources"] = entry.made.sources;
-  if (!entry.made.notes.empty()) made["notes"] = entry.made.notes;
-  return Json{{"id", entry.id}, {"file", entry.file.generic_string()}, {"sha256", entry.sha256}, {"made", made}};
-}
-
-Result<Entry> entry_from_json(const Json& json, const fs::path& case_json) {
-  try {
-    Entry entry;
-    entry.id = json.at("id").get<std::string>();
-    entry.file = json.at("file").get<std::string>();
-    entry.sha256 = json.at("sha256").get<std::string>();
-    const Json& made = json.at("made");
-    entry.made.by = made.at("by").get<std::string>();
-    entry.version = made.value("version", "");
-    entry.when_utc = made.value("when", "");
-    entry.made.options = made.value("options", std::map<std::string, std::string>{});
-    entry.made.sources = made.value("sources", std::map<std::string, std::string>{});
-    entry.made.notes = made.value("notes", std::vector<std::string>{});
-    entry.from_sha256 = made.value("from", std::map<std::string, std::string>{});
-    for (const auto& [source, content] : entry.from_sha256) entry.made.from.push_back(source);
-    // A case may come from anywhere; it must not reach for files outside its own folder.
-    const bool escapes = entry.file.is_absolute() || std::any_of(entry.file.begin(), entry.file.end(),
-                                                                 [](const fs::path& part) { return part == ".."; });
-    if (!escapes) return entry;
-    return failure(Error{"case-path-outside",
-                         GLISSON_TEXT("{0} names a file outside the case folder: {1}."),
-                         {case_json.string(), entry.file.string()},
-                         {},
-                         case_json});
-  } catch (const Json::exception& problem) {
-    return failure(Error{
-        "case-invalid", GLISSON_TEXT("{0} is damaged: {1}."), {case_json.string(), problem.what()}, {}, case_json});
-  }
-}
 
 Failure not_a_case(const fs::path& folder, const std::string& why) {
   return failure(Error{"not-a-case",

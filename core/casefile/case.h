@@ -6,13 +6,15 @@
 //   labels/ID.nrrd          one structure each, with 3D Slicer's segment name and colour
 //   surfaces/ID.vtp, meshes/ID.vtu, results/NAME/...
 //
-// The folder is the state; a Case is a view of it. Each addition is one transaction: the new file is written beside the
-// old one, then case.json is replaced, then the new file takes its place. Killed at any moment, the case opens as it
-// was or as it became; nothing in between.
+// The folder is the state; a Case is a view of it. Each change is one transaction: new files are written beside the old
+// ones, then case.json is replaced, then the new files take their places. Killed at any moment, the case opens as it
+// was or as it became; nothing in between. Changes wait for each other, in this program and in others (a lock on the
+// folder), and each begins with what case.json says then.
 
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,13 @@ struct Entry {
   std::map<std::string, std::string> from_sha256;  // the content of each entry in made.from when this was made
   std::string version;                             // of Glisson
   std::string when_utc;                            // ISO 8601
+};
+
+// What an entry is to become, or that it is to go.
+struct Replacement {
+  std::string id;
+  std::optional<Entry> entry;                                         // absent: taken out, its file removed
+  std::function<Result<void>(const std::filesystem::path&)> write;  // its file, whose content entry->sha256 names
 };
 
 enum class Freshness {
@@ -76,12 +85,18 @@ class Case {
   // Takes an entry out and removes its file.
   Result<void> remove(const std::string& id);
 
+  // Several entries in one transaction. Fails with "case-wrong-content" where a file comes out other than its entry
+  // says; then nothing has changed.
+  Result<void> replace(const std::vector<Replacement>& replacements);
+
   // Reads files to compare their content: costs time on large volumes.
   [[nodiscard]] Freshness freshness(const std::string& id) const;
 
  private:
+  Result<void> reread();
   Result<void> save() const;
   Result<void> finish_interrupted_addition() const;
+  Result<void> put(const std::vector<Replacement>& replacements);
 
   std::filesystem::path folder_;
   std::string origin_;

@@ -1,0 +1,49 @@
+#include "casefile/entry_record.h"
+
+#include <algorithm>
+
+#include "base/json.h"
+
+namespace glisson::casefile {
+namespace fs = std::filesystem;
+
+std::string record_of(const Entry& entry) {
+  Json made{{"by", entry.made.by}, {"version", entry.version}, {"when", entry.when_utc}};
+  if (!entry.made.options.empty()) made["options"] = entry.made.options;
+  if (!entry.from_sha256.empty()) made["from"] = entry.from_sha256;
+  if (!entry.made.sources.empty()) made["sources"] = entry.made.sources;
+  if (!entry.made.notes.empty()) made["notes"] = entry.made.notes;
+  return Json{{"id", entry.id}, {"file", entry.file.generic_string()}, {"sha256", entry.sha256}, {"made", made}}.dump();
+}
+
+Result<Entry> entry_of(std::string_view text, const fs::path& file) {
+  try {
+    const Json json = Json::parse(text);
+    Entry entry;
+    entry.id = json.at("id").get<std::string>();
+    entry.file = json.at("file").get<std::string>();
+    entry.sha256 = json.at("sha256").get<std::string>();
+    const Json& made = json.at("made");
+    entry.made.by = made.at("by").get<std::string>();
+    entry.version = made.value("version", "");
+    entry.when_utc = made.value("when", "");
+    entry.made.options = made.value("options", std::map<std::string, std::string>{});
+    entry.made.sources = made.value("sources", std::map<std::string, std::string>{});
+    entry.made.notes = made.value("notes", std::vector<std::string>{});
+    entry.from_sha256 = made.value("from", std::map<std::string, std::string>{});
+    for (const auto& [source, content] : entry.from_sha256) entry.made.from.push_back(source);
+    const bool escapes = entry.file.is_absolute() || std::any_of(entry.file.begin(), entry.file.end(),
+                                                                 [](const fs::path& part) { return part == ".."; });
+    if (!escapes) return entry;
+    return failure(Error{"case-path-outside",
+                         GLISSON_TEXT("{0} names a file outside the case folder: {1}."),
+                         {file.string(), entry.file.string()},
+                         {},
+                         file});
+  } catch (const Json::exception& problem) {
+    return failure(Error{
+        "case-invalid", GLISSON_TEXT("{0} is damaged: {1}."), {file.string(), problem.what()}, {}, file});
+  }
+}
+
+}  // namespace glisson::casefile

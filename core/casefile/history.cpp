@@ -1,0 +1,525 @@
+#include "casefile/history.h"
+
+#include <algorithm>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "casefile/entry_record.h"
+#include "casefile/folder_lock.h"
+#include "casefile/history_content.h"
+
+namespace glisson::casefile {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* format_name = "glisson-history/1";
+
+// Which side of a step the case stands on, or is to be brought to.
+enum class Side { before, after };
+
+struct Step {
+  int number = 0;
+  Sentence name;
+  std::vector<ValueChange> values;  // of a step about values; empty: it is about entries
+  std::vector<std::string> kept;    // the kept files that it needs, by name
+};
+
+// The list of steps as journal.json holds it.
+struct Listing {
+  std::vector<Step> steps;
+  std::size_t done = 0;
+  int next = 1;
+  std::map<std::string, std::string> values;
+  std::optional<std::pair<int, Side>> moving;  // an undo or redo under way: the step, and where to
+};
+
+// A step about entries, as steps/N.json holds it.
+struct EntryChange {
+  std::string id;
+  Sides sides;
+  Json content;
+};
+
+Json to_json(const Listing& listing);
+Listing listing_from(const Json& json);
+Json to_json(const Sentence& name) { return Json{{"text", name.text}, {"arguments", name.arguments}}; }
+Sentence sentence_from(const Json& json) { return {json.at("text"), json.at("arguments")}; }
+Json to_json(const std::vector<EntryChange>& changes);
+Result<std::vector<EntryChange>> read_changes(const fs::path& file);
+std::string content_of(const std::optional<Entry>& entry) { return entry ? entry->sha256 : std::string(); }
+Failure damaged(const fs::path& file);
+
+std::optional<Entry> find(const std::vector<Entry>& entries, const std::string& id) {
+  const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.id == id; });
+  return found == entries.end() ? std::nullopt : std::optional(*found);
+}
+
+}  // namespace
+
+struct History::Parts {
+  Parts(fs::path of_case, HistoryCaps limits)
+      : case_folder(std::move(of_case)),
+        folder(case_folder / "history"),
+        caps(limits),
+        kept(folder / "kept"),
+        in_use(made(folder), FolderLock::Wait::not_at_all) {}
+
+  static const fs::path& made(const fs::path& folder) {
+    std::error_code ignored;
+    fs::create_directories(folder / "steps", ignored);
+    return folder;
+  }
+  [[nodiscard]] fs::path journal_file() const { return folder / "journal.json"; }
+  [[nodiscard]] fs::path begun_file() const { return folder / "begun.json"; }
+  [[nodiscard]] fs::path step_file(int number) const { return folder / "steps" / (std::to_string(number) + ".json"); }
+  [[nodiscard]] fs::path runs_file(int number, std::string id) const {
+    std::replace(id.begin(), id.end(), '/', '~');
+    return folder / "steps" / (std::to_string(number) + "-" + id + ".runs");
+  }
+
+  Result<void> take_up();
+  Result<void> begin(const Sentence& name, const std::vector<std::string>& touches);
+  Result<void> finish();
+  Result<Moved> move(const Step& step, Side to);
+  Result<Moved> move_entries(const Step& step, Side to);
+  Result<void> append(Listing next, Step step);
+  Result<void> install(Listing next);
+  Result<void> forget_all();
+  void forget_beyond_caps(Listing& next) const;
+  void sweep() const;
+
+  fs::path case_folder, folder;
+  HistoryCaps caps;
+  KeptFiles kept;
+  FolderLock in_use;
+  Listing listing;
+  mutable std::mutex telling;  // held while the listing is replaced, or read beside a change
+};
+
+History::History(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+History::~History() = default;
+
+Result<std::unique_ptr<History>> History::open(const fs::path& case_folder, HistoryCaps caps) {
+  if (auto there = Case::open(case_folder); !there) return failure(there.error());
+  auto parts = std::make_unique<Parts>(case_folder, caps);
+  if (parts->in_use.taken()) {
+    return failure(Error{"history-in-use",
+                         GLISSON_TEXT("{0} is open in another window: what is done here cannot be undone."),
+                         {case_folder.string()},
+                         GLISSON_TEXT("Close the other window, then open the case anew."),
+                         case_folder});
+  }
+  if (auto taken_up = parts->take_up(); !taken_up) {
+    if (taken_up.error().code != "history-damaged") return failure(taken_up.error());
+    std::error_code ignored;
+    const fs::path aside = case_folder / "history.damaged";
+    fs::remove_all(aside, ignored);
+    fs::rename(parts->folder, aside, ignored);
+    parts = std::make_unique<Parts>(case_folder, caps);
+  }
+  return std::unique_ptr<History>(new History(std::move(parts)));
+}
+
+Result<void> History::record(const Sentence& name, const std::function<Result<void>()>& change,
+                             const std::vector<std::string>& touches) {
+  const std::lock_guard one_at_a_time(changing_);
+  if (auto begun = parts_->begin(name, touches); !begun) return begun;
+  Result<void> outcome;
+  try {
+    outcome = change();
+  } catch (...) {
+    (void)parts_->finish();
+    throw;
+  }
+  auto finished = parts_->finish();
+  return outcome ? finished : outcome;
+}
+
+Result<void> History::record_values(const Sentence& name, const std::vector<ValueChange>& values, Joins joins) {
+  const std::lock_guard one_at_a_time(changing_);
+  Listing next = parts_->listing;
+  for (const ValueChange& value : values) next.values[value.key] = value.after;
+  if (joins == Joins::last_of_same_keys && next.done > 0 && next.done == next.steps.size()) {
+    Step& last = next.steps.back();
+    const bool same = std::equal(last.values.begin(), last.values.end(), values.begin(), values.end(),
+                                 [](const ValueChange& a, const ValueChange& b) { return a.key == b.key; });
+    if (same && !values.empty()) {
+      for (std::size_t k = 0; k < values.size(); ++k) last.values[k].after = values[k].after;
+      return parts_->install(std::move(next));
+    }
+  }
+  return parts_->append(std::move(next), Step{0, name, values, {}});
+}
+
+std::string History::value_of(const std::string& key) const {
+  const std::lock_guard reading(parts_->telling);
+  const auto found = parts_->listing.values.find(key);
+  return found == parts_->listing.values.end() ? std::string() : found->second;
+}
+
+std::optional<Sentence> History::undo_name() const {
+  const std::lock_guard reading(parts_->telling);
+  const Listing& listing = parts_->listing;
+  return listing.done > 0 ? std::optional(listing.steps[listing.done - 1].name) : std::nullopt;
+}
+
+std::optional<Sentence> History::redo_name() const {
+  const std::lock_guard reading(parts_->telling);
+  const Listing& listing = parts_->listing;
+  return listing.done < listing.steps.size() ? std::optional(listing.steps[listing.done].name) : std::nullopt;
+}
+
+Result<History::Moved> History::undo() {
+  const std::lock_guard one_at_a_time(changing_);
+  const Listing& listing = parts_->listing;
+  if (listing.done == 0) return failure("history-nothing-left", GLISSON_TEXT("There is nothing left to undo."));
+  return parts_->move(Step(listing.steps[listing.done - 1]), Side::before);
+}
+
+Result<History::Moved> History::redo() {
+  const std::lock_guard one_at_a_time(changing_);
+  const Listing& listing = parts_->listing;
+  if (listing.done == listing.steps.size()) {
+    return failure("history-nothing-left", GLISSON_TEXT("There is nothing left to redo."));
+  }
+  return parts_->move(Step(listing.steps[listing.done]), Side::after);
+}
+
+std::size_t History::steps_to_undo() const {
+  const std::lock_guard reading(parts_->telling);
+  return parts_->listing.done;
+}
+
+std::size_t History::steps_to_redo() const {
+  const std::lock_guard reading(parts_->telling);
+  return parts_->listing.steps.size() - parts_->listing.done;
+}
+
+std::uintmax_t History::disk_bytes() const {
+  std::uintmax_t bytes = 0;
+  std::error_code ignored;
+  for (const auto& file : fs::recursive_directory_iterator(parts_->folder, ignored)) {
+    if (file.is_regular_file(ignored)) bytes += file.file_size(ignored);
+  }
+  return bytes;
+}
+
+// What a kill may have left: a change under way, an undo under way, files that no step names.
+Result<void> History::Parts::take_up() {
+  std::error_code ignored;
+  if (fs::exists(journal_file(), ignored)) {
+    const auto document = read_json_file(journal_file());
+    if (!document) return damaged(journal_file());
+    try {
+      listing = listing_from(*document);
+    } catch (const Json::exception&) {
+      return damaged(journal_file());
+    }
+  }
+  if (auto finished = finish(); !finished) return finished;
+  if (listing.moving) {
+    const auto [number, to] = *listing.moving;
+    const auto changes = read_changes(step_file(number));
+    if (!changes) return failure(changes.error());
+    const auto now = Case::open(case_folder);
+    if (!now) return failure(now.error());
+    Listing next = listing;
+    next.moving.reset();
+    const bool arrived = std::all_of(changes->begin(), changes->end(), [&, to = to](const EntryChange& change) {
+      return content_of(find(now->entries(), change.id)) ==
+             content_of(to == Side::before ? change.sides.before : change.sides.after);
+    });
+    if (arrived) next.done = to == Side::before ? listing.done - 1 : listing.done + 1;
+    if (next.done > next.steps.size()) return damaged(journal_file());
+    if (auto installed = install(std::move(next)); !installed) return installed;
+  }
+  sweep();
+  return {};
+}
+
+Result<void> History::Parts::begin(const Sentence& name, const std::vector<std::string>& touches) {
+  const auto before = Case::open(case_folder);
+  if (!before) return failure(before.error());
+  Json entries = Json::array();
+  for (const Entry& entry : before->entries()) {
+    if (!touches.empty() && std::find(touches.begin(), touches.end(), entry.id) == touches.end()) continue;
+    std::error_code ignored;
+    if (fs::exists(case_folder / entry.file, ignored)) {
+      if (auto held = kept.keep(case_folder, entry); !held) return held;
+    }
+    entries.push_back(Json::parse(record_of(entry)));
+  }
+  return write_json_file(begun_file(), Json{{"number", listing.next},
+                                            {"name", to_json(name)},
+                                            {"touches", touches},
+                                            {"entries", entries}});
+}
+
+// Makes a step of what has changed since begin(), by this program or, after a kill, by the one before.
+Result<void> History::Parts::finish() {
+  std::error_code ignored;
+  if (!fs::exists(begun_file(), ignored)) return {};
+  const auto begun = read_json_file(begun_file());
+  if (!begun) return damaged(begun_file());
+  Result<void> outcome;
+  try {
+    const int number = begun->at("number");
+    const auto touches = begun->at("touches").get<std::vector<std::string>>();
+    const auto now = Case::open(case_folder);
+    if (!now) return failure(now.error());
+    std::vector<Entry> before;
+    std::set<std::string> ids(touches.begin(), touches.end());
+    for (const Json& json : begun->at("entries")) {
+      auto entry = entry_of(json.dump(), begun_file());
+      if (!entry) return damaged(begun_file());
+      ids.insert(entry->id);
+      before.push_back(std::move(*entry));
+    }
+    if (touches.empty()) {
+      for (const Entry& entry : now->entries()) ids.insert(entry.id);
+    }
+    Step step{number, sentence_from(begun->at("name")), {}, {}};
+    std::vector<EntryChange> changes;
+    for (const std::string& id : ids) {
+      EntryChange change{id, {find(before, id), find(now->entries(), id)}, {}};
+      const auto& [was, is] = change.sides;
+      if (!was && !is) continue;
+      if (was && is && record_of(*was) == record_of(*is)) continue;
+      auto content = difference_of(case_folder, kept, change.sides, runs_file(number, id));
+      if (!content) return failure(content.error());
+      change.content = std::move(*content);
+      if (is_whole_file(change.content)) {
+        for (const auto& side : {was, is}) {
+          if (side) step.kept.push_back(kept.place_of(*side).filename().string());
+        }
+      }
+      changes.push_back(std::move(change));
+    }
+    if (number == listing.next && !changes.empty()) {
+      if (auto written = write_json_file(step_file(number), to_json(changes)); !written) return written;
+      outcome = append(listing, std::move(step));
+    }
+  } catch (const Json::exception&) {
+    return damaged(begun_file());
+  }
+  if (!outcome) return outcome;
+  fs::remove(begun_file(), ignored);
+  sweep();
+  return {};
+}
+
+Result<void> History::Parts::append(Listing next, Step step) {
+  next.steps.resize(next.done);
+  step.number = next.next++;
+  next.steps.push_back(std::move(step));
+  next.done = next.steps.size();
+  forget_beyond_caps(next);
+  return install(std::move(next));
+}
+
+Result<History::Moved> History::Parts::move(const Step& step, Side to) {
+  if (step.values.empty()) return move_entries(step, to);
+  Moved moved{step.name, {}, {}};
+  Listing next = listing;
+  for (const ValueChange& value : step.values) {
+    const bool back = to == Side::before;
+    moved.values.push_back({value.key, back ? value.after : value.before, back ? value.before : value.after});
+    next.values[value.key] = moved.values.back().after;
+  }
+  next.done += to == Side::before ? std::size_t(-1) : 1;
+  if (auto installed = install(std::move(next)); !installed) return failure(installed.error());
+  return moved;
+}
+
+Result<History::Moved> History::Parts::move_entries(const Step& step, Side to) {
+  auto now = Case::open(case_folder);
+  if (!now) return failure(now.error());
+  const auto changes = read_changes(step_file(step.number));
+  if (!changes) return failure(changes.error());
+  Moved moved{step.name, {}, {}};
+  try {
+    std::vector<Replacement> replacements;
+    for (const EntryChange& change : *changes) {
+      const bool back = to == Side::before;
+      const std::optional<Entry>& from = back ? change.sides.after : change.sides.before;
+      const std::optional<Entry>& target = back ? change.sides.before : change.sides.after;
+      const auto present = find(now->entries(), change.id);
+      const bool as_left = content_of(present) == content_of(from) &&
+                           (!from || sha256_of_file(case_folder / from->file).value_or("") == from->sha256);
+      if (!as_left) {
+        if (auto forgotten = forget_all(); !forgotten) return failure(forgotten.error());
+        return failure(Error{"history-overtaken",
+                             GLISSON_TEXT("{0} has been changed by something else since: what was done before cannot "
+                                          "be undone any more."),
+                             {change.id},
+                             {},
+                             case_folder});
+      }
+      if (from && is_whole_file(change.content)) {
+        if (auto held = kept.keep(case_folder, *from); !held) return failure(held.error());
+      }
+      moved.entries.push_back(change.id);
+      replacements.push_back({change.id, target, [this, &step, &change, from, target](const fs::path& file) {
+                                return write_other_side(case_folder, kept, change.content, from, *target,
+                                                        runs_file(step.number, change.id), file);
+                              }});
+    }
+    Listing next = listing;
+    next.moving = {step.number, to};
+    if (auto installed = install(next); !installed) return failure(installed.error());
+    const auto replaced = now->replace(replacements);
+    next.moving.reset();
+    if (replaced) next.done += to == Side::before ? std::size_t(-1) : 1;
+    if (auto installed = install(std::move(next)); !installed) return failure(installed.error());
+    if (!replaced) return failure(replaced.error());
+  } catch (const Json::exception&) {
+    return damaged(step_file(step.number));
+  }
+  sweep();
+  return moved;
+}
+
+Result<void> History::Parts::install(Listing next) {
+  if (auto written = write_json_file(journal_file(), to_json(next)); !written) return written;
+  const std::lock_guard writing(telling);
+  listing = std::move(next);
+  return {};
+}
+
+Result<void> History::Parts::forget_all() {
+  Listing empty;
+  empty.next = listing.next;
+  empty.values = listing.values;
+  auto installed = install(std::move(empty));
+  sweep();
+  return installed;
+}
+
+// The newest step stays, even where it alone takes more than the cap.
+void History::Parts::forget_beyond_caps(Listing& next) const {
+  std::map<std::string, std::uintmax_t> kept_bytes;
+  std::map<int, std::uintmax_t> step_bytes;
+  std::error_code ignored;
+  for (const auto& file : fs::directory_iterator(folder / "kept", ignored)) {
+    kept_bytes[file.path().filename().string()] = file.file_size(ignored);
+  }
+  for (const auto& file : fs::directory_iterator(folder / "steps", ignored)) {
+    step_bytes[std::atoi(file.path().filename().c_str())] += file.file_size(ignored);
+  }
+  // From the newest on: the first that does not fit ends it.
+  std::uintmax_t bytes = 0;
+  std::size_t fitting = 0;
+  std::set<std::string> counted;
+  for (auto step = next.steps.rbegin(); step != next.steps.rend(); ++step, ++fitting) {
+    bytes += step_bytes[step->number];
+    for (const std::string& name : step->kept) bytes += counted.insert(name).second ? kept_bytes[name] : 0;
+    if (fitting > 0 && (bytes > caps.disk_bytes || fitting >= caps.steps)) break;
+  }
+  const std::size_t forgotten = next.steps.size() - fitting;
+  next.steps.erase(next.steps.begin(), next.steps.begin() + static_cast<std::ptrdiff_t>(forgotten));
+  next.done -= forgotten;
+}
+
+// Files that no step needs go.
+void History::Parts::sweep() const {
+  std::set<std::string> needed;
+  std::set<int> numbers;
+  for (const Step& step : listing.steps) {
+    needed.insert(step.kept.begin(), step.kept.end());
+    numbers.insert(step.number);
+  }
+  std::error_code ignored;
+  std::vector<fs::path> leaving;
+  for (const auto& file : fs::directory_iterator(folder / "kept", ignored)) {
+    if (needed.count(file.path().filename().string()) == 0) leaving.push_back(file.path());
+  }
+  for (const auto& file : fs::directory_iterator(folder / "steps", ignored)) {
+    if (numbers.count(std::atoi(file.path().filename().c_str())) == 0) leaving.push_back(file.path());
+  }
+  for (const fs::path& file : leaving) fs::remove(file, ignored);
+}
+
+namespace {
+
+constexpr const char* name_of(Side side) { return side == Side::before ? "before" : "after"; }
+
+Json to_json(const Listing& listing) {
+  Json json{{"format", format_name}, {"done", listing.done}, {"next", listing.next}};
+  if (listing.moving) json["moving"] = Json{{"step", listing.moving->first}, {"to", name_of(listing.moving->second)}};
+  json["values"] = Json::object();
+  for (const auto& [key, value] : listing.values) json["values"][key] = value;
+  json["steps"] = Json::array();
+  for (const Step& step : listing.steps) {
+    Json one{{"number", step.number}, {"name", to_json(step.name)}};
+    if (!step.kept.empty()) one["kept"] = step.kept;
+    for (const ValueChange& value : step.values) {
+      one["values"].push_back(Json{{"key", value.key}, {"before", value.before}, {"after", value.after}});
+    }
+    json["steps"].push_back(std::move(one));
+  }
+  return json;
+}
+
+Listing listing_from(const Json& json) {
+  Listing listing;
+  listing.done = json.at("done");
+  listing.next = json.at("next");
+  listing.values = json.at("values").get<std::map<std::string, std::string>>();
+  for (const Json& one : json.at("steps")) {
+    Step step{one.at("number"), sentence_from(one.at("name")), {}, one.value("kept", std::vector<std::string>{})};
+    for (const Json& value : one.value("values", Json::array())) {
+      step.values.push_back({value.at("key"), value.at("before"), value.at("after")});
+    }
+    listing.steps.push_back(std::move(step));
+  }
+  if (json.contains("moving")) {
+    listing.moving = {json.at("moving").at("step"),
+                      json.at("moving").at("to") == name_of(Side::before) ? Side::before : Side::after};
+  }
+  listing.done = std::min(listing.done, listing.steps.size());
+  return listing;
+}
+
+Json to_json(const std::vector<EntryChange>& changes) {
+  Json json = Json::array();
+  for (const EntryChange& change : changes) {
+    Json one{{"id", change.id}, {"content", change.content}};
+    if (change.sides.before) one["before"] = Json::parse(record_of(*change.sides.before));
+    if (change.sides.after) one["after"] = Json::parse(record_of(*change.sides.after));
+    json.push_back(std::move(one));
+  }
+  return json;
+}
+
+Result<std::vector<EntryChange>> read_changes(const fs::path& file) {
+  const auto document = read_json_file(file);
+  if (!document) return damaged(file);
+  std::vector<EntryChange> changes;
+  try {
+    for (const Json& one : *document) {
+      EntryChange change{one.at("id"), {}, one.at("content")};
+      for (const auto& [side, into] :
+           {std::pair("before", &change.sides.before), std::pair("after", &change.sides.after)}) {
+        if (!one.contains(side)) continue;
+        auto entry = entry_of(one.at(side).dump(), file);
+        if (!entry) return damaged(file);
+        *into = std::move(*entry);
+      }
+      changes.push_back(std::move(change));
+    }
+  } catch (const Json::exception&) {
+    return damaged(file);
+  }
+  return changes;
+}
+
+Failure damaged(const fs::path& file) {
+  return failure(Error{"history-damaged", GLISSON_TEXT("The history of the case cannot be read: {0}."),
+                       {file.string()}, {}, file});
+}
+
+}  // namespace
+}  // namespace glisson::casefile
