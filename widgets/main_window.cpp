@@ -167,8 +167,9 @@ Bench MainWindow::bench() {
           .views = *views_,
           .patient_views = *patient_views_,
           .rehearsal = rehearsal_,
+          .undo = undo_,
           .patient = [this]() -> const Patient& { return patient_; },
-          .change = [this](const QString& title, auto loader) { load(title, std::move(loader)); },
+          .change = [this](const QString& title, auto loader) { change(title, std::move(loader)); },
           .tell_error = [this](const Error& error) { show_error(error); },
           .tell_status = [this](const QString& text) { status_->setText(text); },
           .go_to = [this](const QString& workspace_id) { go_to(workspace_id); }};
@@ -211,6 +212,7 @@ void MainWindow::open_demo_then(std::function<void()> once_shown) {
 
 void MainWindow::show_patient(const Patient& patient) {
   patient_ = patient;
+  undo_.open_case(patient.folder);
   welcome_->hide();
   views_->show();
   notice_->hide();
@@ -265,6 +267,8 @@ void MainWindow::make_menus() {
   settings->setObjectName("settings");
   file->addSeparator();
   QAction* quit = file->addAction({}, QKeySequence::Quit, this, &QWidget::close);
+  QMenu* edit = menuBar()->addMenu(QString());
+  edit->addActions({undo_.undo_action(), undo_.redo_action()});
   go_menu_ = menuBar()->addMenu(QString());
   menuBar()->addMenu(new LanguageMenu(this));
   QMenu* help = menuBar()->addMenu(QString());
@@ -290,6 +294,8 @@ void MainWindow::make_menus() {
     save_picture_->setText(tr("&Save the picture..."));
     show_waves_->setText(tr("Elastography &waves..."));
     quit->setText(tr("&Quit"));
+    edit->setTitle(tr("&Edit"));
+    undo_.name_actions();
     go_menu_->setTitle(tr("&Go"));
     help->setTitle(tr("&Help"));
     manual->setText(tr("&Manual"));
@@ -426,6 +432,11 @@ void MainWindow::connect_parts() {
     work_.cancel();
   });
 
+  connect(&work_, &BackgroundWork::started, this, [this] { undo_.set_held_up(true); });
+  connect(&work_, &BackgroundWork::finished, this, [this] { undo_.set_held_up(false); });
+  connect(&undo_, &Undo::failed, this, &MainWindow::show_error);
+  connect(&undo_, &Undo::moved, this, [this](const QString& what) { status_->setText(what); });
+  connect(&undo_, &Undo::entries_moved, this, &MainWindow::show_moved_entries);
   connect(bar_, &WorkspaceBar::chosen, this, [this](int index) {
     const Workspace& workspace = workspaces_.at(static_cast<std::size_t>(index));
     const bool whole = workspace.place == Workspace::Place::whole_window;
@@ -593,6 +604,24 @@ void MainWindow::load(const QString& title, std::function<Result<Patient>(const 
   if (!begun) show_notice([] { return tr("Something else is still under way. Wait for it, or cancel it first."); });
 }
 
+void MainWindow::change(const QString& title, std::function<Result<Patient>(const Progress&)> loader) {
+  load(title, [this, name = Sentence{title.toStdString(), {}}, loader = std::move(loader)](const Progress& progress) {
+    Result<Patient> patient = failure("cancelled", {});
+    const auto recorded = undo_.recorded(name, [&]() -> Result<void> {
+      patient = loader(progress);
+      return patient ? Result<void>() : failure(patient.error());
+    });
+    if (patient && !recorded) patient->remarks.push_back({recorded.error().message(), {}});
+    return patient;
+  });
+}
+
+// Undone or done again. What a workspace shows of its own it reads itself; the patient is read anew.
+void MainWindow::show_moved_entries() {
+  load(tr("Opening %1").arg(text_of(patient_.folder.filename())),
+       [folder = patient_.folder](const Progress& progress) { return load_patient(folder, progress); });
+}
+
 void MainWindow::offer_import(const imaging::Study& study, const fs::path& path) {
   QStringList names;
   std::vector<std::string> uids;
@@ -630,11 +659,11 @@ void MainWindow::offer_import(const imaging::Study& study, const fs::path& path)
 void MainWindow::take_next_step() {
   const fs::path folder = patient_.folder;
   if (next_step(folder) == NextStep::outline_liver) {
-    load(tr("Outlining the liver"), [folder, inside_mm = views_->crosshair_mm()](const Progress& progress) {
+    change(tr("Outlining the liver"), [folder, inside_mm = views_->crosshair_mm()](const Progress& progress) {
       return outline_liver(folder, inside_mm, progress);
     });
   } else {
-    load(tr("Building the model"), [folder](const Progress& progress) { return build_model(folder, progress); });
+    change(tr("Building the model"), [folder](const Progress& progress) { return build_model(folder, progress); });
   }
 }
 

@@ -25,6 +25,7 @@
 #include "session/load_patient.h"
 #include "session/open_work.h"
 #include "session/patient.h"
+#include "session/undo.h"
 #include "views/linked_views.h"
 #include "views/patient_views.h"
 #include "words/told.h"
@@ -56,6 +57,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] LinkedViews& views() { return *views_; }
   [[nodiscard]] LiveRehearsal& rehearsal() { return rehearsal_; }
   [[nodiscard]] BackgroundWork& work() { return work_; }
+  [[nodiscard]] Undo& undo() { return undo_; }
   [[nodiscard]] const Diary& diary() const { return diary_; }
   [[nodiscard]] StallWatch& stalls() { return stalls_; }
 
@@ -93,6 +95,9 @@ class MainWindow : public QMainWindow {
   // Loads a patient on a worker thread, then shows it or says what went wrong.
   void load(const QString& title, std::function<Result<Patient>(const Progress&)> loader,
             std::function<void()> once_shown = {});
+  // The same for work that changes the case: one step of undo.
+  void change(const QString& title, std::function<Result<Patient>(const Progress&)> loader);
+  void show_moved_entries();
   void offer_import(const imaging::Study& study, const std::filesystem::path& path);
   void take_next_step();
   void show_error(const Error& error);
@@ -110,6 +115,7 @@ class MainWindow : public QMainWindow {
   Patient patient_;
   NextStep next_ = NextStep::none;
   LiveRehearsal rehearsal_;
+  Undo undo_;
   BackgroundWork work_;
   LinkedViews* views_ = nullptr;
   PatientViews* patient_views_ = nullptr;

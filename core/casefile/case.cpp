@@ -151,8 +151,8 @@ Result<void> Case::put(const std::vector<Replacement>& replacements) {
     return failure(error);
   };
   for (const Replacement& replacement : replacements) {
-    const auto present = std::find_if(entries_.begin(), entries_.end(),
-                                      [&](const Entry& entry) { return entry.id == replacement.id; });
+    const auto present =
+        std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.id == replacement.id; });
     const bool known = present != entries_.end();
     if (known && (!replacement.entry || replacement.entry->file != present->file)) {
       leaving.push_back(folder_ / present->file);

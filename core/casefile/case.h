@@ -45,7 +45,7 @@ struct Entry {
 // What an entry is to become, or that it is to go.
 struct Replacement {
   std::string id;
-  std::optional<Entry> entry;                                         // absent: taken out, its file removed
+  std::optional<Entry> entry;                                       // absent: taken out, its file removed
   std::function<Result<void>(const std::filesystem::path&)> write;  // its file, whose content entry->sha256 names
 };
 

@@ -41,8 +41,8 @@ Result<Entry> entry_of(std::string_view text, const fs::path& file) {
                          {},
                          file});
   } catch (const Json::exception& problem) {
-    return failure(Error{
-        "case-invalid", GLISSON_TEXT("{0} is damaged: {1}."), {file.string(), problem.what()}, {}, file});
+    return failure(
+        Error{"case-invalid", GLISSON_TEXT("{0} is damaged: {1}."), {file.string(), problem.what()}, {}, file});
   }
 }
 

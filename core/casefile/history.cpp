@@ -252,10 +252,9 @@ Result<void> History::Parts::begin(const Sentence& name, const std::vector<std::
     }
     entries.push_back(Json::parse(record_of(entry)));
   }
-  return write_json_file(begun_file(), Json{{"number", listing.next},
-                                            {"name", to_json(name)},
-                                            {"touches", touches},
-                                            {"entries", entries}});
+  return write_json_file(
+      begun_file(),
+      Json{{"number", listing.next}, {"name", to_json(name)}, {"touches", touches}, {"entries", entries}});
 }
 
 // Makes a step of what has changed since begin(), by this program or, after a kill, by the one before.
@@ -517,8 +516,8 @@ Result<std::vector<EntryChange>> read_changes(const fs::path& file) {
 }
 
 Failure damaged(const fs::path& file) {
-  return failure(Error{"history-damaged", GLISSON_TEXT("The history of the case cannot be read: {0}."),
-                       {file.string()}, {}, file});
+  return failure(Error{
+      "history-damaged", GLISSON_TEXT("The history of the case cannot be read: {0}."), {file.string()}, {}, file});
 }
 
 }  // namespace

@@ -19,13 +19,13 @@ Json json_of_side(const SegmentedMask& side, const Entry& entry);
 Json json_of_grid(const imaging::Grid& grid);
 Result<imaging::Mask> empty_mask_on(const Json& grid);
 
-imaging::Mask empty_mask(const imaging::Grid& grid) {
-  return {grid, std::vector<std::uint8_t>(grid.voxels())};
-}
+imaging::Mask empty_mask(const imaging::Grid& grid) { return {grid, std::vector<std::uint8_t>(grid.voxels())}; }
 
 }  // namespace
 
-fs::path KeptFiles::place_of(const Entry& entry) const { return folder_ / (entry.sha256 + entry.file.extension().string()); }
+fs::path KeptFiles::place_of(const Entry& entry) const {
+  return folder_ / (entry.sha256 + entry.file.extension().string());
+}
 
 Result<void> KeptFiles::keep(const fs::path& case_folder, const Entry& entry) const {
   const fs::path place = place_of(entry);
@@ -68,7 +68,8 @@ Result<Json> difference_of(const fs::path& case_folder, const KeptFiles& kept, c
   const imaging::Grid& grid = *before ? (*before)->mask.grid : (*after)->mask.grid;
   const auto runs = segmentation::difference(*before ? (*before)->mask : empty_mask(grid),
                                              *after ? (*after)->mask : empty_mask(grid));
-  if (auto written = write_text_file(runs_file, segmentation::to_bytes(runs)); !written) return failure(written.error());
+  if (auto written = write_text_file(runs_file, segmentation::to_bytes(runs)); !written)
+    return failure(written.error());
   Json content{{"kind", "runs"}, {"grid", json_of_grid(grid)}};
   if (*before) content["before"] = json_of_side(**before, *sides.before);
   if (*after) content["after"] = json_of_side(**after, *sides.after);
@@ -103,9 +104,9 @@ Result<void> write_other_side(const fs::path& case_folder, const KeptFiles& kept
   for (const char* side : {"before", "after"}) {
     if (!content.contains(side) || content.at(side).at("sha256") != to.sha256) continue;
     const Json& info = content.at(side);
-    return imaging::write_mask_file(
-        target, mask,
-        {info.at("name").get<std::string>(), info.at("value").get<int>(), info.at("color").get<std::array<double, 3>>()});
+    return imaging::write_mask_file(target, mask,
+                                    {info.at("name").get<std::string>(), info.at("value").get<int>(),
+                                     info.at("color").get<std::array<double, 3>>()});
   }
   return failure("history-damaged", GLISSON_TEXT("A stored step of the history does not fit its case."));
 }

@@ -33,8 +33,8 @@ Result<Json> difference_of(const std::filesystem::path& case_folder, const KeptF
 
 // Writes the side that is not in the case now. `content` is what difference_of gave, `from` the side that is.
 Result<void> write_other_side(const std::filesystem::path& case_folder, const KeptFiles& kept, const Json& content,
-                              const std::optional<Entry>& from, const Entry& to,
-                              const std::filesystem::path& runs_file, const std::filesystem::path& target);
+                              const std::optional<Entry>& from, const Entry& to, const std::filesystem::path& runs_file,
+                              const std::filesystem::path& target);
 
 // Whether the content is whole files, so that the side which leaves the case has to be kept.
 [[nodiscard]] bool is_whole_file(const Json& content);

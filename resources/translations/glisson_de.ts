@@ -3319,6 +3319,46 @@
         <source>A grain is there for equilibrium by finite elements, with the material &quot;linear&quot; and without ligaments.</source>
         <translation>Eine Faserrichtung gibt es für das Gleichgewicht mit finiten Elementen, mit dem Material &quot;linear&quot; und ohne Bänder.</translation>
     </message>
+    <message>
+        <source>{0} would not come out as it was.</source>
+        <translation>{0} käme nicht so heraus, wie es war.</translation>
+    </message>
+    <message>
+        <source>{0} is open in another window: what is done here cannot be undone.</source>
+        <translation>{0} ist in einem anderen Fenster geöffnet: Was hier geschieht, kann nicht rückgängig gemacht werden.</translation>
+    </message>
+    <message>
+        <source>Close the other window, then open the case anew.</source>
+        <translation>Schließen Sie das andere Fenster und öffnen Sie den Fall dann erneut.</translation>
+    </message>
+    <message>
+        <source>There is nothing left to undo.</source>
+        <translation>Es gibt nichts mehr rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>There is nothing left to redo.</source>
+        <translation>Es gibt nichts mehr zu wiederholen.</translation>
+    </message>
+    <message>
+        <source>{0} has been changed by something else since: what was done before cannot be undone any more.</source>
+        <translation>{0} wurde seither von anderer Seite geändert: Was davor geschah, kann nicht mehr rückgängig gemacht werden.</translation>
+    </message>
+    <message>
+        <source>The history of the case cannot be read: {0}.</source>
+        <translation>Der Verlauf des Falls kann nicht gelesen werden: {0}.</translation>
+    </message>
+    <message>
+        <source>A stored step of the history does not fit its case.</source>
+        <translation>Ein gespeicherter Schritt des Verlaufs passt nicht zu seinem Fall.</translation>
+    </message>
+    <message>
+        <source>A stored step of the history reaches beyond its image.</source>
+        <translation>Ein gespeicherter Schritt des Verlaufs reicht über sein Bild hinaus.</translation>
+    </message>
+    <message>
+        <source>A stored step of the history is cut off.</source>
+        <translation>Ein gespeicherter Schritt des Verlaufs ist abgeschnitten.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -3753,6 +3793,10 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
     <message>
         <source>&amp;Tour on the demo patient</source>
         <translation>&amp;Rundgang am Demopatienten</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
     </message>
 </context>
 <context>
@@ -4439,6 +4483,33 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     <message>
         <source>Done</source>
         <translation>Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::Undo</name>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Rückgängig gemacht: %1</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>Wiederholt: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
     </message>
 </context>
 <context>

@@ -3319,6 +3319,46 @@
         <source>A grain is there for equilibrium by finite elements, with the material &quot;linear&quot; and without ligaments.</source>
         <translation>Una dirección de fibras existe para el equilibrio por elementos finitos, con el material &quot;linear&quot; y sin ligamentos.</translation>
     </message>
+    <message>
+        <source>{0} would not come out as it was.</source>
+        <translation>{0} no quedaría tal como estaba.</translation>
+    </message>
+    <message>
+        <source>{0} is open in another window: what is done here cannot be undone.</source>
+        <translation>{0} está abierto en otra ventana: lo que se haga aquí no se puede deshacer.</translation>
+    </message>
+    <message>
+        <source>Close the other window, then open the case anew.</source>
+        <translation>Cierre la otra ventana y vuelva a abrir el caso.</translation>
+    </message>
+    <message>
+        <source>There is nothing left to undo.</source>
+        <translation>No queda nada por deshacer.</translation>
+    </message>
+    <message>
+        <source>There is nothing left to redo.</source>
+        <translation>No queda nada por rehacer.</translation>
+    </message>
+    <message>
+        <source>{0} has been changed by something else since: what was done before cannot be undone any more.</source>
+        <translation>Otro programa ha modificado {0} desde entonces: lo hecho antes ya no se puede deshacer.</translation>
+    </message>
+    <message>
+        <source>The history of the case cannot be read: {0}.</source>
+        <translation>No se puede leer el historial del caso: {0}.</translation>
+    </message>
+    <message>
+        <source>A stored step of the history does not fit its case.</source>
+        <translation>Un paso guardado del historial no corresponde a su caso.</translation>
+    </message>
+    <message>
+        <source>A stored step of the history reaches beyond its image.</source>
+        <translation>Un paso guardado del historial sobrepasa los límites de su imagen.</translation>
+    </message>
+    <message>
+        <source>A stored step of the history is cut off.</source>
+        <translation>Un paso guardado del historial está truncado.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -3755,6 +3795,10 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
     <message>
         <source>&amp;Tour on the demo patient</source>
         <translation>&amp;Recorrido con el paciente de demostración</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Editar</translation>
     </message>
 </context>
 <context>
@@ -4442,6 +4486,33 @@ Módulo de Young %2 kPa (media)</translation>
     <message>
         <source>Done</source>
         <translation>Listo</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::Undo</name>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Deshecho: %1</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>Rehecho: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Deshacer: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Rehacer: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
     </message>
 </context>
 <context>

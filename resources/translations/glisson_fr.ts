@@ -3319,6 +3319,46 @@
         <source>A grain is there for equilibrium by finite elements, with the material &quot;linear&quot; and without ligaments.</source>
         <translation>Une direction de fibres existe pour l’équilibre par éléments finis, avec le matériau &quot;linear&quot; et sans ligaments.</translation>
     </message>
+    <message>
+        <source>{0} would not come out as it was.</source>
+        <translation>{0} ne serait pas rétabli tel qu&apos;il était.</translation>
+    </message>
+    <message>
+        <source>{0} is open in another window: what is done here cannot be undone.</source>
+        <translation>{0} est ouvert dans une autre fenêtre : ce qui est fait ici ne peut pas être annulé.</translation>
+    </message>
+    <message>
+        <source>Close the other window, then open the case anew.</source>
+        <translation>Fermez l&apos;autre fenêtre, puis rouvrez le cas.</translation>
+    </message>
+    <message>
+        <source>There is nothing left to undo.</source>
+        <translation>Il n&apos;y a plus rien à annuler.</translation>
+    </message>
+    <message>
+        <source>There is nothing left to redo.</source>
+        <translation>Il n&apos;y a plus rien à rétablir.</translation>
+    </message>
+    <message>
+        <source>{0} has been changed by something else since: what was done before cannot be undone any more.</source>
+        <translation>{0} a été modifié par autre chose depuis : ce qui a été fait auparavant ne peut plus être annulé.</translation>
+    </message>
+    <message>
+        <source>The history of the case cannot be read: {0}.</source>
+        <translation>L&apos;historique du cas ne peut pas être lu : {0}.</translation>
+    </message>
+    <message>
+        <source>A stored step of the history does not fit its case.</source>
+        <translation>Une étape enregistrée de l&apos;historique ne correspond pas à son cas.</translation>
+    </message>
+    <message>
+        <source>A stored step of the history reaches beyond its image.</source>
+        <translation>Une étape enregistrée de l&apos;historique dépasse les limites de son image.</translation>
+    </message>
+    <message>
+        <source>A stored step of the history is cut off.</source>
+        <translation>Une étape enregistrée de l&apos;historique est tronquée.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -3755,6 +3795,10 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
     <message>
         <source>&amp;Tour on the demo patient</source>
         <translation>&amp;Visite guidée avec le patient de démonstration</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Édition</translation>
     </message>
 </context>
 <context>
@@ -4442,6 +4486,33 @@ Module de Young&#xa0;%2 kPa (moyenne)</translation>
     <message>
         <source>Done</source>
         <translation>Terminé</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::Undo</name>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Annulé : %1</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>Rétabli : %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Annuler : %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Rétablir : %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
     </message>
 </context>
 <context>

@@ -35,7 +35,8 @@ Mask ball(const Eigen::Vector3d& center_mm, double radius_mm) {
 Result<void> save(const fs::path& folder, const std::string& name, const Mask& mask) {
   auto opened = Case::open(folder);
   if (!opened) return failure(opened.error());
-  return save_structure(*opened, segmentation::make_structure(name, mask), {"segment", {{"method", "brush"}}, {}, {}, {}})
+  return save_structure(*opened, segmentation::make_structure(name, mask),
+                        {"segment", {{"method", "brush"}}, {}, {}, {}})
       .map([](const SavedStructure&) {});
 }
 

@@ -8,6 +8,7 @@
 
 #include "session/live_rehearsal.h"
 #include "session/patient.h"
+#include "session/undo.h"
 #include "views/patient_views.h"
 #include "work/background_work.h"
 
@@ -33,8 +34,10 @@ struct Bench {
   LinkedViews& views;
   PatientViews& patient_views;
   LiveRehearsal& rehearsal;
+  Undo& undo;
   std::function<const Patient&()> patient;
-  // Changes the case on a worker thread and shows the patient that comes of it, or says what went wrong.
+  // Changes the case on a worker thread and shows the patient that comes of it, or says what went wrong. What it did
+  // to the case is one step of undo, under its title.
   std::function<void(const QString& title, std::function<Result<Patient>(const Progress&)>)> change;
   std::function<void(const Error&)> tell_error;
   std::function<void(const QString&)> tell_status;
