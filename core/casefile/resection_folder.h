@@ -1,0 +1,42 @@
+#pragma once
+// A planned resection in files: resection.json (the cut, so that it can be set again, and what came of it), parts.vtu
+// (the liver in its parts) and cut.vtp.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "rehearsal/resection.h"
+
+namespace glisson::casefile {
+
+// A cut as somebody set it.
+struct PlannedCut {
+  enum class Removed { smaller, larger };  // which part is the specimen
+
+  std::vector<Eigen::Vector3d> through_mm;  // a smooth sheet through these points; none: the plane
+  Eigen::Vector3d point_mm{0, 0, 0};
+  Eigen::Vector3d normal{0, 0, 1};
+  Removed removed = Removed::smaller;
+};
+
+// The plan of that cut. Failures: those of geometry::CutSurface and rehearsal::plan_resection.
+Result<geometry::CutSurface> surface_of(const PlannedCut& cut);
+Result<rehearsal::Resection> plan_resection(const geometry::TetMesh& liver, const PlannedCut& cut,
+                                            const std::vector<rehearsal::NamedStructure>& structures);
+
+// By its name in a case: "portal-vein" is a vessel, "cyst-2" a cyst, anything else a tumour.
+[[nodiscard]] rehearsal::StructureKind resection_kind(const std::string& structure);
+
+// What resection.json holds, as text.
+[[nodiscard]] std::string resection_text(const PlannedCut& cut, const rehearsal::Resection& plan);
+
+// The folder is made where absent; files of these names are replaced, each whole.
+Result<void> write_resection(const std::filesystem::path& folder, const PlannedCut& cut,
+                             const rehearsal::Resection& plan);
+
+// Fails with "not-a-resection", naming what is missing or damaged.
+Result<PlannedCut> read_planned_cut(const std::filesystem::path& folder);
+
+}  // namespace glisson::casefile

@@ -1,0 +1,85 @@
+// A planned resection kept in files, and the cut set again from them.
+
+#include "casefile/resection_folder.h"
+
+#include <gtest/gtest.h>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "support/shapes.h"
+
+namespace glisson::casefile {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ResectionFolder : public ::testing::Test {
+ protected:
+  void SetUp() override { fs::remove_all(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  const geometry::TetMesh liver_ = test::box_of_tetrahedra({6, 4, 4}, {120, 80, 80});  // 768 ml
+  const fs::path folder_ = fs::path(::testing::TempDir()) / "glisson_resection_folder";
+};
+
+PlannedCut plane_at(double x_mm, PlannedCut::Removed removed = PlannedCut::Removed::smaller) {
+  return {{}, {x_mm, 0, 0}, {1, 0, 0}, removed};
+}
+
+TEST_F(ResectionFolder, KeepsTheCutAndWhatCameOfIt) {
+  const PlannedCut cut = plane_at(90, PlannedCut::Removed::larger);
+  const auto plan = plan_resection(liver_, cut, {});
+  ASSERT_TRUE(plan);
+  EXPECT_NEAR(plan->specimen_ml, 576, 1e-6);  // 90 of 120 mm
+  ASSERT_TRUE(write_resection(folder_, cut, *plan));
+  const auto json = read_json_file(folder_ / "resection.json");
+  ASSERT_TRUE(json);
+  EXPECT_NEAR((*json)["remnant_percent"].get<double>(), 25, 1e-6);
+  EXPECT_TRUE(fs::exists(folder_ / "parts.vtu"));
+  EXPECT_TRUE(fs::exists(folder_ / "cut.vtp"));
+  const auto again = read_planned_cut(folder_);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->normal, cut.normal);
+  EXPECT_EQ(again->point_mm, cut.point_mm);
+  EXPECT_EQ(again->removed, cut.removed);
+}
+
+TEST_F(ResectionFolder, KeepsAllPointsOfASheet) {
+  const PlannedCut cut{{{60, 0, 0}, {70, 80, 0}, {60, 0, 80}, {60, 80, 80}, {55, 40, 40}}, {}, {}, {}};
+  const auto plan = plan_resection(liver_, cut, {});
+  ASSERT_TRUE(plan);
+  ASSERT_TRUE(write_resection(folder_, cut, *plan));
+  const auto again = read_planned_cut(folder_);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->through_mm, cut.through_mm);
+}
+
+TEST_F(ResectionFolder, TheOtherPartIsTheLargerOne) {
+  const auto smaller = plan_resection(liver_, plane_at(30), {});
+  const auto larger = plan_resection(liver_, plane_at(30, PlannedCut::Removed::larger), {});
+  ASSERT_TRUE(smaller && larger);
+  EXPECT_NEAR(smaller->specimen_ml, larger->remnant_ml, 1e-9);
+  EXPECT_NE(smaller->specimen_is_above, larger->specimen_is_above);
+}
+
+TEST_F(ResectionFolder, ACystHasASideAndNoMargin) {
+  const auto cyst =
+      rehearsal::NamedStructure{"cyst-2", resection_kind("cyst-2"), test::sphere_surface(5, 2, {28, 40, 40})};
+  const auto plan = plan_resection(liver_, plane_at(30), {cyst});
+  ASSERT_TRUE(plan);
+  EXPECT_TRUE(plan->tumours.empty());
+  ASSERT_EQ(plan->cysts.size(), 1U);
+  EXPECT_EQ(plan->cysts.front().side, rehearsal::ResectionSide::both);
+}
+
+TEST_F(ResectionFolder, RefusesAFolderThatHoldsNone) {
+  const auto none = read_planned_cut(folder_);
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, "not-a-resection");
+  fs::create_directories(folder_);
+  ASSERT_TRUE(write_text_file(folder_ / "resection.json", R"({"cut": {"normal": [1, "x", 0]}})"));
+  EXPECT_EQ(read_planned_cut(folder_).error().code, "not-a-resection");
+}
+
+}  // namespace
+}  // namespace glisson::casefile

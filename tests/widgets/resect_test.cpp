@@ -1,0 +1,277 @@
+// Resect, driven as a person drives it: a plane put through the crosshair, dragged in a slice, typed, set by clicks in
+// space; a surface through points; numbers that can be worked out by hand.
+//
+// The liver is a block of 120 x 80 x 80 mm (768 ml) from the origin, its tumour a ball of 10 mm about (100, 40, 40).
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "block_patient.h"
+#include "main_window.h"
+#include "resect/resect_panel.h"
+#include "run_test.h"
+#include "support/shapes.h"
+
+namespace glisson::widgets {
+namespace {
+
+constexpr int patience_ms = 20000;
+
+Patient block_with_tumour() {
+  Patient patient = block_patient(
+      {6, 4, 4}, {},
+      {{"tumour-1", std::make_shared<geometry::Surface>(test::sphere_surface(10, 3, {100, 40, 40})), 4.2}});
+  imaging::Volume volume;
+  volume.grid.size = {40, 32, 32};
+  volume.grid.spacing_mm = {4, 4, 4};
+  volume.grid.origin_mm = {-20, -24, -24};
+  volume.values.resize(volume.grid.voxels());
+  for (std::size_t k = 0; k < volume.values.size(); ++k) volume.values[k] = static_cast<float>(k % 40);
+  patient.anatomy = std::make_shared<imaging::Volume>(std::move(volume));
+  return patient;
+}
+
+class ResectTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1400, 900);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_->show_patient(block_with_tumour());
+    window_->go_to("resect");
+    panel_ = window_->findChild<ResectPanel*>();
+    QVERIFY(panel_->isVisible());
+    QTest::qWait(300);
+  }
+
+  void says_what_to_do_before_there_is_a_cut() {
+    QVERIFY(child<QLabel>("resection_why")->text().contains("crosshair"));
+    QVERIFY(!child<QLabel>("specimen_volume")->isVisible());
+    QVERIFY(!child<QPushButton>("other_part")->isEnabled());
+  }
+
+  void puts_a_plane_through_the_crosshair() {
+    window_->views().set_crosshair({85, 40, 40});
+    child<QComboBox>("cut_across")->setCurrentIndex(0);
+    QTest::mouseClick(child<QPushButton>("cut_through_crosshair"), Qt::LeftButton);
+    // Of 120 mm, 35 go: 224 ml. The tumour reaches to x = 90, 5 mm from the cut (its facets a little less far).
+    await_specimen_ml(224);
+    const auto& tumour = panel_->live().result()->plan.tumours.front();
+    QCOMPARE(tumour.side, rehearsal::ResectionSide::specimen);
+    QVERIFY(std::abs(tumour.margin_mm - 5) < 0.1);
+    QVERIFY(child<QLabel>("specimen_volume")->text().contains("224 ml"));
+    QVERIFY(child<QLabel>("remnant_volume")->text().contains("70.8 %"));
+  }
+
+  void dragging_the_line_in_a_slice_shifts_the_plane() {
+    SliceView& coronal = window_->views().slice(SliceDirection::coronal);
+    const double before_mm = panel_->plane()->point_mm().x();
+    const Eigen::Vector3d from_mm(85, 40, 60), to_mm(88, 40, 60);
+    drag(coronal, from_mm, to_mm);
+    QVERIFY(std::abs(panel_->plane()->point_mm().x() - before_mm - 3) < 0.5);
+    // Nor has the crosshair moved: the hand held the line.
+    QVERIFY((coronal.crosshair_mm() - Eigen::Vector3d(85, 40, 40)).norm() < 1e-9);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(margin_mm() - 2) < 0.6, patience_ms);
+    QCOMPARE(flag(), "● Under 5 mm");
+  }
+
+  void typed_numbers_move_the_plane_and_a_narrow_margin_is_called_r1() {
+    type("cut_shift", "29.5");  // from the middle at x = 60: half a millimetre before the tumour
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(margin_mm() - 0.5) < 0.1, patience_ms);
+    QCOMPARE(flag(), "▲ R1: under 1 mm");
+    type("cut_shift", "35");  // x = 95, through it
+    QTRY_COMPARE_WITH_TIMEOUT(flag(), "▲ R1: cut through", patience_ms);
+  }
+
+  void the_other_part_can_be_the_one_that_goes() {
+    QTest::mouseClick(child<QPushButton>("other_part"), Qt::LeftButton);
+    await_specimen_ml(608);  // 95 of 120 mm
+    QTest::mouseClick(child<QPushButton>("other_part"), Qt::LeftButton);
+    await_specimen_ml(160);
+  }
+
+  void dragging_a_lines_end_tilts_the_plane_about_its_middle() {
+    type("cut_shift", "0");
+    await_specimen_ml(384);
+    SliceView& transverse = window_->views().slice(SliceDirection::transverse);
+    window_->views().set_crosshair({60, 40, 40});
+    QTest::qWait(50);
+    // The line runs along y through (60, 40); its ends stand 45 mm off.
+    const LineInSlice line = line_in_slice(*panel_->plane(), {60, 40, 40}, transverse.view().camera().sight);
+    const Eigen::Vector3d end_mm = line.at_mm + 45 * line.along;
+    const double aside_mm = 15;
+    drag(transverse, end_mm, end_mm + Eigen::Vector3d(aside_mm, 0, 0));
+    const double expected_deg = std::atan2(aside_mm, 45) * 180 / M_PI;
+    const double turned_deg = std::acos(std::abs(panel_->plane()->normal().x())) * 180 / M_PI;
+    QVERIFY2(std::abs(turned_deg - expected_deg) < 1.5, qPrintable(QString::number(turned_deg)));
+    QVERIFY(std::abs(panel_->plane()->shift_mm) < 0.5);  // still through the middle
+    await_specimen_ml(384);                              // a plane through the middle of a block halves it
+  }
+
+  void three_clicks_in_space_make_a_plane() {
+    QTest::mouseClick(child<QPushButton>("no_cut"), Qt::LeftButton);
+    QVERIFY(!panel_->plane());
+    window_->views().space().look_from(scene::PatientView::anterior);
+    QTest::mouseClick(child<QPushButton>("cut_by_clicks"), Qt::LeftButton);
+    // On the front face (y = 0), two above each other at x = 30, and a third by the slice: the plane x = 30.
+    click(window_->views().space(), {30, 0, 20});
+    click(window_->views().space(), {30, 0, 60});
+    window_->views().set_crosshair({60, 40, 40});
+    click(window_->views().slice(SliceDirection::transverse), {30, 60, 40});
+    QVERIFY(panel_->plane());
+    QVERIFY(!child<QPushButton>("cut_by_clicks")->isChecked());
+    QVERIFY(std::abs(panel_->plane()->normal().x()) > 0.995);
+    QTRY_VERIFY_WITH_TIMEOUT(specimen_ml() > 185 && specimen_ml() < 199, patience_ms);  // 192 ml, to a pixel
+    QTRY_COMPARE_WITH_TIMEOUT(flag(), "▲ Stays in the patient", patience_ms);
+  }
+
+  void a_surface_goes_through_points_set_in_slices() {
+    auto* kind = child<QComboBox>("cut_kind");
+    kind->setFocus();
+    QTest::keyClick(kind, Qt::Key_Down);
+    Q_EMIT kind->activated(kind->currentIndex());  // what a choice by mouse does
+    QVERIFY(child<QPushButton>("cut_draw")->isChecked());
+    SliceView& transverse = window_->views().slice(SliceDirection::transverse);
+    for (const Eigen::Vector3d& at_mm : {Eigen::Vector3d(80, 5, 40), {70, 40, 40}, {80, 75, 40}})
+      click(transverse, at_mm);
+    window_->views().set_crosshair({60, 40, 10});
+    click(transverse, {80, 40, 10});
+    window_->views().set_crosshair({60, 40, 70});
+    click(transverse, {80, 40, 70});
+    QCOMPARE(panel_->points_mm().size(), std::size_t{5});
+    QVERIFY((panel_->points_mm()[1] - Eigen::Vector3d(70, 40, 40)).norm() < 0.5);
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->live().result() != nullptr, patience_ms);
+    // Bent towards the foot of the x axis: more goes than a plane at x = 80 would take.
+    QTRY_VERIFY_WITH_TIMEOUT(specimen_ml() > 256, patience_ms);
+    const double before_ml = specimen_ml();
+    QTest::mouseClick(child<QPushButton>("cut_draw"), Qt::LeftButton);
+    window_->views().set_crosshair({60, 40, 40});
+    drag(transverse, {70, 40, 40}, {60, 40, 40});
+    QVERIFY(std::abs(panel_->points_mm()[1].x() - 60) < 1);
+    QTRY_VERIFY_WITH_TIMEOUT(specimen_ml() > before_ml + 5, patience_ms);
+    QTest::mouseClick(child<QPushButton>("cut_drop_last"), Qt::LeftButton);
+    QCOMPARE(panel_->points_mm().size(), std::size_t{4});
+  }
+
+  void the_parts_come_apart_in_the_picture() {
+    const QImage together = window_->views().space().grabFramebuffer();
+    child<QSlider>("apart")->setValue(60);
+    QTest::qWait(100);
+    const QImage apart = window_->views().space().grabFramebuffer();
+    QVERIFY(together != apart);
+  }
+
+  void leaving_gives_the_views_back() {
+    window_->go_to("rehearse");
+    SliceView& transverse = window_->views().slice(SliceDirection::transverse);
+    window_->views().set_crosshair({60, 40, 40});
+    click(transverse, {70, 40, 40});
+    QVERIFY((transverse.crosshair_mm() - Eigen::Vector3d(70, 40, 40)).norm() < 1);
+    window_->go_to("resect");
+  }
+
+  void keeps_the_plan_in_the_case_and_takes_it_up_again() {
+    const QTemporaryDir folder;
+    Patient kept = block_with_tumour();
+    kept.folder = folder.path().toStdString();
+    window_->show_patient(kept);
+    QVERIFY(!panel_->plane());
+    window_->views().set_crosshair({30, 40, 40});
+    QTest::mouseClick(child<QPushButton>("cut_through_crosshair"), Qt::LeftButton);
+    await_specimen_ml(192);
+    auto* save = button_with("Save this plan");
+    QVERIFY(save->isEnabled());
+    QSignalSpy finished(&window_->work(), &BackgroundWork::finished);
+    QTest::mouseClick(save, Qt::LeftButton);
+    QVERIFY(finished.wait(patience_ms));
+    QVERIFY(std::filesystem::exists(kept.folder / "results" / "resection" / "resection.json"));
+    window_->show_patient(block_with_tumour());
+    QVERIFY(!panel_->plane());
+    QVERIFY(!save->isEnabled());
+    QVERIFY(!save->toolTip().isEmpty());
+    window_->show_patient(kept);
+    QVERIFY(panel_->plane());
+    await_specimen_ml(192);
+  }
+
+  void says_that_a_cut_passes_the_liver_by() {
+    type("cut_shift", "-300");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("resection_why")->text().contains("passes the liver by"), patience_ms);
+    QVERIFY(!child<QLabel>("specimen_volume")->isVisible());
+  }
+
+  void leaves_a_picture_to_look_at() {
+    type("cut_shift", "28");
+    QTRY_VERIFY_WITH_TIMEOUT(specimen_ml() > 0, patience_ms);
+    child<QSlider>("apart")->setValue(25);
+    QTest::qWait(200);
+    QVERIFY(QDir().mkpath(GLISSON_BINARY_DIR "/pictures"));
+    QVERIFY(window_->grab().save(GLISSON_BINARY_DIR "/pictures/resect.png"));
+  }
+
+  void shuts_down_cleanly() { window_.reset(); }
+
+ private:
+  template <typename Widget>
+  Widget* child(const char* name) {
+    auto* found = panel_->findChild<Widget*>(name);
+    if (found == nullptr) qFatal("the panel has no %s", name);
+    return found;
+  }
+  QPushButton* button_with(const QString& text) {
+    for (auto* button : panel_->findChildren<QPushButton*>()) {
+      if (button->text().startsWith(text)) return button;
+    }
+    qFatal("no such button");
+  }
+  static QPoint pixel(const RenderWidget& view, const Eigen::Vector3d& position_mm) {
+    const Eigen::Vector2d at = view.view().pixel_of(position_mm) / view.devicePixelRatioF();
+    return QPointF(at.x(), at.y()).toPoint();
+  }
+  static void click(RenderWidget& view, const Eigen::Vector3d& position_mm) {
+    QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, pixel(view, position_mm));
+  }
+  static void drag(RenderWidget& view, const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm) {
+    const QPoint from = pixel(view, from_mm), to = pixel(view, to_mm);
+    QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, from);
+    for (int step = 1; step <= 5; ++step) QTest::mouseMove(&view, from + (to - from) * step / 5);
+    QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, to);
+  }
+  void type(const char* name, const QString& number) {
+    auto* box = child<QDoubleSpinBox>(name);
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, number);
+    QTest::keyClick(box, Qt::Key_Return);
+  }
+  double specimen_ml() const { return panel_->live().result() ? panel_->live().result()->plan.specimen_ml : 0; }
+  double margin_mm() const {
+    return panel_->live().result() ? panel_->live().result()->plan.tumours.front().margin_mm : -1;
+  }
+  QString flag() {
+    const auto* item = child<QTableWidget>("margins")->item(0, ResectionResults::flag_column);
+    return item != nullptr ? item->text() : QString();
+  }
+  void await_specimen_ml(double wanted_ml) {
+    QTRY_VERIFY2_WITH_TIMEOUT(std::abs(specimen_ml() - wanted_ml) < 1, qPrintable(QString::number(specimen_ml())),
+                              patience_ms);
+  }
+
+  std::unique_ptr<MainWindow> window_;
+  ResectPanel* panel_ = nullptr;
+};
+
+}  // namespace
+}  // namespace glisson::widgets
+
+int main(int argc, char** argv) { return glisson::widgets::run_test<glisson::widgets::ResectTest>(argc, argv); }
+
+#include "resect_test.moc"

@@ -1,0 +1,68 @@
+#pragma once
+// What a hand takes hold of in the four views while a cut is planned: in each slice the plane's line (drag: shift it)
+// with a ball at each end (drag: tilt it), in space a ball on the plane and one on its normal's tip; and the points of
+// a sheet, which are set by clicks and dragged. Anything else in the views stays as it is.
+
+#include <optional>
+#include <QObject>
+#include <vector>
+
+#include "resect/cut_plane.h"
+#include "views/linked_views.h"
+
+class QMouseEvent;
+
+namespace glisson::widgets {
+
+class CutHandles : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit CutHandles(LinkedViews& views, QObject* parent = nullptr);
+
+  // Off: the views are as if this were not there.
+  void set_active(bool active);
+  void set_plane(const std::optional<CutPlane>& plane);
+  void set_points(const std::vector<Eigen::Vector3d>& points_mm);
+  // On: a click in a slice is told by point_clicked().
+  void set_drawing(bool drawing);
+  // In the slices, where they are now.
+  void draw_in_slices();
+  // In space: marks and arrows for the workspace's scene.
+  [[nodiscard]] std::vector<scene::LandmarkItem> marks_in_space() const;
+  [[nodiscard]] std::vector<scene::ArrowItem> arrows_in_space() const;
+
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ Q_SIGNALS:
+  void plane_moved(const glisson::widgets::CutPlane& plane);
+  void point_clicked(const Eigen::Vector3d& position_mm);
+  void point_moved(std::size_t point, const Eigen::Vector3d& position_mm);
+
+ private:
+  enum class Part { none, line, near_end, far_end, middle, tip, point };
+  struct Held {
+    Part part = Part::none;
+    std::size_t point = 0;
+    Eigen::Vector3d from_mm{0, 0, 0};   // where the hand was last
+    Eigen::Vector3d pivot_mm{0, 0, 0};  // about which a line's end turns
+  };
+
+  bool slice_event(SliceView& slice, QMouseEvent& event);
+  bool space_event(QMouseEvent& event);
+  [[nodiscard]] Held under(const SliceView& slice, const QPointF& pixel) const;
+  [[nodiscard]] Held under_in_space(const QPointF& pixel) const;
+  void drag_in_slice(const SliceView& slice, const Eigen::Vector3d& to_mm);
+  void drag_in_space(const Eigen::Vector3d& to_mm);
+  [[nodiscard]] LineInSlice line_in(const SliceView& slice) const;
+  [[nodiscard]] Eigen::Vector3d tip_mm() const;
+
+  LinkedViews& views_;
+  bool active_ = false;
+  bool drawing_ = false;
+  std::optional<CutPlane> plane_;
+  std::vector<Eigen::Vector3d> points_mm_;
+  Held held_;
+};
+
+}  // namespace glisson::widgets

@@ -1,0 +1,60 @@
+#pragma once
+// The plan of a resection while the cut is being moved: computed off the UI thread, one at a time, the newest cut next.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <QObject>
+#include <QTimer>
+#include <vector>
+
+#include "casefile/resection_folder.h"
+#include "session/patient.h"
+
+namespace glisson::widgets {
+
+// A structure's piece on one side of the cut, to be drawn.
+struct ResectedPiece {
+  std::string structure;  // "liver", "tumour-1"
+  rehearsal::ResectionSide side = rehearsal::ResectionSide::remnant;
+  std::shared_ptr<const geometry::Surface> surface;
+};
+
+struct LiveResectionResult {
+  casefile::PlannedCut cut;  // of which this is the plan
+  rehearsal::Resection plan;
+  std::vector<ResectedPiece> pieces;
+  Eigen::Vector3d towards_specimen{0, 0, 1};  // unit
+};
+
+class LiveResection : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit LiveResection(QObject* parent = nullptr);
+
+  // Without a model there is nothing to cut.
+  void set_patient(const Patient& patient);
+  // Nothing: no cut. What came of an older one is gone at once.
+  void set_cut(const std::optional<casefile::PlannedCut>& cut);
+
+  [[nodiscard]] const std::shared_ptr<const LiveResectionResult>& result() const { return result_; }
+  [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
+
+ Q_SIGNALS:
+  void changed();  // result() or problem() is new
+
+ private:
+  void compute();
+
+  std::shared_ptr<const rehearsal::StaticRehearsal> body_;  // holds the mesh
+  std::vector<PatientStructure> structures_;
+  std::optional<casefile::PlannedCut> wanted_;
+  std::shared_ptr<const LiveResectionResult> result_;
+  std::optional<Error> problem_;
+  QTimer pause_;
+  int asked_ = 0;  // counts cuts, so that an answer to an older one is known when it arrives
+  bool computing_ = false;
+};
+
+}  // namespace glisson::widgets

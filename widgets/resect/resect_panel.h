@@ -1,0 +1,92 @@
+#pragma once
+// Resect: a cutting surface is set on the patient, and what it removes, leaves, nears and crosses is answered while it
+// moves. A plane, or a smooth surface through points drawn on the liver.
+
+#include <optional>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QStackedWidget>
+#include <QWidget>
+
+#include "resect/cut_handles.h"
+#include "resect/live_resection.h"
+#include "resect/resection_results.h"
+#include "resect/resection_scene.h"
+#include "words/number_box.h"
+#include "workspaces/workspace.h"
+
+namespace glisson::widgets {
+
+class ResectPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ResectPanel(Bench bench, QWidget* parent = nullptr);
+
+  void show_patient(const Patient& patient);
+  [[nodiscard]] const LiveResection& live() const { return *live_; }
+  [[nodiscard]] const std::optional<CutPlane>& plane() const { return plane_; }
+  [[nodiscard]] const std::vector<Eigen::Vector3d>& points_mm() const { return points_mm_; }
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  enum Kind { plane_cut, sheet_cut };
+  enum Across { across_left, across_front, across_head };
+
+  QWidget* make_plane_controls();
+  QWidget* make_sheet_controls();
+  QWidget* make_outcome();
+  void put_plane_through_crosshair();
+  void take_click(const Eigen::Vector3d& position_mm);
+  void type_plane();
+  void move_plane(const CutPlane& plane);
+  void set_points(std::vector<Eigen::Vector3d> points_mm);
+  void choose_kind(int kind);
+  void set_drawing(bool drawing);
+  // The cut has changed: plan it anew, and show where it is.
+  void cut_changed();
+  void show_result();
+  void show_scene();
+  void word_state();
+  void save();
+  [[nodiscard]] std::optional<casefile::PlannedCut> cut() const;
+  [[nodiscard]] QString why_nothing() const;
+  [[nodiscard]] double reach_mm() const;  // half a side of the plane as it is drawn
+
+  Bench bench_;
+  LiveResection* live_;
+  CutHandles* handles_;
+  Patient patient_;
+  std::optional<CutPlane> plane_;
+  std::vector<Eigen::Vector3d> points_mm_;  // of the sheet
+  std::vector<Eigen::Vector3d> clicks_mm_;  // of a plane, until there are three
+  casefile::PlannedCut::Removed removed_ = casefile::PlannedCut::Removed::smaller;
+  std::shared_ptr<const geometry::Surface> square_;  // the plane as it is drawn
+  ResectionScene pieces_;
+  QWidget* controls_;
+  QLabel* missing_;
+  QComboBox* kind_;
+  QStackedWidget* kinds_;
+  QComboBox* across_;
+  QPushButton* through_crosshair_;
+  QPushButton* by_clicks_;
+  NumberBox* shift_;
+  NumberBox* turn_;
+  NumberBox* tilt_;
+  QPushButton* draw_;
+  QPushButton* drop_last_;
+  QPushButton* clear_;
+  QLabel* points_told_;
+  QPushButton* other_part_;
+  QPushButton* no_cut_;
+  ResectionResults* results_;
+  QSlider* apart_;
+  QPushButton* save_;
+};
+
+}  // namespace glisson::widgets
