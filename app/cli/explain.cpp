@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "base/files.h"
+#include "base/json.h"
 #include "closedloop/explanation_file.h"
-#include "closedloop/trace.h"
 #include "command.h"
-#include "report/explanation_page.h"
-#include "report/html.h"
+#include "report/explanation_folder.h"
 #include "shared_options.h"
 
 namespace glisson::cli {
@@ -21,32 +19,17 @@ struct ExplainCommand {
 std::string in_words(const closedloop::Explanation& explanation, const closedloop::Observations& observations);
 
 Result<Outcome> run(const ExplainCommand& command, const Progress& progress) {
-  auto experiment = closedloop::read_experiment(command.experiment);
-  if (!experiment) return failure(std::move(experiment.error()));
-  const auto model = closedloop::forward_model(*experiment, progress.part(0, 0.1));
-  if (!model) return failure(model.error());
-  const auto explanation = closedloop::trace(**model, {}, progress.part(0.1, 1));
-  if (!explanation) return failure(explanation.error());
-
+  const auto explained = closedloop::explain(command.experiment, progress);
+  if (!explained) return failure(explained.error());
   const std::filesystem::path out(command.out);
-  std::error_code problem;
-  std::filesystem::create_directories(out, problem);
-  if (problem)
-    return failure("file-not-writable", GLISSON_TEXT("The folder {0} cannot be made: {1}."),
-                   {command.out, problem.message()});
-  const auto& observations = (*model)->observations();
-  const std::string report = closedloop::report_text(*explanation, observations);
-  if (auto written = write_text_file(out / "report.json", report); !written) return failure(written.error());
-  const std::string better = closedloop::model_text(*explanation, **model, *experiment);
-  if (auto written = write_text_file(out / "model.json", better); !written) return failure(written.error());
-  const auto page = report::explanation_page(*explanation, observations, experiment->title);
-  if (auto written = report::write_html(out / "report.html", page); !written) return failure(written.error());
+  if (auto written = report::write_explanation(out, *explained); !written) return failure(std::move(written.error()));
 
-  auto document = parse_json(report);
+  const auto& observations = explained->model->observations();
+  auto document = parse_json(closedloop::report_text(explained->explanation, observations));
   if (!document) return failure(std::move(document.error()));
   (*document)["files"] = {(out / "report.json").string(), (out / "report.html").string(),
                           (out / "model.json").string()};
-  return Outcome{std::move(*document), in_words(*explanation, observations)};
+  return Outcome{std::move(*document), in_words(explained->explanation, observations)};
 }
 
 std::string in_words(const closedloop::Explanation& explanation, const closedloop::Observations& observations) {
