@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 
 #include "base/csv.h"
-#include "base/files.h"
 #include "casefile/model.h"
-#include "casefile/structures.h"
+#include "casefile/resection_folder.h"
 #include "command.h"
 #include "geometry/mesh_file.h"
 #include "rehearsal/resection.h"
@@ -24,10 +23,6 @@ struct Options {
   std::vector<std::string> structures;  // NAME=FILE
   std::string out;
 };
-
-rehearsal::StructureKind kind_of(const std::string& name) {
-  return casefile::is_vessel(name) ? rehearsal::StructureKind::vessel : rehearsal::StructureKind::tumour;
-}
 
 // Columns x_mm, y_mm, z_mm, or the first three.
 Result<std::vector<Eigen::Vector3d>> read_points(const std::filesystem::path& file) {
@@ -50,14 +45,17 @@ Result<std::vector<Eigen::Vector3d>> read_points(const std::filesystem::path& fi
   return points_mm;
 }
 
-Result<geometry::CutSurface> cut_of(const Options& options) {
-  if (!options.points_file) {
-    const auto& p = options.plane;
-    return geometry::CutSurface::plane({p[0], p[1], p[2]}, {p[3], p[4], p[5]});
+Result<casefile::PlannedCut> cut_of(const Options& options) {
+  casefile::PlannedCut cut;
+  if (options.points_file) {
+    auto points_mm = read_points(*options.points_file);
+    if (!points_mm) return failure(points_mm.error());
+    cut.through_mm = *std::move(points_mm);
+  } else {
+    cut.point_mm = Eigen::Vector3d(options.plane.data());
+    cut.normal = Eigen::Vector3d(options.plane.data() + 3);
   }
-  return read_points(*options.points_file).and_then([](const std::vector<Eigen::Vector3d>& points_mm) {
-    return geometry::CutSurface::through(points_mm);
-  });
+  return cut;
 }
 
 struct Liver {
@@ -78,7 +76,8 @@ Result<Liver> liver_of(const Options& options) {
     if (!model) return failure(model.error());
     liver.mesh = std::move(model->mesh);
     for (auto& structure : model->structures) {
-      liver.structures.push_back({structure.name, kind_of(structure.name), std::move(structure.surface)});
+      liver.structures.push_back(
+          {structure.name, casefile::resection_kind(structure.name), std::move(structure.surface)});
     }
   }
   for (const std::string& given : options.structures) {
@@ -86,48 +85,26 @@ Result<Liver> liver_of(const Options& options) {
     auto surface = geometry::read_surface(given.substr(equals + 1));
     if (!surface) return failure(surface.error());
     const std::string name = given.substr(0, equals);
-    liver.structures.push_back({name, kind_of(name), std::move(*surface)});
+    liver.structures.push_back({name, casefile::resection_kind(name), std::move(*surface)});
   }
   return liver;
 }
 
-Outcome describe(const rehearsal::Resection& plan) {
-  Outcome outcome{{{"specimen_ml", plan.specimen_ml},
-                   {"remnant_ml", plan.remnant_ml},
-                   {"remnant_percent", plan.remnant_percent()},
-                   {"volume_error_ml", plan.volume_error_ml},
-                   {"cut_area_mm2", plan.cut_area_mm2},
-                   {"tumours", Json::array()},
-                   {"vessels", Json::array()},
-                   {"crossings", Json::array()},
-                   {"notes", plan.notes}},
-                  fmt::format("Specimen {:.1f} ml, remnant {:.1f} ml ({:.1f} %), volumes to {:.2f} ml\n",
-                              plan.specimen_ml, plan.remnant_ml, plan.remnant_percent(), plan.volume_error_ml)};
+std::string in_words(const rehearsal::Resection& plan) {
+  std::string text = fmt::format("Specimen {:.1f} ml, remnant {:.1f} ml ({:.1f} %), volumes to {:.2f} ml\n",
+                                 plan.specimen_ml, plan.remnant_ml, plan.remnant_percent(), plan.volume_error_ml);
   for (const auto& tumour : plan.tumours) {
-    outcome.document["tumours"].push_back({{"name", tumour.name},
-                                           {"side", to_string(tumour.side)},
-                                           {"margin_mm", tumour.margin_mm},
-                                           {"r1", tumour.r1()},
-                                           {"narrow", tumour.narrow()}});
-    outcome.text +=
-        fmt::format("  {:24} {:9} margin {:6.1f} mm{}\n", tumour.name, to_string(tumour.side), tumour.margin_mm,
-                    tumour.r1()       ? "  < 1 mm: R1"
-                    : tumour.narrow() ? "  < 5 mm"
-                                      : "");
+    text += fmt::format("  {:24} {:9} margin {:6.1f} mm{}\n", tumour.name, to_string(tumour.side), tumour.margin_mm,
+                        tumour.r1()       ? "  < 1 mm: R1"
+                        : tumour.narrow() ? "  < 5 mm"
+                                          : "");
   }
-  for (const auto& vessel : plan.vessels) {
-    outcome.document["vessels"].push_back({{"name", vessel.name}, {"side", to_string(vessel.side)}});
-    outcome.text += fmt::format("  {:24} {}\n", vessel.name, to_string(vessel.side));
-  }
+  for (const auto& cyst : plan.cysts) text += fmt::format("  {:24} {}\n", cyst.name, to_string(cyst.side));
+  for (const auto& vessel : plan.vessels) text += fmt::format("  {:24} {}\n", vessel.name, to_string(vessel.side));
   for (const auto& crossing : plan.crossings) {
-    outcome.document["crossings"].push_back({{"name", crossing.name},
-                                             {"center_mm", json_of(crossing.center_mm)},
-                                             {"diameter_mm", crossing.diameter_mm},
-                                             {"area_mm2", crossing.area_mm2}});
-    outcome.text += fmt::format("  crosses {:16} {:.1f} mm wide\n", crossing.name, crossing.diameter_mm);
+    text += fmt::format("  crosses {:16} {:.1f} mm wide\n", crossing.name, crossing.diameter_mm);
   }
-  outcome.text += bullet_list(plan.notes);
-  return outcome;
+  return text + bullet_list(plan.notes);
 }
 
 Result<Outcome> resect(const Options& options, const Progress& progress) {
@@ -139,17 +116,17 @@ Result<Outcome> resect(const Options& options, const Progress& progress) {
   progress.report(0.3, GLISSON_TEXT("Cutting"));
   std::optional<Eigen::Vector3d> specimen_mm;
   if (!options.specimen_mm.empty()) specimen_mm = Eigen::Vector3d(options.specimen_mm.data());
-  const auto plan = rehearsal::plan_resection(liver->mesh, *cut, liver->structures, specimen_mm);
+  const auto surface = casefile::surface_of(*cut);
+  if (!surface) return failure(surface.error());
+  const auto plan = rehearsal::plan_resection(liver->mesh, *surface, liver->structures, specimen_mm);
   if (!plan) return failure(plan.error());
-  Outcome outcome = describe(*plan);
-  const std::filesystem::path out = options.out;
-  auto written =
-      geometry::write_tetrahedra(out / "parts.vtu", plan->split.mesh)
-          .and_then([&] { return geometry::write_surface(out / "cut.vtp", plan->cut); })
-          .and_then([&] { return write_text_file(out / "resection.json", outcome.document.dump(2) + "\n"); });
-  if (!written) return failure(std::move(written.error()));
-  outcome.document["out"] = options.out;
-  return outcome;
+  if (auto written = casefile::write_resection(options.out, *cut, *plan); !written) {
+    return failure(std::move(written.error()));
+  }
+  auto document = parse_json(casefile::resection_text(*cut, *plan));
+  if (!document) return failure(std::move(document.error()));
+  (*document)["out"] = options.out;
+  return Outcome{*std::move(document), in_words(*plan)};
 }
 
 }  // namespace

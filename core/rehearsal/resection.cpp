@@ -80,6 +80,10 @@ Result<Resection> plan_resection(const geometry::TetMesh& liver, const CutSurfac
       }
       continue;
     }
+    if (structure.kind == StructureKind::cyst) {
+      plan.cysts.push_back({structure.name, side});
+      continue;
+    }
     plan.vessels.push_back({structure.name, side});
     for (const auto& outline : outlines(structure.surface, cut)) {
       if (outline.size() < 3) continue;

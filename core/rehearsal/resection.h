@@ -17,7 +17,7 @@ namespace glisson::rehearsal {
 inline constexpr double r1_margin_mm = 1.0;
 inline constexpr double narrow_margin_mm = 5.0;
 
-enum class StructureKind { tumour, vessel };
+enum class StructureKind { tumour, cyst, vessel };  // a cyst has no margin to keep
 struct NamedStructure {
   std::string name;
   StructureKind kind = StructureKind::tumour;
@@ -35,7 +35,7 @@ struct TumourMargin {
   [[nodiscard]] bool narrow() const { return margin_mm < narrow_margin_mm; }
 };
 
-struct VesselSide {
+struct StructureSide {
   std::string name;
   ResectionSide side = ResectionSide::specimen;
 };
@@ -55,7 +55,8 @@ struct Resection {
   double volume_error_ml = 0;  // 0 for a plane: exact on the mesh given
   double cut_area_mm2 = 0;
   std::vector<TumourMargin> tumours;
-  std::vector<VesselSide> vessels;
+  std::vector<StructureSide> cysts;
+  std::vector<StructureSide> vessels;
   std::vector<VesselCrossing> crossings;  // the widest first
   bool specimen_is_above = false;         // on the side that the cut's normal points to
   geometry::Surface cut;                  // inside the liver
