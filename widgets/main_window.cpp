@@ -23,6 +23,7 @@
 #include "diary/diary_window.h"
 #include "help/shortcuts_window.h"
 #include "help/tour_stops.h"
+#include "resect/resect_panel.h"
 #include "session/load_patient.h"
 #include "settings/settings.h"
 #include "settings/settings_window.h"
@@ -128,6 +129,7 @@ void MainWindow::make_workspaces() {
                      [](const Patient& patient) {
                        return patient.rehearsal ? QString() : tr("Needs a model of the liver: build it first.");
                      }});
+  add_workspace(ResectPanel::workspace(bench()));
   QWidget* platforms = PlatformView::shipped();
   add_workspace({.id = "platform",
                  .name = [] { return tr("Platform"); },

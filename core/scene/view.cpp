@@ -183,6 +183,11 @@ Eigen::Vector3d View::position_in_focal_plane(double x, double y) const {
   return parts_->frame.in_focal_plane(x, parts_->frame.height - y);
 }
 
+Eigen::Vector2d View::pixel_of(const Eigen::Vector3d& position_mm) const {
+  const Eigen::Vector2d pixel = parts_->frame.pixel_of(position_mm);
+  return {pixel.x(), parts_->frame.height - pixel.y()};
+}
+
 namespace {
 
 // A bright light from the upper left of the viewer, a weak one from the right so that no side is black, and a rim

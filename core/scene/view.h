@@ -73,6 +73,9 @@ class View {
   // the slice under the pointer.
   [[nodiscard]] Eigen::Vector3d position_in_focal_plane(double x, double y) const;
 
+  // The device pixel (from the top left) at which a position is seen in the present frame.
+  [[nodiscard]] Eigen::Vector2d pixel_of(const Eigen::Vector3d& position_mm) const;
+
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;

@@ -3359,6 +3359,18 @@
         <source>A stored step of the history is cut off.</source>
         <translation>Ein gespeicherter Schritt des Verlaufs ist abgeschnitten.</translation>
     </message>
+    <message>
+        <source>{0} does not hold a planned resection: {1}.</source>
+        <translation>{0} enthält keine geplante Resektion: {1}.</translation>
+    </message>
+    <message>
+        <source>Plan it again, or make one with glisson-cli resect.</source>
+        <translation>Planen Sie sie neu, oder erstellen Sie eine mit glisson-cli resect.</translation>
+    </message>
+    <message>
+        <source>Reading the experiment</source>
+        <translation>Versuch wird gelesen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -4339,6 +4351,288 @@ figures</source>
     <message>
         <source>Evidence to bear in mind: %1</source>
         <translation>Befunde, die zu bedenken sind: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ResectPanel</name>
+    <message>
+        <source>Plan a resection</source>
+        <translation>Resektion planen</translation>
+    </message>
+    <message>
+        <source>Needs a model of the liver. Build it first, or open the demo patient.</source>
+        <translation>Braucht ein Modell der Leber. Bauen Sie es zuerst, oder öffnen Sie den Demo-Patienten.</translation>
+    </message>
+    <message>
+        <source>Cut by a plane</source>
+        <translation>Schnitt mit einer Ebene</translation>
+    </message>
+    <message>
+        <source>Cut by a smooth surface through points</source>
+        <translation>Schnitt mit einer glatten Fläche durch Punkte</translation>
+    </message>
+    <message>
+        <source>Resect</source>
+        <translation>Resektion</translation>
+    </message>
+    <message>
+        <source>Set a cut: what goes, what stays, how near the tumours it passes.</source>
+        <translation>Einen Schnitt legen: was wegfällt, was bleibt, wie nah er an den Tumoren verläuft.</translation>
+    </message>
+    <message>
+        <source>Needs a model of the liver: build it first.</source>
+        <translation>Braucht ein Modell der Leber: bauen Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>Divides</source>
+        <translation>Trennt</translation>
+    </message>
+    <message>
+        <source>left from right</source>
+        <translation>links von rechts</translation>
+    </message>
+    <message>
+        <source>front from back</source>
+        <translation>vorn von hinten</translation>
+    </message>
+    <message>
+        <source>head from foot</source>
+        <translation>Kopf- von Fußseite</translation>
+    </message>
+    <message>
+        <source>Through crosshair</source>
+        <translation>Durchs Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Puts the plane through the crosshair, across the direction above</source>
+        <translation>Legt die Ebene durch das Fadenkreuz, quer zur Richtung darüber</translation>
+    </message>
+    <message>
+        <source>By three clicks</source>
+        <translation>Mit drei Klicks</translation>
+    </message>
+    <message>
+        <source>Then click three places on the liver or in the slices</source>
+        <translation>Klicken Sie dann drei Stellen auf der Leber oder in den Schnitten an</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Kippen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Distance of the plane from the middle of the liver, along its normal</source>
+        <translation>Abstand der Ebene von der Mitte der Leber, entlang ihrer Normalen</translation>
+    </message>
+    <message>
+        <source>The normal about the axis from feet to head: 0° to the patient&apos;s left, 90° to the back</source>
+        <translation>Die Normale um die Achse von den Füßen zum Kopf: 0° zur linken Seite des Patienten, 90° nach hinten</translation>
+    </message>
+    <message>
+        <source>The normal upwards: 90° to the head</source>
+        <translation>Die Normale nach oben: 90° zum Kopf</translation>
+    </message>
+    <message>
+        <source>Set points</source>
+        <translation>Punkte setzen</translation>
+    </message>
+    <message>
+        <source>Each click on the liver or in a slice sets a point; points can be dragged</source>
+        <translation>Jeder Klick auf die Leber oder in einen Schnitt setzt einen Punkt; Punkte lassen sich ziehen</translation>
+    </message>
+    <message>
+        <source>Drop the last</source>
+        <translation>Letzten entfernen</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Apart</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Draws the part that is removed away from the rest</source>
+        <translation>Rückt den Teil, der entfernt wird, vom Rest ab</translation>
+    </message>
+    <message>
+        <source>Remove the other part</source>
+        <translation>Den anderen Teil entfernen</translation>
+    </message>
+    <message>
+        <source>No cut</source>
+        <translation>Kein Schnitt</translation>
+    </message>
+    <message>
+        <source>Save this plan in the case</source>
+        <translation>Diesen Plan im Fall speichern</translation>
+    </message>
+    <message>
+        <source>The three places lie almost on one line. Click three others.</source>
+        <translation>Die drei Stellen liegen fast auf einer Linie. Klicken Sie drei andere an.</translation>
+    </message>
+    <message>
+        <source>Click three places on the liver or in the slices.</source>
+        <translation>Klicken Sie drei Stellen auf der Leber oder in den Schnitten an.</translation>
+    </message>
+    <message>
+        <source>Click on the liver or in the slices where the cut is to pass.</source>
+        <translation>Klicken Sie auf der Leber oder in den Schnitten dorthin, wo der Schnitt verlaufen soll.</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Entfernt</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Bleibt</translation>
+    </message>
+    <message>
+        <source>Points set: %1. Three are needed.</source>
+        <translation>Gesetzte Punkte: %1. Drei sind nötig.</translation>
+    </message>
+    <message>
+        <source>Points set: %1. Drag them in any view.</source>
+        <translation>Gesetzte Punkte: %1. Sie lassen sich in jeder Ansicht ziehen.</translation>
+    </message>
+    <message>
+        <source>This patient is not kept in a case folder</source>
+        <translation>Dieser Patient liegt in keinem Fallordner</translation>
+    </message>
+    <message>
+        <source>Writes resection.json, parts.vtu and cut.vtp into results/resection</source>
+        <translation>Schreibt resection.json, parts.vtu und cut.vtp nach results/resection</translation>
+    </message>
+    <message>
+        <source>Needs a cut through the liver</source>
+        <translation>Braucht einen Schnitt durch die Leber</translation>
+    </message>
+    <message>
+        <source>Set three or more points where the cut is to pass: on the liver, or in the slices.</source>
+        <translation>Setzen Sie drei oder mehr Punkte, wo der Schnitt verlaufen soll: auf der Leber oder in den Schnitten.</translation>
+    </message>
+    <message>
+        <source>Click three places through which the plane is to pass.</source>
+        <translation>Klicken Sie drei Stellen an, durch die die Ebene gehen soll.</translation>
+    </message>
+    <message>
+        <source>Planning...</source>
+        <translation>Wird geplant ...</translation>
+    </message>
+    <message>
+        <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
+        <translation>Setzen Sie das Fadenkreuz dorthin, wo der Schnitt verlaufen soll, dann die Ebene hindurch. Ziehen Sie ihre Linie in einem Schnittbild, um sie zu verschieben, und ein Ende der Linie, um sie zu kippen.</translation>
+    </message>
+    <message>
+        <source>Saving the plan</source>
+        <translation>Plan wird gespeichert</translation>
+    </message>
+    <message>
+        <source>The plan is in %1</source>
+        <translation>Der Plan liegt in %1</translation>
+    </message>
+    <message>
+        <source>Something else is still under way. Wait for it, or cancel it first.</source>
+        <translation>Etwas anderes läuft noch. Warten Sie darauf, oder brechen Sie es zuerst ab.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ResectionResults</name>
+    <message>
+        <source>removed</source>
+        <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>bleibt</translation>
+    </message>
+    <message>
+        <source>cut through</source>
+        <translation>durchschnitten</translation>
+    </message>
+    <message>
+        <source>▲ R1: cut through</source>
+        <translation>▲ R1: durchschnitten</translation>
+    </message>
+    <message>
+        <source>▲ Stays in the patient</source>
+        <translation>▲ Bleibt im Patienten</translation>
+    </message>
+    <message>
+        <source>▲ R1: under 1 mm</source>
+        <translation>▲ R1: unter 1 mm</translation>
+    </message>
+    <message>
+        <source>● Under 5 mm</source>
+        <translation>● Unter 5 mm</translation>
+    </message>
+    <message>
+        <source>Margins</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Mind</source>
+        <translation>Beachten</translation>
+    </message>
+    <message>
+        <source>Smallest distance to the cut inside the liver</source>
+        <translation>Kleinster Abstand zum Schnitt innerhalb der Leber</translation>
+    </message>
+    <message>
+        <source>R1: a margin under 1 mm counts as tumour at the edge. Under 5 mm is narrow.</source>
+        <translation>R1: Ein Abstand unter 1 mm gilt als Tumor am Rand. Unter 5 mm ist knapp.</translation>
+    </message>
+    <message>
+        <source>Vessels crossed</source>
+        <translation>Gekreuzte Gefäße</translation>
+    </message>
+    <message>
+        <source>Vessel</source>
+        <translation>Gefäß</translation>
+    </message>
+    <message>
+        <source>Diameter, mm</source>
+        <translation>Durchmesser, mm</translation>
+    </message>
+    <message>
+        <source>The cut crosses no vessel that was outlined.</source>
+        <translation>Der Schnitt kreuzt kein umrissenes Gefäß.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; removed (%2 %)</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; entfernt (%2 %)</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; stay (%2 %)</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; bleiben (%2 %)</translation>
     </message>
 </context>
 <context>

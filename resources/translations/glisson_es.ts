@@ -3359,6 +3359,18 @@
         <source>A stored step of the history is cut off.</source>
         <translation>Un paso guardado del historial está truncado.</translation>
     </message>
+    <message>
+        <source>{0} does not hold a planned resection: {1}.</source>
+        <translation>{0} no contiene una resección planificada: {1}.</translation>
+    </message>
+    <message>
+        <source>Plan it again, or make one with glisson-cli resect.</source>
+        <translation>Planifíquela de nuevo o cree una con glisson-cli resect.</translation>
+    </message>
+    <message>
+        <source>Reading the experiment</source>
+        <translation>Leyendo el experimento</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -4342,6 +4354,288 @@ supuestas</translation>
     <message>
         <source>Evidence to bear in mind: %1</source>
         <translation>Evidencia que tener presente: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ResectPanel</name>
+    <message>
+        <source>Plan a resection</source>
+        <translation>Planificar una resección</translation>
+    </message>
+    <message>
+        <source>Needs a model of the liver. Build it first, or open the demo patient.</source>
+        <translation>Necesita un modelo del hígado. Constrúyalo primero o abra el paciente de demostración.</translation>
+    </message>
+    <message>
+        <source>Cut by a plane</source>
+        <translation>Sección por un plano</translation>
+    </message>
+    <message>
+        <source>Cut by a smooth surface through points</source>
+        <translation>Sección por una superficie suave que pasa por puntos</translation>
+    </message>
+    <message>
+        <source>Resect</source>
+        <translation>Resección</translation>
+    </message>
+    <message>
+        <source>Set a cut: what goes, what stays, how near the tumours it passes.</source>
+        <translation>Trazar una sección: qué se va, qué queda, a qué distancia de los tumores pasa.</translation>
+    </message>
+    <message>
+        <source>Needs a model of the liver: build it first.</source>
+        <translation>Necesita un modelo del hígado: constrúyalo primero.</translation>
+    </message>
+    <message>
+        <source>Divides</source>
+        <translation>Separa</translation>
+    </message>
+    <message>
+        <source>left from right</source>
+        <translation>izquierda de derecha</translation>
+    </message>
+    <message>
+        <source>front from back</source>
+        <translation>delante de detrás</translation>
+    </message>
+    <message>
+        <source>head from foot</source>
+        <translation>cabeza de pies</translation>
+    </message>
+    <message>
+        <source>Through crosshair</source>
+        <translation>Por la cruz</translation>
+    </message>
+    <message>
+        <source>Puts the plane through the crosshair, across the direction above</source>
+        <translation>Pone el plano por la cruz, transversal a la dirección de arriba</translation>
+    </message>
+    <message>
+        <source>By three clicks</source>
+        <translation>Con tres clics</translation>
+    </message>
+    <message>
+        <source>Then click three places on the liver or in the slices</source>
+        <translation>Haga clic después en tres lugares del hígado o de los cortes</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Desplazar</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Girar</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Inclinar</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Distance of the plane from the middle of the liver, along its normal</source>
+        <translation>Distancia del plano al centro del hígado, a lo largo de su normal</translation>
+    </message>
+    <message>
+        <source>The normal about the axis from feet to head: 0° to the patient&apos;s left, 90° to the back</source>
+        <translation>La normal alrededor del eje de pies a cabeza: 0° hacia la izquierda del paciente, 90° hacia atrás</translation>
+    </message>
+    <message>
+        <source>The normal upwards: 90° to the head</source>
+        <translation>La normal hacia arriba: 90° hacia la cabeza</translation>
+    </message>
+    <message>
+        <source>Set points</source>
+        <translation>Poner puntos</translation>
+    </message>
+    <message>
+        <source>Each click on the liver or in a slice sets a point; points can be dragged</source>
+        <translation>Cada clic en el hígado o en un corte pone un punto; los puntos se pueden arrastrar</translation>
+    </message>
+    <message>
+        <source>Drop the last</source>
+        <translation>Quitar el último</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Apart</source>
+        <translation>Separación</translation>
+    </message>
+    <message>
+        <source>Draws the part that is removed away from the rest</source>
+        <translation>Aparta del resto la parte que se extirpa</translation>
+    </message>
+    <message>
+        <source>Remove the other part</source>
+        <translation>Extirpar la otra parte</translation>
+    </message>
+    <message>
+        <source>No cut</source>
+        <translation>Sin sección</translation>
+    </message>
+    <message>
+        <source>Save this plan in the case</source>
+        <translation>Guardar este plan en el caso</translation>
+    </message>
+    <message>
+        <source>The three places lie almost on one line. Click three others.</source>
+        <translation>Los tres lugares están casi en una línea. Haga clic en otros tres.</translation>
+    </message>
+    <message>
+        <source>Click three places on the liver or in the slices.</source>
+        <translation>Haga clic en tres lugares del hígado o de los cortes.</translation>
+    </message>
+    <message>
+        <source>Click on the liver or in the slices where the cut is to pass.</source>
+        <translation>Haga clic en el hígado o en los cortes por donde deba pasar la sección.</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Extirpado</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Queda</translation>
+    </message>
+    <message>
+        <source>Points set: %1. Three are needed.</source>
+        <translation>Puntos puestos: %1. Hacen falta tres.</translation>
+    </message>
+    <message>
+        <source>Points set: %1. Drag them in any view.</source>
+        <translation>Puntos puestos: %1. Arrástrelos en cualquier vista.</translation>
+    </message>
+    <message>
+        <source>This patient is not kept in a case folder</source>
+        <translation>Este paciente no se guarda en una carpeta de caso</translation>
+    </message>
+    <message>
+        <source>Writes resection.json, parts.vtu and cut.vtp into results/resection</source>
+        <translation>Escribe resection.json, parts.vtu y cut.vtp en results/resection</translation>
+    </message>
+    <message>
+        <source>Needs a cut through the liver</source>
+        <translation>Necesita una sección a través del hígado</translation>
+    </message>
+    <message>
+        <source>Set three or more points where the cut is to pass: on the liver, or in the slices.</source>
+        <translation>Ponga tres o más puntos por donde deba pasar la sección: en el hígado o en los cortes.</translation>
+    </message>
+    <message>
+        <source>Click three places through which the plane is to pass.</source>
+        <translation>Haga clic en tres lugares por los que deba pasar el plano.</translation>
+    </message>
+    <message>
+        <source>Planning...</source>
+        <translation>Planificando...</translation>
+    </message>
+    <message>
+        <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
+        <translation>Ponga la cruz donde deba pasar la sección y después el plano por ella. Arrastre su línea en un corte para desplazarlo, y un extremo de la línea para inclinarlo.</translation>
+    </message>
+    <message>
+        <source>Saving the plan</source>
+        <translation>Guardando el plan</translation>
+    </message>
+    <message>
+        <source>The plan is in %1</source>
+        <translation>El plan está en %1</translation>
+    </message>
+    <message>
+        <source>Something else is still under way. Wait for it, or cancel it first.</source>
+        <translation>Hay otra operación en curso. Espere a que termine o cancélela antes.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ResectionResults</name>
+    <message>
+        <source>removed</source>
+        <translation>extirpado</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>queda</translation>
+    </message>
+    <message>
+        <source>cut through</source>
+        <translation>seccionado</translation>
+    </message>
+    <message>
+        <source>▲ R1: cut through</source>
+        <translation>▲ R1: seccionado</translation>
+    </message>
+    <message>
+        <source>▲ Stays in the patient</source>
+        <translation>▲ Queda en el paciente</translation>
+    </message>
+    <message>
+        <source>▲ R1: under 1 mm</source>
+        <translation>▲ R1: menos de 1 mm</translation>
+    </message>
+    <message>
+        <source>● Under 5 mm</source>
+        <translation>● Menos de 5 mm</translation>
+    </message>
+    <message>
+        <source>Margins</source>
+        <translation>Márgenes</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Estructura</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Lado</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Mind</source>
+        <translation>Atención</translation>
+    </message>
+    <message>
+        <source>Smallest distance to the cut inside the liver</source>
+        <translation>Menor distancia a la sección dentro del hígado</translation>
+    </message>
+    <message>
+        <source>R1: a margin under 1 mm counts as tumour at the edge. Under 5 mm is narrow.</source>
+        <translation>R1: un margen inferior a 1 mm cuenta como tumor en el borde. Menos de 5 mm es estrecho.</translation>
+    </message>
+    <message>
+        <source>Vessels crossed</source>
+        <translation>Vasos cruzados</translation>
+    </message>
+    <message>
+        <source>Vessel</source>
+        <translation>Vaso</translation>
+    </message>
+    <message>
+        <source>Diameter, mm</source>
+        <translation>Diámetro, mm</translation>
+    </message>
+    <message>
+        <source>The cut crosses no vessel that was outlined.</source>
+        <translation>La sección no cruza ningún vaso delineado.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; removed (%2 %)</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; extirpados (%2 %)</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; stay (%2 %)</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; permanecen (%2 %)</translation>
     </message>
 </context>
 <context>

@@ -3359,6 +3359,18 @@
         <source>A stored step of the history is cut off.</source>
         <translation>Une étape enregistrée de l&apos;historique est tronquée.</translation>
     </message>
+    <message>
+        <source>{0} does not hold a planned resection: {1}.</source>
+        <translation>{0} ne contient pas de résection planifiée : {1}.</translation>
+    </message>
+    <message>
+        <source>Plan it again, or make one with glisson-cli resect.</source>
+        <translation>Planifiez-la de nouveau, ou créez-en une avec glisson-cli resect.</translation>
+    </message>
+    <message>
+        <source>Reading the experiment</source>
+        <translation>Lecture de l&apos;expérience</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -4342,6 +4354,288 @@ supposés</translation>
     <message>
         <source>Evidence to bear in mind: %1</source>
         <translation>Observations à garder à l’esprit&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ResectPanel</name>
+    <message>
+        <source>Plan a resection</source>
+        <translation>Planifier une résection</translation>
+    </message>
+    <message>
+        <source>Needs a model of the liver. Build it first, or open the demo patient.</source>
+        <translation>Il faut un modèle du foie. Construisez-le d&apos;abord, ou ouvrez le patient de démonstration.</translation>
+    </message>
+    <message>
+        <source>Cut by a plane</source>
+        <translation>Section par un plan</translation>
+    </message>
+    <message>
+        <source>Cut by a smooth surface through points</source>
+        <translation>Section par une surface lisse passant par des points</translation>
+    </message>
+    <message>
+        <source>Resect</source>
+        <translation>Résection</translation>
+    </message>
+    <message>
+        <source>Set a cut: what goes, what stays, how near the tumours it passes.</source>
+        <translation>Poser une section : ce qui part, ce qui reste, à quelle distance des tumeurs elle passe.</translation>
+    </message>
+    <message>
+        <source>Needs a model of the liver: build it first.</source>
+        <translation>Il faut un modèle du foie : construisez-le d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>Divides</source>
+        <translation>Sépare</translation>
+    </message>
+    <message>
+        <source>left from right</source>
+        <translation>la gauche de la droite</translation>
+    </message>
+    <message>
+        <source>front from back</source>
+        <translation>l&apos;avant de l&apos;arrière</translation>
+    </message>
+    <message>
+        <source>head from foot</source>
+        <translation>la tête des pieds</translation>
+    </message>
+    <message>
+        <source>Through crosshair</source>
+        <translation>Par le réticule</translation>
+    </message>
+    <message>
+        <source>Puts the plane through the crosshair, across the direction above</source>
+        <translation>Place le plan par le réticule, en travers de la direction ci-dessus</translation>
+    </message>
+    <message>
+        <source>By three clicks</source>
+        <translation>Par trois clics</translation>
+    </message>
+    <message>
+        <source>Then click three places on the liver or in the slices</source>
+        <translation>Cliquez ensuite trois endroits sur le foie ou dans les coupes</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Décaler</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Tourner</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Incliner</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Distance of the plane from the middle of the liver, along its normal</source>
+        <translation>Distance du plan au milieu du foie, le long de sa normale</translation>
+    </message>
+    <message>
+        <source>The normal about the axis from feet to head: 0° to the patient&apos;s left, 90° to the back</source>
+        <translation>La normale autour de l&apos;axe pieds-tête : 0° vers la gauche du patient, 90° vers l&apos;arrière</translation>
+    </message>
+    <message>
+        <source>The normal upwards: 90° to the head</source>
+        <translation>La normale vers le haut : 90° vers la tête</translation>
+    </message>
+    <message>
+        <source>Set points</source>
+        <translation>Poser des points</translation>
+    </message>
+    <message>
+        <source>Each click on the liver or in a slice sets a point; points can be dragged</source>
+        <translation>Chaque clic sur le foie ou dans une coupe pose un point ; les points peuvent être déplacés</translation>
+    </message>
+    <message>
+        <source>Drop the last</source>
+        <translation>Ôter le dernier</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>Apart</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>Draws the part that is removed away from the rest</source>
+        <translation>Écarte du reste la partie qui est retirée</translation>
+    </message>
+    <message>
+        <source>Remove the other part</source>
+        <translation>Retirer l&apos;autre partie</translation>
+    </message>
+    <message>
+        <source>No cut</source>
+        <translation>Aucune section</translation>
+    </message>
+    <message>
+        <source>Save this plan in the case</source>
+        <translation>Enregistrer ce plan dans le cas</translation>
+    </message>
+    <message>
+        <source>The three places lie almost on one line. Click three others.</source>
+        <translation>Les trois endroits sont presque alignés. Cliquez-en trois autres.</translation>
+    </message>
+    <message>
+        <source>Click three places on the liver or in the slices.</source>
+        <translation>Cliquez trois endroits sur le foie ou dans les coupes.</translation>
+    </message>
+    <message>
+        <source>Click on the liver or in the slices where the cut is to pass.</source>
+        <translation>Cliquez sur le foie ou dans les coupes, là où doit passer la section.</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Retiré</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
+        <source>Points set: %1. Three are needed.</source>
+        <translation>Points posés : %1. Il en faut trois.</translation>
+    </message>
+    <message>
+        <source>Points set: %1. Drag them in any view.</source>
+        <translation>Points posés : %1. Déplacez-les dans n&apos;importe quelle vue.</translation>
+    </message>
+    <message>
+        <source>This patient is not kept in a case folder</source>
+        <translation>Ce patient n&apos;est pas conservé dans un dossier de cas</translation>
+    </message>
+    <message>
+        <source>Writes resection.json, parts.vtu and cut.vtp into results/resection</source>
+        <translation>Écrit resection.json, parts.vtu et cut.vtp dans results/resection</translation>
+    </message>
+    <message>
+        <source>Needs a cut through the liver</source>
+        <translation>Il faut une section à travers le foie</translation>
+    </message>
+    <message>
+        <source>Set three or more points where the cut is to pass: on the liver, or in the slices.</source>
+        <translation>Posez trois points ou plus là où doit passer la section : sur le foie ou dans les coupes.</translation>
+    </message>
+    <message>
+        <source>Click three places through which the plane is to pass.</source>
+        <translation>Cliquez trois endroits par lesquels le plan doit passer.</translation>
+    </message>
+    <message>
+        <source>Planning...</source>
+        <translation>Planification...</translation>
+    </message>
+    <message>
+        <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
+        <translation>Placez le réticule là où doit passer la section, puis le plan par ce point. Tirez sa ligne dans une coupe pour le décaler, une extrémité de la ligne pour l&apos;incliner.</translation>
+    </message>
+    <message>
+        <source>Saving the plan</source>
+        <translation>Enregistrement du plan</translation>
+    </message>
+    <message>
+        <source>The plan is in %1</source>
+        <translation>Le plan est dans %1</translation>
+    </message>
+    <message>
+        <source>Something else is still under way. Wait for it, or cancel it first.</source>
+        <translation>Une autre opération est en cours. Attendez-la, ou annulez-la d’abord.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ResectionResults</name>
+    <message>
+        <source>removed</source>
+        <translation>retiré</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>reste</translation>
+    </message>
+    <message>
+        <source>cut through</source>
+        <translation>sectionné</translation>
+    </message>
+    <message>
+        <source>▲ R1: cut through</source>
+        <translation>▲ R1 : sectionné</translation>
+    </message>
+    <message>
+        <source>▲ Stays in the patient</source>
+        <translation>▲ Reste dans le patient</translation>
+    </message>
+    <message>
+        <source>▲ R1: under 1 mm</source>
+        <translation>▲ R1 : moins de 1 mm</translation>
+    </message>
+    <message>
+        <source>● Under 5 mm</source>
+        <translation>● Moins de 5 mm</translation>
+    </message>
+    <message>
+        <source>Margins</source>
+        <translation>Marges</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Structure</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Mind</source>
+        <translation>À noter</translation>
+    </message>
+    <message>
+        <source>Smallest distance to the cut inside the liver</source>
+        <translation>Plus petite distance à la section à l&apos;intérieur du foie</translation>
+    </message>
+    <message>
+        <source>R1: a margin under 1 mm counts as tumour at the edge. Under 5 mm is narrow.</source>
+        <translation>R1 : une marge inférieure à 1 mm compte comme tumeur au bord. Moins de 5 mm, c&apos;est étroit.</translation>
+    </message>
+    <message>
+        <source>Vessels crossed</source>
+        <translation>Vaisseaux croisés</translation>
+    </message>
+    <message>
+        <source>Vessel</source>
+        <translation>Vaisseau</translation>
+    </message>
+    <message>
+        <source>Diameter, mm</source>
+        <translation>Diamètre, mm</translation>
+    </message>
+    <message>
+        <source>The cut crosses no vessel that was outlined.</source>
+        <translation>La section ne croise aucun vaisseau délimité.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; removed (%2 %)</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; retirés (%2 %)</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 ml&lt;/b&gt; stay (%2 %)</source>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; restent (%2 %)</translation>
     </message>
 </context>
 <context>

@@ -1,26 +1,15 @@
 #include "panels/study_panel.h"
 
 #include <QHeaderView>
-#include <QPainter>
 #include <QVBoxLayout>
 
+#include "panels/swatch.h"
 #include "scene/anatomy.h"
 #include "words/told.h"
 #include "words/worded.h"
 
 namespace glisson::widgets {
 namespace {
-
-QIcon swatch(const scene::Colour& colour) {
-  QPixmap pixmap(28, 28);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setBrush(QColor::fromRgbF(float(colour.red), float(colour.green), float(colour.blue)));
-  painter.setPen(Qt::NoPen);
-  painter.drawRoundedRect(4, 4, 20, 20, 5, 5);
-  return QIcon(pixmap);
-}
 
 QLabel* heading(QWidget* parent) {
   auto* label = new QLabel(parent);

@@ -104,6 +104,19 @@ ResectPanel::ResectPanel(Bench bench, QWidget* parent) : QWidget(parent), bench_
   });
 }
 
+Workspace ResectPanel::workspace(Bench bench) {
+  auto* panel = new ResectPanel(std::move(bench));
+  return {.id = "resect",
+          .name = [] { return tr("Resect"); },
+          .about = [] { return tr("Set a cut: what goes, what stays, how near the tumours it passes."); },
+          .widget = panel,
+          .show_patient = [panel](const Patient& patient) { panel->show_patient(patient); },
+          .missing =
+              [](const Patient& patient) {
+                return patient.rehearsal ? QString() : tr("Needs a model of the liver: build it first.");
+              }};
+}
+
 QWidget* ResectPanel::make_plane_controls() {
   auto* group = new QWidget;
   auto* form = new QFormLayout(group);

@@ -24,6 +24,7 @@ class ResectPanel : public QWidget {
 
  public:
   explicit ResectPanel(Bench bench, QWidget* parent = nullptr);
+  [[nodiscard]] static Workspace workspace(Bench bench);
 
   void show_patient(const Patient& patient);
   [[nodiscard]] const LiveResection& live() const { return *live_; }

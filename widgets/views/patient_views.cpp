@@ -56,6 +56,7 @@ void PatientViews::show_patient(const Patient& patient) {
   liver_colour_ = LiverColour::tissue;
   slice_image_ = SliceImage::anatomy;
   hidden_.clear();
+  workspace_.reset();
   frame_.reset();
   tool_.reset();
   patient_body_.clear();
@@ -122,6 +123,16 @@ void PatientViews::reword() {
   rebuild_space();
 }
 
+void PatientViews::set_workspace_scene(std::optional<WorkspaceScene> scene) {
+  workspace_ = std::move(scene);
+  rebuild_slices();
+  rebuild_space();
+}
+
+bool PatientViews::at_rest() const {
+  return workspace_ && workspace_->patient != WorkspaceScene::Patient::as_rehearsed;
+}
+
 void PatientViews::set_marked_landmark(const std::string& id) {
   marked_landmark_ = id;
   apply_frame();
@@ -145,10 +156,16 @@ scene::SurfaceItem PatientViews::item(std::size_t structure, const Body& body) c
 
 void PatientViews::rebuild_space() {
   scene::Scene scene;
-  for (std::size_t k = 0; k < patient_.structures.size(); ++k) {
+  const bool in_space = !workspace_ || workspace_->patient != WorkspaceScene::Patient::at_rest_in_slices_only;
+  for (std::size_t k = 0; in_space && k < patient_.structures.size(); ++k) {
     if (hidden_.count(patient_.structures[k].name) != 0) continue;
     if (shows(Bodies::atlas)) scene.surfaces.push_back(item(k, atlas_body_));
     if (shows(Bodies::patient)) scene.surfaces.push_back(item(k, patient_body_));
+  }
+  if (workspace_) {
+    for (const scene::SurfaceItem& surface : workspace_->surfaces) {
+      if (hidden_.count(surface.name) == 0) scene.surfaces.push_back(surface);
+    }
   }
   // What lies inside is drawn first, so that it shows through the clear liver around it.
   std::stable_sort(scene.surfaces.begin(), scene.surfaces.end(),
@@ -161,6 +178,7 @@ void PatientViews::rebuild_space() {
                            {blue, tr("Blue: the patient's own stiffness").toStdString()},
                            {purple, tr("Purple: both agree").toStdString()}};
   }
+  if (workspace_) scene.furniture.key.insert(scene.furniture.key.end(), workspace_->key.begin(), workspace_->key.end());
   views_.space().show_scene(scene);
   apply_frame();
 }
@@ -190,13 +208,16 @@ void PatientViews::rebuild_slices() {
       content.cuts.push_back({patient_body_[k], bodies_ == Bodies::both ? blue : colour, 1.6});
     }
   }
+  if (workspace_) content.cuts.insert(content.cuts.end(), workspace_->cuts.begin(), workspace_->cuts.end());
   views_.show_slices(content);
   apply_frame();
+  Q_EMIT slices_rebuilt();
 }
 
 void PatientViews::apply_frame() {
-  const rehearsal::RehearsalBody* own = frame_ ? &frame_->patient : nullptr;
-  const rehearsal::RehearsalBody* atlas = frame_ && frame_->atlas ? &*frame_->atlas : nullptr;
+  const bool moved = frame_ && !at_rest();
+  const rehearsal::RehearsalBody* own = moved ? &frame_->patient : nullptr;
+  const rehearsal::RehearsalBody* atlas = moved && frame_->atlas ? &*frame_->atlas : nullptr;
   move_body(patient_body_, own);
   move_body(atlas_body_, atlas);
 
@@ -212,7 +233,7 @@ void PatientViews::apply_frame() {
     }
   }
   std::vector<scene::ArrowItem> arrows;
-  if (tool_) {
+  if (tool_ && !at_rest()) {
     // Its length tells the force, within what fits the picture.
     const double length_mm = std::clamp(10 * tool_->force_N, 25.0, 70.0);
     Eigen::Vector3d at_mm = tool_->center_mm;
@@ -221,6 +242,10 @@ void PatientViews::apply_frame() {
     }
     arrows.push_back({at_mm - length_mm * tool_->direction, at_mm, 3.2, tool_colour,
                       tr("%1 N").arg(tool_->force_N, 0, 'f', 1).toStdString()});
+  }
+  if (workspace_) {
+    landmarks.insert(landmarks.end(), workspace_->marks.begin(), workspace_->marks.end());
+    arrows.insert(arrows.end(), workspace_->arrows.begin(), workspace_->arrows.end());
   }
   views_.space().view().set_landmarks(landmarks);
   views_.space().view().set_arrows(arrows);

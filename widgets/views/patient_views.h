@@ -22,6 +22,17 @@ struct ToolInView {
   double force_N = 0;
 };
 
+// What a workspace shows in the views besides the patient, or in its place, as long as it is at work.
+struct WorkspaceScene {
+  enum class Patient { as_rehearsed, at_rest, at_rest_in_slices_only };
+  Patient patient = Patient::as_rehearsed;
+  std::vector<scene::SurfaceItem> surfaces;  // in space
+  std::vector<scene::LandmarkItem> marks;    // in space
+  std::vector<scene::ArrowItem> arrows;      // in space
+  std::vector<scene::CutLine> cuts;          // in the slices
+  std::vector<scene::KeyEntry> key;          // of the view in space
+};
+
 class PatientViews : public QObject {
   Q_OBJECT
 
@@ -40,6 +51,12 @@ class PatientViews : public QObject {
   void set_marked_landmark(const std::string& id);
   // The words in the pictures, in the language of now.
   void reword();
+  // Nothing: the patient alone, as rehearsed.
+  void set_workspace_scene(std::optional<WorkspaceScene> scene);
+
+ Q_SIGNALS:
+  // What somebody put straight into the slice views (View::set_landmarks) is gone.
+  void slices_rebuilt();
 
  private:
   // One body's surfaces, which move; the structures' order.
@@ -50,6 +67,7 @@ class PatientViews : public QObject {
   void apply_frame();
   void move_body(const Body& body, const rehearsal::RehearsalBody* displaced);
   [[nodiscard]] scene::SurfaceItem item(std::size_t structure, const Body& body) const;
+  [[nodiscard]] bool at_rest() const;
   [[nodiscard]] bool shows(Bodies body) const { return bodies_ == Bodies::both || bodies_ == body; }
 
   LinkedViews& views_;
@@ -61,6 +79,7 @@ class PatientViews : public QObject {
   Bodies bodies_ = Bodies::patient;
   LiverColour liver_colour_ = LiverColour::tissue;
   SliceImage slice_image_ = SliceImage::anatomy;
+  std::optional<WorkspaceScene> workspace_;
   std::set<std::string> hidden_;
   std::string marked_landmark_;
   double colour_range_mm_ = 20;
