@@ -2,11 +2,13 @@
 
 #include <map>
 #include <QApplication>
+#include <QEvent>
 #include <QFile>
 #include <QPalette>
 #include <QSettings>
 #include <QStyleFactory>
 #include <QTextStream>
+#include <QWidget>
 
 // Resources of a static library are left out by the linker unless somebody asks for them; outside any namespace.
 static void take_in_resources() {
@@ -74,6 +76,8 @@ void apply_theme(Theme theme) {
   QApplication::setStyle(QStyleFactory::create("Fusion"));
   QApplication::setPalette(palette_of(named));
   qApp->setStyleSheet(sheet);
+  QEvent changed(QEvent::ThemeChange);  // words/worded.h and plots/themed_plot.h listen
+  for (QWidget* widget : QApplication::allWidgets()) QApplication::sendEvent(widget, &changed);
 }
 
 QColor theme_colour(const char* name) {

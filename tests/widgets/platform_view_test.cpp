@@ -41,6 +41,24 @@ class PlatformViewTest : public QObject {
     QVERIFY(details.contains("ASSUMED") && details.contains("dissertation"));
   }
 
+  void plots_and_coloured_words_follow_the_theme() {
+    auto* plot = child<QWidget>("contours");
+    auto* details = child<QTextBrowser>("details");
+    const auto lightness = [&] {
+      QTest::qWait(50);
+      return plot->grab().toImage().pixelColor(4, 4).lightness();
+    };
+    choose(row_of("tx2-gpu"));
+    QVERIFY(lightness() < 60);
+    const QString dark = details->toHtml();
+    apply_theme(Theme::light);
+    QVERIFY(lightness() > 200);
+    QVERIFY(details->toHtml() != dark);
+    apply_theme(Theme::dark);
+    QVERIFY(lightness() < 60);
+    QCOMPARE(details->toHtml(), dark);
+  }
+
   void takes_volume_and_stiffness_of_the_case_over() {
     view_->show_case("Demo patient", 2096, 11.4);
     QCOMPARE(view_->plan()->request.liver_volume_cm3, 2096.0);

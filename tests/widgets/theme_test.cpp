@@ -74,6 +74,7 @@ class ThemeTest : public QObject {
                                     {"ink_softer", "header"},
                                     {"warning_ink", "warning_page"},
                                     {"warning", "page"},
+                                    {"fine", "page"},
                                     {"trouble_ink", "trouble_page"},
                                     {"ink", "accent_page"},
                                     {"waiting", "edge"},

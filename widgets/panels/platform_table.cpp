@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QSignalBlocker>
 
+#include "theme.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -16,9 +17,6 @@ using platform::Device;
 using platform::PlatformAnswer;
 
 namespace {
-
-const QColor amber(255, 190, 80);
-const QColor green(120, 210, 150);
 
 QString short_number(double value) { return QLocale().toString(value, 'g', value >= 100 ? 4 : 3); }
 
@@ -158,7 +156,8 @@ void PlatformTable::show_plan(const platform::Plan& plan, const std::vector<Devi
     put_number(allowed, answer.idle.allowed_W, {"battery.capacity_mAh", "battery.voltage_V"});
     QTableWidgetItem* headroom =
         put_number(left, answer.idle.headroom_W, {"idle_W", "battery.capacity_mAh", "battery.voltage_V"});
-    headroom->setForeground(answer.idle.headroom_W < 0.1 * answer.idle.allowed_W ? QBrush(amber) : QBrush());
+    headroom->setForeground(answer.idle.headroom_W < 0.1 * answer.idle.allowed_W ? QBrush(theme_colour("warning"))
+                                                                                 : QBrush());
     put_number(frames, answer.fps, {"kernel.bandwidth_GB_s", "kernel.active_W", "kernel.energy_nJ_per_byte"});
     put_number(lasts, answer.battery_h,
                {"idle_W", "kernel.active_W", "kernel.energy_nJ_per_byte", "battery.capacity_mAh", "battery.voltage_V"});
@@ -166,7 +165,7 @@ void PlatformTable::show_plan(const platform::Plan& plan, const std::vector<Devi
                {"thermal_resistance_C_per_W", "thermal_time_constant_s", "idle_W", "kernel.active_W"});
     QStringList reasons;
     for (const platform::Reason& reason : answer.reasons) reasons << told(reason.sentence);
-    put(limit, limit_of(answer), reasons.join("\n"))->setForeground(answer.feasible ? green : amber);
+    put(limit, limit_of(answer), reasons.join("\n"))->setForeground(theme_colour(answer.feasible ? "fine" : "warning"));
     QStringList names;
     for (const std::string& figure : answer.assumed) names << QString::fromStdString(figure);
     put(assumed, tr("%1 of %2").arg(answer.assumed.size()).arg(platform::figures_of(device).size()), names.join("\n"));

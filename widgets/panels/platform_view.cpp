@@ -12,6 +12,7 @@
 
 #include "base/files.h"
 #include "platform/device_file.h"
+#include "theme.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -463,12 +464,12 @@ QString in_full(const PlatformAnswer& answer, const Device& device, const platfo
   html += "<p>" + PlatformView::tr("Where its figures come from:") + "</p><table cellspacing='0' cellpadding='3'>";
   for (const platform::NamedFigure& named : platform::figures_of(device)) {
     const bool assumed = named.figure.source == platform::Source::assumed;
-    const QString ink = assumed ? "#ffbe50" : "#e4e8ee";
+    const QString ink = theme_colour(assumed ? "warning" : "ink").name();
     html += QString(
                 "<tr><td><nobr>%1</nobr></td><td align='right'>%2</td><td style='color:%3'>%4</td></tr>"
-                "<tr><td colspan='3' style='color:#8a94a3'>%5</td></tr>")
+                "<tr><td colspan='3' style='color:%6'>%5</td></tr>")
                 .arg(escaped(named.name), number(named.figure.value, 4), ink, source_in_words(named.figure.source),
-                     escaped(named.figure.note));
+                     escaped(named.figure.note), theme_colour("faint").name());
   }
   return html + "</table>";
 }

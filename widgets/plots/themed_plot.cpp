@@ -49,7 +49,7 @@ class Dressing : public QObject {
   explicit Dressing(QCustomPlot* plot) : QObject(plot), plot_(plot) { plot->installEventFilter(this); }
 
   bool eventFilter(QObject* watched, QEvent* event) override {
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::Polish) dress(plot_);
+    if (event->type() == QEvent::ThemeChange || event->type() == QEvent::Polish) dress(plot_);
     return QObject::eventFilter(watched, event);
   }
 

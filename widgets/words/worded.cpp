@@ -14,7 +14,7 @@ class Rewording : public QObject {
   }
 
   bool eventFilter(QObject* owner, QEvent* event) override {
-    if (event->type() == QEvent::LanguageChange) set_texts_();
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::ThemeChange) set_texts_();
     return QObject::eventFilter(owner, event);
   }
 

@@ -6,8 +6,8 @@
 //     open->setToolTip(tr("Opens a case"));
 //   });
 //
-// sets them now and again at each change of language. A text that is set anywhere else stays in the language of that
-// moment.
+// sets them now and again at each change of language, and of theme, since a text may have colours. A text that is set
+// anywhere else stays in the language of that moment.
 
 #include <functional>
 #include <QWidget>
