@@ -11,6 +11,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr float buckets_across = 8;  // of the stiffest voxel
+
 // Calls visit(offset) for every voxel whose centre lies in the tetrahedron.
 template <typename Visit>
 void visit_voxels_in(const geometry::TetMesh& mesh, std::size_t cell, const imaging::Grid& grid, const Visit& visit);
@@ -51,8 +53,52 @@ VoxelBody voxelise(const geometry::TetMesh& mesh, const std::vector<double>& you
   return voxels;
 }
 
+void Front::start(float width) {
+  for (; bucket_ < buckets_.size(); ++bucket_) buckets_[bucket_].clear();
+  beyond_.clear();
+  width_ = width;
+  first_ = 0;
+  bucket_ = 0;
+}
+
+void Front::put(float distance, std::size_t voxel) {
+  const float place = (distance - first_) / width_;
+  if (!(place < static_cast<float>(most_buckets))) {
+    beyond_.push_back({distance, static_cast<std::uint32_t>(voxel)});
+    return;
+  }
+  const std::size_t bucket = std::max(bucket_, static_cast<std::size_t>(std::max(place, 0.0F)));
+  if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
+  buckets_[bucket].push_back({distance, static_cast<std::uint32_t>(voxel)});
+}
+
+bool Front::take(Waiting& next) {
+  for (;;) {
+    while (bucket_ < buckets_.size() && buckets_[bucket_].empty()) ++bucket_;
+    if (bucket_ < buckets_.size()) {
+      next = buckets_[bucket_].back();
+      buckets_[bucket_].pop_back();
+      return true;
+    }
+    if (beyond_.empty()) return false;
+    // Begin anew at the nearest of those beyond.
+    first_ = std::min_element(beyond_.begin(), beyond_.end(), [](const Waiting& a, const Waiting& b) {
+               return a.distance < b.distance;
+             })->distance;
+    bucket_ = 0;
+    std::vector<Waiting> waiting;
+    waiting.swap(beyond_);
+    for (const Waiting& one : waiting) put(one.distance, one.voxel);
+  }
+}
+
 ComplianceDistance::ComplianceDistance(const VoxelBody& body, const std::vector<Cut>& cuts)
     : body_(&body), stride_{1, grid().size[0], std::ptrdiff_t{grid().size[0]} * grid().size[1]} {
+  across_.assign(grid().voxels(), unreached);
+  for (std::size_t voxel = 0; voxel < across_.size(); ++voxel) {
+    if (inside(voxel)) across_[voxel] = static_cast<float>(grid().spacing_mm.x() / body.youngs_kPa[voxel]);
+    least_across_ = std::min(least_across_, across_[voxel]);
+  }
   if (cuts.empty()) return;
   blocked_.assign(grid().voxels(), 0);
   std::vector<double> height_mm(blocked_.size());
@@ -79,23 +125,24 @@ ComplianceDistance::ComplianceDistance(const VoxelBody& body, const std::vector<
 
 ComplianceDistance::Voronoi ComplianceDistance::voronoi(const std::vector<Vector3d>& seeds_mm) const {
   Workspace workspace(grid().voxels());
-  for (std::size_t s = 0; s < seeds_mm.size(); ++s) start(seeds_mm[s], static_cast<int>(s), workspace);
+  workspace.front_.start(least_across_ / buckets_across);
+  for (std::size_t s = 0; s < seeds_mm.size(); ++s) offer_around(seeds_mm[s], static_cast<int>(s), workspace);
   march(unreached, workspace, [](std::size_t, float) {});
-  return {std::move(workspace.owner_), std::move(workspace.distance_)};
+  return {std::move(workspace.owner_), std::move(workspace.fixed_)};
 }
 
 std::vector<ComplianceDistance::Reached> ComplianceDistance::within(const Vector3d& seed_mm, float limit,
                                                                     Workspace& workspace) const {
   std::vector<Reached> reached;
-  start(seed_mm, 0, workspace);
+  workspace.front_.start(least_across_ / buckets_across);
+  offer_around(seed_mm, 0, workspace);
   march(limit, workspace, [&](std::size_t voxel, float distance) { reached.push_back({voxel, distance}); });
   for (const std::size_t voxel : workspace.touched_) {
-    workspace.distance_[voxel] = unreached;
+    workspace.offered_[voxel] = unreached;
+    workspace.fixed_[voxel] = unreached;
     workspace.owner_[voxel] = -1;
-    workspace.fixed_[voxel] = 0;
   }
   workspace.touched_.clear();
-  workspace.front_.clear();
   return reached;
 }
 
@@ -144,7 +191,7 @@ std::vector<std::size_t> ComplianceDistance::beside(std::size_t voxel) const {
   return voxels;
 }
 
-void ComplianceDistance::start(const Vector3d& seed_mm, int owner, Workspace& workspace) const {
+void ComplianceDistance::offer_around(const Vector3d& seed_mm, int owner, Workspace& workspace) const {
   const std::size_t home = voxel_at(seed_mm);
   GLISSON_ASSERT(inside(home));
   // A seed that a cut passes close by is seen from its own voxel's centre: that voxel belongs to one side.
@@ -155,31 +202,74 @@ void ComplianceDistance::start(const Vector3d& seed_mm, int owner, Workspace& wo
   }
 }
 
-void ComplianceDistance::offer(std::size_t voxel, float distance, int owner, Workspace& workspace) const {
-  if (workspace.fixed_[voxel] || !(distance < workspace.distance_[voxel])) return;
-  if (workspace.distance_[voxel] == unreached) workspace.touched_.push_back(voxel);
-  workspace.distance_[voxel] = distance;
+// The root of sum over axes of (d - d_axis)^2 = (h/E)^2 over the axes from which the front comes, the nearest first.
+template <bool has_cuts>
+float ComplianceDistance::upwind(std::size_t voxel, int& owner, const Workspace& workspace) const {
+  std::array<float, 3> nearest;
+  float smallest = unreached;
+  std::size_t from = voxel;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto stride = static_cast<std::size_t>(stride_[axis]);
+    float before = workspace.fixed_[voxel - stride], after = workspace.fixed_[voxel + stride];
+    if (has_cuts && !open(voxel, static_cast<int>(axis), -1)) before = unreached;
+    if (has_cuts && !open(voxel, static_cast<int>(axis), 1)) after = unreached;
+    nearest[axis] = std::min(before, after);
+    if (nearest[axis] < smallest) {
+      smallest = nearest[axis];
+      from = before < after ? voxel - stride : voxel + stride;
+    }
+  }
+  owner = workspace.owner_[from];
+  if (nearest[1] < nearest[0]) std::swap(nearest[0], nearest[1]);
+  if (nearest[2] < nearest[1]) std::swap(nearest[1], nearest[2]);
+  if (nearest[1] < nearest[0]) std::swap(nearest[0], nearest[1]);
+  // Beyond the nearest, so that little is lost where all are far.
+  const float cost = across_[voxel], second = nearest[1] - nearest[0], third = nearest[2] - nearest[0];
+  float beyond = cost;
+  if (beyond > second) {
+    beyond = 0.5F * (second + std::sqrt(2 * cost * cost - second * second));
+    if (beyond > third) {
+      const float sum = second + third;
+      const float discriminant = sum * sum - 3 * (second * second + third * third - cost * cost);
+      if (discriminant >= 0) beyond = (sum + std::sqrt(discriminant)) / 3;
+    }
+  }
+  return nearest[0] + beyond;
+}
+
+void ComplianceDistance::offer(std::size_t voxel, float distance, int owner, Workspace& workspace) {
+  if (!(distance < workspace.offered_[voxel]) || workspace.fixed_[voxel] < unreached) return;
+  if (workspace.offered_[voxel] == unreached) workspace.touched_.push_back(voxel);
+  workspace.offered_[voxel] = distance;
   workspace.owner_[voxel] = owner;
-  workspace.front_.emplace_back(distance, voxel);
-  std::push_heap(workspace.front_.begin(), workspace.front_.end(), std::greater<>());
+  workspace.front_.put(distance, voxel);
 }
 
 template <typename Visit>
 void ComplianceDistance::march(float limit, Workspace& workspace, const Visit& visit) const {
-  while (!workspace.front_.empty()) {
-    std::pop_heap(workspace.front_.begin(), workspace.front_.end(), std::greater<>());
-    const auto [distance, voxel] = workspace.front_.back();
-    workspace.front_.pop_back();
-    if (workspace.fixed_[voxel] || distance > workspace.distance_[voxel]) continue;
-    if (distance > limit) return;
-    workspace.fixed_[voxel] = 1;
+  if (blocked_.empty()) {
+    march_past<false>(limit, workspace, visit);
+  } else {
+    march_past<true>(limit, workspace, visit);
+  }
+}
+
+template <bool has_cuts, typename Visit>
+void ComplianceDistance::march_past(float limit, Workspace& workspace, const Visit& visit) const {
+  Front::Waiting next_one{};
+  while (workspace.front_.take(next_one)) {
+    const auto [distance, voxel] = next_one;
+    if (workspace.fixed_[voxel] < unreached || distance > workspace.offered_[voxel] || distance > limit) continue;
+    workspace.fixed_[voxel] = distance;
     visit(voxel, distance);
     for (int axis = 0; axis < 3; ++axis) {
       for (const int sign : {-1, 1}) {
         const auto next = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(voxel) + sign * stride_[axis]);
-        if (!inside(next) || workspace.fixed_[next] || !open(voxel, axis, sign)) continue;
-        const auto [reached, owner] = upwind(next, workspace);
-        offer(next, reached, owner, workspace);
+        if (across_[next] == unreached || workspace.fixed_[next] < unreached) continue;
+        if (has_cuts && !open(voxel, axis, sign)) continue;
+        int owner = -1;
+        const float reached = upwind<has_cuts>(next, owner, workspace);
+        if (reached <= limit) offer(next, reached, owner, workspace);
       }
     }
   }
@@ -189,40 +279,6 @@ bool ComplianceDistance::open(std::size_t from, int axis, int sign) const {
   if (blocked_.empty()) return true;
   const auto lower = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(from) + (sign < 0 ? -stride_[axis] : 0));
   return !(blocked_[lower] >> axis & 1U);
-}
-
-// The root of sum over axes of (d - d_axis)^2 = (h/E)^2 over the axes from which the front comes, the nearest first.
-std::pair<float, int> ComplianceDistance::upwind(std::size_t voxel, const Workspace& workspace) const {
-  std::array<double, 3> nearest{unreached, unreached, unreached};
-  int owner = -1;
-  double smallest = unreached;
-  for (int axis = 0; axis < 3; ++axis) {
-    double& best = nearest[static_cast<std::size_t>(axis)];
-    for (const int sign : {-1, 1}) {
-      const auto other = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(voxel) + sign * stride_[axis]);
-      if (!workspace.fixed_[other] || !open(voxel, axis, sign)) continue;
-      best = std::min(best, double(workspace.distance_[other]));
-      if (workspace.distance_[other] < smallest) {
-        smallest = workspace.distance_[other];
-        owner = workspace.owner_[other];
-      }
-    }
-  }
-  if (nearest[1] < nearest[0]) std::swap(nearest[0], nearest[1]);
-  if (nearest[2] < nearest[1]) std::swap(nearest[1], nearest[2]);
-  if (nearest[1] < nearest[0]) std::swap(nearest[0], nearest[1]);
-  const double cost = grid().spacing_mm.x() / body_->youngs_kPa[voxel];
-  double distance = nearest[0] + cost;
-  double sum = nearest[0], squares = nearest[0] * nearest[0];
-  for (int n = 2; n <= 3 && distance > nearest[static_cast<std::size_t>(n - 1)]; ++n) {
-    const double added = nearest[static_cast<std::size_t>(n - 1)];
-    sum += added;
-    squares += added * added;
-    const double discriminant = sum * sum - n * (squares - cost * cost);
-    if (discriminant < 0) break;
-    distance = (sum + std::sqrt(discriminant)) / n;
-  }
-  return {static_cast<float>(distance), owner};
 }
 
 namespace {

@@ -7,6 +7,7 @@
 //
 // A cut is a surface that no path may cross. Nothing else of the body changes with it.
 
+#include <cstdint>
 #include <Eigen/Core>
 #include <limits>
 #include <vector>
@@ -29,6 +30,29 @@ struct VoxelBody {
 [[nodiscard]] VoxelBody voxelise(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
                                  double spacing_mm);
 
+// Voxels waiting with their distances, taken out by and by from near to far: in the order of buckets of one width, and
+// within a bucket in any (L. Yatziv, A. Bartesaghi, G. Sapiro, O(N) implementation of the fast marching algorithm, J.
+// Comput. Phys. 212, 2006), five times as fast as a heap. What is put in is no nearer than what was taken out last.
+class Front {
+ public:
+  struct Waiting {
+    float distance;
+    std::uint32_t voxel;
+  };
+  void start(float width);
+  void put(float distance, std::size_t voxel);
+  // False where none waits.
+  bool take(Waiting& next);
+
+ private:
+  static constexpr std::size_t most_buckets = 4096;  // what is farther waits apart
+
+  float width_ = 1, first_ = 0;  // the first bucket begins at `first_`
+  std::size_t bucket_ = 0;       // being emptied
+  std::vector<std::vector<Waiting>> buckets_;
+  std::vector<Waiting> beyond_;
+};
+
 class ComplianceDistance {
  public:
   // The cuts must be ones that can be made (CutInSpace::of).
@@ -44,8 +68,8 @@ class ComplianceDistance {
   };
   [[nodiscard]] Voronoi voronoi(const std::vector<Eigen::Vector3d>& seeds_mm) const;
 
-  // Every voxel (by its offset in the grid) within `limit` of one seed, the nearest first. `workspace` belongs to one
-  // thread and is kept from call to call.
+  // Every voxel (by its offset in the grid) within `limit` of one seed, from near to far but for 1/8 of what it costs
+  // to cross the stiffest voxel. `workspace` belongs to one thread and is kept from call to call.
   struct Reached {
     std::size_t voxel;
     float distance;
@@ -69,26 +93,31 @@ class ComplianceDistance {
 
   class Workspace {
    public:
-    explicit Workspace(std::size_t voxels) : distance_(voxels, unreached), owner_(voxels, -1), fixed_(voxels, 0) {}
+    explicit Workspace(std::size_t voxels)
+        : offered_(voxels, unreached), fixed_(voxels, unreached), owner_(voxels, -1) {}
 
    private:
     friend class ComplianceDistance;
-    std::vector<float> distance_;
+    std::vector<float> offered_, fixed_;  // the best distance so far, and the one that stays
     std::vector<int> owner_;
-    std::vector<std::uint8_t> fixed_;
     std::vector<std::size_t> touched_;
-    std::vector<std::pair<float, std::size_t>> front_;  // a heap, the smallest on top; may hold what is out of date
+    Front front_;
   };
 
  private:
-  void start(const Eigen::Vector3d& seed_mm, int owner, Workspace& workspace) const;
+  void offer_around(const Eigen::Vector3d& seed_mm, int owner, Workspace& workspace) const;
   template <typename Visit>
   void march(float limit, Workspace& workspace, const Visit& visit) const;
-  void offer(std::size_t voxel, float distance, int owner, Workspace& workspace) const;
-  [[nodiscard]] std::pair<float, int> upwind(std::size_t voxel, const Workspace& workspace) const;
+  template <bool has_cuts, typename Visit>
+  void march_past(float limit, Workspace& workspace, const Visit& visit) const;
+  static void offer(std::size_t voxel, float distance, int owner, Workspace& workspace);
+  template <bool has_cuts>
+  [[nodiscard]] float upwind(std::size_t voxel, int& owner, const Workspace& workspace) const;
   [[nodiscard]] bool open(std::size_t from, int axis, int sign) const;
 
   const VoxelBody* body_;
+  std::vector<float> across_;  // what it costs to cross a voxel (mm/kPa); unreached outside the body
+  float least_across_ = unreached;
   std::vector<CutInSpace> cuts_;
   std::array<std::ptrdiff_t, 3> stride_;
   std::vector<std::uint8_t> blocked_;  // bit a: the way from a voxel to the next along axis a is cut; empty: no cuts

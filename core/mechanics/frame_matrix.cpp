@@ -10,98 +10,63 @@ namespace {
 using Share = FrameBasis::Share;
 using Eigen::Vector3d;
 
-Lists frames_that_meet(const geometry::TetMesh& mesh, const ShapeFunctions& shape);
+// Which of the frames around are wanted.
+enum class Around { all, frames_of_the_point };
 
-// The three rows of K P at a place: for each frame that a neighbour of the place follows, 3x12.
-struct StripsOfPlace {
-  using Strip = Eigen::Matrix<double, 3, frame_size>;
+// The 12 rows of K P that belong to the affine field of one point of the mesh: for each frame around, a 12x12 block.
+class RowsOfPoint {
+ public:
+  void make(const BlockMatrix<double>& stiffness, const FrameBasis& basis, int point, Around around,
+            std::vector<int>& slot_of_frame);
+
   std::vector<int> frames;
-  std::vector<Strip> strips;
+  std::vector<FrameBlock> blocks;
 
-  void make(const Eigen::SparseMatrix<double>& full, const FrameBasis& basis, int place);
+ private:
+  void couple_points(const BlockMatrix<double>& stiffness, const FrameBasis& basis, int point);
+
+  std::vector<int> points_;          // those that share a cell with the point
+  std::vector<FrameBlock> coupled_;  // how their fields push on the point's
 };
+
+constexpr int points_at_once = 256;
 
 }  // namespace
 
-double frame_length_mm(const ShapeFunctions& shape, int frame) {
-  return std::cbrt(std::max(shape.node_volumes_mm3[frame], 1e-9));
-}
-
-Eigen::VectorXd affine_frames(const ShapeFunctions& shape, const std::function<Vector3d(const Vector3d&)>& field) {
-  Eigen::VectorXd q(frame_size * static_cast<Eigen::Index>(shape.nodes_mm.size()));
-  for (int frame = 0; frame < static_cast<int>(shape.nodes_mm.size()); ++frame) {
-    const Vector3d here_mm = shape.nodes_mm[frame];
-    const Vector3d here = field(here_mm);
-    q.segment<3>(frame_size * frame) = here;
-    for (int axis = 0; axis < 3; ++axis) {
-      q.segment<3>(frame_size * frame + 3 * (axis + 1)) =
-          field(here_mm + frame_length_mm(shape, frame) * Vector3d::Unit(axis)) - here;
-    }
-  }
-  return q;
-}
-
-FrameBasis::FrameBasis(const geometry::TetMesh& mesh, const NodeLayout& layout, const ShapeFunctions& shape)
-    : frames_of_(static_cast<std::size_t>(layout.nodes())),
-      places_of_(shape.nodes_mm.size()),
-      neighbours_(frames_that_meet(mesh, shape)) {
-  const auto add = [&](int place, int point, double part) {
-    for (std::size_t k = shape.starts[point]; k < shape.starts[point + 1]; ++k) {
-      const int frame = shape.nodes[k];
-      const Vector3d arm = (layout.positions_mm[place] - shape.nodes_mm[frame]) / frame_length_mm(shape, frame);
-      const double w = part * shape.weights[k];
-      const Eigen::Vector4d factor(w, w * arm.x(), w * arm.y(), w * arm.z());
-      auto& shares = frames_of_[place];
-      const auto known =
-          std::find_if(shares.begin(), shares.end(), [&](const Share& share) { return share.place_or_frame == frame; });
-      if (known == shares.end()) {
-        shares.push_back({frame, factor});
-      } else {
-        known->factor += factor;
+Lists frames_that_meet(const FrameBasis& basis) {
+  std::vector<std::vector<int>> meet(static_cast<std::size_t>(basis.frames()));
+  parallel_for(meet.size(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<int> point_seen_by(static_cast<std::size_t>(basis.points()), -1);
+    std::vector<int> frame_seen_by(meet.size(), -1);
+    for (auto frame = static_cast<int>(begin); frame < static_cast<int>(end); ++frame) {
+      std::vector<int>& list = meet[frame];
+      list.push_back(frame);  // a frame that acts nowhere still has its own block
+      frame_seen_by[frame] = frame;
+      const auto look_at = [&](int point) {
+        if (point < 0 || point_seen_by[point] == frame) return;
+        point_seen_by[point] = frame;
+        for (const Share* share = basis.shares_begin(point); share != basis.shares_end(point); ++share) {
+          if (frame_seen_by[share->frame] == frame) continue;
+          frame_seen_by[share->frame] = frame;
+          list.push_back(share->frame);
+        }
+      };
+      for (const auto& reach : basis.points_of(frame)) {
+        const Lists& places = basis.places_of_point();  // points that share a cell share an edge
+        for (const int* place = places.begin(reach.point); place != places.end(reach.point); ++place) {
+          for (const auto& at : basis.ends_of(*place)) look_at(at.point);
+        }
       }
-    }
-  };
-  for (std::size_t p = 0; p < mesh.points_mm.size(); ++p) {
-    if (layout.node_of_point[p] >= 0) add(layout.node_of_point[p], static_cast<int>(p), 1.0);
-  }
-  for (std::size_t e = 0; e < layout.edges.size(); ++e) {
-    for (const int end : layout.edges[e]) add(layout.corner_nodes + static_cast<int>(e), end, 0.5);
-  }
-  for (std::size_t place = 0; place < frames_of_.size(); ++place) {
-    for (const Share& share : frames_of_[place]) {
-      places_of_[share.place_or_frame].push_back({static_cast<int>(place), share.factor});
-    }
-  }
-}
-
-Eigen::VectorXd FrameBasis::displacement(const Eigen::VectorXd& q) const {
-  Eigen::VectorXd u(3 * static_cast<Eigen::Index>(frames_of_.size()));
-  parallel_for(frames_of_.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t place = begin; place < end; ++place) {
-      Vector3d sum = Vector3d::Zero();
-      for (const Share& share : frames_of_[place]) {
-        const Eigen::Map<const Eigen::Matrix<double, 3, 4>> frame(q.data() + frame_size * share.place_or_frame);
-        sum += frame * share.factor;
-      }
-      u.segment<3>(3 * static_cast<Eigen::Index>(place)) = sum;
+      std::sort(list.begin(), list.end());
     }
   });
-  return u;
-}
-
-Eigen::VectorXd FrameBasis::reduce(const Eigen::VectorXd& force) const {
-  Eigen::VectorXd reduced_force(unknowns());
-  parallel_for(places_of_.size(), 32, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t frame = begin; frame < end; ++frame) {
-      Eigen::Matrix<double, 3, 4> sum = Eigen::Matrix<double, 3, 4>::Zero();
-      for (const Share& share : places_of_[frame]) {
-        sum += force.segment<3>(3 * share.place_or_frame) * share.factor.transpose();
-      }
-      Eigen::Map<Eigen::Matrix<double, 3, 4>>(reduced_force.data() + frame_size * static_cast<Eigen::Index>(frame)) =
-          sum;
-    }
-  });
-  return reduced_force;
+  Lists lists;
+  lists.starts.push_back(0);
+  for (const auto& list : meet) {
+    lists.items.insert(lists.items.end(), list.begin(), list.end());
+    lists.starts.push_back(lists.items.size());
+  }
+  return lists;
 }
 
 Eigen::VectorXd FrameMatrix::operator*(const Eigen::VectorXd& x) const {
@@ -151,43 +116,73 @@ FrameMatrix FrameMatrix::sum(double a, const FrameMatrix& first, double b, const
   return result;
 }
 
-// K P is made a stretch of places at a time, a strip of 3x12 for each frame that a place's neighbours follow, and
-// handed on to the rows of P^T (K P) while it is at hand: every strip is used by a dozen frames. Rows are shared out
-// among threads, and each takes its places in one order, so that the sums do not depend on how.
-FrameMatrix reduced(const Eigen::SparseMatrix<double>& lower, const FrameBasis& basis) {
-  const Eigen::SparseMatrix<double> full = lower.selfadjointView<Eigen::Lower>();
-  FrameMatrix matrix(basis.neighbours());
+namespace {
+
+// Makes the rows of all points, a stretch of them at a time on all cores, and then lets the rows of each frame take
+// what its points have for it: each frame takes its points in one order, so that sums do not depend on the threads.
+// `take(frame, share, rows)` is given every point of a frame in turn.
+template <typename Take>
+void visit_rows(const BlockMatrix<double>& stiffness, const FrameBasis& basis, Around around, const Take& take) {
   const auto frames = static_cast<std::size_t>(basis.frames());
-  const auto places = static_cast<std::size_t>(full.cols() / 3);
-  constexpr std::size_t places_at_once = 4096;
-  std::vector<StripsOfPlace> strips(std::min(places, places_at_once));
-  std::vector<std::size_t> next(frames, 0);  // of each frame's places, the first that is still to come
-  for (std::size_t first = 0; first < places; first += places_at_once) {
-    const std::size_t last = std::min(first + places_at_once, places);
-    parallel_for(last - first, 64, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) strips[k].make(full, basis, static_cast<int>(first + k));
-    });
-    parallel_for(frames, 16, [&](std::size_t begin, std::size_t end) {
-      std::vector<FrameBlock*> block_of(frames, nullptr);
-      for (std::size_t i = begin; i < end; ++i) {
-        const std::vector<Share>& own = basis.places_of(static_cast<int>(i));
-        if (next[i] == own.size() || static_cast<std::size_t>(own[next[i]].place_or_frame) >= last) continue;
-        const auto row = static_cast<int>(i);
-        for (std::size_t k = matrix.position(row, row); k < matrix.columns().starts[i + 1]; ++k) {
-          block_of[static_cast<std::size_t>(matrix.columns().items[k])] = &matrix.blocks()[k];
-        }
-        for (; next[i] < own.size() && static_cast<std::size_t>(own[next[i]].place_or_frame) < last; ++next[i]) {
-          const Share& at = own[next[i]];
-          const StripsOfPlace& here = strips[static_cast<std::size_t>(at.place_or_frame) - first];
-          for (std::size_t k = 0; k < here.frames.size(); ++k) {
-            if (here.frames[k] < row) continue;  // the other triangle
-            FrameBlock& target = *block_of[static_cast<std::size_t>(here.frames[k])];
-            for (int l = 0; l < 4; ++l) target.middleRows<3>(3 * l) += at.factor[l] * here.strips[k];
-          }
-        }
+  std::vector<RowsOfPoint> rows(static_cast<std::size_t>(std::min(basis.points(), points_at_once)));
+  std::vector<std::size_t> next(frames, 0);  // of each frame's points, the first that is still to come
+  for (int first = 0; first < basis.points(); first += points_at_once) {
+    const int last = std::min(first + points_at_once, basis.points());
+    parallel_for(static_cast<std::size_t>(last - first), 8, [&](std::size_t begin, std::size_t end) {
+      std::vector<int> slot_of_frame(frames, -1);
+      for (std::size_t k = begin; k < end; ++k) {
+        rows[k].make(stiffness, basis, first + static_cast<int>(k), around, slot_of_frame);
       }
     });
+    parallel_for(frames, 64, [&](std::size_t begin, std::size_t end) {
+      take(begin, end, [&](std::size_t frame, const auto& with) {
+        const auto& own = basis.points_of(static_cast<int>(frame));
+        for (; next[frame] < own.size() && own[next[frame]].point < last; ++next[frame]) {
+          const FrameBasis::Reach& at = own[next[frame]];
+          with(basis.shares_begin(at.point)[at.share], rows[static_cast<std::size_t>(at.point - first)]);
+        }
+      });
+    });
   }
+}
+
+// target += T^T block, T being how the point's field follows the frame.
+void add_seen_from_frame(const Share& share, const FrameBlock& block, FrameBlock& target) {
+  target.topRows<3>() += share.weight * block.topRows<3>();
+  for (int k = 0; k < 3; ++k) {
+    target.middleRows<3>(3 * k + 3) +=
+        share.arm[k] * block.topRows<3>() + share.slope_per_mm * block.middleRows<3>(3 * k + 3);
+  }
+}
+
+}  // namespace
+
+FrameMatrix reduced(const BlockMatrix<double>& stiffness, const FrameBasis& basis) {
+  return reduced(stiffness, basis, frames_that_meet(basis));
+}
+
+FrameMatrix reduced(const BlockMatrix<double>& stiffness, const FrameBasis& basis, Lists frames_meeting) {
+  FrameMatrix matrix(std::move(frames_meeting));
+  const auto frames = static_cast<std::size_t>(basis.frames());
+  visit_rows(stiffness, basis, Around::all, [&](std::size_t begin, std::size_t end, const auto& points_of) {
+    std::vector<FrameBlock*> block_of(frames, nullptr);
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto row = static_cast<int>(i);
+      bool ready = false;
+      points_of(i, [&](const Share& share, const RowsOfPoint& rows) {
+        if (!ready) {
+          for (std::size_t k = matrix.position(row, row); k < matrix.columns().starts[i + 1]; ++k) {
+            block_of[static_cast<std::size_t>(matrix.columns().items[k])] = &matrix.blocks()[k];
+          }
+          ready = true;
+        }
+        for (std::size_t k = 0; k < rows.frames.size(); ++k) {
+          if (rows.frames[k] < row) continue;  // the other triangle
+          add_seen_from_frame(share, rows.blocks[k], *block_of[static_cast<std::size_t>(rows.frames[k])]);
+        }
+      });
+    }
+  });
   for (int row = 0; row < basis.frames(); ++row) {
     for (std::size_t k = matrix.columns().starts[row]; matrix.columns().items[k] < row; ++k) {
       matrix.blocks()[k] = matrix.blocks()[matrix.position(matrix.columns().items[k], row)].transpose();
@@ -196,81 +191,89 @@ FrameMatrix reduced(const Eigen::SparseMatrix<double>& lower, const FrameBasis& 
   return matrix;
 }
 
-void add_springs(const std::vector<double>& stiffness, const FrameBasis& basis, FrameMatrix& matrix) {
-  for (std::size_t place = 0; place < stiffness.size() / 3; ++place) {
-    const Eigen::Map<const Vector3d> springs(stiffness.data() + 3 * place);
-    if (springs.isZero()) continue;
-    for (const Share& a : basis.frames_of(static_cast<int>(place))) {
-      for (const Share& b : basis.frames_of(static_cast<int>(place))) {
-        FrameBlock& block = matrix.blocks()[matrix.position(a.place_or_frame, b.place_or_frame)];
-        for (int k = 0; k < 4; ++k) {
-          for (int l = 0; l < 4; ++l) {
-            block.block<3, 3>(3 * k, 3 * l).diagonal() += a.factor[k] * b.factor[l] * springs;
-          }
+std::vector<FrameBlock> diagonal_reduced(const BlockMatrix<double>& stiffness, const FrameBasis& basis) {
+  std::vector<FrameBlock> diagonal(static_cast<std::size_t>(basis.frames()), FrameBlock::Zero());
+  visit_rows(
+      stiffness, basis, Around::frames_of_the_point, [&](std::size_t begin, std::size_t end, const auto& points_of) {
+        for (std::size_t i = begin; i < end; ++i) {
+          points_of(i, [&](const Share& share, const RowsOfPoint& rows) {
+            const auto own = std::find(rows.frames.begin(), rows.frames.end(), share.frame);
+            add_seen_from_frame(share, rows.blocks[static_cast<std::size_t>(own - rows.frames.begin())], diagonal[i]);
+          });
         }
-      }
-    }
-  }
+      });
+  return diagonal;
 }
 
 namespace {
 
-void StripsOfPlace::make(const Eigen::SparseMatrix<double>& full, const FrameBasis& basis, int place) {
-  const double* values = full.valuePtr();
-  const int* rows = full.innerIndexPtr();
-  const int* starts = full.outerIndexPtr();
-  const int column = 3 * place;
+void RowsOfPoint::make(const BlockMatrix<double>& stiffness, const FrameBasis& basis, int point, Around around,
+                       std::vector<int>& slot_of_frame) {
+  couple_points(stiffness, basis, point);
   frames.clear();
-  for (int entry = starts[column]; entry < starts[column + 1]; entry += 3) {
-    for (const Share& other : basis.frames_of(rows[entry] / 3)) frames.push_back(other.place_or_frame);
+  const auto want_frames_of = [&](int p) {
+    for (const Share* share = basis.shares_begin(p); share != basis.shares_end(p); ++share) {
+      if (slot_of_frame[share->frame] >= 0) continue;
+      slot_of_frame[share->frame] = static_cast<int>(frames.size());
+      frames.push_back(share->frame);
+    }
+  };
+  if (around == Around::frames_of_the_point) {
+    want_frames_of(point);
+  } else {
+    for (const int p : points_) want_frames_of(p);
   }
-  std::sort(frames.begin(), frames.end());
-  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
-  strips.assign(frames.size(), Strip::Zero());
-  for (int entry = 0; starts[column] + entry < starts[column + 1]; entry += 3) {
-    Eigen::Matrix3d block;  // of this place (rows) and the other (columns)
-    for (int c = 0; c < 3; ++c) {
-      for (int r = 0; r < 3; ++r) block(c, r) = values[starts[column + c] + entry + r];
-    }
-    for (const Share& other : basis.frames_of(rows[starts[column] + entry] / 3)) {
-      const auto slot = std::lower_bound(frames.begin(), frames.end(), other.place_or_frame) - frames.begin();
-      Strip& strip = strips[static_cast<std::size_t>(slot)];
-      for (int l = 0; l < 4; ++l) strip.middleCols<3>(3 * l) += other.factor[l] * block;
-    }
-  }
-}
-
-Lists frames_that_meet(const geometry::TetMesh& mesh, const ShapeFunctions& shape) {
-  std::vector<std::vector<int>> meet(shape.nodes_mm.size());
-  std::vector<int> here;
-  for (const auto& cell : mesh.cells) {
-    here.clear();
-    for (const int point : cell) {
-      here.insert(here.end(), shape.nodes.begin() + static_cast<std::ptrdiff_t>(shape.starts[point]),
-                  shape.nodes.begin() + static_cast<std::ptrdiff_t>(shape.starts[point + 1]));
-    }
-    std::sort(here.begin(), here.end());
-    here.erase(std::unique(here.begin(), here.end()), here.end());
-    for (const int frame : here) {
-      auto& list = meet[frame];
-      list.insert(list.end(), here.begin(), here.end());
-      if (list.size() > 4096) {  // repeated often: kept short
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
+  blocks.assign(frames.size(), FrameBlock::Zero());
+  for (std::size_t q = 0; q < points_.size(); ++q) {
+    const FrameBlock& block = coupled_[q];
+    for (const Share* share = basis.shares_begin(points_[q]); share != basis.shares_end(points_[q]); ++share) {
+      const int slot = slot_of_frame[share->frame];
+      if (slot < 0) continue;
+      FrameBlock& target = blocks[static_cast<std::size_t>(slot)];
+      target.leftCols<3>() += share->weight * block.leftCols<3>();
+      for (int k = 0; k < 3; ++k) {
+        target.middleCols<3>(3 * k + 3) +=
+            share->arm[k] * block.leftCols<3>() + share->slope_per_mm * block.middleCols<3>(3 * k + 3);
       }
     }
   }
-  Lists lists;
-  lists.starts.push_back(0);
-  for (std::size_t frame = 0; frame < meet.size(); ++frame) {
-    auto& list = meet[frame];
-    list.push_back(static_cast<int>(frame));  // a frame that acts nowhere still has its own block
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    lists.items.insert(lists.items.end(), list.begin(), list.end());
-    lists.starts.push_back(lists.items.size());
+  for (const int frame : frames) slot_of_frame[frame] = -1;
+}
+
+void RowsOfPoint::couple_points(const BlockMatrix<double>& stiffness, const FrameBasis& basis, int point) {
+  using Strip = Eigen::Matrix<double, 3, frame_size>;
+  const Lists& places = basis.places_of_point();
+  points_.clear();
+  for (const int* place = places.begin(point); place != places.end(point); ++place) {
+    for (const int* other = stiffness.columns().begin(*place); other != stiffness.columns().end(*place); ++other) {
+      for (const auto& end : basis.ends_of(*other)) {
+        if (end.point >= 0) points_.push_back(end.point);
+      }
+    }
   }
-  return lists;
+  std::sort(points_.begin(), points_.end());
+  points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+  coupled_.assign(points_.size(), FrameBlock::Zero());
+  std::vector<Strip> strips(points_.size());  // of one place of the point: its three rows
+  for (const int* place = places.begin(point); place != places.end(point); ++place) {
+    std::fill(strips.begin(), strips.end(), Strip::Zero());
+    for (std::size_t k = stiffness.columns().starts[*place]; k < stiffness.columns().starts[*place + 1]; ++k) {
+      const Eigen::Map<const Eigen::Matrix3d> block(stiffness.block(k));
+      for (const auto& end : basis.ends_of(stiffness.columns().items[k])) {
+        if (end.point < 0) break;
+        const auto q = std::lower_bound(points_.begin(), points_.end(), end.point) - points_.begin();
+        Strip& strip = strips[static_cast<std::size_t>(q)];
+        strip.leftCols<3>() += end.part * block;
+        for (int l = 0; l < 3; ++l) strip.middleCols<3>(3 * l + 3) += end.part * end.away_mm[l] * block;
+      }
+    }
+    const auto& ends = basis.ends_of(*place);
+    const auto& own = ends[ends[0].point == point ? 0 : 1];
+    for (std::size_t q = 0; q < points_.size(); ++q) {
+      coupled_[q].topRows<3>() += own.part * strips[q];
+      for (int k = 0; k < 3; ++k) coupled_[q].middleRows<3>(3 * k + 3) += own.part * own.away_mm[k] * strips[q];
+    }
+  }
 }
 
 }  // namespace

@@ -1,60 +1,17 @@
 #pragma once
-// The meshfree engine's unknowns and matrices. Each node carries an affine frame, 12 unknowns: how its place moves, and
-// how that changes along x, y and z (mm each). A place x moves by
-//
-//   u(x) = sum over nodes of w_i(x) (t_i + B_i (x - X_i) / l_i),     q = (t, B's three columns) of all nodes in turn
-//
-// X_i being the node, l_i its size (mm). Affine rather than rigid frames, because then any uniform strain and any
-// rotation is in the space exactly, whatever the weights (they sum to 1): that passes the patch test and turns without
-// growing, and it leaves mass and stiffness constant in q, so that they are assembled offline. Weights being linear in
-// each cell of the background mesh, u is quadratic in each: its values at the corners and mid-side nodes of quadratic
-// tetrahedra say all, and integrals over cells are exact. Inside of this room.
+// Matrices over frames (frame_basis.h), assembled: P^T K P in blocks of 12x12, P being how places follow frames. For
+// a few thousand frames at most: a frame meets a hundred others, and each block is 1.2 kB. Inside of this room.
 
 #include <Eigen/SparseCore>
-#include <functional>
 #include <vector>
 
-#include "mechanics/block_assembly.h"
-#include "mechanics/meshfree_nodes.h"
+#include "mechanics/block_csr.h"
+#include "mechanics/frame_basis.h"
 
 namespace glisson::mechanics {
 
-inline constexpr int frame_size = 12;
-using FrameBlock = Eigen::Matrix<double, frame_size, frame_size>;
-
-// l_i.
-[[nodiscard]] double frame_length_mm(const ShapeFunctions& shape, int frame);
-
-// The frames of an affine field of displacements (or velocities): what they blend to is that field exactly.
-[[nodiscard]] Eigen::VectorXd affine_frames(const ShapeFunctions& shape,
-                                            const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& field);
-
-// How the nodes of a quadratic layout (here: places) follow the frames.
-class FrameBasis {
- public:
-  FrameBasis(const geometry::TetMesh& mesh, const NodeLayout& layout, const ShapeFunctions& shape);
-
-  [[nodiscard]] int frames() const { return static_cast<int>(neighbours_.starts.size()) - 1; }
-  [[nodiscard]] Eigen::Index unknowns() const { return Eigen::Index{frame_size} * frames(); }
-
-  // Displacements of the places (3 each) from q; and forces on q from forces at the places: the transpose.
-  [[nodiscard]] Eigen::VectorXd displacement(const Eigen::VectorXd& q) const;
-  [[nodiscard]] Eigen::VectorXd reduce(const Eigen::VectorXd& force) const;
-
-  // A frame's factor at a place: w (1, (x - X) / l).
-  struct Share {
-    int place_or_frame;
-    Eigen::Vector4d factor;
-  };
-  [[nodiscard]] const std::vector<Share>& frames_of(int place) const { return frames_of_[place]; }
-  [[nodiscard]] const std::vector<Share>& places_of(int frame) const { return places_of_[frame]; }
-  // Which frames meet in some cell, themselves included, ascending.
-  [[nodiscard]] const Lists& neighbours() const { return neighbours_; }
-
- private:
-  std::vector<std::vector<Share>> frames_of_, places_of_;
-  Lists neighbours_;
-};
+// Which frames meet in some cell, themselves included, ascending.
+[[nodiscard]] Lists frames_that_meet(const FrameBasis& basis);
 
 // A symmetric matrix of 12x12 blocks, both triangles stored.
 class FrameMatrix {
@@ -80,10 +37,9 @@ class FrameMatrix {
   std::vector<FrameBlock> blocks_;
 };
 
-// P^T K P, `lower` being the lower triangle of K over the places (3 unknowns each, 3x3 blocks whole).
-[[nodiscard]] FrameMatrix reduced(const Eigen::SparseMatrix<double>& lower, const FrameBasis& basis);
-
-// Adds springs (mN/mm, one for each unknown of a place, 3 a place; 0: none) that resist the places' displacements.
-void add_springs(const std::vector<double>& stiffness, const FrameBasis& basis, FrameMatrix& matrix);
+// P^T K P, `stiffness` being K over the places; and of that the blocks of the diagonal alone.
+[[nodiscard]] FrameMatrix reduced(const BlockMatrix<double>& stiffness, const FrameBasis& basis);
+[[nodiscard]] FrameMatrix reduced(const BlockMatrix<double>& stiffness, const FrameBasis& basis, Lists frames_meeting);
+[[nodiscard]] std::vector<FrameBlock> diagonal_reduced(const BlockMatrix<double>& stiffness, const FrameBasis& basis);
 
 }  // namespace glisson::mechanics

@@ -1,57 +1,54 @@
 #include "mechanics/frame_solver.h"
 
+#include <algorithm>
+#include <array>
 #include <Eigen/Cholesky>
+#include <map>
 
 #include "base/parallel.h"
-#include "mechanics/fill_in.h"
+#include "geometry/tetrahedra.h"
 
 namespace glisson::mechanics {
 namespace {
 
-constexpr double raise = 1e-9;
+// The least that makes a factor of a semi-definite matrix, and what is tried where rounding wants more.
+constexpr std::array<double, 3> raises{1e-13, 1e-11, 1e-9};
 
-// Whether a factor fits the memory and half a minute or so, told from the frames' pattern: each of its entries is a
-// block.
-bool is_worth_factorising(const FrameMatrix& matrix, std::uint64_t memory_limit_bytes) {
-  constexpr double most_operations = 1e12;
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int row = 0; row < matrix.rows(); ++row) {
-    for (const int* column = matrix.columns().begin(row); column != matrix.columns().end(row); ++column) {
-      if (*column <= row) entries.emplace_back(row, *column, 1.0);
-    }
-  }
-  Eigen::SparseMatrix<double> pattern(matrix.rows(), matrix.rows());
-  pattern.setFromTriplets(entries.begin(), entries.end());
-  const FillIn of_frames = fill_in_of(pattern);
-  constexpr double block = frame_size * frame_size;
-  return 8.0 * block * of_frames.entries <= static_cast<double>(memory_limit_bytes) &&
-         frame_size * block * of_frames.operations <= most_operations;
-}
+// Leaders at the points of a lattice, trilinear between them; and one for each anchor, alone.
+FrameLead lead_on_lattice(const FrameBasis& basis, int most_leaders);
+// Leaders for a given spacing, anchors apart.
+FrameLead lead_by_spacing(const FrameBasis& basis, double spacing_mm);
+
+// Nothing where the factor does not fit the memory.
+std::optional<CholeskyFactor> factor_of(const Eigen::SparseMatrix<double>& lower, std::uint64_t memory_limit_bytes);
+
+// Each block's inverse, the block raised by a billionth.
+std::vector<Eigen::Matrix<float, frame_size, frame_size>> inverted(const std::vector<FrameBlock>& diagonal);
 
 }  // namespace
 
-FramePreconditioner FramePreconditioner::of_diagonal(const FrameMatrix& matrix) {
+FramePreconditioner FramePreconditioner::of(const FrameOperator& matrix, std::uint64_t memory_limit_bytes) {
+  constexpr int most_leaders = 300;
   FramePreconditioner preconditioner;
-  preconditioner.inverses_.resize(static_cast<std::size_t>(matrix.rows()));
-  for (int row = 0; row < matrix.rows(); ++row) {
-    FrameBlock block = matrix.blocks()[matrix.position(row, row)];
-    const double largest = block.diagonal().maxCoeff();
-    for (int d = 0; d < frame_size; ++d) block(d, d) += raise * largest + (largest > 0 ? 0.0 : 1.0);
-    preconditioner.inverses_[static_cast<std::size_t>(row)] = block.ldlt().solve(FrameBlock::Identity());
+  if (matrix.assembled() != nullptr) {
+    preconditioner.factor_ = factor_of(matrix.assembled()->lower(), memory_limit_bytes);
+    if (preconditioner.factor_) return preconditioner;
   }
+  preconditioner.inverses_ = inverted(matrix.diagonal());
+  if (matrix.of_places() == nullptr) return preconditioner;
+  preconditioner.basis_ = matrix.basis();
+  FrameLead lead = lead_on_lattice(*matrix.basis(), most_leaders);
+  const FrameMatrix of_leaders = reduced(*matrix.of_places(), matrix.basis()->led_by(lead));
+  preconditioner.factor_ = factor_of(of_leaders.lower(), memory_limit_bytes);
+  if (preconditioner.factor_) preconditioner.lead_ = std::move(lead);
   return preconditioner;
 }
 
-FramePreconditioner FramePreconditioner::factorised(const FrameMatrix& matrix, std::uint64_t memory_limit_bytes) {
-  if (!is_worth_factorising(matrix, memory_limit_bytes)) return of_diagonal(matrix);
-  auto factor = CholeskyFactor::create(positive_definite(matrix.lower()), memory_limit_bytes);
-  if (!factor) return of_diagonal(matrix);
-  FramePreconditioner preconditioner;
-  preconditioner.factor_ = std::move(*factor);
-  return preconditioner;
+std::uint64_t FramePreconditioner::bytes() const {
+  return (factor_ ? factor_->bytes() : 0) + inverses_.size() * sizeof(float) * frame_size * frame_size;
 }
 
-Eigen::SparseMatrix<double> positive_definite(Eigen::SparseMatrix<double> lower) {
+Eigen::SparseMatrix<double> positive_definite(Eigen::SparseMatrix<double> lower, double raise) {
   double largest = 0;
   for (Eigen::Index d = 0; d < lower.cols(); ++d) largest = std::max(largest, lower.coeff(d, d));
   for (Eigen::Index d = 0; d < lower.cols(); ++d) {
@@ -62,16 +59,19 @@ Eigen::SparseMatrix<double> positive_definite(Eigen::SparseMatrix<double> lower)
 }
 
 Eigen::VectorXd FramePreconditioner::apply(const Eigen::VectorXd& r) const {
-  if (factor_) return factor_->solve(r);
+  if (inverses_.empty()) return factor_->solve(r);
   Eigen::VectorXd z(r.size());
-  for (Eigen::Index row = 0; row < static_cast<Eigen::Index>(inverses_.size()); ++row) {
-    z.segment<frame_size>(frame_size * row) =
-        inverses_[static_cast<std::size_t>(row)] * r.segment<frame_size>(frame_size * row);
-  }
+  parallel_for(inverses_.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      const auto at = frame_size * static_cast<Eigen::Index>(row);
+      z.segment<frame_size>(at) = (inverses_[row] * r.segment<frame_size>(at).cast<float>()).cast<double>();
+    }
+  });
+  if (lead_) z += basis_->follow(*lead_, factor_->solve(basis_->gather(*lead_, r)));
   return z;
 }
 
-FrameSolution conjugate_gradients(const FrameMatrix& matrix, const FramePreconditioner& preconditioner,
+FrameSolution conjugate_gradients(const FrameOperator& matrix, const FramePreconditioner& preconditioner,
                                   const Eigen::VectorXd& b, Eigen::VectorXd start, double tolerance,
                                   int max_iterations) {
   FrameSolution solution{std::move(start)};
@@ -86,25 +86,115 @@ FrameSolution conjugate_gradients(const FrameMatrix& matrix, const FramePrecondi
     solution.x.setZero();
     r = b;
   }
-  Eigen::VectorXd z = preconditioner.apply(r);
-  Eigen::VectorXd p = z;
-  double r_dot_z = r.dot(z);
-  while (r.norm() > tolerance * scale && solution.iterations < max_iterations && r_dot_z > 0) {
-    const Eigen::VectorXd product = matrix * p;
-    const double curvature = p.dot(product);
-    if (!(curvature > 0)) break;
-    const double length = r_dot_z / curvature;
-    solution.x += length * p;
-    r -= length * product;
-    ++solution.iterations;
-    z = preconditioner.apply(r);
-    const double next = r.dot(z);
-    p = z + next / r_dot_z * p;
-    r_dot_z = next;
+  // Products are rough and what they leave is formed anew: a round ends where its own residual is small enough, or as
+  // small as rough products can tell.
+  constexpr double least_of_a_round = 1e-4;
+  double norm = r.norm();
+  for (bool gains = true; gains && norm > tolerance * scale && solution.iterations < max_iterations;) {
+    const double target = std::max(0.9 * tolerance * scale, least_of_a_round * norm);
+    Eigen::VectorXd z = preconditioner.apply(r);
+    Eigen::VectorXd p = z;
+    double r_dot_z = r.dot(z);
+    while (r.norm() > target && solution.iterations < max_iterations && r_dot_z > 0) {
+      const Eigen::VectorXd product = matrix.rough(p);
+      const double curvature = p.dot(product);
+      if (!(curvature > 0)) break;
+      const double length = r_dot_z / curvature;
+      solution.x += length * p;
+      r -= length * product;
+      ++solution.iterations;
+      z = preconditioner.apply(r);
+      const double next = r.dot(z);
+      p = z + next / r_dot_z * p;
+      r_dot_z = next;
+    }
+    r = b - matrix * solution.x;
+    const double before = norm;
+    norm = r.norm();
+    gains = norm < 0.5 * before;
   }
-  solution.relative_residual = (b - matrix * solution.x).norm() / scale;
+  solution.relative_residual = norm / scale;
   solution.converged = solution.x.allFinite() && solution.relative_residual <= 1.01 * tolerance;
   return solution;
 }
 
+namespace {
+
+std::optional<CholeskyFactor> factor_of(const Eigen::SparseMatrix<double>& lower, std::uint64_t memory_limit_bytes) {
+  for (const double raise : raises) {
+    auto factor = CholeskyFactor::create(positive_definite(lower, raise), memory_limit_bytes);
+    if (factor) return std::move(*factor);
+    if (factor.error().code == "too-large") break;
+  }
+  return std::nullopt;
+}
+
+FrameLead lead_on_lattice(const FrameBasis& basis, int most_leaders) {
+  geometry::Box box = geometry::Box{basis.position_mm(0), basis.position_mm(0)};
+  for (int i = 0; i < basis.frames(); ++i) {
+    box.min_mm = box.min_mm.cwiseMin(basis.position_mm(i));
+    box.max_mm = box.max_mm.cwiseMax(basis.position_mm(i));
+  }
+  double spacing_mm = std::max((box.max_mm - box.min_mm).maxCoeff(), 1e-9);
+  FrameLead lead = lead_by_spacing(basis, spacing_mm);
+  for (int refinements = 0; refinements < 60; ++refinements) {
+    spacing_mm *= 0.92;
+    FrameLead finer = lead_by_spacing(basis, spacing_mm);
+    if (static_cast<int>(finer.leaders_mm.size()) > most_leaders) break;
+    lead = std::move(finer);
+  }
+  const int led = basis.frames() - basis.anchors();
+  for (int i = led; i < basis.frames(); ++i) {
+    lead.leaders.push_back(static_cast<int>(lead.leaders_mm.size()));
+    lead.weights.push_back(1.0);
+    lead.starts.push_back(lead.leaders.size());
+    lead.leaders_mm.push_back(basis.position_mm(i));
+    lead.lengths_mm.push_back(basis.length_mm(i));
+  }
+  return lead;
+}
+
+FrameLead lead_by_spacing(const FrameBasis& basis, double spacing_mm) {
+  const int led = basis.frames() - basis.anchors();
+  Eigen::Vector3d origin_mm = basis.position_mm(0);
+  for (int i = 0; i < led; ++i) origin_mm = origin_mm.cwiseMin(basis.position_mm(i));
+  FrameLead lead;
+  lead.starts.push_back(0);
+  std::map<std::array<int, 3>, int> numbers;
+  for (int i = 0; i < led; ++i) {
+    const Eigen::Vector3d place = (basis.position_mm(i) - origin_mm) / spacing_mm;
+    const Eigen::Vector3d floor = place.array().floor(), within = place - floor;
+    for (int k = 0; k < 8; ++k) {
+      const Eigen::Vector3d offset(k & 1, k >> 1 & 1, k >> 2);
+      const double weight = (offset.array() > 0).select(within.array(), 1.0 - within.array()).prod();
+      if (weight <= 0) continue;
+      const Eigen::Vector3d at = floor + offset;
+      const auto [found, is_new] =
+          numbers.try_emplace({int(at.x()), int(at.y()), int(at.z())}, static_cast<int>(lead.leaders_mm.size()));
+      if (is_new) {
+        lead.leaders_mm.emplace_back(origin_mm + spacing_mm * at);
+        lead.lengths_mm.push_back(spacing_mm);
+      }
+      lead.leaders.push_back(found->second);
+      lead.weights.push_back(weight);
+    }
+    lead.starts.push_back(lead.leaders.size());
+  }
+  return lead;
+}
+
+std::vector<Eigen::Matrix<float, frame_size, frame_size>> inverted(const std::vector<FrameBlock>& diagonal) {
+  std::vector<Eigen::Matrix<float, frame_size, frame_size>> inverses(diagonal.size());
+  parallel_for(diagonal.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      FrameBlock block = diagonal[row];
+      const double largest = block.diagonal().maxCoeff();
+      block.diagonal().array() += raises.back() * largest + (largest > 0 ? 0.0 : 1.0);
+      inverses[row] = block.ldlt().solve(FrameBlock::Identity()).cast<float>();
+    }
+  });
+  return inverses;
+}
+
+}  // namespace
 }  // namespace glisson::mechanics

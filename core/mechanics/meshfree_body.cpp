@@ -19,6 +19,14 @@ void anchor_held(const Body& body, ShapeFunctions& shape);
 
 // For each held direction of a place, a spring hold_factor times the stiffness that the body has for that place alone.
 std::vector<double> springs_of_held(const Body& body, const Eigen::SparseMatrix<double>& stiffness);
+void add_springs(const std::vector<double>& springs, Eigen::SparseMatrix<double>& lower);
+
+Eigen::SparseMatrix<double> tangent_of_places(const MeshfreeBody& frames, const Eigen::VectorXd& u_mm, Tangent which,
+                                              double pressure_kPa) {
+  Eigen::SparseMatrix<double> lower = tangent_stiffness(frames.body, frames.materials, u_mm, which, pressure_kPa);
+  add_springs(frames.hold, lower);
+  return lower;
+}
 
 }  // namespace
 
@@ -42,25 +50,34 @@ Result<MeshfreeBody> prepare_meshfree_body(const geometry::TetMesh& mesh, const 
   }
   if (progress.cancelled()) return cancelled();
   progress.report(0.6, GLISSON_TEXT("Assembling the stiffness"));
-  const Eigen::SparseMatrix<double> stiffness = assemble_stiffness(*body);
-  FrameBasis basis(body->mesh, body->layout, *shape);
+  Eigen::SparseMatrix<double> stiffness = assemble_stiffness(*body);
   std::vector<double> hold = springs_of_held(*body, stiffness);
-  FrameMatrix rest = reduced(stiffness, basis);
-  add_springs(hold, basis, rest);
+  add_springs(hold, stiffness);
+  const auto basis = std::make_shared<const FrameBasis>(body->mesh, body->layout, *shape);
+  Lists meeting = frames_that_meet(*basis);
+  const FrameOperator::Form form = FrameOperator::form_for(meeting, options.memory_limit_bytes);
+  FrameOperator rest(form, basis, stiffness, meeting);
   std::vector<Material> materials = materials_of(*body, chosen.law, chosen.strain_stiffening);
   progress.report(1.0, GLISSON_TEXT("Assembled"));
-  return MeshfreeBody{std::move(*body),     chosen.law,      std::move(*shape), std::move(basis),
-                      std::move(materials), std::move(hold), std::move(rest),   watch.seconds()};
+  return MeshfreeBody{std::move(*body),     chosen.law,      std::move(*shape),  basis,
+                      std::move(materials), std::move(hold), std::move(meeting), form,
+                      std::move(rest),      watch.seconds()};
 }
 
 Eigen::VectorXd MeshfreeBody::holding_force_mN(const Eigen::VectorXd& u_mm) const {
   return -Eigen::Map<const Eigen::VectorXd>(hold.data(), static_cast<Eigen::Index>(hold.size())).cwiseProduct(u_mm);
 }
 
-FrameMatrix MeshfreeBody::tangent(const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa) const {
-  FrameMatrix matrix = reduced(tangent_stiffness(body, materials, u_mm, which, pressure_kPa), basis);
-  add_springs(hold, basis, matrix);
-  return matrix;
+FrameOperator MeshfreeBody::tangent(const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa) const {
+  return over_frames(tangent_of_places(*this, u_mm, which, pressure_kPa));
+}
+
+FrameMatrix MeshfreeBody::assembled_tangent(const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa) const {
+  return reduced(both_triangles(tangent_of_places(*this, u_mm, which, pressure_kPa)), *basis, frames_meeting);
+}
+
+FrameOperator MeshfreeBody::over_frames(const Eigen::SparseMatrix<double>& lower) const {
+  return {form, basis, lower, frames_meeting};
 }
 
 namespace {
@@ -95,6 +112,7 @@ void anchor_held(const Body& body, ShapeFunctions& shape) {
     shape.nodes_mm.push_back(middle_mm);
     shape.node_volumes_mm3.push_back(mean_volume_mm3);
     shape.node_youngs_kPa.push_back(shape.node_youngs_kPa[nearest]);
+    ++shape.anchors;
   }
   std::vector<std::size_t> starts{0};
   std::vector<int> nodes;
@@ -132,6 +150,12 @@ std::vector<double> springs_of_held(const Body& body, const Eigen::SparseMatrix<
     }
   }
   return springs;
+}
+
+void add_springs(const std::vector<double>& springs, Eigen::SparseMatrix<double>& lower) {
+  for (std::size_t i = 0; i < springs.size(); ++i) {  // the diagonal is the first of its column
+    lower.valuePtr()[lower.outerIndexPtr()[i]] += springs[i];
+  }
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "mechanics/body.h"
-#include "mechanics/frame_matrix.h"
+#include "mechanics/frame_operator.h"
 #include "mechanics/large_deformation.h"
 #include "mechanics/meshfree_nodes.h"
 
@@ -23,10 +23,12 @@ struct MeshfreeBody {
   Body body;  // laid out with quadratic cells
   MaterialLaw law = MaterialLaw::linear;
   ShapeFunctions shape;
-  FrameBasis basis;
+  std::shared_ptr<const FrameBasis> basis;
   std::vector<Material> materials;  // one a cell
   std::vector<double> hold;         // springs (mN/mm), 3 a place; 0 where free
-  FrameMatrix rest_stiffness;       // of the body, its foundations, its capsule and `hold`
+  Lists frames_meeting;
+  FrameOperator::Form form;
+  FrameOperator rest_stiffness;  // of the body, its foundations, its capsule and `hold`
   double setup_s = 0;
 
   static constexpr double hold_factor = 1e3;
@@ -34,7 +36,11 @@ struct MeshfreeBody {
   // What the springs of held points push with (mN, 3 a place) where the places have moved by u.
   [[nodiscard]] Eigen::VectorXd holding_force_mN(const Eigen::VectorXd& u_mm) const;
   // The tangent at u, with what holds and surrounds the body, the gas at `pressure_kPa`.
-  [[nodiscard]] FrameMatrix tangent(const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa = 0) const;
+  [[nodiscard]] FrameOperator tangent(const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa = 0) const;
+  // Assembled, to be factorised, whatever the number of frames.
+  [[nodiscard]] FrameMatrix assembled_tangent(const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa) const;
+  // The same, in either form, of any symmetric matrix over the places.
+  [[nodiscard]] FrameOperator over_frames(const Eigen::SparseMatrix<double>& lower) const;
 };
 
 // `mesh` is open along the cuts (open_cuts). Failures: those of prepare_body and of shape_functions_of.

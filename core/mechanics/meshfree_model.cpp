@@ -28,22 +28,23 @@ constexpr int most_iterations = 5000;
 class FrameBalance : public Landscape {
  public:
   FrameBalance(const MeshfreeBody& frames, const AppliedLoads& loads, double part)
-      : frames_(frames), dead_mN_(frames.basis.reduce(part * loads.dead_mN)), gas_kPa_(part * loads.gas_kPa) {}
+      : frames_(frames), dead_mN_(frames.basis->reduce(part * loads.dead_mN)), gas_kPa_(part * loads.gas_kPa) {}
 
   [[nodiscard]] double energy_uJ(const Eigen::VectorXd& q_mm) const override {
-    const Eigen::VectorXd u_mm = frames_.basis.displacement(q_mm);
+    const Eigen::VectorXd u_mm = frames_.basis->displacement(q_mm);
     return strain_energy_uJ(frames_.body, frames_.materials, u_mm) +
            surroundings_energy_uJ(frames_.body, gas_kPa_, u_mm) - 0.5 * u_mm.dot(frames_.holding_force_mN(u_mm)) -
            dead_mN_.dot(q_mm);
   }
   [[nodiscard]] Eigen::VectorXd force_mN(const Eigen::VectorXd& q_mm) const override {
-    const Eigen::VectorXd u_mm = frames_.basis.displacement(q_mm);
+    const Eigen::VectorXd u_mm = frames_.basis->displacement(q_mm);
     return dead_mN_ +
-           frames_.basis.reduce(surroundings_force_mN(frames_.body, gas_kPa_, u_mm) + frames_.holding_force_mN(u_mm) -
-                                internal_force_mN(frames_.body, frames_.materials, u_mm));
+           frames_.basis->reduce(surroundings_force_mN(frames_.body, gas_kPa_, u_mm) + frames_.holding_force_mN(u_mm) -
+                                 internal_force_mN(frames_.body, frames_.materials, u_mm));
   }
   [[nodiscard]] Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& q_mm, Tangent which) const override {
-    return positive_definite(frames_.tangent(frames_.basis.displacement(q_mm), which, gas_kPa_).lower());
+    // Newton factorises: assembled, whatever the number of frames.
+    return positive_definite(frames_.assembled_tangent(frames_.basis->displacement(q_mm), which, gas_kPa_).lower());
   }
   [[nodiscard]] double energy_scale_uJ(const Eigen::VectorXd& q_mm) const override {
     return std::abs(dead_mN_.dot(q_mm)) + std::abs(gas_kPa_) * geometry::volume_mm3(frames_.body.mesh);
@@ -79,7 +80,7 @@ Result<MeshfreeModel> MeshfreeModel::create(const geometry::TetMesh& mesh, const
   if (!frames) return failure(std::move(frames.error()));
   progress.report(0.8, GLISSON_TEXT("Factorising"));
   if (progress.cancelled()) return cancelled();
-  auto preconditioner = FramePreconditioner::factorised(frames->rest_stiffness, options.memory_limit_bytes);
+  auto preconditioner = FramePreconditioner::of(frames->rest_stiffness, options.memory_limit_bytes);
   return MeshfreeModel(
       std::make_shared<const Parts>(Parts{std::move(*frames), std::move(preconditioner), watch.seconds()}));
 }
@@ -100,7 +101,7 @@ Result<StaticResult> MeshfreeModel::solve(const AppliedLoads& loads, const Newto
   StaticResult result;
   if (frames.law == MaterialLaw::linear && frames.body.resolved.ligaments.empty()) {
     const double tolerance = frames.body.options.relative_tolerance;
-    const Eigen::VectorXd force_mN = frames.basis.reduce(loads.dead_mN);
+    const Eigen::VectorXd force_mN = frames.basis->reduce(loads.dead_mN);
     const FrameSolution solution =
         conjugate_gradients(frames.rest_stiffness, parts_->preconditioner, force_mN,
                             Eigen::VectorXd::Zero(force_mN.size()), tolerance, most_iterations);
@@ -147,9 +148,8 @@ std::vector<double> MeshfreeModel::von_mises_kPa(const StaticResult& result) con
 }
 
 MeshfreeModel::Cost MeshfreeModel::cost() const {
-  const FrameMatrix& matrix = parts_->frames.rest_stiffness;
-  return {parts_->setup_s, static_cast<std::size_t>(parts_->frames.basis.unknowns()),
-          matrix.blocks().size() * sizeof(FrameBlock), parts_->preconditioner.bytes()};
+  return {parts_->setup_s, static_cast<std::size_t>(parts_->frames.basis->unknowns()),
+          parts_->frames.rest_stiffness.bytes(), parts_->preconditioner.bytes()};
 }
 
 namespace {
@@ -159,9 +159,9 @@ Result<CarriedLoad> carry(const MeshfreeBody& frames, const AppliedLoads& loads,
                           const Progress& progress) {
   const DescentOptions descent_options{options.relative_tolerance, options.max_steps,
                                        frames.body.options.memory_limit_bytes};
-  const std::vector<std::uint8_t> nothing_held(static_cast<std::size_t>(frames.basis.unknowns()), 0);
+  const std::vector<std::uint8_t> nothing_held(static_cast<std::size_t>(frames.basis->unknowns()), 0);
   CarriedLoad carried;
-  carried.q_mm.setZero(frames.basis.unknowns());
+  carried.q_mm.setZero(frames.basis->unknowns());
   double part = 1.0;
   for (int halvings = 0; carried.share < 1.0 && halvings <= options.max_halvings;) {
     progress.report(carried.share, GLISSON_TEXT("Looking for the equilibrium"));
@@ -183,7 +183,7 @@ Result<CarriedLoad> carry(const MeshfreeBody& frames, const AppliedLoads& loads,
 }
 
 StaticResult result_of(const MeshfreeBody& frames, const Eigen::VectorXd& q_mm, const AppliedLoads& loads) {
-  const Eigen::VectorXd u_mm = frames.basis.displacement(q_mm);
+  const Eigen::VectorXd u_mm = frames.basis->displacement(q_mm);
   StaticResult result = state_of(frames.body, frames.materials, u_mm, loads, Eigen::VectorXd::Zero(u_mm.size()));
   result.held_reaction_mN = sum_of(frames.holding_force_mN(u_mm));
   if (frames.law == MaterialLaw::linear && result.inverted_cells == 0 && result.largest_strain > 0.2) {

@@ -14,26 +14,26 @@ namespace glisson::mechanics {
 struct MeshfreeMotion::Parts {
   MeshfreeBody frames;
   MotionOptions options;
-  FrameMatrix mass;       // kg
-  FrameMatrix stiffness;  // of the present shape, supports included (mN/mm)
-  FrameMatrix system;     // A
+  FrameOperator mass;       // kg
+  FrameOperator stiffness;  // of the present shape, supports included (mN/mm)
+  FrameOperator system;     // A
   FramePreconditioner preconditioner;
   Eigen::VectorXd q_mm, v_mm_s, last_dv_mm_s;
 
   Parts(MeshfreeBody given, const MotionOptions& given_options)
       : frames(std::move(given)),
         options(given_options),
-        mass(reduced(consistent_mass_kg(frames.body), frames.basis)),
+        mass(frames.over_frames(consistent_mass_kg(frames.body))),
         stiffness(frames.rest_stiffness),
         system(system_of(stiffness)),
-        preconditioner(FramePreconditioner::factorised(system, frames.body.options.memory_limit_bytes)),
-        q_mm(Eigen::VectorXd::Zero(frames.basis.unknowns())),
+        preconditioner(FramePreconditioner::of(system, frames.body.options.memory_limit_bytes)),
+        q_mm(Eigen::VectorXd::Zero(frames.basis->unknowns())),
         v_mm_s(q_mm),
         last_dv_mm_s(q_mm) {}
 
-  [[nodiscard]] FrameMatrix system_of(const FrameMatrix& k) const {
+  [[nodiscard]] FrameOperator system_of(const FrameOperator& k) const {
     const double h = options.step_s;
-    return FrameMatrix::sum(1.0 + h * options.mass_damping_per_s, mass, h * (h + options.stiffness_damping_s), k);
+    return FrameOperator::sum(1.0 + h * options.mass_damping_per_s, mass, h * (h + options.stiffness_damping_s), k);
   }
   [[nodiscard]] bool is_linear() const {
     return frames.law == MaterialLaw::linear && frames.body.resolved.ligaments.empty();
@@ -42,9 +42,9 @@ struct MeshfreeMotion::Parts {
   // What all but the dead loads pushes with at q, over frames.
   [[nodiscard]] Eigen::VectorXd force_mN(double gas_kPa) const {
     if (is_linear()) return -(stiffness * q_mm);
-    const Eigen::VectorXd u_mm = frames.basis.displacement(q_mm);
-    return frames.basis.reduce(surroundings_force_mN(frames.body, gas_kPa, u_mm) + frames.holding_force_mN(u_mm) -
-                               internal_force_mN(frames.body, frames.materials, u_mm));
+    const Eigen::VectorXd u_mm = frames.basis->displacement(q_mm);
+    return frames.basis->reduce(surroundings_force_mN(frames.body, gas_kPa, u_mm) + frames.holding_force_mN(u_mm) -
+                                internal_force_mN(frames.body, frames.materials, u_mm));
   }
 
   [[nodiscard]] FrameSolution solve(const Eigen::VectorXd& b);
@@ -68,10 +68,11 @@ StepReport MeshfreeMotion::step(const AppliedLoads& loads) {
   const MotionOptions& options = parts.options;
   const double h = options.step_s;
   if (!parts.is_linear()) {
-    parts.stiffness = parts.frames.tangent(parts.frames.basis.displacement(parts.q_mm), Tangent::warped, loads.gas_kPa);
+    parts.stiffness =
+        parts.frames.tangent(parts.frames.basis->displacement(parts.q_mm), Tangent::warped, loads.gas_kPa);
     parts.system = parts.system_of(parts.stiffness);
   }
-  const Eigen::VectorXd b = h * (parts.frames.basis.reduce(loads.dead_mN) + parts.force_mN(loads.gas_kPa) -
+  const Eigen::VectorXd b = h * (parts.frames.basis->reduce(loads.dead_mN) + parts.force_mN(loads.gas_kPa) -
                                  (h + options.stiffness_damping_s) * (parts.stiffness * parts.v_mm_s) -
                                  options.mass_damping_per_s * (parts.mass * parts.v_mm_s));
   const FrameSolution solution = parts.solve(b);
@@ -85,7 +86,7 @@ StepReport MeshfreeMotion::step(const AppliedLoads& loads) {
     parts.v_mm_s += solution.x;
     parts.q_mm += h * parts.v_mm_s;
   }
-  const Eigen::VectorXd u_mm = parts.frames.basis.displacement(parts.q_mm);
+  const Eigen::VectorXd u_mm = parts.frames.basis->displacement(parts.q_mm);
   report.inverted_cells = cells_turned_inside_out(parts.frames.body, u_mm);
   report.strain_energy_uJ = strain_energy_uJ(parts.frames.body, parts.frames.materials, u_mm);
   report.kinetic_energy_uJ = 0.5 * parts.v_mm_s.dot(parts.mass * parts.v_mm_s);
@@ -98,10 +99,11 @@ FrameSolution MeshfreeMotion::Parts::solve(const Eigen::VectorXd& b) {
   const auto attempt = [&](int most) {
     return conjugate_gradients(system, preconditioner, b, last_dv_mm_s, options.relative_tolerance, most);
   };
-  FrameSolution solution = attempt(is_linear() ? options.max_iterations : std::min(30, options.max_iterations));
+  FrameSolution solution =
+      attempt(is_linear() ? options.max_iterations : std::min(preconditioner.patience(), options.max_iterations));
   if (solution.converged || is_linear()) return solution;
   const int spent = solution.iterations;
-  preconditioner = FramePreconditioner::factorised(system, frames.body.options.memory_limit_bytes);
+  preconditioner = FramePreconditioner::of(system, frames.body.options.memory_limit_bytes);
   solution = attempt(options.max_iterations);
   solution.iterations += spent;
   return solution;
@@ -112,8 +114,8 @@ MeshfreeMotion::MeshfreeMotion(MeshfreeMotion&&) noexcept = default;
 MeshfreeMotion& MeshfreeMotion::operator=(MeshfreeMotion&&) noexcept = default;
 MeshfreeMotion::~MeshfreeMotion() = default;
 
-Eigen::VectorXd MeshfreeMotion::displacement_mm() const { return parts_->frames.basis.displacement(parts_->q_mm); }
-Eigen::VectorXd MeshfreeMotion::velocity_mm_s() const { return parts_->frames.basis.displacement(parts_->v_mm_s); }
+Eigen::VectorXd MeshfreeMotion::displacement_mm() const { return parts_->frames.basis->displacement(parts_->q_mm); }
+Eigen::VectorXd MeshfreeMotion::velocity_mm_s() const { return parts_->frames.basis->displacement(parts_->v_mm_s); }
 const Body& MeshfreeMotion::body() const { return parts_->frames.body; }
 
 void MeshfreeMotion::set_rigid_velocity(const Eigen::Vector3d& velocity_mm_s, const Eigen::Vector3d& spin_per_s) {

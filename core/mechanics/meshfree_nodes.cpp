@@ -203,7 +203,9 @@ std::vector<Influence> influences(const geometry::TetMesh& mesh, const Complianc
   }
 
   std::vector<Influence> all(nodes_mm.size());
-  parallel_for(nodes_mm.size(), 16, [&](std::size_t begin, std::size_t end) {
+  // A workspace is as large as the grid: one for a good many nodes.
+  const std::size_t at_once = std::max<std::size_t>(16, nodes_mm.size() / 16);
+  parallel_for(nodes_mm.size(), at_once, [&](std::size_t begin, std::size_t end) {
     ComplianceDistance::Workspace workspace(distance.grid().voxels());
     std::vector<std::pair<int, float>> found;
     for (std::size_t n = begin; n < end; ++n) {

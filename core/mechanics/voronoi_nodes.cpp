@@ -1,6 +1,8 @@
 #include "mechanics/voronoi_nodes.h"
 
 #include <algorithm>
+#include <cmath>
+#include <Eigen/LU>
 #include <numeric>
 #include <random>
 
@@ -16,7 +18,30 @@ using Eigen::Vector3d;
 struct Voxels {
   std::vector<std::size_t> offsets;
   std::vector<Vector3d> centers_mm;
-  double volume_mm3 = 0;  // of one
+  imaging::Grid grid;
+};
+
+// Space cut into blocks of voxels, about as large as a node's share, and the nodes in each. What is nearest to a voxel
+// is mostly found among the few dozen nodes of its own block and those around it, sooner than in a tree.
+class Blocks {
+ public:
+  Blocks(const Voxels& voxels, std::size_t nodes);
+
+  // For each block in turn, its voxels, by their place in the list.
+  [[nodiscard]] const std::vector<std::vector<std::int32_t>>& voxels() const { return voxels_; }
+  void sort_in(const std::vector<Vector3d>& nodes_mm);
+  // The nodes of a block and of those that touch it. Any other node is farther than `reach_mm` from each of its voxels.
+  void nodes_around(std::size_t block, std::vector<std::int32_t>& nodes) const;
+  [[nodiscard]] double reach_mm() const { return reach_mm_; }
+
+ private:
+  [[nodiscard]] std::size_t block_of(const Vector3d& place_mm) const;
+
+  const imaging::Grid* grid_;
+  int edge_;  // in voxels
+  std::array<int, 3> size_;
+  double reach_mm_;
+  std::vector<std::vector<std::int32_t>> voxels_, nodes_;
 };
 Voxels voxels_of(const imaging::Mask& body);
 
@@ -28,7 +53,7 @@ struct Assignment {
   std::vector<std::int32_t> node_of;
   std::vector<double> squared_distance_mm2;
 };
-Assignment assign(const Voxels& voxels, const std::vector<Vector3d>& nodes_mm);
+Assignment assign(const Voxels& voxels, Blocks& blocks, const std::vector<Vector3d>& nodes_mm);
 double energy_mm5(const Voxels& voxels, const Assignment& assignment);
 std::vector<int> voxels_of_nodes(const Assignment& assignment, std::size_t nodes);
 
@@ -52,7 +77,8 @@ Result<VoronoiNodes> voronoi_nodes(const imaging::Mask& body, const VoronoiOptio
   VoronoiNodes result;
   const auto nodes = static_cast<std::size_t>(options.nodes);
   result.positions_mm = spread_evenly(voxels, options.nodes);
-  Assignment assignment = assign(voxels, result.positions_mm);
+  Blocks blocks(voxels, nodes);
+  Assignment assignment = assign(voxels, blocks, result.positions_mm);
   std::vector<int> counts = voxels_of_nodes(assignment, nodes);
   result.energies_mm5.push_back(energy_mm5(voxels, assignment));
   for (int round = 0;; ++round) {
@@ -60,7 +86,7 @@ Result<VoronoiNodes> voronoi_nodes(const imaging::Mask& body, const VoronoiOptio
     progress.report(std::min(1.0, static_cast<double>(round) / options.most_rounds),
                     GLISSON_TEXT("Spreading the nodes"));
     result.positions_mm = centroids(voxels, assignment, nodes);
-    assignment = assign(voxels, result.positions_mm);
+    assignment = assign(voxels, blocks, result.positions_mm);
     counts = voxels_of_nodes(assignment, nodes);
     const double before = result.energies_mm5.back();
     result.energies_mm5.push_back(energy_mm5(voxels, assignment));
@@ -72,7 +98,7 @@ Result<VoronoiNodes> voronoi_nodes(const imaging::Mask& body, const VoronoiOptio
   }
 
   result.positions_mm = centroids(voxels, assignment, nodes);
-  for (const int count : counts) result.volumes_mm3.push_back(count * voxels.volume_mm3);
+  for (const int count : counts) result.volumes_mm3.push_back(count * voxels.grid.voxel_volume_mm3());
   result.node_of_voxel.assign(body.values.size(), -1);
   for (std::size_t i = 0; i < voxels.offsets.size(); ++i) {
     result.node_of_voxel[voxels.offsets[i]] = assignment.node_of[i];
@@ -84,7 +110,7 @@ namespace {
 
 Voxels voxels_of(const imaging::Mask& body) {
   Voxels voxels;
-  voxels.volume_mm3 = body.grid.voxel_volume_mm3();
+  voxels.grid = body.grid;
   std::size_t offset = 0;
   for (int k = 0; k < body.grid.size[2]; ++k) {
     for (int j = 0; j < body.grid.size[1]; ++j) {
@@ -137,16 +163,97 @@ std::vector<Vector3d> spread_evenly(const Voxels& voxels, int nodes) {
   return positions_mm;
 }
 
-Assignment assign(const Voxels& voxels, const std::vector<Vector3d>& nodes_mm) {
-  const geometry::NearestPoint nodes(nodes_mm);
+Blocks::Blocks(const Voxels& voxels, std::size_t nodes)
+    : grid_(&voxels.grid),
+      edge_(std::max(1, static_cast<int>(std::lround(std::cbrt(double(voxels.offsets.size()) / double(nodes)))))) {
+  for (int axis = 0; axis < 3; ++axis) {
+    size_[static_cast<std::size_t>(axis)] = (grid_->size[static_cast<std::size_t>(axis)] + edge_ - 1) / edge_;
+  }
+  voxels_.resize(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) *
+                 static_cast<std::size_t>(size_[2]));
+  for (std::size_t v = 0; v < voxels.offsets.size(); ++v) {
+    voxels_[block_of(voxels.centers_mm[v])].push_back(static_cast<std::int32_t>(v));
+  }
+  // How far apart planes of equal index are.
+  const Eigen::Matrix3d to_index = (grid_->direction * grid_->spacing_mm.asDiagonal()).inverse();
+  reach_mm_ = edge_ / to_index.rowwise().norm().maxCoeff();
+}
+
+void Blocks::sort_in(const std::vector<Vector3d>& nodes_mm) {
+  nodes_.assign(voxels_.size(), {});
+  for (std::size_t node = 0; node < nodes_mm.size(); ++node) {
+    nodes_[block_of(nodes_mm[node])].push_back(static_cast<std::int32_t>(node));
+  }
+}
+
+// A centroid may lie outside the grid by rounding alone: the nearest block.
+std::size_t Blocks::block_of(const Vector3d& place_mm) const {
+  const Vector3d index = grid_->index_of(place_mm);
+  std::array<std::size_t, 3> at{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto voxel = std::clamp(std::lround(index[static_cast<Eigen::Index>(axis)]), 0L, long{grid_->size[axis]} - 1);
+    at[axis] = static_cast<std::size_t>(voxel / edge_);
+  }
+  return at[0] + static_cast<std::size_t>(size_[0]) * (at[1] + static_cast<std::size_t>(size_[1]) * at[2]);
+}
+
+void Blocks::nodes_around(std::size_t block, std::vector<std::int32_t>& nodes) const {
+  nodes.clear();
+  const auto row = static_cast<std::size_t>(size_[0]), slice = row * static_cast<std::size_t>(size_[1]);
+  const int i = static_cast<int>(block % row), j = static_cast<int>(block % slice / row),
+            k = static_cast<int>(block / slice);
+  for (int z = std::max(0, k - 1); z <= std::min(size_[2] - 1, k + 1); ++z) {
+    for (int y = std::max(0, j - 1); y <= std::min(size_[1] - 1, j + 1); ++y) {
+      for (int x = std::max(0, i - 1); x <= std::min(size_[0] - 1, i + 1); ++x) {
+        const auto& there = nodes_[static_cast<std::size_t>(x) + row * static_cast<std::size_t>(y) +
+                                   slice * static_cast<std::size_t>(z)];
+        nodes.insert(nodes.end(), there.begin(), there.end());
+      }
+    }
+  }
+  std::sort(nodes.begin(), nodes.end());  // of two that are as near, the first
+}
+
+Assignment assign(const Voxels& voxels, Blocks& blocks, const std::vector<Vector3d>& nodes_mm) {
+  const geometry::NearestPoint tree(nodes_mm);
+  blocks.sort_in(nodes_mm);
   Assignment assignment;
   assignment.node_of.resize(voxels.centers_mm.size());
   assignment.squared_distance_mm2.resize(voxels.centers_mm.size());
-  parallel_for(voxels.centers_mm.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto found = nodes.nearest(voxels.centers_mm[i]);
-      assignment.node_of[i] = found.point;
-      assignment.squared_distance_mm2[i] = found.squared_distance_mm2;
+  parallel_for(blocks.voxels().size(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::int32_t> near;
+    Eigen::ArrayXd x, y, z, squared;
+    for (std::size_t block = begin; block < end; ++block) {
+      if (blocks.voxels()[block].empty()) continue;
+      blocks.nodes_around(block, near);
+      const auto count = static_cast<Eigen::Index>(near.size());
+      x.resize(count);
+      y.resize(count);
+      z.resize(count);
+      for (Eigen::Index n = 0; n < count; ++n) {
+        const Vector3d& at = nodes_mm[static_cast<std::size_t>(near[static_cast<std::size_t>(n)])];
+        x[n] = at.x();
+        y[n] = at.y();
+        z[n] = at.z();
+      }
+      for (const std::int32_t v : blocks.voxels()[block]) {
+        const Vector3d& center = voxels.centers_mm[static_cast<std::size_t>(v)];
+        Eigen::Index best = -1;
+        if (count > 0) {
+          squared = (x - center.x()).square() + (y - center.y()).square() + (z - center.z()).square();
+          squared.minCoeff(&best);
+        }
+        auto& node = assignment.node_of[static_cast<std::size_t>(v)];
+        auto& distance = assignment.squared_distance_mm2[static_cast<std::size_t>(v)];
+        if (best >= 0 && squared[best] <= blocks.reach_mm() * blocks.reach_mm()) {
+          node = near[static_cast<std::size_t>(best)];
+          distance = squared[best];
+        } else {
+          const auto found = tree.nearest(center);
+          node = found.point;
+          distance = found.squared_distance_mm2;
+        }
+      }
     }
   });
   return assignment;
@@ -154,7 +261,7 @@ Assignment assign(const Voxels& voxels, const std::vector<Vector3d>& nodes_mm) {
 
 double energy_mm5(const Voxels& voxels, const Assignment& assignment) {
   const auto& distances = assignment.squared_distance_mm2;
-  return voxels.volume_mm3 * std::accumulate(distances.begin(), distances.end(), 0.0);
+  return voxels.grid.voxel_volume_mm3() * std::accumulate(distances.begin(), distances.end(), 0.0);
 }
 
 std::vector<int> voxels_of_nodes(const Assignment& assignment, std::size_t nodes) {
