@@ -11,6 +11,7 @@ void add_study(CLI::App& app, Action& chosen) {
   add_study_cohort(*study, chosen);
   add_study_beams(*study, chosen);
   add_study_convergence(*study, chosen);
+  add_study_example_sequence(*study, chosen);
   add_study_landmarks(*study, chosen);
   add_study_palpation(*study, chosen);
   add_study_validate_stiffness(*study, chosen);

@@ -45,7 +45,7 @@ Result<void> write_quality(const fs::path& folder, const StoredQuality& stored) 
                                                  {"mean_correlation", stored.quality.mean_correlation},
                                                  {"tre_per_frame_mm", stored.quality.tre_mm},
                                                  {"rmse_per_frame_mm", stored.quality.rmse_mm},
-                                                 {"notes", stored.quality.notes}});
+                                                 {"notes", messages(stored.quality.notes)}});
 }
 
 Result<StoredQuality> read_quality(const fs::path& folder) {

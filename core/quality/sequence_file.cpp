@@ -42,7 +42,8 @@ Result<SequenceFiles> read_sequence(const fs::path& file) {
     return object[key].get<std::string>();
   };
   if (!json.is_object()) return invalid(file, GLISSON_TEXT("it is not an object"));
-  if (auto known = refuse_unknown_keys(json, {"frames", "landmarks", "model", "camera", "registered"}, "sequence");
+  if (auto known =
+          refuse_unknown_keys(json, {"frames", "landmarks", "model", "camera", "registered", "simulated"}, "sequence");
       !known) {
     return failure(std::move(known.error()).in_file(file));
   }
@@ -72,6 +73,7 @@ Result<SequenceFiles> read_sequence(const fs::path& file) {
       return invalid(file, GLISSON_TEXT("camera has no 3 x 3 matrix, or a distortion that is no list of numbers"));
     sequence.camera = std::move(*camera);
   }
+  sequence.simulated = text_of(json, "simulated").value_or("");
   if (const auto model = text_of(json, "model")) sequence.model = folder / *model;
   for (const auto* list : {&sequence.clouds, &sequence.registered}) {
     for (std::size_t frame = 0; frame < list->size(); ++frame) {
@@ -89,6 +91,34 @@ Result<SequenceFiles> read_sequence(const fs::path& file) {
   if (!landmarks) return failure(landmarks.error());
   sequence.landmarks = std::move(*landmarks);
   return sequence;
+}
+
+Result<NewSequenceFolder> NewSequenceFolder::make(const fs::path& folder) {
+  std::error_code problem;
+  const bool was_there = fs::exists(folder, problem);
+  if (was_there && !fs::is_empty(folder, problem)) {
+    return failure(Error{"sequence-folder-not-empty",
+                         GLISSON_TEXT("The folder {0} is not empty."),
+                         {folder.string()},
+                         GLISSON_TEXT("Name a new folder for the sequence."),
+                         folder});
+  }
+  fs::create_directories(folder, problem);
+  if (!problem) return NewSequenceFolder(folder, was_there);
+  return failure("folder-not-made", GLISSON_TEXT("The folder {0} cannot be made: {1}."),
+                 {folder.string(), problem.message()});
+}
+
+NewSequenceFolder::NewSequenceFolder(NewSequenceFolder&& other) noexcept
+    : folder_(std::move(other.folder_)), was_there_(other.was_there_), kept_(other.kept_) {
+  other.kept_ = true;
+}
+
+NewSequenceFolder::~NewSequenceFolder() {
+  if (kept_) return;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(folder_, problem)) fs::remove(entry.path(), problem);
+  if (!was_there_) fs::remove(folder_, problem);
 }
 
 Result<geometry::Surface> read_cloud(const fs::path& file) {

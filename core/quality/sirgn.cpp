@@ -189,7 +189,8 @@ Landmarks place_landmarks(const RegisteredSequence& sequence, const std::vector<
     landmarks.on_model_mm.push_back(model ? model->closest(mean).point_mm : mean);
   }
   if (too_short > 0) {
-    quality.notes.push_back(fmt::format("{} landmarks seen in fewer than three frames were left out", too_short));
+    quality.notes.push_back(
+        {GLISSON_TEXT("{0} landmarks seen in fewer than three frames were left out"), {std::to_string(too_short)}});
   }
   return landmarks;
 }
@@ -274,6 +275,8 @@ void rate_triangles(const Landmarks& landmarks, const SharedCentreWarps& warps, 
   quality.correlation.assign(triangles.size(), 0);
   quality.error_mm.assign(triangles.size(), 0);
   quality.frames_seen.assign(triangles.size(), 0);
+  const std::vector<double> unseen_mm(frames, std::numeric_limits<double>::quiet_NaN());
+  quality.courses.assign(triangles.size(), {unseen_mm, unseen_mm, unseen_mm});
   parallel_for(triangles.size(), 8, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       std::array<std::size_t, 3> corners{};
@@ -288,14 +291,19 @@ void rate_triangles(const Landmarks& landmarks, const SharedCentreWarps& warps, 
       const auto count = static_cast<Eigen::Index>(seen.size());
 
       // The corners: mean landmark distance vector (2.2), and how well they were registered.
+      TriangleCourse& course = quality.courses[k];
       Eigen::VectorXd landmark_mm = Eigen::VectorXd::Zero(count);
-      for (const std::size_t corner : corners) {
-        for (Eigen::Index n = 0; n < count; ++n) {
-          const auto t = static_cast<std::size_t>(seen[static_cast<std::size_t>(n)]);
+      for (Eigen::Index n = 0; n < count; ++n) {
+        const auto t = static_cast<std::size_t>(seen[static_cast<std::size_t>(n)]);
+        double error_mm = 0;
+        for (const std::size_t corner : corners) {
           const Vector3d& on_model = landmarks.on_model_mm[corner];
           landmark_mm[n] += (*landmarks.seen_mm[corner][t] - on_model).norm() / 3;
-          quality.error_mm[k] += (*landmarks.placed_mm[corner][t] - on_model).norm() / (3 * static_cast<double>(count));
+          error_mm += (*landmarks.placed_mm[corner][t] - on_model).norm() / 3;
         }
+        quality.error_mm[k] += error_mm / static_cast<double>(count);
+        course.landmarks_mm[t] = landmark_mm[n];
+        course.error_mm[t] = error_mm;
       }
       if (count < fewest_frames) continue;
 
@@ -316,7 +324,7 @@ void rate_triangles(const Landmarks& landmarks, const SharedCentreWarps& warps, 
       double sum = 0;
       for (Eigen::Index n = 0; n < count; ++n) {
         Eigen::Index worst = 0;
-        warped_mm.col(n).maxCoeff(&worst);
+        course.warp_mm[static_cast<std::size_t>(seen[static_cast<std::size_t>(n)])] = warped_mm.col(n).maxCoeff(&worst);
         sum += correlations[worst];
       }
       quality.correlation[k] = sum / static_cast<double>(count);
@@ -329,7 +337,8 @@ void rate_triangles(const Landmarks& landmarks, const SharedCentreWarps& warps, 
                                     [](int seen) { return seen < fewest_frames; });
   if (unseen > 0) {
     quality.notes.push_back(
-        fmt::format("{} triangles have all corners in fewer than three frames: their correlation is 0", unseen));
+        {GLISSON_TEXT("{0} triangles have all corners in fewer than three frames: their correlation is 0"),
+         {std::to_string(unseen)}});
   }
 }
 
@@ -356,7 +365,7 @@ void rate_frames(const RegisteredSequence& sequence, const std::vector<FrameMoti
     quality.tre_mm.push_back(count > 0 ? sum / count : 0);
   }
   if (!sequence.model) {
-    quality.notes.push_back("no model was given, so there is no distance from it (RMSE)");
+    quality.notes.push_back({GLISSON_TEXT("no model was given, so there is no distance from it (RMSE)"), {}});
     return;
   }
   const geometry::SurfaceDistance model(*sequence.model);

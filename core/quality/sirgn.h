@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "base/sentence.h"
 #include "base/result.h"
 #include "geometry/surface.h"
 
@@ -50,6 +51,13 @@ struct SirgnOptions {
   int most_cloud_points = 5000;                 // of a frame, evenly chosen: enough for a smooth warp
 };
 
+// What a triangle's values are made of, frame by frame, mm; NaN in frames that do not hold all three corners.
+struct TriangleCourse {
+  std::vector<double> landmarks_mm;  // eq. 2.2: how far the corners, as seen, are from where they are on the model
+  std::vector<double> warp_mm;       // eq. 2.3: how far S^-1 displaces the most heavily warped point
+  std::vector<double> error_mm;      // how far the corners, as registered, are from where they are on the model
+};
+
 struct Quality {
   // The correlation mesh: landmarks on the model, triangulated; cell fields correlation, error_mm, doubt_mm, frames
   // and accepted_<E> for each tolerance.
@@ -62,7 +70,8 @@ struct Quality {
   // body. It ranks triangles as correlation does where faults come and go, and better where a fault never changes and
   // landmarks are dense enough to show its slope. To be compared within one sequence; it is no error in mm.
   std::vector<double> doubt_mm;
-  std::vector<int> frames_seen;  // n of eq. 2.4: frames that hold all three corners
+  std::vector<int> frames_seen;         // n of eq. 2.4: frames that hold all three corners
+  std::vector<TriangleCourse> courses;  // one a triangle
 
   // [frame][point of the mesh]: where S^-1 puts the mesh in each frame, that is, where the registration says that the
   // landmarks' places are: in the frame's space, for drawing over its picture.
@@ -76,7 +85,7 @@ struct Quality {
   std::vector<double> rmse_mm;
   std::vector<double> tre_mm;
 
-  std::vector<std::string> notes;  // what was left out, and why
+  std::vector<Sentence> notes;  // what was left out, and why
 };
 
 // Failures: "sirgn-too-few-frames" (fewer than three), "sirgn-too-few-landmarks" (fewer than four seen in three frames,

@@ -6,6 +6,7 @@
 #include "base/json.h"
 #include "geometry/manifold.h"
 #include "geometry/mesh_file.h"
+#include "quality/sequence_file.h"
 #include "quality/sirgn.h"
 #include "registration/global_alignment.h"
 #include "vision/picture_check.h"
@@ -40,40 +41,20 @@ class Recording {
 
 Result<VideoSequence> record(vision::FrameSource& left, vision::FrameSource& right, Recording recording,
                              const VideoSequenceOptions& options, const Progress& progress);
-Result<void> make_empty_folder(const fs::path& folder);
 
 }  // namespace
 
 Result<VideoSequence> make_sequence(vision::FrameSource& left, vision::FrameSource& right,
                                     const vision::StereoCalibration& calibration, const fs::path& folder,
                                     const VideoSequenceOptions& options, const Progress& progress) {
-  std::error_code problem;
-  const bool was_there = fs::exists(folder, problem);
-  if (auto made = make_empty_folder(folder); !made) return failure(made.error());
+  auto made = NewSequenceFolder::make(folder);
+  if (!made) return failure(made.error());
   auto sequence = record(left, right, Recording(calibration, folder, options), options, progress);
-  if (!sequence) {
-    for (const auto& entry : fs::directory_iterator(folder, problem)) fs::remove(entry.path(), problem);
-    if (!was_there) fs::remove(folder, problem);
-  }
+  if (sequence) made->keep();
   return sequence;
 }
 
 namespace {
-
-Result<void> make_empty_folder(const fs::path& folder) {
-  std::error_code problem;
-  if (fs::exists(folder, problem) && !fs::is_empty(folder, problem)) {
-    return failure(Error{"sequence-folder-not-empty",
-                         GLISSON_TEXT("The folder {0} is not empty."),
-                         {folder.string()},
-                         GLISSON_TEXT("Name a new folder for the sequence."),
-                         folder});
-  }
-  fs::create_directories(folder, problem);
-  if (!problem) return {};
-  return failure("folder-not-made", GLISSON_TEXT("The folder {0} cannot be made: {1}."),
-                 {folder.string(), problem.message()});
-}
 
 Result<VideoSequence> record(vision::FrameSource& left, vision::FrameSource& right, Recording recording,
                              const VideoSequenceOptions& options, const Progress& progress) {

@@ -42,8 +42,7 @@ Colour heat_colour(const HeatScale& scale, double value) {
   return colour_at(ColourMap::viridis, scale.good == HeatScale::Good::low ? fraction : 1 - fraction);
 }
 
-Frame heat_overlay(const Frame& frame, const vision::Camera& camera, const HeatMesh& mesh, const HeatScale& scale) {
-  constexpr Rgb grey{150, 150, 150};
+std::vector<SeenTriangle> seen_triangles(const vision::Camera& camera, const HeatMesh& mesh) {
   const auto pixels = vision::project(camera, mesh.points_mm);
   std::vector<std::size_t> order(mesh.triangles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -53,20 +52,27 @@ Frame heat_overlay(const Frame& frame, const vision::Camera& camera, const HeatM
     return sum;
   };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return depth_mm(a) > depth_mm(b); });
-  std::vector<vision::FlatTriangle> flat;
+  std::vector<SeenTriangle> seen;
   for (const std::size_t k : order) {
     if (mesh.verdicts[k] == HeatMesh::Verdict::none) continue;
-    vision::FlatTriangle triangle;
+    SeenTriangle triangle{k, {}};
     bool shown = true;
     for (std::size_t c = 0; c < 3; ++c) {
       const auto& pixel = pixels[static_cast<std::size_t>(mesh.triangles[k][c])];
       shown = shown && pixel.has_value();
       if (pixel) triangle.corners_px[c] = *pixel;
     }
-    if (!shown) continue;
-    triangle.colour =
-        mesh.verdicts[k] == HeatMesh::Verdict::rejected ? grey : eight_bit(heat_colour(scale, mesh.values[k]));
-    flat.push_back(triangle);
+    if (shown) seen.push_back(triangle);
+  }
+  return seen;
+}
+
+Frame heat_overlay(const Frame& frame, const vision::Camera& camera, const HeatMesh& mesh, const HeatScale& scale) {
+  constexpr Rgb grey{150, 150, 150};
+  std::vector<vision::FlatTriangle> flat;
+  for (const SeenTriangle& seen : seen_triangles(camera, mesh)) {
+    const bool rejected = mesh.verdicts[seen.triangle] == HeatMesh::Verdict::rejected;
+    flat.push_back({seen.corners_px, rejected ? grey : eight_bit(heat_colour(scale, mesh.values[seen.triangle]))});
   }
   Frame drawn = frame;
   vision::draw_triangles(drawn, flat, scale.opacity);

@@ -37,6 +37,15 @@ struct HeatMesh {
   std::vector<Verdict> verdicts;  // one a triangle
 };
 
+// A triangle as the camera shows it.
+struct SeenTriangle {
+  std::size_t triangle = 0;
+  std::array<Eigen::Vector2d, 3> corners_px;
+};
+
+// The triangles of the mesh that are in front of the camera and could be judged, the farthest first.
+std::vector<SeenTriangle> seen_triangles(const vision::Camera& camera, const HeatMesh& mesh);
+
 // The frame with the mesh over it, the farthest triangles first, and a legend to its right, which makes it wider.
 vision::Frame heat_overlay(const vision::Frame& frame, const vision::Camera& camera, const HeatMesh& mesh,
                            const HeatScale& scale);

@@ -97,6 +97,20 @@ TEST(SirgnCommand, JudgesWhatSomebodyElseRegistered) {
   EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(out) / "quality.vtp"));
 }
 
+TEST(StudyExampleSequenceCommand, MakesASequenceThatSaysThatItIsSimulated) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "example").string();
+  const Finished made = glisson_cli({"study", "example-sequence", "--frames", "4", "--out", out, "--json", "--quiet"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(made.json().at("frames"), 4);
+  const std::string quality = (folder.path() / "quality").string();
+  const Finished judged = glisson_cli(
+      {"sirgn", made.json().at("file").get<std::string>(), "--method", "given", "--out", quality, "--json", "--quiet"});
+  ASSERT_EQ(judged.exit_code, 0) << judged.err;
+  EXPECT_TRUE(judged.json().at("simulated").get<std::string>().starts_with("SIMULATED"));
+  EXPECT_EQ(judged.json().at("frames"), 4);
+}
+
 TEST(SirgnCommand, NamesTheFrameThatIsMissing) {
   const TemporaryFolder folder;
   write_sequence(folder.path(), 5);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <cmath>
 #include <limits>
 
 #include "geometry/mesh_file.h"
@@ -52,6 +53,29 @@ Judgement judge(const SequenceSpec& spec) {
 Fault fault(Fault::Course course) {
   const auto box = geometry::bounding_box(liver().points_mm);
   return {box.center_mm() + Eigen::Vector3d(-40, -40, 0), 40, 15, course};
+}
+
+// What a triangle's history is drawn from.
+TEST(Sirgn, SaysHowATrianglesValuesCameToBe) {
+  GLISSON_NEEDS_DATA("pbsm_liver_insilico");
+  SequenceSpec spec;
+  spec.faults = {fault(Fault::Course::irregular)};
+  const Quality quality = judge(spec).quality;
+  ASSERT_EQ(quality.courses.size(), quality.mesh.triangles.size());
+  for (std::size_t k = 0; k < quality.courses.size(); ++k) {
+    const TriangleCourse& course = quality.courses[k];
+    double sum = 0;
+    int seen = 0;
+    for (std::size_t t = 0; t < course.error_mm.size(); ++t) {
+      EXPECT_EQ(std::isnan(course.error_mm[t]), std::isnan(course.landmarks_mm[t]));
+      if (std::isnan(course.error_mm[t])) continue;
+      sum += course.error_mm[t];
+      ++seen;
+      EXPECT_EQ(std::isnan(course.warp_mm[t]), quality.frames_seen[k] < fewest_frames);
+    }
+    EXPECT_EQ(seen, quality.frames_seen[k]);
+    EXPECT_NEAR(seen > 0 ? sum / seen : 0, quality.error_mm[k], 1e-9);
+  }
 }
 
 TEST(Sirgn, CallsAPerfectRegistrationPerfect) {
@@ -177,7 +201,7 @@ TEST(Sirgn, LeavesOutLandmarksThatWereHardlySeenAndPointsThatAreNotFinite) {
   const Quality quality = sirgn(sequence).value();
   EXPECT_EQ(quality.mesh.points_mm.size(), 4u);
   ASSERT_FALSE(quality.notes.empty());
-  EXPECT_NE(quality.notes.front().find("1 landmarks"), std::string::npos);
+  EXPECT_NE(quality.notes.front().message().find("1 landmarks"), std::string::npos);
 }
 
 }  // namespace

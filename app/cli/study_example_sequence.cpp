@@ -1,0 +1,49 @@
+// glisson-cli study example-sequence --out DIR: a simulated sequence whose truth is known, for sirgn.
+
+#include <fmt/format.h>
+
+#include "base/files.h"
+#include "study/example_sequence.h"
+#include "study_commands.h"
+
+namespace glisson::cli {
+namespace {
+
+struct Options {
+  std::string out;
+  study::ExampleSequenceOptions sequence;
+};
+
+Result<Outcome> run(const Options& options, const Progress& progress) {
+  const auto resources = resource_folder();
+  if (!resources) return failure(resources.error());
+  const auto file =
+      study::write_example_sequence(*resources / "demo" / "anatomy", options.out, options.sequence, progress);
+  if (!file) return failure(file.error());
+  return Outcome{{{"frames", options.sequence.frames}, {"file", file->string()}},
+                 fmt::format("{} simulated frames: {}\n", options.sequence.frames, file->string())};
+}
+
+}  // namespace
+
+void add_study_example_sequence(CLI::App& study, Action& chosen) {
+  CLI::App* command = study.add_subcommand(
+      "example-sequence", "A simulated sequence for sirgn: a real liver's shape, breathing and pressed by a tool");
+  auto options = std::make_shared<Options>();
+  command->add_option("--frames", options->sequence.frames, "How many")
+      ->check(CLI::Range(3, 1000))
+      ->capture_default_str();
+  command->add_option("--landmarks", options->sequence.landmarks, "How many are tracked")
+      ->check(CLI::Range(4, 2000))
+      ->capture_default_str();
+  command->add_option("--fault-mm", options->sequence.fault_mm, "Of the given registration, at its worst")
+      ->check(CLI::Range(0.0, 50.0))
+      ->capture_default_str();
+  command->add_option("--seed", options->sequence.seed, "Of noise")->capture_default_str();
+  command->add_option("--out", options->out, "New folder for sequence.json, clouds, pictures and truth.json")
+      ->required();
+  command->callback(
+      [&chosen, options] { chosen = [options](const Progress& progress) { return run(*options, progress); }; });
+}
+
+}  // namespace glisson::cli
