@@ -23,6 +23,7 @@
 #include "diary/diary_window.h"
 #include "help/shortcuts_window.h"
 #include "help/tour_stops.h"
+#include "register/register_page.h"
 #include "resect/resect_panel.h"
 #include "session/load_patient.h"
 #include "settings/settings.h"
@@ -130,6 +131,7 @@ void MainWindow::make_workspaces() {
                        return patient.rehearsal ? QString() : tr("Needs a model of the liver: build it first.");
                      }});
   add_workspace(ResectPanel::workspace(bench()));
+  add_workspace(RegisterPage::workspace(bench()));
   QWidget* platforms = PlatformView::shipped();
   add_workspace({.id = "platform",
                  .name = [] { return tr("Platform"); },

@@ -3371,6 +3371,109 @@
         <source>Reading the experiment</source>
         <translation>Versuch wird gelesen</translation>
     </message>
+    <message>
+        <source>{0} landmarks seen in fewer than three frames were left out</source>
+        <translation>{0} Landmarken, die in weniger als drei Bildern zu sehen waren, wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
+        <translation>Bei {0} Dreiecken sind alle Ecken in weniger als drei Bildern zu sehen: ihre Korrelation ist 0</translation>
+    </message>
+    <message>
+        <source>no model was given, so there is no distance from it (RMSE)</source>
+        <translation>kein Modell angegeben, daher auch kein Abstand davon (RMSE)</translation>
+    </message>
+    <message>
+        <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
+        <translation>SIMULIERT: die Form der Leber eines wirklichen Patienten, die nach einer Formel atmet und von einem Werkzeug eingedrückt wird. Die „vorgegebene“ Registrierung ist die wahre, in die links im Bild ein Fehler eingebaut wurde.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::AlgorithmChoice</name>
+    <message>
+        <source>ICP: nearest points</source>
+        <translation>ICP: nächste Punkte</translation>
+    </message>
+    <message>
+        <source>GEO: distances along the surface</source>
+        <translation>GEO: Abstände entlang der Oberfläche</translation>
+    </message>
+    <message>
+        <source>GNRA: all frames by their landmarks</source>
+        <translation>GNRA: alle Bilder über ihre Landmarken</translation>
+    </message>
+    <message>
+        <source>Given by the sequence</source>
+        <translation>Von der Sequenz vorgegeben</translation>
+    </message>
+    <message>
+        <source>Given</source>
+        <translation>Vorgegeben</translation>
+    </message>
+    <message>
+        <source>Algorithms</source>
+        <translation>Algorithmen</translation>
+    </message>
+    <message>
+        <source>First algorithm</source>
+        <translation>Erster Algorithmus</translation>
+    </message>
+    <message>
+        <source>Second algorithm</source>
+        <translation>Zweiter Algorithmus</translation>
+    </message>
+    <message>
+        <source>What the left picture shows</source>
+        <translation>Was das linke Bild zeigt</translation>
+    </message>
+    <message>
+        <source>What the right picture shows, or nothing</source>
+        <translation>Was das rechte Bild zeigt, oder nichts</translation>
+    </message>
+    <message>
+        <source>Register and judge</source>
+        <translation>Registrieren und beurteilen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stops registering; what was computed before stays</source>
+        <translation>Hält das Registrieren an; was vorher berechnet war, bleibt</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>No second algorithm</source>
+        <translation>Kein zweiter Algorithmus</translation>
+    </message>
+    <message>
+        <source>The sequence names no registered clouds</source>
+        <translation>Die Sequenz nennt keine registrierten Punktwolken</translation>
+    </message>
+    <message>
+        <source>The sequence names no model</source>
+        <translation>Die Sequenz nennt kein Modell</translation>
+    </message>
+    <message>
+        <source>Open a sequence first</source>
+        <translation>Zuerst eine Sequenz öffnen</translation>
+    </message>
+    <message>
+        <source>It is being computed</source>
+        <translation>Es wird gerade berechnet</translation>
+    </message>
+    <message>
+        <source>Both algorithms are computed already</source>
+        <translation>Beide Algorithmen sind schon berechnet</translation>
+    </message>
+    <message>
+        <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
+        <translation>Registriert jedes Bild mit den Algorithmen oben und beurteilt sie mit SIRGn: bis etwa eine Sekunde je Bild</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -3451,6 +3554,69 @@
     <message>
         <source>Text (*.txt)</source>
         <translation>Text (*.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::FiguresTable</name>
+    <message>
+        <source>Figures of the registrations</source>
+        <translation>Kennzahlen der Registrierungen</translation>
+    </message>
+    <message>
+        <source>Mean correlation</source>
+        <translation>Mittlere Korrelation</translation>
+    </message>
+    <message>
+        <source>Rejected (%)</source>
+        <translation>Verworfen (%)</translation>
+    </message>
+    <message>
+        <source>TRE (mm)</source>
+        <translation>TRE (mm)</translation>
+    </message>
+    <message>
+        <source>TRE, this frame (mm)</source>
+        <translation>TRE, dieses Bild (mm)</translation>
+    </message>
+    <message>
+        <source>RMSE (mm)</source>
+        <translation>RMSE (mm)</translation>
+    </message>
+    <message>
+        <source>RMSE, this frame (mm)</source>
+        <translation>RMSE, dieses Bild (mm)</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>SIRGn, over the triangles: 1 is best</source>
+        <translation>SIRGn, über die Dreiecke: 1 ist am besten</translation>
+    </message>
+    <message>
+        <source>Share of the triangles whose corners are off by %1 mm or more on average</source>
+        <translation>Anteil der Dreiecke, deren Ecken im Mittel um %1 mm oder mehr danebenliegen</translation>
+    </message>
+    <message>
+        <source>Target registration error: how far registered landmarks are from where they are on the model, mm</source>
+        <translation>Zielregistrierungsfehler (TRE): wie weit registrierte Landmarken von ihrem Ort auf dem Modell entfernt sind, mm</translation>
+    </message>
+    <message>
+        <source>How far the registered cloud is from the model (root mean square), mm</source>
+        <translation>Wie weit die registrierte Punktwolke vom Modell entfernt ist (quadratisches Mittel), mm</translation>
+    </message>
+    <message>
+        <source>To register all frames and to judge them, s</source>
+        <translation>Um alle Bilder zu registrieren und zu beurteilen, s</translation>
     </message>
 </context>
 <context>
@@ -4259,6 +4425,211 @@ figures</source>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::ReadingPanel</name>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>What the colours show</source>
+        <translation>Was die Farben zeigen</translation>
+    </message>
+    <message>
+        <source>Colours: SIRGn&apos;s correlation</source>
+        <translation>Farben: Korrelation nach SIRGn</translation>
+    </message>
+    <message>
+        <source>Colours: error of the landmarks (mm)</source>
+        <translation>Farben: Fehler der Landmarken (mm)</translation>
+    </message>
+    <message>
+        <source>Colours: doubt (mm)</source>
+        <translation>Farben: Zweifel (mm)</translation>
+    </message>
+    <message>
+        <source>Correlation: whether landmarks and warp move alike over time, 1 is best. Error: mean distance of a triangle&apos;s landmarks, as registered, from where they are on the model, mm. Doubt: motion that the registration leaves unexplained, mm, to be compared within one sequence.</source>
+        <translation>Korrelation: ob sich Landmarken und Verformung im Lauf der Zeit gleich bewegen, 1 ist am besten. Fehler: mittlerer Abstand der registrierten Landmarken eines Dreiecks von ihrem Ort auf dem Modell, mm. Zweifel: Bewegung, die die Registrierung unerklärt lässt, mm, nur innerhalb einer Sequenz zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Tolerance: rejected from</source>
+        <translation>Toleranz: verworfen ab</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Triangles whose landmarks are off by this much or more, mm, are grey and hatched</source>
+        <translation>Dreiecke, deren Landmarken um so viel oder mehr danebenliegen (mm), sind grau und schraffiert</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Sets the tolerance to %1 mm</source>
+        <translation>Stellt die Toleranz auf %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::RegisterPage</name>
+    <message>
+        <source>Register</source>
+        <translation>Registrieren</translation>
+    </message>
+    <message>
+        <source>See how good a registration of a video is, place by place.</source>
+        <translation>Sehen, wie gut eine Registrierung eines Videos ist, Stelle für Stelle.</translation>
+    </message>
+    <message>
+        <source>Something else is being computed. Wait for it, or cancel it, and try again.</source>
+        <translation>Es wird gerade etwas anderes berechnet. Warten Sie es ab oder brechen Sie es ab, und versuchen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>Opening the sequence</source>
+        <translation>Die Sequenz wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Making an example sequence</source>
+        <translation>Eine Beispielsequenz wird erstellt</translation>
+    </message>
+    <message>
+        <source>Registering the video</source>
+        <translation>Das Video wird registriert</translation>
+    </message>
+    <message>
+        <source>A defect in Glisson stopped this: %1</source>
+        <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
+    </message>
+    <message>
+        <source>Open another...</source>
+        <translation>Andere öffnen...</translation>
+    </message>
+    <message>
+        <source>Another sequence.json in place of this one</source>
+        <translation>Eine andere sequence.json anstelle dieser</translation>
+    </message>
+    <message>
+        <source>Open a sequence</source>
+        <translation>Eine Sequenz öffnen</translation>
+    </message>
+    <message>
+        <source>Sequences (*.json)</source>
+        <translation>Sequenzen (*.json)</translation>
+    </message>
+    <message>
+        <source>Click a triangle to see its history.</source>
+        <translation>Klicken Sie ein Dreieck an, um seinen Verlauf zu sehen.</translation>
+    </message>
+    <message>
+        <source>%1 mm in this frame</source>
+        <translation>%1 mm in diesem Bild</translation>
+    </message>
+    <message>
+        <source>not all its corners are seen in this frame</source>
+        <translation>nicht alle Ecken sind in diesem Bild zu sehen</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>verworfen</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>%1, triangle %2: correlation %3; off by %4 mm on average, %5; %6</source>
+        <translation>%1, Dreieck %2: Korrelation %3; im Mittel %4 mm daneben, %5; %6</translation>
+    </message>
+    <message>
+        <source>%1: %2 frames, %3 landmarks</source>
+        <translation>%1: %2 Bilder, %3 Landmarken</translation>
+    </message>
+    <message>
+        <source>One moment...</source>
+        <translation>Einen Augenblick...</translation>
+    </message>
+    <message>
+        <source>Click a triangle to see its history; hover over it for its figures</source>
+        <translation>Ein Dreieck anklicken, um seinen Verlauf zu sehen; darüberfahren für seine Zahlen</translation>
+    </message>
+    <message>
+        <source>Not registered yet: press &quot;Register and judge&quot;.</source>
+        <translation>Noch nicht registriert: „Registrieren und beurteilen“ drücken.</translation>
+    </message>
+    <message>
+        <source>%1: %2 % of %3 triangles rejected at %4 mm</source>
+        <translation>%1: %2 % von %3 Dreiecken bei %4 mm verworfen</translation>
+    </message>
+    <message>
+        <source>The sequence names no camera, so that no mesh can be drawn over the video.</source>
+        <translation>Die Sequenz nennt keine Kamera, darum lässt sich kein Netz über das Video zeichnen.</translation>
+    </message>
+    <message>
+        <source>The sequence names no pictures; the mesh is drawn on black.</source>
+        <translation>Die Sequenz nennt keine Bilder; das Netz wird auf Schwarz gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Correlation</source>
+        <translation>Korrelation</translation>
+    </message>
+    <message>
+        <source>Error
+(mm)</source>
+        <translation>Fehler
+(mm)</translation>
+    </message>
+    <message>
+        <source>Doubt
+(mm)</source>
+        <translation>Zweifel
+(mm)</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>schlecht</translation>
+    </message>
+    <message>
+        <source>rejected: off by %1 mm or more</source>
+        <translation>verworfen: %1 mm oder mehr daneben</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::RegisterWelcome</name>
+    <message>
+        <source>How good is a registration of a video?</source>
+        <translation>Wie gut ist eine Registrierung eines Videos?</translation>
+    </message>
+    <message>
+        <source>This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the tracks of landmarks, and the model that is registered. glisson-cli sequence makes one of a stereo video and its calibration. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
+        <translation>Dazu braucht es eine Sequenz: eine sequence.json, die die Bilder eines Stereovideos nennt, zu jedem eine Punktwolke, die Spuren von Landmarken und das Modell, das registriert wird. glisson-cli sequence macht eine aus einem Stereovideo und seiner Kalibrierung. Ohne Video zeigt ein Beispiel, worum es geht: die Leber des Demopatienten, wie sie atmet und von einem Werkzeug eingedrückt wird, simuliert.</translation>
+    </message>
+    <message>
+        <source>Open a sequence...</source>
+        <translation>Eine Sequenz öffnen...</translation>
+    </message>
+    <message>
+        <source>A sequence.json with its clouds, tracks and pictures beside it</source>
+        <translation>Eine sequence.json mit ihren Punktwolken, Spuren und Bildern daneben</translation>
+    </message>
+    <message>
+        <source>Make an example sequence</source>
+        <translation>Beispielsequenz erstellen</translation>
+    </message>
+    <message>
+        <source>Simulates 40 frames in a few seconds and opens them; 7 MB</source>
+        <translation>Simuliert 40 Bilder in wenigen Sekunden und öffnet sie; 7 MB</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::RehearsePanel</name>
     <message>
         <source>Rehearse</source>
@@ -4757,6 +5128,57 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::Timeline</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>Ein Bild zurück</translation>
+    </message>
+    <message>
+        <source>One frame on</source>
+        <translation>Ein Bild weiter</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>No frames</source>
+        <translation>Keine Bilder</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>Open a sequence first</source>
+        <translation>Zuerst eine Sequenz öffnen</translation>
+    </message>
+    <message>
+        <source>Plays the video at 15 frames a second, round and round (Space)</source>
+        <translation>Spielt das Video mit 15 Bildern je Sekunde, immer wieder (Leertaste)</translation>
+    </message>
+    <message>
+        <source>One frame back (Left)</source>
+        <translation>Ein Bild zurück (Links)</translation>
+    </message>
+    <message>
+        <source>One frame on (Right)</source>
+        <translation>Ein Bild weiter (Rechts)</translation>
+    </message>
+    <message>
+        <source>The frame that is shown (Left, Right, Page Up, Page Down, Home, End)</source>
+        <translation>Das Bild, das gezeigt wird (Links, Rechts, Bild auf, Bild ab, Pos1, Ende)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::TourCard</name>
     <message>
         <source>End the tour</source>
@@ -4777,6 +5199,53 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     <message>
         <source>Done</source>
         <translation>Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TriangleHistory</name>
+    <message>
+        <source>A triangle over the frames</source>
+        <translation>Ein Dreieck über die Bilder</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>The triangle of the left picture whose history is drawn; or click one in a picture</source>
+        <translation>Das Dreieck des linken Bildes, dessen Verlauf gezeichnet wird; oder klicken Sie eines in einem Bild an</translation>
+    </message>
+    <message>
+        <source>Error (mm)</source>
+        <translation>Fehler (mm)</translation>
+    </message>
+    <message>
+        <source>Motion (mm)</source>
+        <translation>Bewegung (mm)</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>The chosen triangle over the frames</source>
+        <translation>Das gewählte Dreieck über die Bilder</translation>
+    </message>
+    <message>
+        <source>Left: how far the registered corners are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: what SIRGn&apos;s correlation compares, the motion of the landmarks and of the registration&apos;s warp, mm</source>
+        <translation>Links: wie weit die registrierten Ecken von ihrem Ort auf dem Modell entfernt sind, mm, mit der Toleranz als Strichpunktlinie. Rechts: was die Korrelation von SIRGn vergleicht, die Bewegung der Landmarken und die der Verformung, mm</translation>
+    </message>
+    <message>
+        <source>Landmarks, %1</source>
+        <translation>Landmarken, %1</translation>
+    </message>
+    <message>
+        <source>Warp, %1</source>
+        <translation>Verformung, %1</translation>
     </message>
 </context>
 <context>

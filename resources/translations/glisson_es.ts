@@ -3371,6 +3371,109 @@
         <source>Reading the experiment</source>
         <translation>Leyendo el experimento</translation>
     </message>
+    <message>
+        <source>{0} landmarks seen in fewer than three frames were left out</source>
+        <translation>Se omitieron {0} puntos de referencia vistos en menos de tres fotogramas</translation>
+    </message>
+    <message>
+        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
+        <translation>{0} triángulos tienen todos sus vértices en menos de tres fotogramas: su correlación es 0</translation>
+    </message>
+    <message>
+        <source>no model was given, so there is no distance from it (RMSE)</source>
+        <translation>no se dio ningún modelo, así que no hay distancia a él (RMSE)</translation>
+    </message>
+    <message>
+        <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
+        <translation>SIMULADO: la forma del hígado de un paciente real, que respira y es presionado por un instrumento según una fórmula. El registro llamado «dado» es el verdadero con un fallo introducido a la izquierda de la imagen.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::AlgorithmChoice</name>
+    <message>
+        <source>ICP: nearest points</source>
+        <translation>ICP: puntos más cercanos</translation>
+    </message>
+    <message>
+        <source>GEO: distances along the surface</source>
+        <translation>GEO: distancias a lo largo de la superficie</translation>
+    </message>
+    <message>
+        <source>GNRA: all frames by their landmarks</source>
+        <translation>GNRA: todos los fotogramas por sus puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Given by the sequence</source>
+        <translation>Dado por la secuencia</translation>
+    </message>
+    <message>
+        <source>Given</source>
+        <translation>Dado</translation>
+    </message>
+    <message>
+        <source>Algorithms</source>
+        <translation>Algoritmos</translation>
+    </message>
+    <message>
+        <source>First algorithm</source>
+        <translation>Primer algoritmo</translation>
+    </message>
+    <message>
+        <source>Second algorithm</source>
+        <translation>Segundo algoritmo</translation>
+    </message>
+    <message>
+        <source>What the left picture shows</source>
+        <translation>Lo que muestra la imagen izquierda</translation>
+    </message>
+    <message>
+        <source>What the right picture shows, or nothing</source>
+        <translation>Lo que muestra la imagen derecha, o nada</translation>
+    </message>
+    <message>
+        <source>Register and judge</source>
+        <translation>Registrar y juzgar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stops registering; what was computed before stays</source>
+        <translation>Detiene el registro; lo calculado antes se conserva</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>No second algorithm</source>
+        <translation>Sin segundo algoritmo</translation>
+    </message>
+    <message>
+        <source>The sequence names no registered clouds</source>
+        <translation>La secuencia no indica nubes registradas</translation>
+    </message>
+    <message>
+        <source>The sequence names no model</source>
+        <translation>La secuencia no indica ningún modelo</translation>
+    </message>
+    <message>
+        <source>Open a sequence first</source>
+        <translation>Abra primero una secuencia</translation>
+    </message>
+    <message>
+        <source>It is being computed</source>
+        <translation>Se está calculando</translation>
+    </message>
+    <message>
+        <source>Both algorithms are computed already</source>
+        <translation>Ambos algoritmos ya están calculados</translation>
+    </message>
+    <message>
+        <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
+        <translation>Registra cada fotograma con los algoritmos de arriba y los juzga con SIRGn: hasta un segundo por fotograma, más o menos</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -3451,6 +3554,69 @@
     <message>
         <source>Text (*.txt)</source>
         <translation>Texto (*.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::FiguresTable</name>
+    <message>
+        <source>Figures of the registrations</source>
+        <translation>Cifras de los registros</translation>
+    </message>
+    <message>
+        <source>Mean correlation</source>
+        <translation>Correlación media</translation>
+    </message>
+    <message>
+        <source>Rejected (%)</source>
+        <translation>Rechazados (%)</translation>
+    </message>
+    <message>
+        <source>TRE (mm)</source>
+        <translation>TRE (mm)</translation>
+    </message>
+    <message>
+        <source>TRE, this frame (mm)</source>
+        <translation>TRE, este fotograma (mm)</translation>
+    </message>
+    <message>
+        <source>RMSE (mm)</source>
+        <translation>RMSE (mm)</translation>
+    </message>
+    <message>
+        <source>RMSE, this frame (mm)</source>
+        <translation>RMSE, este fotograma (mm)</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triángulos</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Tiempo (s)</translation>
+    </message>
+    <message>
+        <source>SIRGn, over the triangles: 1 is best</source>
+        <translation>SIRGn, sobre los triángulos: 1 es lo mejor</translation>
+    </message>
+    <message>
+        <source>Share of the triangles whose corners are off by %1 mm or more on average</source>
+        <translation>Proporción de triángulos cuyos vértices se desvían en promedio %1 mm o más</translation>
+    </message>
+    <message>
+        <source>Target registration error: how far registered landmarks are from where they are on the model, mm</source>
+        <translation>Error de registro del objetivo (TRE): distancia entre los puntos de referencia registrados y su lugar en el modelo, mm</translation>
+    </message>
+    <message>
+        <source>How far the registered cloud is from the model (root mean square), mm</source>
+        <translation>Distancia de la nube registrada al modelo (media cuadrática), mm</translation>
+    </message>
+    <message>
+        <source>To register all frames and to judge them, s</source>
+        <translation>Para registrar todos los fotogramas y juzgarlos, s</translation>
     </message>
 </context>
 <context>
@@ -4262,6 +4428,211 @@ supuestas</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::ReadingPanel</name>
+    <message>
+        <source>Reading</source>
+        <translation>Lectura</translation>
+    </message>
+    <message>
+        <source>What the colours show</source>
+        <translation>Qué muestran los colores</translation>
+    </message>
+    <message>
+        <source>Colours: SIRGn&apos;s correlation</source>
+        <translation>Colores: correlación de SIRGn</translation>
+    </message>
+    <message>
+        <source>Colours: error of the landmarks (mm)</source>
+        <translation>Colores: error de los puntos de referencia (mm)</translation>
+    </message>
+    <message>
+        <source>Colours: doubt (mm)</source>
+        <translation>Colores: duda (mm)</translation>
+    </message>
+    <message>
+        <source>Correlation: whether landmarks and warp move alike over time, 1 is best. Error: mean distance of a triangle&apos;s landmarks, as registered, from where they are on the model, mm. Doubt: motion that the registration leaves unexplained, mm, to be compared within one sequence.</source>
+        <translation>Correlación: si los puntos de referencia y la deformación se mueven igual con el tiempo, 1 es lo mejor. Error: distancia media de los puntos de referencia registrados de un triángulo a su lugar en el modelo, mm. Duda: movimiento que el registro deja sin explicar, mm, para comparar dentro de una misma secuencia.</translation>
+    </message>
+    <message>
+        <source>Tolerance: rejected from</source>
+        <translation>Tolerancia: rechazo a partir de</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Triangles whose landmarks are off by this much or more, mm, are grey and hatched</source>
+        <translation>Los triángulos cuyos puntos de referencia se desvían esto o más (mm) se ven grises y rayados</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancia</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Sets the tolerance to %1 mm</source>
+        <translation>Fija la tolerancia en %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::RegisterPage</name>
+    <message>
+        <source>Register</source>
+        <translation>Registrar</translation>
+    </message>
+    <message>
+        <source>See how good a registration of a video is, place by place.</source>
+        <translation>Ver qué tan bueno es el registro de un vídeo, lugar por lugar.</translation>
+    </message>
+    <message>
+        <source>Something else is being computed. Wait for it, or cancel it, and try again.</source>
+        <translation>Se está calculando otra cosa. Espere o cancélela e inténtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Opening the sequence</source>
+        <translation>Abriendo la secuencia</translation>
+    </message>
+    <message>
+        <source>Making an example sequence</source>
+        <translation>Creando una secuencia de ejemplo</translation>
+    </message>
+    <message>
+        <source>Registering the video</source>
+        <translation>Registrando el vídeo</translation>
+    </message>
+    <message>
+        <source>A defect in Glisson stopped this: %1</source>
+        <translation>Un defecto de Glisson detuvo esto: %1</translation>
+    </message>
+    <message>
+        <source>Open another...</source>
+        <translation>Abrir otra...</translation>
+    </message>
+    <message>
+        <source>Another sequence.json in place of this one</source>
+        <translation>Otro sequence.json en lugar de este</translation>
+    </message>
+    <message>
+        <source>Open a sequence</source>
+        <translation>Abrir una secuencia</translation>
+    </message>
+    <message>
+        <source>Sequences (*.json)</source>
+        <translation>Secuencias (*.json)</translation>
+    </message>
+    <message>
+        <source>Click a triangle to see its history.</source>
+        <translation>Haga clic en un triángulo para ver su historia.</translation>
+    </message>
+    <message>
+        <source>%1 mm in this frame</source>
+        <translation>%1 mm en este fotograma</translation>
+    </message>
+    <message>
+        <source>not all its corners are seen in this frame</source>
+        <translation>no se ven todos sus vértices en este fotograma</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>rechazado</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>aceptado</translation>
+    </message>
+    <message>
+        <source>%1, triangle %2: correlation %3; off by %4 mm on average, %5; %6</source>
+        <translation>%1, triángulo %2: correlación %3; desviado %4 mm en promedio, %5; %6</translation>
+    </message>
+    <message>
+        <source>%1: %2 frames, %3 landmarks</source>
+        <translation>%1: %2 fotogramas, %3 puntos de referencia</translation>
+    </message>
+    <message>
+        <source>One moment...</source>
+        <translation>Un momento...</translation>
+    </message>
+    <message>
+        <source>Click a triangle to see its history; hover over it for its figures</source>
+        <translation>Haga clic en un triángulo para ver su historia; pase por encima para ver sus cifras</translation>
+    </message>
+    <message>
+        <source>Not registered yet: press &quot;Register and judge&quot;.</source>
+        <translation>Aún sin registrar: pulse «Registrar y juzgar».</translation>
+    </message>
+    <message>
+        <source>%1: %2 % of %3 triangles rejected at %4 mm</source>
+        <translation>%1: %2 % de %3 triángulos rechazados a %4 mm</translation>
+    </message>
+    <message>
+        <source>The sequence names no camera, so that no mesh can be drawn over the video.</source>
+        <translation>La secuencia no indica ninguna cámara, así que no se puede dibujar la malla sobre el vídeo.</translation>
+    </message>
+    <message>
+        <source>The sequence names no pictures; the mesh is drawn on black.</source>
+        <translation>La secuencia no indica imágenes; la malla se dibuja sobre negro.</translation>
+    </message>
+    <message>
+        <source>Correlation</source>
+        <translation>Correlación</translation>
+    </message>
+    <message>
+        <source>Error
+(mm)</source>
+        <translation>Error
+(mm)</translation>
+    </message>
+    <message>
+        <source>Doubt
+(mm)</source>
+        <translation>Duda
+(mm)</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bueno</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>malo</translation>
+    </message>
+    <message>
+        <source>rejected: off by %1 mm or more</source>
+        <translation>rechazado: desviado %1 mm o más</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::RegisterWelcome</name>
+    <message>
+        <source>How good is a registration of a video?</source>
+        <translation>¿Qué tan bueno es el registro de un vídeo?</translation>
+    </message>
+    <message>
+        <source>This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the tracks of landmarks, and the model that is registered. glisson-cli sequence makes one of a stereo video and its calibration. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
+        <translation>Hace falta una secuencia: un sequence.json que indica los fotogramas de un vídeo estéreo, una nube de puntos de cada uno, las trayectorias de puntos de referencia y el modelo que se registra. glisson-cli sequence la crea a partir de un vídeo estéreo y su calibración. Sin vídeo, un ejemplo muestra de qué se trata: el hígado del paciente de demostración, que respira y es presionado por un instrumento, simulado.</translation>
+    </message>
+    <message>
+        <source>Open a sequence...</source>
+        <translation>Abrir una secuencia...</translation>
+    </message>
+    <message>
+        <source>A sequence.json with its clouds, tracks and pictures beside it</source>
+        <translation>Un sequence.json con sus nubes, trayectorias e imágenes al lado</translation>
+    </message>
+    <message>
+        <source>Make an example sequence</source>
+        <translation>Crear una secuencia de ejemplo</translation>
+    </message>
+    <message>
+        <source>Simulates 40 frames in a few seconds and opens them; 7 MB</source>
+        <translation>Simula 40 fotogramas en pocos segundos y los abre; 7 MB</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::RehearsePanel</name>
     <message>
         <source>Rehearse</source>
@@ -4760,6 +5131,57 @@ Módulo de Young %2 kPa (media)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::Timeline</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>Un fotograma atrás</translation>
+    </message>
+    <message>
+        <source>One frame on</source>
+        <translation>Un fotograma adelante</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Fotograma</translation>
+    </message>
+    <message>
+        <source>No frames</source>
+        <translation>Sin fotogramas</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Fotograma %1 de %2</translation>
+    </message>
+    <message>
+        <source>Open a sequence first</source>
+        <translation>Abra primero una secuencia</translation>
+    </message>
+    <message>
+        <source>Plays the video at 15 frames a second, round and round (Space)</source>
+        <translation>Reproduce el vídeo a 15 fotogramas por segundo, en bucle (Espacio)</translation>
+    </message>
+    <message>
+        <source>One frame back (Left)</source>
+        <translation>Un fotograma atrás (Izquierda)</translation>
+    </message>
+    <message>
+        <source>One frame on (Right)</source>
+        <translation>Un fotograma adelante (Derecha)</translation>
+    </message>
+    <message>
+        <source>The frame that is shown (Left, Right, Page Up, Page Down, Home, End)</source>
+        <translation>El fotograma que se muestra (Izquierda, Derecha, RePág, AvPág, Inicio, Fin)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::TourCard</name>
     <message>
         <source>End the tour</source>
@@ -4780,6 +5202,53 @@ Módulo de Young %2 kPa (media)</translation>
     <message>
         <source>Done</source>
         <translation>Listo</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TriangleHistory</name>
+    <message>
+        <source>A triangle over the frames</source>
+        <translation>Un triángulo a lo largo de los fotogramas</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Triángulo</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>The triangle of the left picture whose history is drawn; or click one in a picture</source>
+        <translation>El triángulo de la imagen izquierda cuya historia se dibuja; o haga clic en uno en una imagen</translation>
+    </message>
+    <message>
+        <source>Error (mm)</source>
+        <translation>Error (mm)</translation>
+    </message>
+    <message>
+        <source>Motion (mm)</source>
+        <translation>Movimiento (mm)</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Fotograma</translation>
+    </message>
+    <message>
+        <source>The chosen triangle over the frames</source>
+        <translation>El triángulo elegido a lo largo de los fotogramas</translation>
+    </message>
+    <message>
+        <source>Left: how far the registered corners are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: what SIRGn&apos;s correlation compares, the motion of the landmarks and of the registration&apos;s warp, mm</source>
+        <translation>Izquierda: distancia de los vértices registrados a su lugar en el modelo, mm, con la tolerancia como línea de trazo y punto. Derecha: lo que compara la correlación de SIRGn, el movimiento de los puntos de referencia y el de la deformación del registro, mm</translation>
+    </message>
+    <message>
+        <source>Landmarks, %1</source>
+        <translation>Puntos de referencia, %1</translation>
+    </message>
+    <message>
+        <source>Warp, %1</source>
+        <translation>Deformación, %1</translation>
     </message>
 </context>
 <context>

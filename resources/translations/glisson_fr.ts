@@ -3371,6 +3371,109 @@
         <source>Reading the experiment</source>
         <translation>Lecture de l&apos;expérience</translation>
     </message>
+    <message>
+        <source>{0} landmarks seen in fewer than three frames were left out</source>
+        <translation>{0} repères vus dans moins de trois images ont été écartés</translation>
+    </message>
+    <message>
+        <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
+        <translation>{0} triangles n&apos;ont tous leurs sommets que dans moins de trois images : leur corrélation est 0</translation>
+    </message>
+    <message>
+        <source>no model was given, so there is no distance from it (RMSE)</source>
+        <translation>aucun modèle n&apos;a été donné, donc aucune distance à celui-ci (RMSE)</translation>
+    </message>
+    <message>
+        <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
+        <translation>SIMULÉ : la forme du foie d&apos;un vrai patient, qui respire et qu&apos;un instrument enfonce selon une formule. Le recalage dit « fourni » est le vrai, dans lequel une erreur a été mise à gauche de l&apos;image.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::AlgorithmChoice</name>
+    <message>
+        <source>ICP: nearest points</source>
+        <translation>ICP : points les plus proches</translation>
+    </message>
+    <message>
+        <source>GEO: distances along the surface</source>
+        <translation>GEO : distances le long de la surface</translation>
+    </message>
+    <message>
+        <source>GNRA: all frames by their landmarks</source>
+        <translation>GNRA : toutes les images par leurs repères</translation>
+    </message>
+    <message>
+        <source>Given by the sequence</source>
+        <translation>Fourni par la séquence</translation>
+    </message>
+    <message>
+        <source>Given</source>
+        <translation>Fourni</translation>
+    </message>
+    <message>
+        <source>Algorithms</source>
+        <translation>Algorithmes</translation>
+    </message>
+    <message>
+        <source>First algorithm</source>
+        <translation>Premier algorithme</translation>
+    </message>
+    <message>
+        <source>Second algorithm</source>
+        <translation>Second algorithme</translation>
+    </message>
+    <message>
+        <source>What the left picture shows</source>
+        <translation>Ce que montre l&apos;image de gauche</translation>
+    </message>
+    <message>
+        <source>What the right picture shows, or nothing</source>
+        <translation>Ce que montre l&apos;image de droite, ou rien</translation>
+    </message>
+    <message>
+        <source>Register and judge</source>
+        <translation>Recaler et juger</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Stops registering; what was computed before stays</source>
+        <translation>Arrête le recalage ; ce qui était déjà calculé reste</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
+    </message>
+    <message>
+        <source>No second algorithm</source>
+        <translation>Pas de second algorithme</translation>
+    </message>
+    <message>
+        <source>The sequence names no registered clouds</source>
+        <translation>La séquence ne nomme aucun nuage recalé</translation>
+    </message>
+    <message>
+        <source>The sequence names no model</source>
+        <translation>La séquence ne nomme aucun modèle</translation>
+    </message>
+    <message>
+        <source>Open a sequence first</source>
+        <translation>Ouvrez d&apos;abord une séquence</translation>
+    </message>
+    <message>
+        <source>It is being computed</source>
+        <translation>Le calcul est en cours</translation>
+    </message>
+    <message>
+        <source>Both algorithms are computed already</source>
+        <translation>Les deux algorithmes sont déjà calculés</translation>
+    </message>
+    <message>
+        <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
+        <translation>Recale chaque image par les algorithmes ci-dessus et les juge par SIRGn : jusqu&apos;à une seconde environ par image</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
@@ -3451,6 +3554,69 @@
     <message>
         <source>Text (*.txt)</source>
         <translation>Texte (*.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::FiguresTable</name>
+    <message>
+        <source>Figures of the registrations</source>
+        <translation>Chiffres des recalages</translation>
+    </message>
+    <message>
+        <source>Mean correlation</source>
+        <translation>Corrélation moyenne</translation>
+    </message>
+    <message>
+        <source>Rejected (%)</source>
+        <translation>Rejetés (%)</translation>
+    </message>
+    <message>
+        <source>TRE (mm)</source>
+        <translation>TRE (mm)</translation>
+    </message>
+    <message>
+        <source>TRE, this frame (mm)</source>
+        <translation>TRE, cette image (mm)</translation>
+    </message>
+    <message>
+        <source>RMSE (mm)</source>
+        <translation>RMSE (mm)</translation>
+    </message>
+    <message>
+        <source>RMSE, this frame (mm)</source>
+        <translation>RMSE, cette image (mm)</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triangles</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Durée (s)</translation>
+    </message>
+    <message>
+        <source>SIRGn, over the triangles: 1 is best</source>
+        <translation>SIRGn, sur les triangles : 1 est le meilleur</translation>
+    </message>
+    <message>
+        <source>Share of the triangles whose corners are off by %1 mm or more on average</source>
+        <translation>Part des triangles dont les sommets sont décalés de %1 mm ou plus en moyenne</translation>
+    </message>
+    <message>
+        <source>Target registration error: how far registered landmarks are from where they are on the model, mm</source>
+        <translation>Erreur de recalage de la cible (TRE) : distance entre les repères recalés et leur place sur le modèle, mm</translation>
+    </message>
+    <message>
+        <source>How far the registered cloud is from the model (root mean square), mm</source>
+        <translation>Distance du nuage recalé au modèle (moyenne quadratique), mm</translation>
+    </message>
+    <message>
+        <source>To register all frames and to judge them, s</source>
+        <translation>Pour recaler toutes les images et les juger, s</translation>
     </message>
 </context>
 <context>
@@ -4262,6 +4428,211 @@ supposés</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::ReadingPanel</name>
+    <message>
+        <source>Reading</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>What the colours show</source>
+        <translation>Ce que montrent les couleurs</translation>
+    </message>
+    <message>
+        <source>Colours: SIRGn&apos;s correlation</source>
+        <translation>Couleurs : corrélation de SIRGn</translation>
+    </message>
+    <message>
+        <source>Colours: error of the landmarks (mm)</source>
+        <translation>Couleurs : erreur des repères (mm)</translation>
+    </message>
+    <message>
+        <source>Colours: doubt (mm)</source>
+        <translation>Couleurs : doute (mm)</translation>
+    </message>
+    <message>
+        <source>Correlation: whether landmarks and warp move alike over time, 1 is best. Error: mean distance of a triangle&apos;s landmarks, as registered, from where they are on the model, mm. Doubt: motion that the registration leaves unexplained, mm, to be compared within one sequence.</source>
+        <translation>Corrélation : si les repères et la déformation bougent de même au cours du temps, 1 est le meilleur. Erreur : distance moyenne des repères recalés d&apos;un triangle à leur place sur le modèle, mm. Doute : mouvement que le recalage laisse inexpliqué, mm, à comparer au sein d&apos;une même séquence.</translation>
+    </message>
+    <message>
+        <source>Tolerance: rejected from</source>
+        <translation>Tolérance : rejet à partir de</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Triangles whose landmarks are off by this much or more, mm, are grey and hatched</source>
+        <translation>Les triangles dont les repères sont décalés d&apos;autant ou plus (mm) sont gris et hachurés</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Sets the tolerance to %1 mm</source>
+        <translation>Règle la tolérance à %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::RegisterPage</name>
+    <message>
+        <source>Register</source>
+        <translation>Recaler</translation>
+    </message>
+    <message>
+        <source>See how good a registration of a video is, place by place.</source>
+        <translation>Voir ce que vaut le recalage d&apos;une vidéo, endroit par endroit.</translation>
+    </message>
+    <message>
+        <source>Something else is being computed. Wait for it, or cancel it, and try again.</source>
+        <translation>Un autre calcul est en cours. Attendez-le ou annulez-le, puis réessayez.</translation>
+    </message>
+    <message>
+        <source>Opening the sequence</source>
+        <translation>Ouverture de la séquence</translation>
+    </message>
+    <message>
+        <source>Making an example sequence</source>
+        <translation>Création d&apos;une séquence d&apos;exemple</translation>
+    </message>
+    <message>
+        <source>Registering the video</source>
+        <translation>Recalage de la vidéo</translation>
+    </message>
+    <message>
+        <source>A defect in Glisson stopped this: %1</source>
+        <translation>Un défaut de Glisson a arrêté ceci : %1</translation>
+    </message>
+    <message>
+        <source>Open another...</source>
+        <translation>En ouvrir une autre...</translation>
+    </message>
+    <message>
+        <source>Another sequence.json in place of this one</source>
+        <translation>Un autre sequence.json à la place de celui-ci</translation>
+    </message>
+    <message>
+        <source>Open a sequence</source>
+        <translation>Ouvrir une séquence</translation>
+    </message>
+    <message>
+        <source>Sequences (*.json)</source>
+        <translation>Séquences (*.json)</translation>
+    </message>
+    <message>
+        <source>Click a triangle to see its history.</source>
+        <translation>Cliquez sur un triangle pour voir son histoire.</translation>
+    </message>
+    <message>
+        <source>%1 mm in this frame</source>
+        <translation>%1 mm dans cette image</translation>
+    </message>
+    <message>
+        <source>not all its corners are seen in this frame</source>
+        <translation>tous ses sommets ne sont pas visibles dans cette image</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>rejeté</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>accepté</translation>
+    </message>
+    <message>
+        <source>%1, triangle %2: correlation %3; off by %4 mm on average, %5; %6</source>
+        <translation>%1, triangle %2 : corrélation %3 ; décalé de %4 mm en moyenne, %5 ; %6</translation>
+    </message>
+    <message>
+        <source>%1: %2 frames, %3 landmarks</source>
+        <translation>%1 : %2 images, %3 repères</translation>
+    </message>
+    <message>
+        <source>One moment...</source>
+        <translation>Un instant...</translation>
+    </message>
+    <message>
+        <source>Click a triangle to see its history; hover over it for its figures</source>
+        <translation>Cliquez sur un triangle pour voir son histoire ; survolez-le pour ses chiffres</translation>
+    </message>
+    <message>
+        <source>Not registered yet: press &quot;Register and judge&quot;.</source>
+        <translation>Pas encore recalé : cliquez sur « Recaler et juger ».</translation>
+    </message>
+    <message>
+        <source>%1: %2 % of %3 triangles rejected at %4 mm</source>
+        <translation>%1 : %2 % de %3 triangles rejetés à %4 mm</translation>
+    </message>
+    <message>
+        <source>The sequence names no camera, so that no mesh can be drawn over the video.</source>
+        <translation>La séquence ne nomme aucune caméra : aucun maillage ne peut être dessiné sur la vidéo.</translation>
+    </message>
+    <message>
+        <source>The sequence names no pictures; the mesh is drawn on black.</source>
+        <translation>La séquence ne nomme aucune image ; le maillage est dessiné sur fond noir.</translation>
+    </message>
+    <message>
+        <source>Correlation</source>
+        <translation>Corrélation</translation>
+    </message>
+    <message>
+        <source>Error
+(mm)</source>
+        <translation>Erreur
+(mm)</translation>
+    </message>
+    <message>
+        <source>Doubt
+(mm)</source>
+        <translation>Doute
+(mm)</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bon</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>mauvais</translation>
+    </message>
+    <message>
+        <source>rejected: off by %1 mm or more</source>
+        <translation>rejeté : décalé de %1 mm ou plus</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::RegisterWelcome</name>
+    <message>
+        <source>How good is a registration of a video?</source>
+        <translation>Que vaut le recalage d&apos;une vidéo ?</translation>
+    </message>
+    <message>
+        <source>This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the tracks of landmarks, and the model that is registered. glisson-cli sequence makes one of a stereo video and its calibration. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
+        <translation>Il faut une séquence : un sequence.json qui nomme les images d&apos;une vidéo stéréo, un nuage de points pour chacune, les trajets de repères et le modèle à recaler. glisson-cli sequence en fait une à partir d&apos;une vidéo stéréo et de son étalonnage. Sans vidéo, un exemple montre de quoi il s&apos;agit : le foie du patient de démonstration, qui respire et qu&apos;un instrument enfonce, simulé.</translation>
+    </message>
+    <message>
+        <source>Open a sequence...</source>
+        <translation>Ouvrir une séquence...</translation>
+    </message>
+    <message>
+        <source>A sequence.json with its clouds, tracks and pictures beside it</source>
+        <translation>Un sequence.json avec ses nuages, trajets et images à côté</translation>
+    </message>
+    <message>
+        <source>Make an example sequence</source>
+        <translation>Créer une séquence d&apos;exemple</translation>
+    </message>
+    <message>
+        <source>Simulates 40 frames in a few seconds and opens them; 7 MB</source>
+        <translation>Simule 40 images en quelques secondes et les ouvre ; 7 Mo</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::RehearsePanel</name>
     <message>
         <source>Rehearse</source>
@@ -4760,6 +5131,57 @@ Module de Young&#xa0;%2 kPa (moyenne)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::Timeline</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lire</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>Une image en arrière</translation>
+    </message>
+    <message>
+        <source>One frame on</source>
+        <translation>Une image en avant</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>No frames</source>
+        <translation>Aucune image</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Image %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Open a sequence first</source>
+        <translation>Ouvrez d&apos;abord une séquence</translation>
+    </message>
+    <message>
+        <source>Plays the video at 15 frames a second, round and round (Space)</source>
+        <translation>Lit la vidéo à 15 images par seconde, en boucle (Espace)</translation>
+    </message>
+    <message>
+        <source>One frame back (Left)</source>
+        <translation>Une image en arrière (Gauche)</translation>
+    </message>
+    <message>
+        <source>One frame on (Right)</source>
+        <translation>Une image en avant (Droite)</translation>
+    </message>
+    <message>
+        <source>The frame that is shown (Left, Right, Page Up, Page Down, Home, End)</source>
+        <translation>L&apos;image affichée (Gauche, Droite, Page préc., Page suiv., Début, Fin)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::TourCard</name>
     <message>
         <source>End the tour</source>
@@ -4780,6 +5202,53 @@ Module de Young&#xa0;%2 kPa (moyenne)</translation>
     <message>
         <source>Done</source>
         <translation>Terminé</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TriangleHistory</name>
+    <message>
+        <source>A triangle over the frames</source>
+        <translation>Un triangle au fil des images</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Triangle</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>The triangle of the left picture whose history is drawn; or click one in a picture</source>
+        <translation>Le triangle de l&apos;image de gauche dont l&apos;histoire est tracée ; ou cliquez-en un dans une image</translation>
+    </message>
+    <message>
+        <source>Error (mm)</source>
+        <translation>Erreur (mm)</translation>
+    </message>
+    <message>
+        <source>Motion (mm)</source>
+        <translation>Mouvement (mm)</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>The chosen triangle over the frames</source>
+        <translation>Le triangle choisi au fil des images</translation>
+    </message>
+    <message>
+        <source>Left: how far the registered corners are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: what SIRGn&apos;s correlation compares, the motion of the landmarks and of the registration&apos;s warp, mm</source>
+        <translation>À gauche : distance des sommets recalés à leur place sur le modèle, mm, avec la tolérance en trait mixte. À droite : ce que compare la corrélation de SIRGn, le mouvement des repères et celui de la déformation du recalage, mm</translation>
+    </message>
+    <message>
+        <source>Landmarks, %1</source>
+        <translation>Repères, %1</translation>
+    </message>
+    <message>
+        <source>Warp, %1</source>
+        <translation>Déformation, %1</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,476 @@
+#include "register/register_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QFileDialog>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QPointer>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+
+#include "study/example_sequence.h"
+#include "words/told.h"
+#include "words/worded.h"
+
+namespace glisson::widgets {
+
+using quality::SequenceMethod;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+QString number(double value, int decimals = 1) { return QLocale().toString(value, 'f', decimals); }
+
+Result<std::shared_ptr<const OpenedSequence>> read(const fs::path& file) {
+  return quality::read_sequence(file).map(
+      [&](quality::SequenceFiles files) { return std::make_shared<const OpenedSequence>(file, std::move(files)); });
+}
+
+}  // namespace
+
+RegisterPage::RegisterPage(BackgroundWork& work, QWidget* parent) : QWidget(parent), work_(work), images_(256 << 10) {
+  setObjectName("register_page");
+  setFocusPolicy(Qt::StrongFocus);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  pages_ = new QStackedWidget;
+  welcome_ = new RegisterWelcome;
+  welcome_->setObjectName("register_welcome");
+  pages_->addWidget(welcome_);
+  pages_->addWidget(make_review());
+  column->addWidget(pages_);
+  connect_work();
+  connect_parts();
+  worded(this, [this] { word(); });
+}
+
+Workspace RegisterPage::workspace(const Bench& bench) {
+  return {.id = "register",
+          .name = [] { return tr("Register"); },
+          .about = [] { return tr("See how good a registration of a video is, place by place."); },
+          .widget = new RegisterPage(bench.work),
+          .place = Workspace::Place::whole_window};
+}
+
+const Judged* RegisterPage::judged(int side) const {
+  const auto chosen = algorithms_->method(side);
+  const auto found = chosen ? judged_.find(*chosen) : judged_.end();
+  return found != judged_.end() ? found->second.get() : nullptr;
+}
+
+// ---- Long work ----
+
+void RegisterPage::start(const QString& title, BackgroundWork::Work work) {
+  say({});
+  working_ = work_.start(title, std::move(work));
+  if (!working_) say([] { return tr("Something else is being computed. Wait for it, or cancel it, and try again."); });
+}
+
+void RegisterPage::open(const fs::path& file) {
+  start(tr("Opening the sequence"), [page = QPointer(this), file](const Progress&) -> BackgroundWork::Then {
+    auto opened = read(file);
+    return [page, opened = std::move(opened)] {
+      if (page.isNull()) return;
+      if (opened) return page->take(*opened);
+      page->say([error = opened.error()] { return told(error); });
+    };
+  });
+}
+
+void RegisterPage::open_example(const fs::path& folder) {
+  start(tr("Making an example sequence"),
+        [page = QPointer(this), folder](const Progress& progress) -> BackgroundWork::Then {
+          const fs::path file = folder / "sequence.json";
+          const auto made = fs::exists(file) ? Result<fs::path>(file) : study::write_example_sequence(folder, progress);
+          auto opened = made.and_then(read);
+          return [page, opened = std::move(opened)] {
+            if (page.isNull()) return;
+            if (opened) return page->take(*opened);
+            page->say([error = opened.error()] { return told(error); });
+          };
+        });
+}
+
+void RegisterPage::compute() {
+  if (!has_sequence()) return;
+  std::vector<SequenceMethod> wanted;
+  for (const int side : {0, 1}) {
+    const auto chosen = algorithms_->method(side);
+    const bool known = !chosen || judged_.contains(*chosen);
+    if (!known && std::find(wanted.begin(), wanted.end(), *chosen) == wanted.end()) wanted.push_back(*chosen);
+  }
+  if (wanted.empty()) return;
+  timeline_->play(false);
+  start(tr("Registering the video"),
+        [page = QPointer(this), sequence = sequence_, wanted](const Progress& progress) -> BackgroundWork::Then {
+          std::vector<std::shared_ptr<const Judged>> done;
+          std::optional<Error> problem;
+          for (std::size_t i = 0; i < wanted.size() && !problem; ++i) {
+            const auto share = static_cast<double>(wanted.size());
+            auto judged = judge(*sequence, wanted[i],
+                                progress.part(static_cast<double>(i) / share, static_cast<double>(i + 1) / share));
+            if (judged) {
+              done.push_back(std::make_shared<const Judged>(*std::move(judged)));
+            } else {
+              problem = judged.error();
+            }
+          }
+          return [page, sequence, done, problem] {
+            if (page.isNull() || page->sequence_ != sequence) return;
+            for (const auto& one : done) page->judged_[one->method] = one;
+            if (problem) page->say([error = *problem] { return told(error); });
+            page->choose_none();
+            page->show_meshes();
+            page->word();
+            if (!problem) Q_EMIT page->computed();
+          };
+        });
+}
+
+void RegisterPage::connect_work() {
+  connect(&work_, &BackgroundWork::progressed, this, [this](double fraction, const QString& stage) {
+    if (!working_) return;
+    algorithms_->show_progress(fraction, stage);
+  });
+  connect(&work_, &BackgroundWork::started, this, [this] {
+    // Not known yet whether it is for this page: see start(), which returns later in this turn of the event loop.
+    QMetaObject::invokeMethod(this, &RegisterPage::word, Qt::QueuedConnection);
+  });
+  connect(&work_, &BackgroundWork::finished, this, [this] {
+    working_ = false;
+    word();
+  });
+  connect(&work_, &BackgroundWork::broke, this, [this](const QString& what) {
+    say([what] { return tr("A defect in Glisson stopped this: %1").arg(what); });
+  });
+}
+
+// ---- What there is to see ----
+
+QWidget* RegisterPage::make_review() {
+  auto* review = new QWidget;
+  auto* across = new QHBoxLayout(review);
+  across->setContentsMargins(0, 0, 0, 0);
+  across->setSpacing(0);
+  across->addWidget(make_pictures(), 1);
+  auto* scroll = new QScrollArea;
+  auto* panel = new QWidget;
+  panel->setObjectName("panel");
+  auto* column = new QVBoxLayout(panel);
+  column->setContentsMargins(14, 14, 14, 14);
+  algorithms_ = new AlgorithmChoice;
+  algorithms_->setObjectName("algorithms");
+  reading_ = new ReadingPanel;
+  column->addWidget(algorithms_);
+  column->addSpacing(6);
+  column->addWidget(reading_, 1);
+  scroll->setWidget(panel);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFixedWidth(360);
+  across->addWidget(scroll);
+  return review;
+}
+
+QWidget* RegisterPage::make_pictures() {
+  auto* pictures = new QWidget;
+  auto* column = new QVBoxLayout(pictures);
+  column->setContentsMargins(14, 12, 14, 12);
+  column->setSpacing(8);
+  auto* head = new QHBoxLayout;
+  file_ = new QLabel;
+  file_->setObjectName("patient_name");
+  auto* open = new QPushButton;
+  open->setObjectName("open_another");
+  head->addWidget(file_, 1);
+  head->addWidget(open);
+  column->addLayout(head);
+  origin_ = new QLabel;
+  origin_->setObjectName("origin");
+  origin_->setWordWrap(true);
+  origin_->hide();
+  column->addWidget(origin_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  for (std::size_t side = 0; side < 2; ++side) {
+    videos_[side] = new HeatVideo;
+    videos_[side]->setObjectName(side == 0 ? "first_video" : "second_video");
+    row->addWidget(videos_[side], 1);
+  }
+  legend_ = new HeatLegend;
+  legend_->setObjectName("heat_legend");
+  row->addWidget(legend_);
+  column->addLayout(row, 3);
+  timeline_ = new Timeline;
+  timeline_->setObjectName("timeline");
+  column->addWidget(timeline_);
+  history_ = new TriangleHistory;
+  history_->setObjectName("history");
+  column->addWidget(history_, 2);
+  notes_ = new QLabel;
+  notes_->setObjectName("register_notes");
+  notes_->setWordWrap(true);
+  notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column->addWidget(notes_);
+  connect(open, &QPushButton::clicked, this, &RegisterPage::choose_file);
+  worded(pictures, [open] {
+    open->setText(tr("Open another..."));
+    open->setToolTip(tr("Another sequence.json in place of this one"));
+  });
+  return pictures;
+}
+
+void RegisterPage::connect_parts() {
+  connect(welcome_, &RegisterWelcome::file_wanted, this, &RegisterPage::choose_file);
+  connect(welcome_, &RegisterWelcome::example_wanted, this, [this] {
+    const QString place = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+    open_example(fs::path(place.toStdU16String()) / "example-sequence");
+  });
+  connect(algorithms_, &AlgorithmChoice::computing_wanted, this, &RegisterPage::compute);
+  connect(algorithms_, &AlgorithmChoice::cancel_wanted, &work_, &BackgroundWork::cancel);
+  connect(algorithms_, &AlgorithmChoice::chosen, this, [this] {
+    choose_none();
+    show_meshes();
+    word();
+  });
+  connect(reading_, &ReadingPanel::value_chosen, this, [this] {
+    show_meshes();
+    word_views();
+  });
+  connect(reading_, &ReadingPanel::tolerance_changed, this, [this] {
+    show_meshes();
+    word_views();
+    show_figures();
+    show_history();
+  });
+  connect(history_, &TriangleHistory::triangle_chosen, this, &RegisterPage::choose_triangle);
+  connect(timeline_, &Timeline::moved, this, [this](int frame) {
+    show_frame();
+    show_meshes();
+    show_figures();
+    history_->show_frame(frame);
+    say_of_place();
+  });
+  for (const int side : {0, 1}) {
+    HeatVideo* video = videos_[static_cast<std::size_t>(side)];
+    connect(video, &HeatVideo::clicked, this, &RegisterPage::choose_at);
+    video->set_hint([this, side](std::size_t triangle) { return hint(side, triangle); });
+  }
+}
+
+void RegisterPage::choose_file() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open a sequence"), {}, tr("Sequences (*.json)"));
+  if (!file.isEmpty()) open(fs::path(file.toStdU16String()));
+}
+
+void RegisterPage::take(std::shared_ptr<const OpenedSequence> sequence) {
+  sequence_ = std::move(sequence);
+  judged_.clear();
+  images_.clear();
+  size_px_ = {};
+  choose_none();
+  algorithms_->offer(*sequence_);
+  const QSignalBlocker quiet(timeline_);
+  timeline_->set_frames(static_cast<int>(sequence_->files.clouds.size()));
+  pages_->setCurrentIndex(1);
+  word();
+  show_frame();
+  show_meshes();
+  setFocus();
+  Q_EMIT opened();
+}
+
+QString RegisterPage::side_name(int side) const {
+  const auto chosen = algorithms_->method(side);
+  return chosen ? short_name(*chosen) : QString::fromUtf8("–");
+}
+
+// ---- Showing ----
+
+QImage RegisterPage::frame_image(int frame) {
+  if (const QImage* known = images_.object(frame)) return *known;
+  const fs::path& file = sequence_->files.images[static_cast<std::size_t>(frame)];
+  if (file.empty()) return {};
+  const auto read = vision::read_frame(file);
+  if (!read) {
+    say([error = read.error()] { return told(error); });
+    return {};
+  }
+  const QImage image =
+      QImage(read->rgb.data(), read->width, read->height, 3 * read->width, QImage::Format_RGB888).copy();
+  images_.insert(frame, new QImage(image), static_cast<qsizetype>(image.sizeInBytes() >> 10));
+  return image;
+}
+
+void RegisterPage::show_frame() {
+  if (!has_sequence()) return;
+  const QImage image = frame_image(timeline_->frame());
+  if (!image.isNull()) size_px_ = image.size();
+  // Without a picture the mesh is drawn on black, as large as the camera's middle tells.
+  if (size_px_.isEmpty() && sequence_->files.camera) {
+    const Eigen::Matrix3d& matrix = sequence_->files.camera->matrix;
+    size_px_ = QSize(static_cast<int>(std::lround(2 * matrix(0, 2))), static_cast<int>(std::lround(2 * matrix(1, 2))));
+  }
+  for (HeatVideo* video : videos_) video->show_frame(image, size_px_);
+}
+
+void RegisterPage::show_meshes() {
+  if (!has_sequence()) return;
+  const auto quality_of = [&](int side) { return judged(side) != nullptr ? &judged(side)->quality : nullptr; };
+  const scene::HeatScale scale = scale_for(quality_of(0), quality_of(1), reading_->value());
+  legend_->show_scale(scale);
+  legend_->setVisible(quality_of(0) != nullptr || quality_of(1) != nullptr);
+  for (const int side : {0, 1}) {
+    HeatVideo& video = *videos_[static_cast<std::size_t>(side)];
+    const auto frame = static_cast<std::size_t>(timeline_->frame());
+    if (quality_of(side) != nullptr && sequence_->files.camera) {
+      video.show_mesh(heat_mesh(*quality_of(side), reading_->value(), frame, tolerance_mm()), *sequence_->files.camera,
+                      scale);
+    } else {
+      video.show_no_mesh();
+    }
+  }
+}
+
+void RegisterPage::show_figures() {
+  reading_->figures().show_figures({judged(0), judged(1)}, {side_name(0), side_name(1)}, tolerance_mm(),
+                                   timeline_->frame());
+}
+
+void RegisterPage::choose_at(const QPointF& pixel) {
+  choose(videos_[0]->triangle_at(pixel), videos_[1]->triangle_at(pixel));
+}
+
+void RegisterPage::choose_triangle(std::optional<std::size_t> triangle) {
+  const auto middle = triangle ? videos_[0]->middle_of(*triangle) : std::nullopt;
+  choose(triangle, middle ? videos_[1]->triangle_at(*middle) : std::nullopt);
+}
+
+void RegisterPage::choose(std::optional<std::size_t> first, std::optional<std::size_t> second) {
+  chosen_ = {first, second};
+  for (const std::size_t side : {0, 1}) videos_[side]->choose(chosen_[side]);
+  history_->show_triangle(judged(0) != nullptr ? judged(0)->quality.mesh.triangles.size() : 0, first);
+  show_history();
+}
+
+void RegisterPage::show_history() {
+  std::array<std::optional<TriangleHistory::Line>, 2> lines;
+  for (const int side : {0, 1}) {
+    const auto& triangle = chosen_[static_cast<std::size_t>(side)];
+    if (!triangle || judged(side) == nullptr) continue;
+    lines[static_cast<std::size_t>(side)] = {side_name(side), judged(side)->quality.courses[*triangle]};
+  }
+  history_->show_courses(lines, tolerance_mm());
+  say_of_place();
+}
+
+void RegisterPage::say_of_place() {
+  QStringList sentences;
+  for (const int side : {0, 1}) {
+    if (const auto& triangle = chosen_[static_cast<std::size_t>(side)]) sentences << hint(side, *triangle);
+  }
+  const bool something = judged(0) != nullptr || judged(1) != nullptr;
+  history_->say(!sentences.isEmpty() ? sentences.join("\n")
+                : something          ? tr("Click a triangle to see its history.")
+                                     : QString());
+}
+
+QString RegisterPage::hint(int side, std::size_t triangle) const {
+  if (judged(side) == nullptr) return {};
+  const quality::Quality& quality = judged(side)->quality;
+  const double here_mm = quality.courses[triangle].error_mm[static_cast<std::size_t>(timeline_->frame())];
+  const QString here = std::isfinite(here_mm) ? tr("%1 mm in this frame").arg(number(here_mm))
+                                              : tr("not all its corners are seen in this frame");
+  const QString verdict = is_rejected(quality, triangle, tolerance_mm()) ? tr("rejected") : tr("accepted");
+  return tr("%1, triangle %2: correlation %3; off by %4 mm on average, %5; %6")
+      .arg(side_name(side))
+      .arg(triangle + 1)
+      .arg(number(quality.correlation[triangle], 2), number(quality.error_mm[triangle]), here, verdict);
+}
+
+// ---- Words ----
+
+void RegisterPage::word() {
+  bool known = true;
+  for (const int side : {0, 1}) known = known && (!algorithms_->method(side) || judged(side) != nullptr);
+  using Work = AlgorithmChoice::Work;
+  algorithms_->show_work(!has_sequence() ? Work::none_open
+                         : working_      ? Work::under_way
+                         : known         ? Work::done
+                                         : Work::to_do);
+  if (has_sequence()) {
+    file_->setText(tr("%1: %2 frames, %3 landmarks")
+                       .arg(QString::fromStdU16String(sequence_->file.parent_path().filename().u16string()))
+                       .arg(sequence_->files.clouds.size())
+                       .arg(sequence_->files.landmarks.size()));
+    origin_->setText(told(sequence_->files.simulated));
+    origin_->setVisible(!sequence_->files.simulated.empty());
+  }
+  const QString said = said_ ? said_() : QString();
+  welcome_->say(working_ ? tr("One moment...") : said);
+  QStringList notes;
+  if (!said.isEmpty()) notes << said;
+  for (const int side : {0, 1}) {
+    if (judged(side) == nullptr) continue;
+    for (const Sentence& note : judged(side)->quality.notes) notes << side_name(side) + ": " + told(note) + ".";
+  }
+  notes_->setText(notes.join(" "));
+  notes_->setVisible(!notes.isEmpty());
+  word_views();
+  show_figures();
+  show_history();
+}
+
+void RegisterPage::word_views() {
+  for (const int side : {0, 1}) {
+    HeatVideo& video = *videos_[static_cast<std::size_t>(side)];
+    const auto chosen = algorithms_->method(side);
+    video.setVisible(chosen.has_value());
+    if (!chosen || !has_sequence()) continue;
+    video.setToolTip(tr("Click a triangle to see its history; hover over it for its figures"));
+    const Judged* one = judged(side);
+    if (one == nullptr) {
+      video.set_words(long_name(*chosen), tr("Not registered yet: press \"Register and judge\"."));
+      continue;
+    }
+    video.set_words(
+        tr("%1: %2 % of %3 triangles rejected at %4 mm")
+            .arg(short_name(*chosen), number(100 * rejected_fraction(one->quality, tolerance_mm())))
+            .arg(one->quality.mesh.triangles.size())
+            .arg(number(tolerance_mm())),
+        !sequence_->files.camera ? tr("The sequence names no camera, so that no mesh can be drawn over the video.")
+        : sequence_->files.images.front().empty() ? tr("The sequence names no pictures; the mesh is drawn on black.")
+                                                  : QString());
+  }
+  const HeatValue value = reading_->value();
+  legend_->set_words(value == HeatValue::correlation ? tr("Correlation")
+                     : value == HeatValue::error     ? tr("Error\n(mm)")
+                                                     : tr("Doubt\n(mm)"),
+                     tr("good"), tr("bad"), tr("rejected: off by %1 mm or more").arg(number(tolerance_mm())));
+}
+
+void RegisterPage::say(std::function<QString()> words) {
+  said_ = std::move(words);
+  word();
+}
+
+void RegisterPage::keyPressEvent(QKeyEvent* event) {
+  if (!has_sequence()) return QWidget::keyPressEvent(event);
+  switch (event->key()) {
+    case Qt::Key_Space: timeline_->play(!timeline_->playing()); break;
+    case Qt::Key_Left: timeline_->step(-1); break;
+    case Qt::Key_Right: timeline_->step(1); break;
+    case Qt::Key_PageUp: timeline_->step(-10); break;
+    case Qt::Key_PageDown: timeline_->step(10); break;
+    case Qt::Key_Home: timeline_->show_frame(0); break;
+    case Qt::Key_End: timeline_->show_frame(timeline_->frames() - 1); break;
+    default: QWidget::keyPressEvent(event);
+  }
+}
+
+}  // namespace glisson::widgets

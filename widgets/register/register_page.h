@@ -1,0 +1,105 @@
+#pragma once
+// The Register workspace: a stereo video's sequence, registered by one or two algorithms and judged by SIRGn. The video
+// with its heat mesh, one algorithm beside the other on one colour scale, a timeline, the tolerance, the figures, and
+// any place's history.
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <QCache>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QWidget>
+
+#include "register/algorithm_choice.h"
+#include "register/heat_legend.h"
+#include "register/heat_video.h"
+#include "register/judged_sequence.h"
+#include "register/reading_panel.h"
+#include "register/register_welcome.h"
+#include "register/timeline.h"
+#include "register/triangle_history.h"
+#include "work/background_work.h"
+#include "workspaces/workspace.h"
+
+namespace glisson::widgets {
+
+class RegisterPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RegisterPage(BackgroundWork& work, QWidget* parent = nullptr);
+  [[nodiscard]] static Workspace workspace(const Bench& bench);
+
+  // A sequence.json. On a worker thread, as everything here that takes time.
+  void open(const std::filesystem::path& file);
+  // The simulated sequence in `folder`, made there unless it is there already.
+  void open_example(const std::filesystem::path& folder);
+  // Registers by the chosen algorithms what is not registered yet, and judges it.
+  void compute();
+
+  [[nodiscard]] bool has_sequence() const { return sequence_ != nullptr; }
+  // What a side shows; null where nothing was computed for it.
+  [[nodiscard]] const Judged* judged(int side) const;
+  [[nodiscard]] double tolerance_mm() const { return reading_->tolerance_mm(); }
+  [[nodiscard]] const std::array<std::optional<std::size_t>, 2>& chosen() const { return chosen_; }
+
+ Q_SIGNALS:
+  void opened();
+  void computed();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  QWidget* make_review();
+  QWidget* make_pictures();
+  void connect_work();
+  void connect_parts();
+
+  void choose_file();
+  void start(const QString& title, BackgroundWork::Work work);
+  void take(std::shared_ptr<const OpenedSequence> sequence);
+  [[nodiscard]] QString side_name(int side) const;
+
+  void show_frame();
+  void show_meshes();
+  void show_figures();
+  void show_history();
+  void say_of_place();
+  void choose_at(const QPointF& pixel);
+  void choose_triangle(std::optional<std::size_t> triangle);
+  void choose(std::optional<std::size_t> first, std::optional<std::size_t> second);
+  void choose_none() { choose(std::nullopt, std::nullopt); }
+  void word();
+  void word_views();
+  [[nodiscard]] QString hint(int side, std::size_t triangle) const;
+  [[nodiscard]] QImage frame_image(int frame);
+  // The words are asked for again when the language changes.
+  void say(std::function<QString()> words);
+
+  BackgroundWork& work_;
+  bool working_ = false;  // for this page
+  std::shared_ptr<const OpenedSequence> sequence_;
+  std::map<quality::SequenceMethod, std::shared_ptr<const Judged>> judged_;
+  std::array<std::optional<std::size_t>, 2> chosen_;
+  std::function<QString()> said_;
+  QCache<int, QImage> images_;
+  QSize size_px_;
+
+  QStackedWidget* pages_;
+  RegisterWelcome* welcome_;
+  QLabel* file_;
+  QLabel* origin_;
+  std::array<HeatVideo*, 2> videos_{};
+  HeatLegend* legend_;
+  Timeline* timeline_;
+  TriangleHistory* history_;
+  QLabel* notes_;
+  AlgorithmChoice* algorithms_;
+  ReadingPanel* reading_;
+};
+
+}  // namespace glisson::widgets

@@ -1,0 +1,70 @@
+#include "register/register_welcome.h"
+
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "words/worded.h"
+
+namespace glisson::widgets {
+namespace {
+
+// As wide as is read easily; a layout's alignment would cut wrapped lines off.
+QHBoxLayout* in_the_middle(QLabel* text) {
+  constexpr int widest = 640;
+  text->setFixedWidth(widest);
+  auto* row = new QHBoxLayout;
+  row->addStretch();
+  row->addWidget(text);
+  row->addStretch();
+  return row;
+}
+
+}  // namespace
+
+RegisterWelcome::RegisterWelcome(QWidget* parent) : QWidget(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->addStretch(2);
+  auto* title = new QLabel;
+  title->setObjectName("welcome_title");
+  title->setAlignment(Qt::AlignCenter);
+  auto* text = new QLabel;
+  text->setWordWrap(true);
+  text->setAlignment(Qt::AlignCenter);
+  auto* open = new QPushButton;
+  open->setObjectName("open_sequence");
+  auto* make = new QPushButton;
+  make->setObjectName("primary");
+  says_ = new QLabel;
+  says_->setObjectName("register_says");
+  says_->setWordWrap(true);
+  says_->setAlignment(Qt::AlignCenter);
+  column->addWidget(title);
+  column->addSpacing(8);
+  column->addLayout(in_the_middle(text));
+  column->addSpacing(16);
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch();
+  buttons->addWidget(open);
+  buttons->addWidget(make);
+  buttons->addStretch();
+  column->addLayout(buttons);
+  column->addSpacing(12);
+  column->addLayout(in_the_middle(says_));
+  column->addStretch(3);
+  connect(open, &QPushButton::clicked, this, &RegisterWelcome::file_wanted);
+  connect(make, &QPushButton::clicked, this, &RegisterWelcome::example_wanted);
+  worded(this, [=] {
+    title->setText(tr("How good is a registration of a video?"));
+    text->setText(tr(
+        "This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the "
+        "tracks of landmarks, and the model that is registered. glisson-cli sequence makes one of a stereo video and "
+        "its calibration. Without a video, an example shows what it is about: the demo patient's liver, breathing "
+        "and pressed by a tool, simulated."));
+    open->setText(tr("Open a sequence..."));
+    open->setToolTip(tr("A sequence.json with its clouds, tracks and pictures beside it"));
+    make->setText(tr("Make an example sequence"));
+    make->setToolTip(tr("Simulates 40 frames in a few seconds and opens them; 7 MB"));
+  });
+}
+
+}  // namespace glisson::widgets

@@ -1,0 +1,59 @@
+#pragma once
+// A chosen place over the frames: how far each algorithm's registration is off there, and the two motions that SIRGn's
+// correlation compares for one of them.
+
+#include <array>
+#include <optional>
+#include <QLabel>
+#include <QSpinBox>
+#include <QWidget>
+
+#include "quality/sirgn.h"
+
+class QCustomPlot;
+class QCPAxisRect;
+class QCPItemStraightLine;
+
+namespace glisson::widgets {
+
+class TriangleHistory : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TriangleHistory(QWidget* parent = nullptr);
+
+  struct Line {
+    QString algorithm;
+    quality::TriangleCourse course;
+  };
+  // The first algorithm solid, the second dashed; the motions are those of the first that is there.
+  void show_courses(const std::array<std::optional<Line>, 2>& lines, double tolerance_mm);
+  void show_frame(int frame);
+  // Of so many triangles of the first algorithm, the chosen one, counted from 0.
+  void show_triangle(std::size_t count, std::optional<std::size_t> triangle);
+  // What the lines come to, in words.
+  void say(const QString& words) { said_->setText(words); }
+
+  [[nodiscard]] int lines() const { return static_cast<int>(drawn_); }
+  [[nodiscard]] double frame() const;
+
+ Q_SIGNALS:
+  void triangle_chosen(std::optional<std::size_t> triangle);
+
+ private:
+  QWidget* make_head();
+  void word();
+
+  QSpinBox* triangle_;
+  QLabel* said_;
+  QCustomPlot* plot_;
+  QCPAxisRect* errors_;
+  QCPAxisRect* motions_;
+  std::array<QCPItemStraightLine*, 2> now_;
+  QCPItemStraightLine* tolerance_;
+  std::size_t drawn_ = 0;
+  double tolerance_mm_ = 5;
+  std::array<std::optional<Line>, 2> shown_;
+};
+
+}  // namespace glisson::widgets
