@@ -1,0 +1,98 @@
+#include "vision/movie.h"
+
+#include <fmt/format.h>
+#include <opencv2/videoio.hpp>
+#include <system_error>
+
+#include "vision/opencv_internal.h"
+
+namespace glisson::vision {
+namespace {
+
+namespace fs = std::filesystem;
+
+tl::unexpected<Error> not_written(const fs::path& file, const char* what_to_do) {
+  return failure(
+      Error{"movie-not-written", GLISSON_TEXT("The movie {0} cannot be written."), {file.string()}, what_to_do, file});
+}
+
+}  // namespace
+
+struct MovieWriter::Inside {
+  fs::path file;
+  fs::path beside;  // what is written, until it is whole
+  double frames_per_second = 25;
+  bool is_video = false;
+  cv::VideoWriter video;
+  int width = 0;
+  int height = 0;
+  int count = 0;
+
+  ~Inside() {
+    video.release();
+    std::error_code ignored;
+    fs::remove_all(beside, ignored);
+  }
+};
+
+MovieWriter::MovieWriter(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
+MovieWriter::MovieWriter(MovieWriter&&) noexcept = default;
+MovieWriter& MovieWriter::operator=(MovieWriter&&) noexcept = default;
+MovieWriter::~MovieWriter() = default;
+
+Result<MovieWriter> MovieWriter::begin(const fs::path& file, double frames_per_second) {
+  GLISSON_ASSERT(frames_per_second > 0);
+  auto inside = std::make_unique<Inside>();
+  inside->file = file;
+  inside->frames_per_second = frames_per_second;
+  inside->is_video = file.extension() == ".mp4";
+  std::error_code problem;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, problem)) return not_written(file, GLISSON_TEXT("Choose a folder that exists."));
+  if (!inside->is_video && fs::exists(file, problem)) {
+    return not_written(file, GLISSON_TEXT("Choose a name that is not there yet."));
+  }
+  // The ending tells the encoder which sort of file it is.
+  inside->beside = folder / ("." + file.stem().string() + ".part" + file.extension().string());
+  fs::remove_all(inside->beside, problem);
+  if (!inside->is_video && !fs::create_directory(inside->beside, problem)) {
+    return not_written(file, GLISSON_TEXT("Choose a folder in which you may write."));
+  }
+  return MovieWriter(std::move(inside));
+}
+
+Result<void> MovieWriter::add(const Frame& frame) {
+  Inside& in = *inside_;
+  if (in.count == 0) {
+    in.width = frame.width;
+    in.height = frame.height;
+  }
+  if (frame.width != in.width || frame.height != in.height) {
+    return not_written(in.file, GLISSON_TEXT("Leave the window's size as it is while the movie is made."));
+  }
+  ++in.count;
+  if (!in.is_video) return write_frame(frame, in.beside / fmt::format("{:05}.png", in.count));
+  const cv::Size even(in.width - in.width % 2, in.height - in.height % 2);
+  try {
+    if (in.count == 1) {
+      in.video.open(in.beside.string(), cv::VideoWriter::fourcc('m', 'p', '4', 'v'), in.frames_per_second, even);
+    }
+    if (in.video.isOpened()) in.video.write(to_opencv(frame)(cv::Rect({0, 0}, even)).clone());
+  } catch (const cv::Exception&) {
+    in.video.release();
+  }
+  if (in.video.isOpened()) return {};
+  return not_written(in.file, GLISSON_TEXT("Choose a folder in which you may write, or a name without .mp4: then it "
+                                           "becomes a folder of pictures."));
+}
+
+Result<void> MovieWriter::finish() {
+  Inside& in = *inside_;
+  in.video.release();
+  std::error_code problem;
+  if (in.count > 0) fs::rename(in.beside, in.file, problem);
+  if (in.count > 0 && !problem) return {};
+  return not_written(in.file, GLISSON_TEXT("Look whether the disk is full."));
+}
+
+}  // namespace glisson::vision
