@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace glisson::scene {
 namespace {
@@ -30,6 +31,7 @@ struct Page {
 
 Page page_for(Overlay& overlay, const Frame& frame, const FlatContent& content, double pixel_scale);
 void lay_out_crosshair(Page& page);
+void lay_out_lines(Page& page);
 void lay_out_labels(Page& page);
 void lay_out_warning(Page& page);
 void lay_out_titles(Page& page);
@@ -45,6 +47,7 @@ void lay_out(Overlay& overlay, const Frame& frame, const FlatContent& content, d
   overlay.begin();
   lay_out_warning(page);
   lay_out_crosshair(page);
+  lay_out_lines(page);
   lay_out_labels(page);
   lay_out_titles(page);
   if (content.furniture.scale_bar == Furniture::ScaleBar::shown) lay_out_scale_bar(page);
@@ -68,27 +71,50 @@ Page page_for(Overlay& overlay, const Frame& frame, const FlatContent& content, 
           dark ? Colour{0.04, 0.05, 0.07} : Colour{1, 1, 1}};
 }
 
-// Cross lines with a gap about the point itself, so that they do not hide what they point at.
+// A small disc with a dark rim.
+void knob(Page& page, const Vector2d& at, double radius, const Colour& colour) {
+  for (const auto& [r, fill] : {std::pair(radius + 1.2 * page.unit, page.plate), std::pair(radius, colour)}) {
+    std::vector<Vector2d> rim;
+    constexpr int corners = 16;
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2 * std::numbers::pi * k / corners;
+      rim.push_back(at + r * Vector2d(std::cos(angle), std::sin(angle)));
+    }
+    page.overlay.fill(rim, fill);
+  }
+}
+
+// The lines along which the planes cut the picture, with a gap about the point itself, so that they do not hide what
+// they point at.
 void lay_out_crosshair(Page& page) {
   if (!page.content.crosshair) return;
   const CrosshairItem& cross = *page.content.crosshair;
   const Vector2d at = page.frame.pixel_of(cross.position_mm);
   const double gap = 9 * page.unit;
   const double width = std::max(1.0, std::round(page.unit));
-  const auto colour_of_line_across = [&](const Vector3d& direction) {
-    Eigen::Index axis = 0;
-    direction.cwiseAbs().maxCoeff(&axis);
-    return cross.axis_colours[static_cast<std::size_t>(axis)];
-  };
-  // The upright line stands for the plane across the picture's right, and the level one for the plane across its up.
-  const Colour upright = colour_of_line_across(page.frame.right());
-  const Colour level = colour_of_line_across(page.frame.camera.up);
-  const double w = page.frame.width;
-  const double h = page.frame.height;
-  page.overlay.line({at.x(), 0}, {at.x(), at.y() - gap}, width, upright, 0.75);
-  page.overlay.line({at.x(), at.y() + gap}, {at.x(), h}, width, upright, 0.75);
-  page.overlay.line({0, at.y()}, {at.x() - gap, at.y()}, width, level, 0.75);
-  page.overlay.line({at.x() + gap, at.y()}, {w, at.y()}, width, level, 0.75);
+  const double beyond = 2.0 * (page.frame.width + page.frame.height);
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const Vector3d along = cross.axes.col(k).cross(page.frame.camera.sight);
+    if (along.norm() < 0.5) continue;  // this plane is the picture's own
+    const Vector2d way = Vector2d(along.dot(page.frame.right()), along.dot(page.frame.camera.up)).normalized();
+    const Colour& colour = cross.axis_colours[static_cast<std::size_t>(k)];
+    for (const double side : {-1.0, 1.0}) {
+      page.overlay.line(at + side * gap * way, at + side * beyond * way, width, colour, 0.75);
+      if (cross.handle_px > 0) knob(page, at + side * cross.handle_px * way, 4 * page.unit, colour);
+    }
+  }
+}
+
+void lay_out_lines(Page& page) {
+  for (const LineItem& line : page.content.lines) {
+    std::vector<Vector2d> at;
+    for (const Vector3d& point_mm : line.points_mm) at.push_back(page.frame.pixel_of(point_mm));
+    for (const auto& [width, colour] : {std::pair(3.6, page.plate), std::pair(1.6, line.colour)}) {
+      for (std::size_t k = 0; k + 1 < at.size(); ++k) page.overlay.line(at[k], at[k + 1], width * page.unit, colour);
+    }
+    if (line.ends == LineItem::Ends::plain) continue;
+    for (const Vector2d& point : at) knob(page, point, 3.2 * page.unit, line.colour);
+  }
 }
 
 struct Label {
@@ -105,6 +131,10 @@ void lay_out_labels(Page& page) {
   for (const LandmarkItem& landmark : page.content.landmarks) {
     if (landmark.label.empty()) continue;
     labels.push_back({landmark.label, page.frame.pixel_of(landmark.position_mm), scale * landmark.radius_mm});
+  }
+  for (const LineItem& line : page.content.lines) {
+    if (line.label.empty() || line.points_mm.empty()) continue;
+    labels.push_back({line.label, page.frame.pixel_of(line.points_mm.back()), 3});
   }
   for (const ArrowItem& arrow : page.content.arrows) {
     if (arrow.label.empty()) continue;

@@ -22,6 +22,7 @@ struct FlatContent {
   const std::vector<LandmarkItem>& landmarks;
   const std::vector<ArrowItem>& arrows;
   const std::optional<CrosshairItem>& crosshair;
+  const std::vector<LineItem>& lines;
   Background background = Background::dark;
 };
 

@@ -43,6 +43,10 @@ Markers::Markers(vtkRenderer& renderer) : renderer_(renderer) {
 Markers::~Markers() {
   for (const auto& ball : balls_) renderer_.RemoveActor(ball);
   for (const auto& arrow : arrows_) renderer_.RemoveActor(arrow->actor);
+  for (const auto& rod : rods_) {
+    renderer_.RemoveActor(rod->shaft);
+    for (const auto& end : rod->ends) renderer_.RemoveActor(end);
+  }
 }
 
 void Markers::set_landmarks(const std::vector<LandmarkItem>& landmarks) {
@@ -58,6 +62,40 @@ void Markers::set_landmarks(const std::vector<LandmarkItem>& landmarks) {
     balls_[k]->SetPosition(landmark.position_mm.x(), landmark.position_mm.y(), landmark.position_mm.z());
     balls_[k]->SetScale(landmark.radius_mm);
     make_glossy(*balls_[k], landmark.colour);
+  }
+}
+
+void Markers::set_rods(const std::vector<RodItem>& rods) {
+  while (rods_.size() < rods.size()) {
+    Rod& rod = *rods_.emplace_back(std::make_unique<Rod>());
+    rod.tube->SetInputConnection(rod.axis->GetOutputPort());
+    rod.tube->SetNumberOfSides(20);
+    rod.mapper->SetInputConnection(rod.tube->GetOutputPort());
+    rod.shaft->SetMapper(rod.mapper);
+    renderer_.AddActor(rod.shaft);
+    for (const auto& end : rod.ends) {
+      end->SetMapper(ball_mapper_);
+      renderer_.AddActor(end);
+    }
+  }
+  for (std::size_t k = 0; k < rods_.size(); ++k) {
+    Rod& shown = *rods_[k];
+    const bool there = k < rods.size();
+    const bool is_ball = there && (rods[k].to_mm - rods[k].from_mm).norm() < 1e-6;
+    shown.shaft->SetVisibility(there && !is_ball ? 1 : 0);
+    for (std::size_t e = 0; e < 2; ++e) {
+      shown.ends[e]->SetVisibility(there ? 1 : 0);
+      if (!there) continue;
+      const Eigen::Vector3d& at = e == 0 ? rods[k].from_mm : rods[k].to_mm;
+      shown.ends[e]->SetPosition(at.x(), at.y(), at.z());
+      shown.ends[e]->SetScale(rods[k].radius_mm);
+      make_glossy(*shown.ends[e], rods[k].colour);
+    }
+    if (!there || is_ball) continue;
+    shown.axis->SetPoint1(rods[k].from_mm.x(), rods[k].from_mm.y(), rods[k].from_mm.z());
+    shown.axis->SetPoint2(rods[k].to_mm.x(), rods[k].to_mm.y(), rods[k].to_mm.z());
+    shown.tube->SetRadius(rods[k].radius_mm);
+    make_glossy(*shown.shaft, rods[k].colour);
   }
 }
 

@@ -1,13 +1,17 @@
 #pragma once
-// Landmarks as spheres and forces as arrows, moved from frame to frame. Inside the room.
+// Landmarks as spheres, forces as arrows and solid tools as rods, moved from frame to frame. Inside the room.
 
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
+#include <vtkLineSource.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 #include <vtkSphereSource.h>
+#include <vtkTubeFilter.h>
+#include <array>
+#include <memory>
 #include <vector>
 
 #include "scene/scene.h"
@@ -23,8 +27,16 @@ class Markers {
 
   void set_landmarks(const std::vector<LandmarkItem>& landmarks);
   void set_arrows(const std::vector<ArrowItem>& arrows);
+  void set_rods(const std::vector<RodItem>& rods);
 
  private:
+  struct Rod {
+    vtkNew<vtkLineSource> axis;
+    vtkNew<vtkTubeFilter> tube;
+    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<vtkActor> shaft;
+    std::array<vtkNew<vtkActor>, 2> ends;
+  };
   struct Arrow {
     vtkNew<vtkArrowSource> shape;
     vtkNew<vtkPolyDataMapper> mapper;
@@ -36,6 +48,7 @@ class Markers {
   vtkNew<vtkPolyDataMapper> ball_mapper_;
   std::vector<vtkSmartPointer<vtkActor>> balls_;
   std::vector<std::unique_ptr<Arrow>> arrows_;
+  std::vector<std::unique_ptr<Rod>> rods_;
 };
 
 }  // namespace glisson::scene

@@ -88,10 +88,29 @@ struct ArrowItem {
   std::string label;
 };
 
-// Cross lines through a point, drawn in slices.
+// A rod with round ends: part of a solid tool.
+struct RodItem {
+  Eigen::Vector3d from_mm{0, 0, 0};
+  Eigen::Vector3d to_mm{0, 0, 1};
+  double radius_mm = 1;
+  Colour colour;
+};
+
+// Three planes through a point, drawn in slices as the lines along which they cut the picture.
 struct CrosshairItem {
   Eigen::Vector3d position_mm{0, 0, 0};
-  std::array<Colour, 3> axis_colours;  // of the line that stands for the plane across x, y, z
+  std::array<Colour, 3> axis_colours;                  // of the line that stands for the plane across each axis
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // unit columns: the planes' normals
+  double handle_px = 0;  // how far from the point each line carries a knob to turn it by, in device pixels; 0: none
+};
+
+// A line through points of the patient, drawn over everything, with a label at its last point: a measurement.
+struct LineItem {
+  enum class Ends { plain, marked };  // marked: a knob on each point
+  std::vector<Eigen::Vector3d> points_mm;
+  Colour colour;
+  std::string label;
+  Ends ends = Ends::marked;
 };
 
 enum class Background { dark, light, black };

@@ -147,6 +147,11 @@ void SliceActor::move_to(const Eigen::Vector3d& center_mm) {
   draw_lines();
 }
 
+void SliceActor::turn_to(const Eigen::Vector3d& normal) {
+  plane_.normal = item_.normal = normal.normalized();
+  move_to(plane_.center_mm);
+}
+
 void SliceActor::set_window(double center, double width) {
   item_.window_center = center;
   item_.window_width = width;

@@ -33,6 +33,7 @@ class SliceActor {
   SliceActor& operator=(const SliceActor&) = delete;
 
   void move_to(const Eigen::Vector3d& center_mm);
+  void turn_to(const Eigen::Vector3d& normal);
   void set_window(double center, double width);
   // The lines that cut `original` cut `now` from here on, its present shape, which must stay alive.
   void recut(const geometry::Surface* original, const geometry::Surface& now);

@@ -26,6 +26,8 @@ void place(vtkCamera& camera, const Frame& frame);
 struct Hit {
   double distance_mm = 0;
   Eigen::Vector3d normal{0, 0, 1};
+  std::array<int, 3> corners{};
+  Eigen::Vector3d weights{1, 0, 0};
 };
 std::optional<Hit> first_hit(const geometry::Surface& surface, const Ray& ray);
 
@@ -46,6 +48,7 @@ struct View::Parts {
   std::map<SurfaceId, std::unique_ptr<SurfaceActor>> surfaces;
   std::map<SurfaceId, geometry::Surface> cut_shapes;  // of surfaces that slices cut and that have moved
   std::vector<std::unique_ptr<SliceActor>> slices;
+  std::vector<LineItem> lines;
   Overlay overlay;
   Markers markers;
   Frame frame;
@@ -119,7 +122,16 @@ void View::set_arrows(const std::vector<ArrowItem>& arrows) {
   parts_->markers.set_arrows(arrows);
 }
 
+void View::set_rods(const std::vector<RodItem>& rods) { parts_->markers.set_rods(rods); }
+
 void View::set_crosshair(const std::optional<CrosshairItem>& crosshair) { parts_->scene.crosshair = crosshair; }
+
+void View::set_lines(const std::vector<LineItem>& lines) { parts_->lines = lines; }
+
+void View::turn_slice(std::size_t slice, const Eigen::Vector3d& normal) {
+  GLISSON_ASSERT(slice < parts_->slices.size());
+  parts_->slices[slice]->turn_to(normal);
+}
 
 void View::move_slice(std::size_t slice, const Eigen::Vector3d& center_mm) {
   GLISSON_ASSERT(slice < parts_->slices.size());
@@ -161,7 +173,7 @@ void View::prepare_frame(int width, int height) {
   }
   lay_out(parts.overlay, parts.frame,
           {parts.scene.furniture, parts.legends, parts.scene.landmarks, parts.scene.arrows, parts.scene.crosshair,
-           parts.scene.background},
+           parts.lines, parts.scene.background},
           parts.pixel_scale);
 }
 
@@ -174,7 +186,7 @@ std::optional<View::Pick> View::pick(double x, double y) const {
     const std::optional<Hit> hit = first_hit(actor->surface(), ray);
     if (!hit || (nearest && hit->distance_mm >= nearest_mm)) continue;
     nearest_mm = hit->distance_mm;
-    nearest = Pick{surface, ray.origin_mm + hit->distance_mm * ray.direction, hit->normal};
+    nearest = Pick{surface, ray.origin_mm + hit->distance_mm * ray.direction, hit->normal, hit->corners, hit->weights};
   }
   return nearest;
 }
@@ -183,9 +195,17 @@ Eigen::Vector3d View::position_in_focal_plane(double x, double y) const {
   return parts_->frame.in_focal_plane(x, parts_->frame.height - y);
 }
 
-Eigen::Vector2d View::pixel_of(const Eigen::Vector3d& position_mm) const {
-  const Eigen::Vector2d pixel = parts_->frame.pixel_of(position_mm);
-  return {pixel.x(), parts_->frame.height - pixel.y()};
+Eigen::Vector3d View::position_beside(const Eigen::Vector3d& place_mm, double x, double y) const {
+  const Frame& frame = parts_->frame;
+  const Ray ray = frame.ray_through(x, frame.height - y);
+  const double along_mm =
+      frame.camera.sight.dot(place_mm - ray.origin_mm) / std::max(frame.camera.sight.dot(ray.direction), 1e-6);
+  return ray.origin_mm + along_mm * ray.direction;
+}
+
+Eigen::Vector2d View::pixel_of(const Eigen::Vector3d& place_mm) const {
+  const Eigen::Vector2d from_below = parts_->frame.pixel_of(place_mm);
+  return {from_below.x(), parts_->frame.height - from_below.y()};
 }
 
 namespace {
@@ -277,7 +297,7 @@ std::optional<Hit> first_hit(const geometry::Surface& surface, const Ray& ray) {
     if (c < 0 || b + c > 1) continue;
     const double distance_mm = along_c.dot(other) / determinant;
     if (distance_mm <= 0 || (nearest && distance_mm >= nearest->distance_mm)) continue;
-    nearest = Hit{distance_mm, along_b.cross(along_c).normalized()};
+    nearest = Hit{distance_mm, along_b.cross(along_c).normalized(), triangle, {1 - b - c, b, c}};
   }
   return nearest;
 }

@@ -47,8 +47,11 @@ class View {
 
   void set_landmarks(const std::vector<LandmarkItem>& landmarks);
   void set_arrows(const std::vector<ArrowItem>& arrows);
+  void set_rods(const std::vector<RodItem>& rods);
   void set_crosshair(const std::optional<CrosshairItem>& crosshair);
+  void set_lines(const std::vector<LineItem>& lines);
   void move_slice(std::size_t slice, const Eigen::Vector3d& center_mm);
+  void turn_slice(std::size_t slice, const Eigen::Vector3d& normal);
   void set_window(std::size_t slice, double center, double width);
   void set_furniture(const Furniture& furniture);
 
@@ -65,6 +68,8 @@ class View {
     SurfaceId surface;
     Eigen::Vector3d position_mm{0, 0, 0};
     Eigen::Vector3d normal{0, 0, 1};  // unit, outwards
+    std::array<int, 3> corners{};     // the triangle that was hit: points of the surface, and their shares
+    Eigen::Vector3d weights{1, 0, 0};
   };
   // The first shown surface under a device pixel (from the top left), or none.
   [[nodiscard]] std::optional<Pick> pick(double x, double y) const;
@@ -72,6 +77,8 @@ class View {
   // Where the line of sight through a device pixel meets the plane through the focus: in a slice view, the point of
   // the slice under the pointer.
   [[nodiscard]] Eigen::Vector3d position_in_focal_plane(double x, double y) const;
+  // Where it meets the plane through that place, parallel to the picture.
+  [[nodiscard]] Eigen::Vector3d position_beside(const Eigen::Vector3d& place_mm, double x, double y) const;
 
   // The device pixel (from the top left) at which a position is seen in the present frame.
   [[nodiscard]] Eigen::Vector2d pixel_of(const Eigen::Vector3d& position_mm) const;
