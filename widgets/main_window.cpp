@@ -230,7 +230,7 @@ void MainWindow::show_patient(const Patient& patient) {
   origin_->setVisible(!patient.origin.empty());
   study_panel_->show_patient(patient);
   patient_views_->show_patient(patient);
-  rehearsal_.set_body(patient.rehearsal);
+  rehearsal_.set_body(patient.rehearsal, patient.rehearsal_setup);
   for (const Workspace& workspace : workspaces_) workspace.show_patient(patient);
   bar_->show_patient(patient);
   save_picture_->setEnabled(true);
@@ -461,18 +461,31 @@ void MainWindow::connect_parts() {
     views_->space().setCursor(placing ? Qt::CrossCursor : Qt::ArrowCursor);
     status_->setText(placing ? tr("Click on the liver where the tool is to touch it.") : QString());
   });
-  connect(&views_->space(), &SpaceView::clicked, this, [this](const scene::View::Pick& pick) {
-    if (rehearse_panel_->placing()) {
-      rehearse_panel_->place_at(pick.position_mm, pick.normal);
-    } else {
-      views_->set_crosshair(pick.position_mm);
-    }
-  });
+  const auto place_tool = [this](const std::optional<PatientViews::PlaceOnLiver>& place) {
+    if (place) rehearse_panel_->place_at(place->at_rest_mm, place->outward);
+  };
+  for (SpaceView* space : {&views_->space(), &views_->twin()}) {
+    connect(space, &SpaceView::clicked, this, [this, place_tool](const scene::View::Pick& pick) {
+      if (rehearse_panel_->placing()) {
+        place_tool(patient_views_->place_on_liver(pick));
+      } else {
+        views_->set_crosshair(pick.position_mm);
+      }
+    });
+    connect(space, &SpaceView::touch_dragged, this,
+            [this, place_tool](const scene::View::Pick& over) { place_tool(patient_views_->place_on_liver(over)); });
+    connect(space, &SpaceView::free_end_dragged, rehearse_panel_, &RehearsePanel::drag_arrow);
+    connect(space, &SpaceView::grip_released, rehearse_panel_, &RehearsePanel::let_arrow_go);
+  }
+  connect(rehearse_panel_, &RehearsePanel::place_at_crosshair, this,
+          [this, place_tool] { place_tool(patient_views_->nearest_on_liver(views_->crosshair_mm())); });
+  connect(rehearse_panel_, &RehearsePanel::at_work, patient_views_, &PatientViews::set_tool_movable);
+  connect(rehearse_panel_, &RehearsePanel::failed, this, &MainWindow::show_error);
+  connect(rehearse_panel_, &RehearsePanel::said, status_, &QLabel::setText);
+  rehearse_panel_->track().set_camera([this] { return views_->space().grabFramebuffer(); });
   connect(&rehearsal_, &LiveRehearsal::frame_changed, this, &MainWindow::show_frame);
-  connect(&rehearsal_, &LiveRehearsal::placing, this, [this] { status_->setText(tr("Solving...")); });
   connect(&rehearsal_, &LiveRehearsal::placed, this,
           [this](double solve_ms) { status_->setText(tr("Tool placed in %1 ms.").arg(solve_ms, 0, 'f', 0)); });
-  connect(&rehearsal_, &LiveRehearsal::failed, this, &MainWindow::show_error);
 }
 
 void MainWindow::show_progress(double fraction, const QString& stage) {
@@ -557,9 +570,12 @@ void MainWindow::open_lost_work() {
           if (workspace.id.toStdString() == work.workspace) go_to(workspace.id);
         }
         if (work.tool && patient_.rehearsal) {
-          rehearsal_.set_direction(work.tool->direction);
-          rehearsal_.set_force_N(work.tool->force_N);
-          rehearsal_.place_tool(work.tool->center_mm, work.tool->radius_mm);
+          rehearse_panel_->hold_again({.preset = {},
+                                       .center_mm = work.tool->center_mm,
+                                       .outward = -work.tool->direction,
+                                       .radius_mm = work.tool->radius_mm,
+                                       .direction = work.tool->direction,
+                                       .force_N = work.tool->force_N});
         }
       });
 }
@@ -568,8 +584,8 @@ void MainWindow::keep_open_work() {
   if (patient_.folder.empty()) return;
   OpenWork work{.case_folder = patient_.folder, .workspace = workspace().toStdString(), .tool = {}};
   if (rehearsal_.has_tool()) {
-    work.tool = {rehearsal_.tool_center_mm(), rehearsal_.tool_radius_mm(), rehearsal_.force_N(),
-                 rehearsal_.direction()};
+    const ToolInHand& tool = rehearsal_.tools().back();
+    work.tool = {tool.center_mm, tool.radius_mm, tool.force_N, tool.direction};
   }
   if (const auto kept = open_work_.keep(work); !kept) diary_.note(kept.error());
 }
@@ -688,8 +704,8 @@ void MainWindow::show_notice(std::function<QString()> words) {
 
 void MainWindow::show_frame() {
   const auto& frame = rehearsal_.frame();
-  const std::optional<ToolInView> tool = tool_in_view();
-  patient_views_->show_frame(frame ? &*frame : nullptr, tool ? &*tool : nullptr);
+  patient_views_->show_frame(frame ? &*frame : nullptr, rehearse_panel_->tools_in_view());
+  rehearse_panel_->show_drawing_ms(views_->space().last_frame_ms());
   show_figures();
 }
 
@@ -699,11 +715,6 @@ void MainWindow::show_figures() {
                                 .arg(frame->relative_residual, 0, 'e', 0)
                                 .arg(frame->answer_ms, 0, 'f', 1)
                           : QString());
-}
-
-std::optional<ToolInView> MainWindow::tool_in_view() const {
-  if (!rehearsal_.has_tool()) return std::nullopt;
-  return ToolInView{rehearsal_.tool_center_mm(), rehearsal_.direction(), rehearsal_.force_N()};
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

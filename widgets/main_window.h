@@ -106,7 +106,6 @@ class MainWindow : public QMainWindow {
   void show_frame();
   void show_figures();
   void word_patient();
-  [[nodiscard]] std::optional<ToolInView> tool_in_view() const;
 
   Diary diary_;
   StallWatch stalls_;

@@ -3387,6 +3387,50 @@
         <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
         <translation>SIMULIERT: die Form der Leber eines wirklichen Patienten, die nach einer Formel atmet und von einem Werkzeug eingedrückt wird. Die „vorgegebene“ Registrierung ist die wahre, in die links im Bild ein Fehler eingebaut wurde.</translation>
     </message>
+    <message>
+        <source>The movie {0} cannot be written.</source>
+        <translation>Der Film {0} kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Choose a folder that exists.</source>
+        <translation>Wählen Sie einen Ordner, den es gibt.</translation>
+    </message>
+    <message>
+        <source>Choose a name that is not there yet.</source>
+        <translation>Wählen Sie einen Namen, den es dort noch nicht gibt.</translation>
+    </message>
+    <message>
+        <source>Choose a folder in which you may write.</source>
+        <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen.</translation>
+    </message>
+    <message>
+        <source>Leave the window&apos;s size as it is while the movie is made.</source>
+        <translation>Lassen Sie die Größe des Fensters, wie sie ist, solange der Film entsteht.</translation>
+    </message>
+    <message>
+        <source>Choose a folder in which you may write, or a name without .mp4: then it becomes a folder of pictures.</source>
+        <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen, oder einen Namen ohne .mp4: Dann wird es ein Ordner mit Bildern.</translation>
+    </message>
+    <message>
+        <source>Look whether the disk is full.</source>
+        <translation>Sehen Sie nach, ob der Datenträger voll ist.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s shape with the tools there was not found: {0}</source>
+        <translation>Die Form der Leber mit den Werkzeugen dort wurde nicht gefunden: {0}</translation>
+    </message>
+    <message>
+        <source>Press less, or move the tool by smaller steps.</source>
+        <translation>Drücken Sie weniger, oder bewegen Sie das Werkzeug in kleineren Schritten.</translation>
+    </message>
+    <message>
+        <source>A rigid tool that only touches the liver cannot pull it.</source>
+        <translation>Ein starres Werkzeug, das die Leber nur berührt, kann sie nicht ziehen.</translation>
+    </message>
+    <message>
+        <source>Push into the surface, or take the grasper.</source>
+        <translation>Drücken Sie in die Oberfläche hinein, oder nehmen Sie die Fasszange.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -3500,6 +3544,14 @@
     <message>
         <source>Atlas in red, patient in blue: purple where they agree</source>
         <translation>Atlas in Rot, Patient in Blau: violett, wo sie übereinstimmen</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Two 3D views that turn together: the patient on the left, the atlas on the right</source>
+        <translation>Zwei 3D-Ansichten, die sich gemeinsam drehen: links der Patient, rechts der Atlas</translation>
     </message>
 </context>
 <context>
@@ -3721,6 +3773,10 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
         <source>Look from here, everything in view</source>
         <translation>Von hier blicken, alles im Bild</translation>
     </message>
+    <message>
+        <source>Atlas</source>
+        <translation>Atlas</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::MainWindow</name>
@@ -3815,10 +3871,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
     <message>
         <source>Click on the liver where the tool is to touch it.</source>
         <translation>Klicken Sie auf die Leber, wo das Werkzeug sie berühren soll.</translation>
-    </message>
-    <message>
-        <source>Solving...</source>
-        <translation>Es wird gelöst …</translation>
     </message>
     <message>
         <source>Tool placed in %1 ms.</source>
@@ -4037,6 +4089,14 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
     <message>
         <source>%1 N</source>
         <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>The patient&apos;s own stiffness</source>
+        <translation>Die eigene Steifigkeit des Patienten</translation>
+    </message>
+    <message>
+        <source>One stiffness from the atlas</source>
+        <translation>Eine Steifigkeit aus dem Atlas</translation>
     </message>
 </context>
 <context>
@@ -4648,54 +4708,6 @@ figures</source>
         <translation>Landmarken</translation>
     </message>
     <message>
-        <source>Tool</source>
-        <translation>Werkzeug</translation>
-    </message>
-    <message>
-        <source>Place by click</source>
-        <translation>Per Klick setzen</translation>
-    </message>
-    <message>
-        <source>Then click on the liver where the tool is to touch it</source>
-        <translation>Klicken Sie dann auf die Leber, wo das Werkzeug sie berühren soll</translation>
-    </message>
-    <message>
-        <source>Hoist segment VI</source>
-        <translation>Segment VI anheben</translation>
-    </message>
-    <message>
-        <source>Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head</source>
-        <translation>Setzt das Werkzeug unter den rechten, unteren, hinteren Teil der Leber und hebt ihn nach vorn und kopfwärts an</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>Hoist to front and head</source>
-        <translation>Nach vorn und kopfwärts anheben</translation>
-    </message>
-    <message>
-        <source>Pull away from the surface</source>
-        <translation>Von der Oberfläche wegziehen</translation>
-    </message>
-    <message>
-        <source>Push into the surface</source>
-        <translation>In die Oberfläche drücken</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>Kraft</translation>
-    </message>
-    <message>
-        <source> N</source>
-        <translation> N</translation>
-    </message>
-    <message>
-        <source>Take the tool away</source>
-        <translation>Werkzeug wegnehmen</translation>
-    </message>
-    <message>
         <source>Colour the liver by how far it moves</source>
         <translation>Leber nach ihrer Bewegung einfärben</translation>
     </message>
@@ -4722,6 +4734,30 @@ figures</source>
     <message>
         <source>Evidence to bear in mind: %1</source>
         <translation>Befunde, die zu bedenken sind: %1</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Saves the landmarks as CSV, in mm</source>
+        <translation>Speichert die Landmarken als CSV, in mm</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>Zeitverlauf</translation>
+    </message>
+    <message>
+        <source>Save the landmarks as a table</source>
+        <translation>Landmarken als Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
     </message>
 </context>
 <context>
@@ -5085,6 +5121,49 @@ figures</source>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::SolvingLight</name>
+    <message>
+        <source>How far the equations are from balance; what solving and drawing took</source>
+        <translation>Wie weit die Gleichungen vom Gleichgewicht entfernt sind; wie lange Lösen und Zeichnen dauerten</translation>
+    </message>
+    <message>
+        <source>○ No tool</source>
+        <translation>○ Kein Werkzeug</translation>
+    </message>
+    <message>
+        <source>◐ Solving</source>
+        <translation>◐ Löst</translation>
+    </message>
+    <message>
+        <source>▲ Not to be used</source>
+        <translation>▲ Nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>✔ Solved</source>
+        <translation>✔ Gelöst</translation>
+    </message>
+    <message>
+        <source>✖ Not solved</source>
+        <translation>✖ Nicht gelöst</translation>
+    </message>
+    <message>
+        <source>❚❚ Frozen</source>
+        <translation>❚❚ Eingefroren</translation>
+    </message>
+    <message>
+        <source>residual %1 · solved in %2 ms · drawn in %3 ms</source>
+        <translation>Residuum %1 · gelöst in %2 ms · gezeichnet in %3 ms</translation>
+    </message>
+    <message>
+        <source>What is shown is from before.</source>
+        <translation>Gezeigt wird der Stand davor.</translation>
+    </message>
+    <message>
+        <source>Cells turned inside out: %1. Use less force.</source>
+        <translation>Umgestülpte Zellen: %1. Nehmen Sie weniger Kraft.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::StudyPanel</name>
     <message>
         <source>Slices show</source>
@@ -5179,6 +5258,77 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::ToolControls</name>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Place by click</source>
+        <translation>Per Klick setzen</translation>
+    </message>
+    <message>
+        <source>Then click on the liver where the tool is to touch it. By key: Ctrl+T, at the crosshair</source>
+        <translation>Klicken Sie dann auf die Stelle der Leber, die das Werkzeug berühren soll. Per Taste: Strg+T, am Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Hoist segment VI</source>
+        <translation>Segment VI anheben</translation>
+    </message>
+    <message>
+        <source>Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head</source>
+        <translation>Setzt das Werkzeug unter den rechten, unteren, hinteren Teil der Leber und hebt ihn nach vorn und kopfwärts an</translation>
+    </message>
+    <message>
+        <source>Hoist to front and head</source>
+        <translation>Nach vorn und kopfwärts anheben</translation>
+    </message>
+    <message>
+        <source>Pull away from the surface</source>
+        <translation>Von der Oberfläche wegziehen</translation>
+    </message>
+    <message>
+        <source>Push into the surface</source>
+        <translation>In die Oberfläche drücken</translation>
+    </message>
+    <message>
+        <source>As the arrow was dragged</source>
+        <translation>Wie der Pfeil gezogen wurde</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>Touch with the rigid tool itself</source>
+        <translation>Mit dem starren Werkzeug selbst berühren</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s solid in contact with the liver, and several tools at once. Otherwise the force is spread over a patch.</source>
+        <translation>Der Körper des Werkzeugs in Berührung mit der Leber, und mehrere Werkzeuge zugleich. Sonst verteilt sich die Kraft auf eine Fläche.</translation>
+    </message>
+    <message>
+        <source>Keep it, take another</source>
+        <translation>Lassen, ein weiteres nehmen</translation>
+    </message>
+    <message>
+        <source>Several tools at once need rigid tools</source>
+        <translation>Mehrere Werkzeuge zugleich gehen nur mit starren Werkzeugen</translation>
+    </message>
+    <message>
+        <source>Take the tool away</source>
+        <translation>Werkzeug wegnehmen</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::TourCard</name>
     <message>
         <source>End the tour</source>
@@ -5199,6 +5349,124 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     <message>
         <source>Done</source>
         <translation>Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TrackControls</name>
+    <message>
+        <source>❚❚ Freeze</source>
+        <translation>❚❚ Einfrieren</translation>
+    </message>
+    <message>
+        <source>Nothing moves the tool while you look around</source>
+        <translation>Nichts bewegt das Werkzeug, während Sie sich umsehen</translation>
+    </message>
+    <message>
+        <source>▶ Play</source>
+        <translation>▶ Abspielen</translation>
+    </message>
+    <message>
+        <source>Shows again what was done, from where the time stands; rests are cut to 1 s</source>
+        <translation>Zeigt noch einmal, was getan wurde, ab der eingestellten Zeit; Pausen sind auf 1 s gekürzt</translation>
+    </message>
+    <message>
+        <source>Any moment of this rehearsal, in seconds</source>
+        <translation>Ein beliebiger Moment dieser Probe, in Sekunden</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Table...</source>
+        <translation>Tabelle …</translation>
+    </message>
+    <message>
+        <source>Saves every moment as CSV: tools, forces (N), landmarks (mm)</source>
+        <translation>Speichert jeden Moment als CSV: Werkzeuge, Kräfte (N), Landmarken (mm)</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Forgets what was done so far; the tool stays</source>
+        <translation>Vergisst, was bisher getan wurde; das Werkzeug bleibt</translation>
+    </message>
+    <message>
+        <source>Stop (%1 %)</source>
+        <translation>Anhalten (%1 %)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Save a movie of the rehearsal</source>
+        <translation>Film der Probe speichern</translation>
+    </message>
+    <message>
+        <source>Movies (*.mp4);;Folder of pictures (*)</source>
+        <translation>Filme (*.mp4);;Ordner mit Bildern (*)</translation>
+    </message>
+    <message>
+        <source>Save the rehearsal as a table</source>
+        <translation>Probe als Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 von %2 s</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>A movie of what the 3D view shows, MP4 or pictures</source>
+        <translation>Ein Film dessen, was die 3D-Ansicht zeigt: MP4 oder Bilder</translation>
+    </message>
+    <message>
+        <source>Move a tool first: there is nothing to show yet</source>
+        <translation>Bewegen Sie zuerst ein Werkzeug: Es gibt noch nichts zu zeigen</translation>
+    </message>
+    <message>
+        <source>Movie...</source>
+        <translation>Film …</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TrackPlot</name>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Atlas off</source>
+        <translation>Atlas daneben</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>5 mm</source>
+        <translation>5 mm</translation>
+    </message>
+    <message>
+        <source>Moves at most</source>
+        <translation>Bewegt sich höchstens</translation>
     </message>
 </context>
 <context>

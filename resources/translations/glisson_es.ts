@@ -3387,6 +3387,50 @@
         <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
         <translation>SIMULADO: la forma del hígado de un paciente real, que respira y es presionado por un instrumento según una fórmula. El registro llamado «dado» es el verdadero con un fallo introducido a la izquierda de la imagen.</translation>
     </message>
+    <message>
+        <source>The movie {0} cannot be written.</source>
+        <translation>No se puede escribir la película {0}.</translation>
+    </message>
+    <message>
+        <source>Choose a folder that exists.</source>
+        <translation>Elija una carpeta que exista.</translation>
+    </message>
+    <message>
+        <source>Choose a name that is not there yet.</source>
+        <translation>Elija un nombre que aún no exista.</translation>
+    </message>
+    <message>
+        <source>Choose a folder in which you may write.</source>
+        <translation>Elija una carpeta en la que pueda escribir.</translation>
+    </message>
+    <message>
+        <source>Leave the window&apos;s size as it is while the movie is made.</source>
+        <translation>No cambie el tamaño de la ventana mientras se hace la película.</translation>
+    </message>
+    <message>
+        <source>Choose a folder in which you may write, or a name without .mp4: then it becomes a folder of pictures.</source>
+        <translation>Elija una carpeta en la que pueda escribir, o un nombre sin .mp4: entonces será una carpeta de imágenes.</translation>
+    </message>
+    <message>
+        <source>Look whether the disk is full.</source>
+        <translation>Compruebe si el disco está lleno.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s shape with the tools there was not found: {0}</source>
+        <translation>No se halló la forma del hígado con los instrumentos allí: {0}</translation>
+    </message>
+    <message>
+        <source>Press less, or move the tool by smaller steps.</source>
+        <translation>Apriete menos, o mueva el instrumento a pasos más pequeños.</translation>
+    </message>
+    <message>
+        <source>A rigid tool that only touches the liver cannot pull it.</source>
+        <translation>Un instrumento rígido que solo toca el hígado no puede tirar de él.</translation>
+    </message>
+    <message>
+        <source>Push into the surface, or take the grasper.</source>
+        <translation>Empuje hacia la superficie, o tome la pinza.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -3500,6 +3544,14 @@
     <message>
         <source>Atlas in red, patient in blue: purple where they agree</source>
         <translation>Atlas en rojo, paciente en azul: violeta donde coinciden</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Lado a lado</translation>
+    </message>
+    <message>
+        <source>Two 3D views that turn together: the patient on the left, the atlas on the right</source>
+        <translation>Dos vistas 3D que giran juntas: el paciente a la izquierda, el atlas a la derecha</translation>
     </message>
 </context>
 <context>
@@ -3723,6 +3775,10 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
         <source>Look from here, everything in view</source>
         <translation>Mirar desde aquí, con todo a la vista</translation>
     </message>
+    <message>
+        <source>Atlas</source>
+        <translation>Atlas</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::MainWindow</name>
@@ -3817,10 +3873,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
     <message>
         <source>Click on the liver where the tool is to touch it.</source>
         <translation>Haga clic en el hígado donde el instrumento deba tocarlo.</translation>
-    </message>
-    <message>
-        <source>Solving...</source>
-        <translation>Resolviendo…</translation>
     </message>
     <message>
         <source>Tool placed in %1 ms.</source>
@@ -4039,6 +4091,14 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
     <message>
         <source>%1 N</source>
         <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>The patient&apos;s own stiffness</source>
+        <translation>La rigidez propia del paciente</translation>
+    </message>
+    <message>
+        <source>One stiffness from the atlas</source>
+        <translation>Una sola rigidez, la del atlas</translation>
     </message>
 </context>
 <context>
@@ -4651,54 +4711,6 @@ supuestas</translation>
         <translation>Puntos de referencia</translation>
     </message>
     <message>
-        <source>Tool</source>
-        <translation>Instrumento</translation>
-    </message>
-    <message>
-        <source>Place by click</source>
-        <translation>Colocar con un clic</translation>
-    </message>
-    <message>
-        <source>Then click on the liver where the tool is to touch it</source>
-        <translation>Después haga clic en el hígado donde el instrumento deba tocarlo</translation>
-    </message>
-    <message>
-        <source>Hoist segment VI</source>
-        <translation>Elevar el segmento VI</translation>
-    </message>
-    <message>
-        <source>Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head</source>
-        <translation>Coloca el instrumento bajo la parte derecha, inferior y posterior del hígado y la eleva hacia delante y hacia la cabeza</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Dirección</translation>
-    </message>
-    <message>
-        <source>Hoist to front and head</source>
-        <translation>Elevar hacia delante y la cabeza</translation>
-    </message>
-    <message>
-        <source>Pull away from the surface</source>
-        <translation>Tirar alejando de la superficie</translation>
-    </message>
-    <message>
-        <source>Push into the surface</source>
-        <translation>Empujar contra la superficie</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>Fuerza</translation>
-    </message>
-    <message>
-        <source> N</source>
-        <translation> N</translation>
-    </message>
-    <message>
-        <source>Take the tool away</source>
-        <translation>Retirar el instrumento</translation>
-    </message>
-    <message>
         <source>Colour the liver by how far it moves</source>
         <translation>Colorear el hígado según su desplazamiento</translation>
     </message>
@@ -4725,6 +4737,30 @@ supuestas</translation>
     <message>
         <source>Evidence to bear in mind: %1</source>
         <translation>Evidencia que tener presente: %1</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Guardar…</translation>
+    </message>
+    <message>
+        <source>Saves the landmarks as CSV, in mm</source>
+        <translation>Guarda los puntos de referencia como CSV, en mm</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>A lo largo del tiempo</translation>
+    </message>
+    <message>
+        <source>Save the landmarks as a table</source>
+        <translation>Guardar los puntos de referencia como tabla</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Escrito: %1</translation>
     </message>
 </context>
 <context>
@@ -5088,6 +5124,49 @@ supuestas</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::SolvingLight</name>
+    <message>
+        <source>How far the equations are from balance; what solving and drawing took</source>
+        <translation>Cuánto les falta a las ecuaciones para el equilibrio; lo que tardaron la resolución y el dibujo</translation>
+    </message>
+    <message>
+        <source>○ No tool</source>
+        <translation>○ Ningún instrumento</translation>
+    </message>
+    <message>
+        <source>◐ Solving</source>
+        <translation>◐ Resolviendo</translation>
+    </message>
+    <message>
+        <source>▲ Not to be used</source>
+        <translation>▲ No utilizable</translation>
+    </message>
+    <message>
+        <source>✔ Solved</source>
+        <translation>✔ Resuelto</translation>
+    </message>
+    <message>
+        <source>✖ Not solved</source>
+        <translation>✖ No resuelto</translation>
+    </message>
+    <message>
+        <source>❚❚ Frozen</source>
+        <translation>❚❚ Congelado</translation>
+    </message>
+    <message>
+        <source>residual %1 · solved in %2 ms · drawn in %3 ms</source>
+        <translation>residuo %1 · resuelto en %2 ms · dibujado en %3 ms</translation>
+    </message>
+    <message>
+        <source>What is shown is from before.</source>
+        <translation>Se muestra el estado anterior.</translation>
+    </message>
+    <message>
+        <source>Cells turned inside out: %1. Use less force.</source>
+        <translation>Celdas invertidas: %1. Use menos fuerza.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::StudyPanel</name>
     <message>
         <source>Slices show</source>
@@ -5182,6 +5261,77 @@ Módulo de Young %2 kPa (media)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::ToolControls</name>
+    <message>
+        <source>Tool</source>
+        <translation>Instrumento</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Fuerza</translation>
+    </message>
+    <message>
+        <source>Place by click</source>
+        <translation>Colocar con un clic</translation>
+    </message>
+    <message>
+        <source>Then click on the liver where the tool is to touch it. By key: Ctrl+T, at the crosshair</source>
+        <translation>Haga clic después en el hígado donde deba tocarlo el instrumento. Con el teclado: Ctrl+T, en la cruz</translation>
+    </message>
+    <message>
+        <source>Hoist segment VI</source>
+        <translation>Elevar el segmento VI</translation>
+    </message>
+    <message>
+        <source>Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head</source>
+        <translation>Coloca el instrumento bajo la parte derecha, inferior y posterior del hígado y la eleva hacia delante y hacia la cabeza</translation>
+    </message>
+    <message>
+        <source>Hoist to front and head</source>
+        <translation>Elevar hacia delante y la cabeza</translation>
+    </message>
+    <message>
+        <source>Pull away from the surface</source>
+        <translation>Tirar alejando de la superficie</translation>
+    </message>
+    <message>
+        <source>Push into the surface</source>
+        <translation>Empujar contra la superficie</translation>
+    </message>
+    <message>
+        <source>As the arrow was dragged</source>
+        <translation>Como se arrastró la flecha</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>Touch with the rigid tool itself</source>
+        <translation>Tocar con el propio instrumento rígido</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s solid in contact with the liver, and several tools at once. Otherwise the force is spread over a patch.</source>
+        <translation>El cuerpo del instrumento en contacto con el hígado, y varios instrumentos a la vez. Si no, la fuerza se reparte sobre una zona.</translation>
+    </message>
+    <message>
+        <source>Keep it, take another</source>
+        <translation>Dejarlo y tomar otro</translation>
+    </message>
+    <message>
+        <source>Several tools at once need rigid tools</source>
+        <translation>Varios instrumentos a la vez solo son posibles con instrumentos rígidos</translation>
+    </message>
+    <message>
+        <source>Take the tool away</source>
+        <translation>Retirar el instrumento</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::TourCard</name>
     <message>
         <source>End the tour</source>
@@ -5202,6 +5352,124 @@ Módulo de Young %2 kPa (media)</translation>
     <message>
         <source>Done</source>
         <translation>Listo</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TrackControls</name>
+    <message>
+        <source>❚❚ Freeze</source>
+        <translation>❚❚ Congelar</translation>
+    </message>
+    <message>
+        <source>Nothing moves the tool while you look around</source>
+        <translation>Nada mueve el instrumento mientras usted observa</translation>
+    </message>
+    <message>
+        <source>▶ Play</source>
+        <translation>▶ Reproducir</translation>
+    </message>
+    <message>
+        <source>Shows again what was done, from where the time stands; rests are cut to 1 s</source>
+        <translation>Muestra de nuevo lo hecho, desde el tiempo elegido; las pausas se acortan a 1 s</translation>
+    </message>
+    <message>
+        <source>Any moment of this rehearsal, in seconds</source>
+        <translation>Cualquier momento de este ensayo, en segundos</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Table...</source>
+        <translation>Tabla…</translation>
+    </message>
+    <message>
+        <source>Saves every moment as CSV: tools, forces (N), landmarks (mm)</source>
+        <translation>Guarda cada momento como CSV: instrumentos, fuerzas (N), puntos de referencia (mm)</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Olvidar</translation>
+    </message>
+    <message>
+        <source>Forgets what was done so far; the tool stays</source>
+        <translation>Olvida lo hecho hasta ahora; el instrumento se queda</translation>
+    </message>
+    <message>
+        <source>Stop (%1 %)</source>
+        <translation>Parar (%1 %)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Escrito: %1</translation>
+    </message>
+    <message>
+        <source>Save a movie of the rehearsal</source>
+        <translation>Guardar una película del ensayo</translation>
+    </message>
+    <message>
+        <source>Movies (*.mp4);;Folder of pictures (*)</source>
+        <translation>Películas (*.mp4);;Carpeta de imágenes (*)</translation>
+    </message>
+    <message>
+        <source>Save the rehearsal as a table</source>
+        <translation>Guardar el ensayo como tabla</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 de %2 s</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>A movie of what the 3D view shows, MP4 or pictures</source>
+        <translation>Una película de lo que muestra la vista 3D: MP4 o imágenes</translation>
+    </message>
+    <message>
+        <source>Move a tool first: there is nothing to show yet</source>
+        <translation>Mueva primero un instrumento: aún no hay nada que mostrar</translation>
+    </message>
+    <message>
+        <source>Movie...</source>
+        <translation>Película…</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TrackPlot</name>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Atlas off</source>
+        <translation>Desvío del atlas</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Fuerza</translation>
+    </message>
+    <message>
+        <source>5 mm</source>
+        <translation>5 mm</translation>
+    </message>
+    <message>
+        <source>Moves at most</source>
+        <translation>Se mueve como máximo</translation>
     </message>
 </context>
 <context>

@@ -3387,6 +3387,50 @@
         <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
         <translation>SIMULÉ : la forme du foie d&apos;un vrai patient, qui respire et qu&apos;un instrument enfonce selon une formule. Le recalage dit « fourni » est le vrai, dans lequel une erreur a été mise à gauche de l&apos;image.</translation>
     </message>
+    <message>
+        <source>The movie {0} cannot be written.</source>
+        <translation>Le film {0} ne peut pas être écrit.</translation>
+    </message>
+    <message>
+        <source>Choose a folder that exists.</source>
+        <translation>Choisissez un dossier qui existe.</translation>
+    </message>
+    <message>
+        <source>Choose a name that is not there yet.</source>
+        <translation>Choisissez un nom qui n’existe pas encore.</translation>
+    </message>
+    <message>
+        <source>Choose a folder in which you may write.</source>
+        <translation>Choisissez un dossier où vous pouvez écrire.</translation>
+    </message>
+    <message>
+        <source>Leave the window&apos;s size as it is while the movie is made.</source>
+        <translation>Ne changez pas la taille de la fenêtre pendant la création du film.</translation>
+    </message>
+    <message>
+        <source>Choose a folder in which you may write, or a name without .mp4: then it becomes a folder of pictures.</source>
+        <translation>Choisissez un dossier où vous pouvez écrire, ou un nom sans .mp4 : ce sera alors un dossier d’images.</translation>
+    </message>
+    <message>
+        <source>Look whether the disk is full.</source>
+        <translation>Vérifiez si le disque est plein.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s shape with the tools there was not found: {0}</source>
+        <translation>La forme du foie avec les instruments à cet endroit n’a pas été trouvée : {0}</translation>
+    </message>
+    <message>
+        <source>Press less, or move the tool by smaller steps.</source>
+        <translation>Appuyez moins, ou déplacez l’instrument par pas plus petits.</translation>
+    </message>
+    <message>
+        <source>A rigid tool that only touches the liver cannot pull it.</source>
+        <translation>Un instrument rigide qui ne fait que toucher le foie ne peut pas le tirer.</translation>
+    </message>
+    <message>
+        <source>Push into the surface, or take the grasper.</source>
+        <translation>Poussez dans la surface, ou prenez la pince.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -3500,6 +3544,14 @@
     <message>
         <source>Atlas in red, patient in blue: purple where they agree</source>
         <translation>Atlas en rouge, patient en bleu&#xa0;: violet là où ils concordent</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Côte à côte</translation>
+    </message>
+    <message>
+        <source>Two 3D views that turn together: the patient on the left, the atlas on the right</source>
+        <translation>Deux vues 3D qui tournent ensemble : le patient à gauche, l’atlas à droite</translation>
     </message>
 </context>
 <context>
@@ -3723,6 +3775,10 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
         <source>Look from here, everything in view</source>
         <translation>Regarder d’ici, tout dans la vue</translation>
     </message>
+    <message>
+        <source>Atlas</source>
+        <translation>Atlas</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::MainWindow</name>
@@ -3817,10 +3873,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
     <message>
         <source>Click on the liver where the tool is to touch it.</source>
         <translation>Cliquez sur le foie à l’endroit que l’outil doit toucher.</translation>
-    </message>
-    <message>
-        <source>Solving...</source>
-        <translation>Résolution…</translation>
     </message>
     <message>
         <source>Tool placed in %1 ms.</source>
@@ -4039,6 +4091,14 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
     <message>
         <source>%1 N</source>
         <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>The patient&apos;s own stiffness</source>
+        <translation>La rigidité propre du patient</translation>
+    </message>
+    <message>
+        <source>One stiffness from the atlas</source>
+        <translation>Une seule rigidité, celle de l’atlas</translation>
     </message>
 </context>
 <context>
@@ -4651,54 +4711,6 @@ supposés</translation>
         <translation>Repères</translation>
     </message>
     <message>
-        <source>Tool</source>
-        <translation>Outil</translation>
-    </message>
-    <message>
-        <source>Place by click</source>
-        <translation>Placer d’un clic</translation>
-    </message>
-    <message>
-        <source>Then click on the liver where the tool is to touch it</source>
-        <translation>Cliquez ensuite sur le foie à l’endroit que l’outil doit toucher</translation>
-    </message>
-    <message>
-        <source>Hoist segment VI</source>
-        <translation>Soulever le segment VI</translation>
-    </message>
-    <message>
-        <source>Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head</source>
-        <translation>Place l’outil sous la partie droite, inférieure et postérieure du foie, en la soulevant vers l’avant et la tête</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Direction</translation>
-    </message>
-    <message>
-        <source>Hoist to front and head</source>
-        <translation>Soulever vers l’avant et la tête</translation>
-    </message>
-    <message>
-        <source>Pull away from the surface</source>
-        <translation>Tirer loin de la surface</translation>
-    </message>
-    <message>
-        <source>Push into the surface</source>
-        <translation>Appuyer sur la surface</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>Force</translation>
-    </message>
-    <message>
-        <source> N</source>
-        <translation> N</translation>
-    </message>
-    <message>
-        <source>Take the tool away</source>
-        <translation>Retirer l’outil</translation>
-    </message>
-    <message>
         <source>Colour the liver by how far it moves</source>
         <translation>Colorer le foie selon son déplacement</translation>
     </message>
@@ -4725,6 +4737,30 @@ supposés</translation>
     <message>
         <source>Evidence to bear in mind: %1</source>
         <translation>Observations à garder à l’esprit&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Saves the landmarks as CSV, in mm</source>
+        <translation>Enregistre les repères en CSV, en mm</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>Au cours du temps</translation>
+    </message>
+    <message>
+        <source>Save the landmarks as a table</source>
+        <translation>Enregistrer les repères dans un tableau</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Écrit : %1</translation>
     </message>
 </context>
 <context>
@@ -5088,6 +5124,49 @@ supposés</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::SolvingLight</name>
+    <message>
+        <source>How far the equations are from balance; what solving and drawing took</source>
+        <translation>L’écart des équations à l’équilibre ; les durées de la résolution et du dessin</translation>
+    </message>
+    <message>
+        <source>○ No tool</source>
+        <translation>○ Aucun instrument</translation>
+    </message>
+    <message>
+        <source>◐ Solving</source>
+        <translation>◐ Résolution</translation>
+    </message>
+    <message>
+        <source>▲ Not to be used</source>
+        <translation>▲ Inutilisable</translation>
+    </message>
+    <message>
+        <source>✔ Solved</source>
+        <translation>✔ Résolu</translation>
+    </message>
+    <message>
+        <source>✖ Not solved</source>
+        <translation>✖ Non résolu</translation>
+    </message>
+    <message>
+        <source>❚❚ Frozen</source>
+        <translation>❚❚ Figé</translation>
+    </message>
+    <message>
+        <source>residual %1 · solved in %2 ms · drawn in %3 ms</source>
+        <translation>résidu %1 · résolu en %2 ms · dessiné en %3 ms</translation>
+    </message>
+    <message>
+        <source>What is shown is from before.</source>
+        <translation>Ce qui est montré est l’état précédent.</translation>
+    </message>
+    <message>
+        <source>Cells turned inside out: %1. Use less force.</source>
+        <translation>Cellules retournées : %1. Réduisez la force.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::StudyPanel</name>
     <message>
         <source>Slices show</source>
@@ -5182,6 +5261,77 @@ Module de Young&#xa0;%2 kPa (moyenne)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::ToolControls</name>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>Place by click</source>
+        <translation>Placer d’un clic</translation>
+    </message>
+    <message>
+        <source>Then click on the liver where the tool is to touch it. By key: Ctrl+T, at the crosshair</source>
+        <translation>Cliquez ensuite sur le foie à l’endroit que l’instrument doit toucher. Au clavier : Ctrl+T, au réticule</translation>
+    </message>
+    <message>
+        <source>Hoist segment VI</source>
+        <translation>Soulever le segment VI</translation>
+    </message>
+    <message>
+        <source>Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head</source>
+        <translation>Place l’outil sous la partie droite, inférieure et postérieure du foie, en la soulevant vers l’avant et la tête</translation>
+    </message>
+    <message>
+        <source>Hoist to front and head</source>
+        <translation>Soulever vers l’avant et la tête</translation>
+    </message>
+    <message>
+        <source>Pull away from the surface</source>
+        <translation>Tirer loin de la surface</translation>
+    </message>
+    <message>
+        <source>Push into the surface</source>
+        <translation>Appuyer sur la surface</translation>
+    </message>
+    <message>
+        <source>As the arrow was dragged</source>
+        <translation>Comme la flèche a été tirée</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>Touch with the rigid tool itself</source>
+        <translation>Toucher avec l’instrument rigide lui-même</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s solid in contact with the liver, and several tools at once. Otherwise the force is spread over a patch.</source>
+        <translation>Le solide de l’instrument au contact du foie, et plusieurs instruments à la fois. Sinon, la force est répartie sur une surface.</translation>
+    </message>
+    <message>
+        <source>Keep it, take another</source>
+        <translation>Le laisser, en prendre un autre</translation>
+    </message>
+    <message>
+        <source>Several tools at once need rigid tools</source>
+        <translation>Plusieurs instruments à la fois ne sont possibles qu’avec des instruments rigides</translation>
+    </message>
+    <message>
+        <source>Take the tool away</source>
+        <translation>Retirer l’outil</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::TourCard</name>
     <message>
         <source>End the tour</source>
@@ -5202,6 +5352,124 @@ Module de Young&#xa0;%2 kPa (moyenne)</translation>
     <message>
         <source>Done</source>
         <translation>Terminé</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TrackControls</name>
+    <message>
+        <source>❚❚ Freeze</source>
+        <translation>❚❚ Figer</translation>
+    </message>
+    <message>
+        <source>Nothing moves the tool while you look around</source>
+        <translation>Rien ne déplace l’instrument pendant que vous regardez</translation>
+    </message>
+    <message>
+        <source>▶ Play</source>
+        <translation>▶ Lire</translation>
+    </message>
+    <message>
+        <source>Shows again what was done, from where the time stands; rests are cut to 1 s</source>
+        <translation>Montre à nouveau ce qui a été fait, à partir du temps choisi ; les pauses sont réduites à 1 s</translation>
+    </message>
+    <message>
+        <source>Any moment of this rehearsal, in seconds</source>
+        <translation>N’importe quel moment de cette répétition, en secondes</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Table...</source>
+        <translation>Tableau…</translation>
+    </message>
+    <message>
+        <source>Saves every moment as CSV: tools, forces (N), landmarks (mm)</source>
+        <translation>Enregistre chaque moment en CSV : instruments, forces (N), repères (mm)</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Oublier</translation>
+    </message>
+    <message>
+        <source>Forgets what was done so far; the tool stays</source>
+        <translation>Oublie ce qui a été fait jusqu’ici ; l’instrument reste</translation>
+    </message>
+    <message>
+        <source>Stop (%1 %)</source>
+        <translation>Arrêter (%1 %)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Écrit : %1</translation>
+    </message>
+    <message>
+        <source>Save a movie of the rehearsal</source>
+        <translation>Enregistrer un film de la répétition</translation>
+    </message>
+    <message>
+        <source>Movies (*.mp4);;Folder of pictures (*)</source>
+        <translation>Films (*.mp4);;Dossier d’images (*)</translation>
+    </message>
+    <message>
+        <source>Save the rehearsal as a table</source>
+        <translation>Enregistrer la répétition dans un tableau</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 sur %2 s</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>A movie of what the 3D view shows, MP4 or pictures</source>
+        <translation>Un film de ce que montre la vue 3D : MP4 ou images</translation>
+    </message>
+    <message>
+        <source>Move a tool first: there is nothing to show yet</source>
+        <translation>Déplacez d’abord un instrument : il n’y a encore rien à montrer</translation>
+    </message>
+    <message>
+        <source>Movie...</source>
+        <translation>Film…</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TrackPlot</name>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Atlas off</source>
+        <translation>Écart de l’atlas</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>5 mm</source>
+        <translation>5 mm</translation>
+    </message>
+    <message>
+        <source>Moves at most</source>
+        <translation>Déplacement maximal</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,7 @@ inline Patient block_patient(const std::array<int, 3>& bricks, std::vector<mecha
   patient.structures = {{"liver", std::make_shared<geometry::Surface>(boundary_surface(setup.mesh)), 768}};
   patient.structures.insert(patient.structures.end(), inside.begin(), inside.end());
   for (const PatientStructure& structure : patient.structures) setup.structures.push_back(*structure.surface);
+  patient.rehearsal_setup = std::make_shared<rehearsal::RehearsalSetup>(setup);
   auto body = rehearsal::StaticRehearsal::create(std::move(setup));
   if (!body) qFatal("%s", body.error().message().c_str());
   patient.rehearsal = std::make_shared<rehearsal::StaticRehearsal>(*std::move(body));

@@ -1,5 +1,6 @@
 #pragma once
-// Which of the two bodies is looked at: the patient's own stiffness, the atlas, or both in red and blue.
+// Which of the two bodies is looked at: the patient's own stiffness, the atlas, or both in red and blue, or beside each
+// other.
 
 #include <QButtonGroup>
 #include <QWidget>

@@ -1,5 +1,6 @@
 #include "panels/landmark_table.h"
 
+#include <fmt/format.h>
 #include <QHeaderView>
 
 #include "theme.h"
@@ -78,6 +79,19 @@ void LandmarkTable::fill_row(int row, const mechanics::DisplacedLandmark& landma
   QFont font = flag->font();
   font.setBold(atlas_far);
   flag->setFont(font);
+}
+
+std::string landmark_csv(const rehearsal::RehearsalFrame& frame) {
+  std::string text = "landmark,rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,displacement_mm,atlas_off_mm\n";
+  for (std::size_t k = 0; k < frame.patient.landmarks.size(); ++k) {
+    const mechanics::DisplacedLandmark& landmark = frame.patient.landmarks[k];
+    const auto& rest = landmark.rest_mm;
+    const auto& now = landmark.displaced_mm;
+    text += fmt::format("{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{}\n", landmark.id, rest.x(), rest.y(),
+                        rest.z(), now.x(), now.y(), now.z(), landmark.displacement_mm,
+                        k < frame.differences.size() ? fmt::format("{:.3f}", frame.differences[k].difference_mm) : "");
+  }
+  return text;
 }
 
 }  // namespace glisson::widgets

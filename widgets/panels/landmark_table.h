@@ -25,4 +25,7 @@ class LandmarkTable : public QTableWidget {
   void fill_row(int row, const mechanics::DisplacedLandmark& landmark, const rehearsal::LandmarkDifference* difference);
 };
 
+// The same as CSV, every landmark a line, lengths in mm.
+[[nodiscard]] std::string landmark_csv(const rehearsal::RehearsalFrame& frame);
+
 }  // namespace glisson::widgets

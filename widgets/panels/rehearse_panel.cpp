@@ -1,21 +1,18 @@
 #include "panels/rehearse_panel.h"
 
-#include <algorithm>
-#include <cmath>
-#include <QFormLayout>
+#include <QFileDialog>
 #include <QHBoxLayout>
+#include <QPushButton>
 #include <QVBoxLayout>
 
+#include "base/files.h"
 #include "words/told.h"
 #include "words/worded.h"
 
 namespace glisson::widgets {
 namespace {
 
-constexpr double force_step_N = 0.1;
-
-// Towards the front and the head in equal parts, as rehearsal/tool_presets.h hoists.
-const Eigen::Vector3d front_and_head = Eigen::Vector3d(0, -1, 1).normalized();
+constexpr const char* proposed_file = "landmarks.csv";
 
 QLabel* heading(QWidget* parent) {
   auto* label = new QLabel(parent);
@@ -25,11 +22,10 @@ QLabel* heading(QWidget* parent) {
 
 }  // namespace
 
-RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent)
-    : QWidget(parent), rehearsal_(rehearsal), hoist_direction_(front_and_head) {
+RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidget(parent), rehearsal_(rehearsal) {
   setObjectName("panel");
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(14, 14, 14, 14);
+  column->setContentsMargins(14, 12, 14, 12);
   column->setSpacing(8);
   QLabel* title = heading(this);
   column->addWidget(title);
@@ -45,26 +41,45 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent)
   controls_ = new QWidget(this);
   auto* inner = new QVBoxLayout(controls_);
   inner->setContentsMargins(0, 0, 0, 0);
-  inner->setSpacing(8);
-  inner->addWidget(make_tool_group());
-  inner->addSpacing(6);
+  inner->setSpacing(7);
+  tool_ = new ToolControls(rehearsal, this);
+  inner->addWidget(tool_);
+  light_ = new SolvingLight(rehearsal, this);
+  inner->addWidget(light_);
   QLabel* look_title = heading(this);
   inner->addWidget(look_title);
   inner->addWidget(make_look_group());
-  inner->addSpacing(6);
+  auto* landmarks_row = new QHBoxLayout;
   QLabel* landmarks_title = heading(this);
-  inner->addWidget(landmarks_title);
+  landmarks_row->addWidget(landmarks_title, 1);
+  auto* save = new QPushButton(this);
+  save->setObjectName("save_landmarks");
+  landmarks_row->addWidget(save);
+  inner->addLayout(landmarks_row);
   summary_ = new QLabel(this);
   summary_->setObjectName("summary");
   summary_->setWordWrap(true);
   inner->addWidget(summary_);
   table_ = new LandmarkTable(this);
-  inner->addWidget(table_, 1);
+  table_->setMinimumHeight(96);
+  inner->addWidget(table_, 3);
+  QLabel* time_title = heading(this);
+  inner->addWidget(time_title);
+  track_ = new TrackControls(rehearsal, this);
+  inner->addWidget(track_, 2);
   column->addWidget(controls_, 1);
   column->addStretch(0);
+
+  connect(tool_, &ToolControls::placing_changed, this, &RehearsePanel::placing_changed);
+  connect(tool_, &ToolControls::place_at_crosshair, this, &RehearsePanel::place_at_crosshair);
+  connect(tool_, &ToolControls::failed, this, &RehearsePanel::failed);
   connect(table_, &LandmarkTable::landmark_chosen, this, &RehearsePanel::landmark_chosen);
+  connect(table_, &LandmarkTable::landmark_chosen, track_, &TrackControls::follow_landmark);
+  connect(save, &QPushButton::clicked, this, &RehearsePanel::save_landmarks);
+  connect(track_, &TrackControls::failed, this, &RehearsePanel::failed);
+  connect(track_, &TrackControls::said, this, &RehearsePanel::said);
   connect(&rehearsal_, &LiveRehearsal::frame_changed, this, &RehearsePanel::show_frame);
-  preset_chosen();
+  connect(&rehearsal_, &LiveRehearsal::solving_changed, tool_, &ToolControls::follow);
   set_ready(false);
   worded(this, [=, this] {
     title->setText(tr("Rehearse"));
@@ -72,6 +87,9 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent)
     look_title->setText(tr("Show the liver with the stiffness of"));
     landmarks_title->setText(tr("Landmarks"));
     word_evidence();
+    save->setText(tr("Save..."));
+    save->setToolTip(tr("Saves the landmarks as CSV, in mm"));
+    time_title->setText(tr("Over time"));
     show_frame();
   });
 }
@@ -94,85 +112,6 @@ void RehearsePanel::word_evidence() {
   evidence_text_->setText(paragraphs.join("\n"));
 }
 
-QWidget* RehearsePanel::make_tool_group() {
-  auto* group = new QWidget(this);
-  auto* form = new QFormLayout(group);
-  form->setContentsMargins(0, 0, 0, 0);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-
-  tool_ = new QComboBox(group);
-  tool_->setObjectName("tool");
-  for (const rehearsal::ToolPreset& preset : rehearsal::tool_presets()) {
-    tool_->addItem({}, QString::fromStdString(preset.id));
-  }
-  auto* tool_name = new QLabel(group);
-  form->addRow(tool_name, tool_);
-  connect(tool_, &QComboBox::activated, this, &RehearsePanel::preset_chosen);
-
-  auto* places = new QHBoxLayout;
-  place_ = new QPushButton(QIcon(":/icons/place.svg"), {}, group);
-  place_->setObjectName("place");
-  place_->setCheckable(true);
-  hoist_button_ = new QPushButton(group);
-  hoist_button_->setObjectName("hoist");
-  places->addWidget(place_);
-  places->addWidget(hoist_button_);
-  form->addRow(places);
-  connect(place_, &QPushButton::toggled, this, &RehearsePanel::placing_changed);
-  connect(hoist_button_, &QPushButton::clicked, this, &RehearsePanel::hoist_segment_vi);
-
-  direction_ = new QComboBox(group);
-  direction_->setObjectName("direction");
-  for (const Direction direction : {hoist, pull, push}) direction_->addItem({}, direction);
-  auto* direction_name = new QLabel(group);
-  form->addRow(direction_name, direction_);
-  connect(direction_, &QComboBox::activated, this, &RehearsePanel::apply_direction);
-
-  auto* forces = new QHBoxLayout;
-  force_slider_ = new QSlider(Qt::Horizontal, group);
-  force_slider_->setObjectName("force_slider");
-  force_ = new NumberBox(group);
-  force_->setObjectName("force");
-  force_->setDecimals(1);
-  force_->setSingleStep(force_step_N);
-  force_->setKeyboardTracking(false);
-  forces->addWidget(force_slider_, 1);
-  forces->addWidget(force_);
-  auto* force_name = new QLabel(group);
-  form->addRow(force_name, forces);
-  connect(force_slider_, &QSlider::valueChanged, this, [this](int steps) { set_force(steps * force_step_N); });
-  connect(force_, &QDoubleSpinBox::valueChanged, this, &RehearsePanel::set_force);
-
-  release_ = new QPushButton(group);
-  release_->setObjectName("release");
-  release_->setEnabled(false);
-  form->addRow(release_);
-  connect(release_, &QPushButton::clicked, &rehearsal_, &LiveRehearsal::take_tool_away);
-
-  worded(group, [=, this] {
-    tool_name->setText(tr("Tool"));
-    for (int k = 0; k < tool_->count(); ++k) {
-      const rehearsal::ToolPreset& preset = rehearsal::tool_presets()[static_cast<std::size_t>(k)];
-      tool_->setItemText(k, told(preset.name));
-      tool_->setItemData(k, told(preset.source), Qt::ToolTipRole);
-    }
-    place_->setText(tr("Place by click"));
-    place_->setToolTip(tr("Then click on the liver where the tool is to touch it"));
-    hoist_button_->setText(tr("Hoist segment VI"));
-    hoist_button_->setToolTip(
-        tr("Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head"));
-    direction_name->setText(tr("Direction"));
-    direction_->setItemText(hoist, tr("Hoist to front and head"));
-    direction_->setItemText(pull, tr("Pull away from the surface"));
-    direction_->setItemText(push, tr("Push into the surface"));
-    force_name->setText(tr("Force"));
-    force_->setSuffix(tr(" N"));
-    release_->setText(tr("Take the tool away"));
-  });
-  return group;
-}
-
 QWidget* RehearsePanel::make_look_group() {
   auto* group = new QWidget(this);
   auto* column = new QVBoxLayout(group);
@@ -192,68 +131,51 @@ QWidget* RehearsePanel::make_look_group() {
 void RehearsePanel::set_ready(bool ready) {
   missing_->setVisible(!ready);
   controls_->setVisible(ready);
-  place_->setChecked(false);
+  tool_->stop_placing();
   comparison_->choose(Bodies::patient);
   by_displacement_->setChecked(false);
   show_frame();
 }
 
-const rehearsal::ToolPreset& RehearsePanel::preset() const {
-  return rehearsal::tool_presets()[static_cast<std::size_t>(std::max(0, tool_->currentIndex()))];
+void RehearsePanel::drag_arrow(const Eigen::Vector3d& free_end_mm, const Eigen::Vector3d& touch_mm) {
+  if (!rehearsal_.has_tool() || rehearsal_.frozen()) return;
+  if (!dragged_pulls_) dragged_pulls_ = rehearsal_.tools().back().pulls();
+  const Eigen::Vector3d way_mm =
+      *dragged_pulls_ ? Eigen::Vector3d(free_end_mm - touch_mm) : Eigen::Vector3d(touch_mm - free_end_mm);
+  if (!(way_mm.norm() > 1)) return;
+  tool_->pull(way_mm.normalized(), arrow_force_N(way_mm.norm()));
 }
 
-void RehearsePanel::preset_chosen() {
-  const rehearsal::ToolPreset& chosen = preset();
-  const QSignalBlocker quiet_slider(force_slider_);
-  const QSignalBlocker quiet_box(force_);
-  force_slider_->setRange(0, static_cast<int>(std::lround(chosen.largest_force_N / force_step_N)));
-  force_->setRange(0, chosen.largest_force_N);
-  set_force(chosen.usual_force_N);
-  if (rehearsal_.has_tool()) rehearsal_.place_tool(rehearsal_.tool_center_mm(), chosen.radius_mm);
-}
-
-void RehearsePanel::place_at(const Eigen::Vector3d& position_mm, const Eigen::Vector3d& outward_normal) {
-  normal_ = outward_normal;
-  place_->setChecked(false);
-  apply_direction();
-  rehearsal_.place_tool(position_mm, preset().radius_mm);
-}
-
-void RehearsePanel::hoist_segment_vi() {
-  if (rehearsal_.body() == nullptr) return;
-  const auto placement = rehearsal::hoist_segment_vi(rehearsal_.body()->patient().mesh());
-  if (!placement) {
-    Q_EMIT rehearsal_.failed(placement.error());
-    return;
+void RehearsePanel::hold_again(ToolInHand tool) {
+  for (const rehearsal::ToolPreset& preset : rehearsal::tool_presets()) {
+    if (preset.radius_mm == tool.radius_mm) tool.preset = preset.id;
   }
-  tool_->setCurrentIndex(std::max(0, tool_->findData(QString::fromStdString(placement->preset.id))));
-  direction_->setCurrentIndex(direction_->findData(hoist));
-  hoist_direction_ = placement->direction;
-  preset_chosen();
-  apply_direction();
-  rehearsal_.place_tool(placement->center_mm, placement->preset.radius_mm);
+  rehearsal_.hold(tool);
 }
 
-void RehearsePanel::apply_direction() {
-  switch (direction_->currentData().toInt()) {
-    case pull: rehearsal_.set_direction(normal_); break;
-    case push: rehearsal_.set_direction(-normal_); break;
-    default: rehearsal_.set_direction(hoist_direction_); break;
+void RehearsePanel::let_arrow_go() {
+  if (!dragged_pulls_) return;
+  dragged_pulls_.reset();
+  Q_EMIT rehearsal_.frame_changed();
+}
+
+std::vector<ToolInView> RehearsePanel::tools_in_view() const {
+  std::vector<ToolInView> shown;
+  for (const ToolInHand& tool : rehearsal_.tools()) {
+    shown.push_back({tool.center_mm, tool.direction, tool.force_N, tool.pulls(), {}});
   }
-}
-
-void RehearsePanel::set_force(double force_N) {
-  const QSignalBlocker quiet_slider(force_slider_);
-  const QSignalBlocker quiet_box(force_);
-  force_slider_->setValue(static_cast<int>(std::lround(force_N / force_step_N)));
-  force_->setValue(force_N);
-  rehearsal_.set_force_N(force_N);
+  const auto& solids = rehearsal_.solids();
+  if (solids.size() == shown.size()) {
+    for (std::size_t k = 0; k < shown.size(); ++k) shown[k].rods = solids[k];
+  }
+  if (!shown.empty() && dragged_pulls_) shown.back().pulls = *dragged_pulls_;
+  return shown;
 }
 
 void RehearsePanel::show_frame() {
   const auto& frame = rehearsal_.frame();
   table_->show_frame(frame ? &*frame : nullptr);
-  release_->setEnabled(rehearsal_.has_tool());
+  tool_->follow();
   if (!frame) {
     summary_->setText(tr("Place the tool to see what moves."));
     return;
@@ -267,6 +189,31 @@ void RehearsePanel::show_frame() {
                        .arg(100 * frame->strain_bound, 0, 'f', 0);
   }
   summary_->setText(text);
+}
+
+void RehearsePanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  Q_EMIT at_work(true);
+}
+
+void RehearsePanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  Q_EMIT at_work(false);
+}
+
+void RehearsePanel::save_landmarks() {
+  if (!rehearsal_.frame()) {
+    Q_EMIT said(tr("Place the tool to see what moves."));
+    return;
+  }
+  const QString file =
+      QFileDialog::getSaveFileName(this, tr("Save the landmarks as a table"), proposed_file, tr("Tables (*.csv)"));
+  if (file.isEmpty()) return;
+  if (auto written = write_text_file(file.toStdU16String(), landmark_csv(*rehearsal_.frame())); !written) {
+    Q_EMIT failed(written.error());
+  } else {
+    Q_EMIT said(tr("Written: %1").arg(file));
+  }
 }
 
 }  // namespace glisson::widgets

@@ -1,21 +1,17 @@
 #pragma once
-// The right panel: choose a tool, place it, pull; see what moves and how far.
+// The right panel: choose a tool, place it, pull; see what moves and how far, now and over time.
 
-#include <Eigen/Core>
-#include <optional>
 #include <QCheckBox>
-#include <QComboBox>
 #include <QLabel>
-#include <QPushButton>
-#include <QSlider>
 #include <QWidget>
 
 #include "casefile/evidence.h"
 #include "panels/comparison_choice.h"
 #include "panels/landmark_table.h"
-#include "rehearsal/tool_presets.h"
+#include "panels/solving_light.h"
+#include "panels/tool_controls.h"
+#include "panels/track_controls.h"
 #include "session/live_rehearsal.h"
-#include "words/number_box.h"
 
 namespace glisson::widgets {
 
@@ -29,48 +25,56 @@ class RehearsePanel : public QWidget {
   void set_ready(bool ready);
   // What measurements changed of the model that is rehearsed, and what of them it cannot hold.
   void show_evidence(const casefile::Evidence& evidence);
-  // A click on the liver, while placing: the tool goes there.
-  void place_at(const Eigen::Vector3d& position_mm, const Eigen::Vector3d& outward_normal);
-  // The retractor under segment VI, with its usual force.
-  void hoist_segment_vi();
-  [[nodiscard]] bool placing() const { return place_->isChecked(); }
-  void show_frame();
+  [[nodiscard]] bool placing() const { return tool_->placing(); }
+  // A click on the liver, while placing, or the tool dragged over it: it goes there (at rest).
+  void place_at(const Eigen::Vector3d& position_mm, const Eigen::Vector3d& outward) {
+    tool_->place_at(position_mm, outward);
+  }
+  void hoist_segment_vi() { tool_->hoist_segment_vi(); }
+  // A tool as it was held before; its preset is found by its radius.
+  void hold_again(ToolInHand tool);
+  // The arrow's free end was dragged there from the place that it acts on; then let go.
+  void drag_arrow(const Eigen::Vector3d& free_end_mm, const Eigen::Vector3d& touch_mm);
+  void let_arrow_go();
+
+  // As the views draw them.
+  [[nodiscard]] std::vector<ToolInView> tools_in_view() const;
+  [[nodiscard]] TrackControls& track() { return *track_; }
+  void show_drawing_ms(double drawing_ms) { light_->show_drawing_ms(drawing_ms); }
 
  Q_SIGNALS:
   void bodies_chosen(glisson::widgets::Bodies bodies);
   void liver_colour_chosen(glisson::widgets::LiverColour colour);
   void landmark_chosen(const std::string& id);
   void placing_changed(bool placing);
+  void place_at_crosshair();
+  void failed(const glisson::Error& error);
+  void said(const QString& what);
+  void at_work(bool here);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
-  enum Direction { hoist, pull, push };
-
   void word_evidence();
-  QWidget* make_tool_group();
   QWidget* make_look_group();
-  [[nodiscard]] const rehearsal::ToolPreset& preset() const;
-  void preset_chosen();
-  void apply_direction();
-  void set_force(double force_N);
+  void show_frame();
+  void save_landmarks();
 
   LiveRehearsal& rehearsal_;
-  Eigen::Vector3d normal_{0, -1, 0};  // outward, where the tool stands
-  Eigen::Vector3d hoist_direction_{0, -1, 0};
+  std::optional<bool> dragged_pulls_;  // an arrow does not change sides under the hand
   QLabel* missing_;
   QLabel* evidence_text_;
   casefile::Evidence evidence_;
   QWidget* controls_;
-  QComboBox* tool_;
-  QPushButton* place_;
-  QPushButton* hoist_button_;
-  QComboBox* direction_;
-  QSlider* force_slider_;
-  NumberBox* force_;
-  QPushButton* release_;
+  ToolControls* tool_;
+  SolvingLight* light_;
   ComparisonChoice* comparison_;
   QCheckBox* by_displacement_;
   QLabel* summary_;
   LandmarkTable* table_;
+  TrackControls* track_;
 };
 
 }  // namespace glisson::widgets

@@ -1,60 +1,319 @@
 #include "session/live_rehearsal.h"
 
+#include <algorithm>
 #include <QFutureWatcher>
 #include <QtConcurrentRun>
 
 namespace glisson::widgets {
+namespace {
 
-void LiveRehearsal::set_body(std::shared_ptr<const rehearsal::StaticRehearsal> body) {
+constexpr std::size_t most_remembered = 16;  // places, some megabytes each
+constexpr int look_every_ms = 15;
+
+std::string session_id(int number) { return "tool-" + std::to_string(number); }
+
+// A session waits for the step under way when it ends; the window does not.
+void end_elsewhere(std::unique_ptr<rehearsal::LiveSession> session) {
+  if (!session) return;
+  auto shared = std::shared_ptr<rehearsal::LiveSession>(std::move(session));
+  [[maybe_unused]] const auto ended = QtConcurrent::run([ending = std::move(shared)]() mutable { ending.reset(); });
+}
+
+}  // namespace
+
+LiveRehearsal::LiveRehearsal(QObject* parent) : QObject(parent) {
+  clock_.start();
+  session_timer_.setInterval(look_every_ms);
+  connect(&session_timer_, &QTimer::timeout, this, &LiveRehearsal::look_for_contact);
+}
+
+LiveRehearsal::~LiveRehearsal() { end_elsewhere(std::move(session_)); }
+
+void LiveRehearsal::set_body(std::shared_ptr<const rehearsal::StaticRehearsal> body,
+                             std::shared_ptr<const rehearsal::RehearsalSetup> setup) {
   body_ = std::move(body);
-  take_tool_away();
+  setup_ = std::move(setup);
+  placed_.clear();
+  ++body_count_;
+  touch_ = Touch::patch;
+  start_anew();
 }
 
-void LiveRehearsal::place_tool(const Eigen::Vector3d& center_mm, double radius_mm) {
-  if (!body_) return;
-  const int placement = ++placements_;
-  using Outcome = Result<rehearsal::PlacedTool>;
-  auto* watcher = new QFutureWatcher<std::shared_ptr<Outcome>>(this);
-  connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, placement] {
-    watcher->deleteLater();
-    if (placement != placements_) return;
-    const std::shared_ptr<Outcome> outcome = watcher->result();
-    if (!*outcome) {
-      Q_EMIT failed(outcome->error());
-      return;
+void LiveRehearsal::set_touch(Touch touch) {
+  if (touch == touch_ || (touch == Touch::rigid && !setup_)) return;
+  touch_ = touch;
+  const std::optional<ToolInHand> in_hand = tools_.empty() ? std::nullopt : std::optional(tools_.back());
+  start_anew();
+  if (in_hand) hold(*in_hand);
+}
+
+void LiveRehearsal::start_anew() {
+  tools_.clear();
+  numbers_.clear();
+  takes_another_ = false;
+  frozen_ = false;
+  to_place_.reset();
+  frame_.reset();
+  inverted_cells_ = 0;
+  solids_.clear();
+  session_timer_.stop();
+  end_elsewhere(std::move(session_));
+  session_.reset();
+  session_frame_ = 0;
+  if (touch_ == Touch::rigid) {
+    session_ = std::make_unique<rehearsal::LiveSession>(*setup_);
+    session_timer_.start();
+  }
+  clear_track();
+  refusal_.reset();
+  set_solving(Solving::no_tool);
+  Q_EMIT frame_changed();
+}
+
+void LiveRehearsal::hold(const ToolInHand& tool) {
+  if (!body_ || frozen_) return;
+  go_on();
+  force_N_ = tool.force_N;
+  direction_ = tool.direction;
+  std::optional<ToolInHand> was;
+  if (tools_.empty() || (takes_another_ && touch_ == Touch::rigid)) {
+    tools_.push_back(tool);
+    numbers_.push_back(next_number_++);
+  } else {
+    was = tools_.back();
+    tools_.back() = tool;
+  }
+  takes_another_ = false;
+  if (touch_ == Touch::rigid) {
+    // A tool that jumps is another one: on its way it would go through the liver.
+    constexpr double jump_mm = 20;
+    if (was && (was->preset != tool.preset || (was->center_mm - tool.center_mm).norm() > jump_mm)) {
+      session_->post(rehearsal::ReleaseTool{session_id(numbers_.back())});
+      numbers_.back() = next_number_++;
     }
-    tool_ = **outcome;
-    answer();
-    Q_EMIT placed(tool_->solve_ms());
-  });
-  Q_EMIT placing();
-  watcher->setFuture(QtConcurrent::run([body = body_, center_mm, radius_mm] {
-    return std::make_shared<Outcome>(body->place_tool(center_mm, radius_mm));
-  }));
+    post_tool();
+  } else {
+    answer_now();
+  }
 }
 
-void LiveRehearsal::take_tool_away() {
-  ++placements_;
-  tool_.reset();
-  answer();
+void LiveRehearsal::change_tool(const std::function<void(ToolInHand&)>& change) {
+  if (tools_.empty() || frozen_) return;
+  ToolInHand tool = tools_.back();
+  change(tool);
+  if (tool == tools_.back()) return;
+  takes_another_ = false;
+  hold(tool);
 }
 
 void LiveRehearsal::set_force_N(double force_N) {
-  if (force_N == force_N_) return;
+  if (frozen_) return;
   force_N_ = force_N;
-  if (tool_) answer();
+  change_tool([&](ToolInHand& tool) { tool.force_N = force_N; });
 }
 
 void LiveRehearsal::set_direction(const Eigen::Vector3d& unit) {
-  if (unit == direction_) return;
+  if (frozen_) return;
   direction_ = unit;
-  if (tool_) answer();
+  change_tool([&](ToolInHand& tool) { tool.direction = unit; });
 }
 
-void LiveRehearsal::answer() {
-  frame_.reset();
-  if (tool_) frame_ = tool_->answer(force_N_ * direction_);
+void LiveRehearsal::keep_tool() { takes_another_ = touch_ == Touch::rigid && !tools_.empty(); }
+
+void LiveRehearsal::take_tool_away() {
+  if (frozen_) return;
+  go_on();
+  to_place_.reset();
+  takes_another_ = false;
+  refusal_.reset();
+  if (tools_.empty()) return;
+  if (session_) session_->post(rehearsal::ReleaseTool{session_id(numbers_.back())});
+  tools_.pop_back();
+  numbers_.pop_back();
+  if (tools_.empty()) {
+    frame_.reset();
+    inverted_cells_ = 0;
+    set_solving(Solving::no_tool);
+  } else {
+    force_N_ = tools_.back().force_N;
+    direction_ = tools_.back().direction;
+  }
   Q_EMIT frame_changed();
+}
+
+void LiveRehearsal::set_frozen(bool frozen) {
+  if (frozen_ == frozen) return;
+  frozen_ = frozen;
+  Q_EMIT solving_changed();
+}
+
+const std::vector<ToolInHand>& LiveRehearsal::tools() const {
+  return shown_moment_ ? track_.moments()[*shown_moment_].tools : tools_;
+}
+
+Eigen::Vector3d LiveRehearsal::tool_center_mm() const {
+  return has_tool() ? tools().back().center_mm : Eigen::Vector3d::Zero();
+}
+
+// Without contact: an answer of a place that is known, or a solve for it.
+void LiveRehearsal::answer_now() {
+  const ToolInHand& tool = tools_.back();
+  if (const rehearsal::PlacedTool* placed = remembered(tool)) {
+    to_place_.reset();
+    show_answer(*placed, tool);
+    record(nullptr);
+    return;
+  }
+  to_place_ = tool;
+  set_solving(Solving::solving);
+  Q_EMIT frame_changed();  // the tool is there already, the shape follows
+  if (!is_placing_) solve_for(tool);
+}
+
+const rehearsal::PlacedTool* LiveRehearsal::remembered(const ToolInHand& tool) const {
+  const auto found = std::find_if(placed_.begin(), placed_.end(), [&](const rehearsal::PlacedTool& placed) {
+    return placed.center_mm() == tool.center_mm && placed.radius_mm() == tool.radius_mm;
+  });
+  return found == placed_.end() ? nullptr : &*found;
+}
+
+void LiveRehearsal::solve_for(const ToolInHand& tool) {
+  is_placing_ = true;
+  using Outcome = Result<rehearsal::PlacedTool>;
+  auto* watcher = new QFutureWatcher<std::shared_ptr<Outcome>>(this);
+  connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, tool, body_count = body_count_] {
+    watcher->deleteLater();
+    is_placing_ = false;
+    const std::shared_ptr<Outcome> outcome = watcher->result();
+    if (body_count == body_count_ && *outcome) {
+      placed_.push_back(**outcome);
+      if (placed_.size() > most_remembered) placed_.pop_front();
+    }
+    if (!to_place_) return;
+    const ToolInHand wanted = *to_place_;
+    if (remembered(wanted) != nullptr) {
+      to_place_.reset();
+      show_answer(placed_.back(), wanted);
+      if (!shown_moment_) record(nullptr);
+      Q_EMIT placed(placed_.back().solve_ms());
+    } else if (body_count == body_count_ && wanted.center_mm == tool.center_mm && wanted.radius_mm == tool.radius_mm) {
+      to_place_.reset();
+      refuse(outcome->error());
+    } else {
+      // On the way there: better an answer to where it was a moment ago than none.
+      if (body_count == body_count_ && *outcome && !shown_moment_) show_answer(placed_.back(), wanted);
+      set_solving(Solving::solving);
+      solve_for(wanted);
+    }
+  });
+  watcher->setFuture(QtConcurrent::run(
+      [body = body_, tool] { return std::make_shared<Outcome>(body->place_tool(tool.center_mm, tool.radius_mm)); }));
+}
+
+void LiveRehearsal::show_answer(const rehearsal::PlacedTool& placed, const ToolInHand& tool) {
+  frame_ = placed.answer(tool.pull_N());
+  // No strain reaches 1 where the bound does not, and then no cell can turn inside out.
+  inverted_cells_ = frame_->strain_bound < 1 ? 0
+                                             : widgets::inverted_cells(body_->patient().mesh(),
+                                                                       placed.patient_displacement_mm(tool.pull_N()));
+  refusal_.reset();
+  set_solving(Solving::solved);
+  Q_EMIT frame_changed();
+}
+
+void LiveRehearsal::post_tool() {
+  auto hand = hand_tool(tools_.back(), session_id(numbers_.back()));
+  if (!hand) {
+    refuse(std::move(hand.error()));
+    return;
+  }
+  session_->post(rehearsal::HoldTool{*std::move(hand)});
+  set_solving(Solving::solving);
+  Q_EMIT frame_changed();
+}
+
+void LiveRehearsal::look_for_contact() {
+  if (auto error = session_->error()) {
+    session_timer_.stop();
+    refuse(*std::move(error));
+    return;
+  }
+  const auto frame = session_->latest();
+  if (!frame || frame->number == session_frame_) return;
+  session_frame_ = frame->number;
+  if (tools_.empty() || shown_moment_) return;
+  show_contact(frame);
+  if (frame->refused.empty()) record(frame);
+}
+
+void LiveRehearsal::show_contact(const std::shared_ptr<const rehearsal::SessionFrame>& frame) {
+  frame_ = frame_of(*frame);
+  solids_ = solids_of(*frame);
+  inverted_cells_ = frame->patient_step.report.inverted_cells;
+  refusal_.reset();
+  if (!frame->refused.empty()) {
+    refuse(Error{"not-converged",
+                 GLISSON_TEXT("The liver's shape with the tools there was not found: {0}"),
+                 {frame->refused},
+                 GLISSON_TEXT("Press less, or move the tool by smaller steps."),
+                 {}});
+    return;
+  }
+  const bool more = !shown_moment_ && session_->state() == rehearsal::SessionState::stepping;
+  set_solving(more ? Solving::solving : Solving::solved);
+  Q_EMIT frame_changed();
+}
+
+void LiveRehearsal::record(std::shared_ptr<const rehearsal::SessionFrame> contact) {
+  Moment moment = moment_of(tools_, *frame_);
+  moment.contact = std::move(contact);
+  track_.add(std::move(moment), 1e-3 * static_cast<double>(clock_.elapsed()));
+  Q_EMIT track_changed();
+}
+
+void LiveRehearsal::clear_track() {
+  shown_moment_.reset();
+  track_.clear();
+  Q_EMIT track_changed();
+}
+
+void LiveRehearsal::show_moment(std::size_t index) {
+  if (index >= track_.moments().size()) return;
+  shown_moment_ = index;
+  const Moment& moment = track_.moments()[index];
+  if (moment.contact) {
+    show_contact(moment.contact);
+  } else if (!moment.tools.empty()) {
+    const ToolInHand& tool = moment.tools.back();
+    if (const rehearsal::PlacedTool* placed = remembered(tool)) {
+      to_place_.reset();
+      show_answer(*placed, tool);
+    } else {
+      to_place_ = tool;
+      set_solving(Solving::solving);
+      if (!is_placing_) solve_for(tool);
+    }
+  }
+}
+
+void LiveRehearsal::go_on() {
+  if (!shown_moment_) return;
+  // The last moment is what there is now.
+  if (!track_.empty()) show_moment(track_.moments().size() - 1);
+  shown_moment_.reset();
+  Q_EMIT frame_changed();
+}
+
+void LiveRehearsal::set_solving(Solving solving) {
+  solving_ = solving;
+  Q_EMIT solving_changed();
+}
+
+void LiveRehearsal::refuse(Error error) {
+  refusal_ = error;
+  set_solving(Solving::refused);
+  Q_EMIT frame_changed();
+  Q_EMIT failed(error);
 }
 
 }  // namespace glisson::widgets

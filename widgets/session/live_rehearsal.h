@@ -1,54 +1,128 @@
 #pragma once
-// The rehearsal as the window lives it: a tool is placed off the UI thread, its force and direction change at once.
+// The rehearsal as the window lives it. Tools are placed off the UI thread; force and direction change at once.
+// All that is done is recorded, and any moment of it can be seen again.
+//
+// A tool either spreads its force over a patch (one tool; every answer exact and in a millisecond), or is the rigid
+// thing itself in contact (several tools; rehearsal/session.h).
 
+#include <deque>
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <QElapsedTimer>
 #include <QObject>
+#include <QTimer>
 
-#include "rehearsal/static_rehearsal.h"
 #include "rehearsal/tool_presets.h"
+#include "session/rehearsal_track.h"
 
 namespace glisson::widgets {
+
+enum class Touch { patch, rigid };
+enum class Solving { no_tool, solving, solved, refused };
 
 class LiveRehearsal : public QObject {
   Q_OBJECT
 
  public:
-  explicit LiveRehearsal(QObject* parent = nullptr) : QObject(parent) {}
+  explicit LiveRehearsal(QObject* parent = nullptr);
+  ~LiveRehearsal() override;
 
-  // Starts anew with this body, no tool on it; nullptr for none.
-  void set_body(std::shared_ptr<const rehearsal::StaticRehearsal> body);
+  // Starts anew with this body, no tool on it; nullptr for none. Rigid tools need the setup that it was made from.
+  void set_body(std::shared_ptr<const rehearsal::StaticRehearsal> body,
+                std::shared_ptr<const rehearsal::RehearsalSetup> setup = nullptr);
   [[nodiscard]] const rehearsal::StaticRehearsal* body() const { return body_.get(); }
+  [[nodiscard]] bool knows_rigid_tools() const { return setup_ != nullptr; }
 
-  // Solves for a tool there, on a worker thread, then answers with the present force. A later call supersedes this one.
-  void place_tool(const Eigen::Vector3d& center_mm, double radius_mm);
-  void take_tool_away();
+  // Starts anew: the track of one is no track of the other.
+  void set_touch(Touch touch);
+  [[nodiscard]] Touch touch() const { return touch_; }
+
+  // Puts the tool there. A later call supersedes this one: of several on the way, only the last is solved for.
+  void hold(const ToolInHand& tool);
   void set_force_N(double force_N);
   void set_direction(const Eigen::Vector3d& unit);  // of the force
+  void take_tool_away();                            // the one in hand; another that was kept comes to hand
+  // The tool stays where it is, and the next one held is another. With rigid tools only.
+  void keep_tool();
 
-  [[nodiscard]] bool has_tool() const { return tool_.has_value(); }
-  [[nodiscard]] Eigen::Vector3d tool_center_mm() const { return tool_ ? tool_->center_mm() : Eigen::Vector3d::Zero(); }
-  [[nodiscard]] double tool_radius_mm() const { return tool_ ? tool_->radius_mm() : 0; }
+  // Nothing moves any tool while it is frozen.
+  void set_frozen(bool frozen);
+  [[nodiscard]] bool frozen() const { return frozen_; }
+
+  [[nodiscard]] bool has_tool() const { return !tools().empty(); }
+  // Those of what is shown, the one in hand last.
+  [[nodiscard]] const std::vector<ToolInHand>& tools() const;
+  [[nodiscard]] Eigen::Vector3d tool_center_mm() const;
+  // Of rigid tools, in their order, where they are now; empty otherwise.
+  [[nodiscard]] const std::vector<mechanics::ToolShape>& solids() const { return solids_; }
   [[nodiscard]] double force_N() const { return force_N_; }
   [[nodiscard]] const Eigen::Vector3d& direction() const { return direction_; }
   [[nodiscard]] const std::optional<rehearsal::RehearsalFrame>& frame() const { return frame_; }
 
+  [[nodiscard]] Solving solving() const { return solving_; }
+  // Why the last command was not carried out; the frame is of what was before it.
+  [[nodiscard]] const std::optional<Error>& refusal() const { return refusal_; }
+  [[nodiscard]] int inverted_cells() const { return inverted_cells_; }
+
+  [[nodiscard]] const RehearsalTrack& track() const { return track_; }
+  void clear_track();
+  // Shows a moment of the track, until go_on() or the next command.
+  void show_moment(std::size_t moment);
+  void go_on();
+  [[nodiscard]] std::optional<std::size_t> shown_moment() const { return shown_moment_; }
+
  Q_SIGNALS:
-  void frame_changed();  // frame() is new, or gone
-  void placing();        // a solve has begun
+  void frame_changed();  // frame() is new, or gone; or the tools moved
+  void solving_changed();
+  void track_changed();
   void placed(double solve_ms);
   void failed(const glisson::Error& error);
 
  private:
-  void answer();
+  void solve_for(const ToolInHand& tool);
+  [[nodiscard]] const rehearsal::PlacedTool* remembered(const ToolInHand& tool) const;
+  void answer_now();
+  void show_answer(const rehearsal::PlacedTool& placed, const ToolInHand& tool);
+  void show_contact(const std::shared_ptr<const rehearsal::SessionFrame>& frame);
+  void look_for_contact();
+  void post_tool();
+  void record(std::shared_ptr<const rehearsal::SessionFrame> contact);
+  void set_solving(Solving solving);
+  void refuse(Error error);
+  void start_anew();
+  void change_tool(const std::function<void(ToolInHand&)>& change);
 
   std::shared_ptr<const rehearsal::StaticRehearsal> body_;
-  std::optional<rehearsal::PlacedTool> tool_;
-  std::optional<rehearsal::RehearsalFrame> frame_;
+  std::shared_ptr<const rehearsal::RehearsalSetup> setup_;
+  Touch touch_ = Touch::patch;
+  bool frozen_ = false;
   double force_N_ = 0;
   Eigen::Vector3d direction_{0, -1, 0};
-  int placements_ = 0;  // counts them, so that a superseded one is known when it arrives
+  std::vector<ToolInHand> tools_;  // the one in hand last
+  std::vector<int> numbers_;       // of the tools in the session of rigid ones
+  int next_number_ = 0;
+  bool takes_another_ = false;
+  std::optional<rehearsal::RehearsalFrame> frame_;
+  Solving solving_ = Solving::no_tool;
+  std::optional<Error> refusal_;
+  int inverted_cells_ = 0;
+  std::vector<mechanics::ToolShape> solids_;
+
+  // Answers to the places of late; going back to one costs no solve.
+  std::deque<rehearsal::PlacedTool> placed_;
+  bool is_placing_ = false;
+  std::optional<ToolInHand> to_place_;
+  int body_count_ = 0;  // so that what was solved for another body is known when it arrives
+
+  std::unique_ptr<rehearsal::LiveSession> session_;
+  std::uint64_t session_frame_ = 0;
+  QTimer session_timer_;
+
+  RehearsalTrack track_;
+  QElapsedTimer clock_;
+  std::optional<std::size_t> shown_moment_;
 };
 
 }  // namespace glisson::widgets

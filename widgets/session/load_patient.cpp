@@ -36,6 +36,7 @@ Result<void> prepare_rehearsal(const casefile::Case& from, Patient& patient, con
   patient.evidence = model->evidence;
   rehearsal::RehearsalSetup setup = casefile::rehearsal_setup(*std::move(model));
   for (const PatientStructure& structure : patient.structures) setup.structures.push_back(*structure.surface);
+  patient.rehearsal_setup = std::make_shared<rehearsal::RehearsalSetup>(setup);
   auto rehearsal = rehearsal::StaticRehearsal::create(std::move(setup), progress);
   if (!rehearsal) return failure(rehearsal.error());
   patient.rehearsal = std::make_shared<rehearsal::StaticRehearsal>(*std::move(rehearsal));

@@ -29,10 +29,11 @@ struct Patient {
   std::vector<PatientStructure> structures;          // the liver first
   // Absent until the model was built. Its structures are those above, in their order.
   std::shared_ptr<const rehearsal::StaticRehearsal> rehearsal;
-  std::vector<Sentence> remarks;  // what the last step found worth looking at
-  casefile::Evidence evidence;    // accepted of measurements: in the rehearsal, or said why not
-  double mean_youngs_kPa = 0;     // of the model's cells
-  double atlas_youngs_kPa = 0;    // of its atlas twin
+  std::shared_ptr<const rehearsal::RehearsalSetup> rehearsal_setup;  // what that was made from
+  std::vector<Sentence> remarks;                                     // what the last step found worth looking at
+  casefile::Evidence evidence;  // accepted of measurements: in the rehearsal, or said why not
+  double mean_youngs_kPa = 0;   // of the model's cells
+  double atlas_youngs_kPa = 0;  // of its atlas twin
 };
 
 // A window of grey values that suits most of a volume: from its 1st to its 99th hundredth.

@@ -1,6 +1,6 @@
 #include "views/linked_views.h"
 
-#include <QGridLayout>
+#include <algorithm>
 
 #include "words/worded.h"
 
@@ -10,21 +10,22 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
   slices_ = {new SliceView(SliceDirection::transverse), new SliceView(SliceDirection::coronal),
              new SliceView(SliceDirection::sagittal)};
   space_ = new SpaceView;
+  twin_ = new SpaceView;
+  twin_->setObjectName("twin_view");
   // The accents are those of the crosshair's lines (slice_view.cpp).
   frames_ = {new ViewFrame(QColor(107, 166, 250), slices_[0]), new ViewFrame({}, space_),
-             new ViewFrame(QColor(115, 204, 128), slices_[1]), new ViewFrame(QColor(237, 140, 102), slices_[2])};
-  auto* square = new QGridLayout(this);
-  square->setContentsMargins(0, 0, 0, 0);
-  square->setSpacing(3);
-  square->addWidget(frames_[0], 0, 0);
-  square->addWidget(frames_[1], 0, 1);
-  square->addWidget(frames_[2], 1, 0);
-  square->addWidget(frames_[3], 1, 1);
-  square->setColumnStretch(0, 1);
-  square->setColumnStretch(1, 1);
-  square->setRowStretch(0, 1);
-  square->setRowStretch(1, 1);
+             new ViewFrame(QColor(115, 204, 128), slices_[1]), new ViewFrame(QColor(237, 140, 102), slices_[2]),
+             new ViewFrame({}, twin_)};
+  for (ViewFrame* frame : frames_) frame->setParent(this);
+  grid_ = new QGridLayout(this);
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setSpacing(3);
+  set_layout(ViewLayout::square);
 
+  connect(space_, &SpaceView::camera_changed, twin_, [this] {
+    if (layout_ == ViewLayout::twins) twin_->follow(space_->view().camera());
+  });
+  connect(twin_, &SpaceView::camera_changed, space_, [this] { space_->follow(twin_->view().camera()); });
   for (SliceView* slice : slices_) {
     connect(slice, &SliceView::crosshair_moved, this, [this, slice](const Eigen::Vector3d& position_mm) {
       for (SliceView* other : slices_) {
@@ -50,6 +51,7 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
     frames_[1]->set_name(tr("Patient"));
     frames_[2]->set_name(tr("Coronal"));
     frames_[3]->set_name(tr("Sagittal"));
+    frames_[4]->set_name(tr("Atlas"));
     for (const std::size_t slice : {0, 2, 3}) {
       frames_[slice]->setToolTip(
           tr("Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.\n"
@@ -78,13 +80,69 @@ void LinkedViews::set_crosshair(const Eigen::Vector3d& position_mm) {
 void LinkedViews::redraw() {
   for (SliceView* slice : slices_) slice->redraw();
   space_->redraw();
+  twin_->redraw();
 }
 
 void LinkedViews::toggle_maximised(ViewFrame* frame) {
-  maximised_ = maximised_ == frame ? nullptr : frame;
-  for (ViewFrame* each : frames_) {
-    each->setVisible(maximised_ == nullptr || maximised_ == each);
-    each->show_maximised(maximised_ == each);
+  last_used_ = static_cast<int>(std::find(frames_.begin(), frames_.end(), frame) - frames_.begin());
+  set_layout(layout_ == ViewLayout::one ? before_one_ : ViewLayout::one);
+}
+
+int LinkedViews::frame_in_use() const {
+  for (int k = 0; k < static_cast<int>(frames_.size()); ++k) {
+    if (frames_[static_cast<std::size_t>(k)]->isAncestorOf(focusWidget())) return k;
+  }
+  return last_used_;
+}
+
+void LinkedViews::show_twin(bool shown) {
+  if (shown == (layout_ == ViewLayout::twins)) return;
+  if (shown) before_twins_ = layout_;
+  set_layout(shown ? ViewLayout::twins : before_twins_);
+}
+
+void LinkedViews::set_layout(ViewLayout layout) {
+  if (layout == ViewLayout::one && layout_ != ViewLayout::one) {
+    before_one_ = layout_;
+    if (focusWidget() != nullptr) last_used_ = frame_in_use();
+  }
+  layout_ = layout;
+  // Which frame, its row and column, and how many of them it spans.
+  switch (layout) {
+    case ViewLayout::square:
+      arrange({{0, 0, 0, 1, 1}, {1, 0, 1, 1, 1}, {2, 1, 0, 1, 1}, {3, 1, 1, 1, 1}}, {1, 1}, {1, 1});
+      break;
+    case ViewLayout::space_large:
+      arrange({{1, 0, 0, 3, 1}, {0, 0, 1, 1, 1}, {2, 1, 1, 1, 1}, {3, 2, 1, 1, 1}}, {1, 1, 1}, {5, 2});
+      break;
+    case ViewLayout::slices_in_a_row:
+      arrange({{0, 0, 0, 1, 1}, {2, 0, 1, 1, 1}, {3, 0, 2, 1, 1}}, {1}, {1, 1, 1});
+      break;
+    case ViewLayout::one: arrange({{last_used_, 0, 0, 1, 1}}, {1}, {1}); break;
+    case ViewLayout::twins: arrange({{1, 0, 0, 1, 1}, {4, 0, 1, 1, 1}}, {1}, {1, 1}); break;
+  }
+  Q_EMIT layout_changed();
+}
+
+void LinkedViews::arrange(const std::vector<std::array<int, 5>>& places, const std::vector<int>& row_stretches,
+                          const std::vector<int>& column_stretches) {
+  for (ViewFrame* frame : frames_) grid_->removeWidget(frame);
+  for (int k = 0; k < 3; ++k) {
+    const auto stretch = [k](const std::vector<int>& all) {
+      return k < static_cast<int>(all.size()) ? all[static_cast<std::size_t>(k)] : 0;
+    };
+    grid_->setRowStretch(k, stretch(row_stretches));
+    grid_->setColumnStretch(k, stretch(column_stretches));
+  }
+  for (int k = 0; k < static_cast<int>(frames_.size()); ++k) {
+    ViewFrame* frame = frames_[static_cast<std::size_t>(k)];
+    const auto place = std::find_if(places.begin(), places.end(), [k](const auto& wanted) { return wanted[0] == k; });
+    if (place != places.end()) {
+      const auto& [which, row, column, rows, columns] = *place;
+      grid_->addWidget(frame, row, column, rows, columns);
+      frame->show_maximised(layout_ == ViewLayout::one);
+    }
+    frame->setVisible(place != places.end());
   }
 }
 

@@ -1,14 +1,19 @@
 #pragma once
-// Three slices through one point, and the patient in space: four views in a square, any of which can fill it.
+// Three slices through one point, and the patient in space: four views in a square, or laid out otherwise, any of which
+// can fill it. A second view in space, the twin, turns with the first when two bodies are compared.
 
 #include <array>
+#include <QGridLayout>
 #include <QWidget>
+#include <vector>
 
 #include "views/slice_view.h"
 #include "views/space_view.h"
 #include "views/view_frame.h"
 
 namespace glisson::widgets {
+
+enum class ViewLayout { square, space_large, slices_in_a_row, one, twins };
 
 class LinkedViews : public QWidget {
   Q_OBJECT
@@ -17,6 +22,7 @@ class LinkedViews : public QWidget {
   explicit LinkedViews(QWidget* parent = nullptr);
 
   [[nodiscard]] SpaceView& space() { return *space_; }
+  [[nodiscard]] SpaceView& twin() { return *twin_; }
   [[nodiscard]] SliceView& slice(SliceDirection direction) { return *slices_[static_cast<std::size_t>(direction)]; }
   [[nodiscard]] const std::array<SliceView*, 3>& slices() const { return slices_; }
 
@@ -25,16 +31,31 @@ class LinkedViews : public QWidget {
   [[nodiscard]] const Eigen::Vector3d& crosshair_mm() const { return slices_[0]->crosshair_mm(); }
   void redraw();
 
+  // One: the view that was used last.
+  void set_layout(ViewLayout layout);
+  [[nodiscard]] ViewLayout view_layout() const { return layout_; }
+  // Two views in space beside each other, or the layout of before.
+  void show_twin(bool shown);
+
  Q_SIGNALS:
   void crosshair_moved(const Eigen::Vector3d& position_mm);
+  void layout_changed();
 
  private:
   void toggle_maximised(ViewFrame* frame);
+  void arrange(const std::vector<std::array<int, 5>>& places, const std::vector<int>& row_stretches,
+               const std::vector<int>& column_stretches);
+  [[nodiscard]] int frame_in_use() const;
 
   std::array<SliceView*, 3> slices_{};
   SpaceView* space_ = nullptr;
-  std::array<ViewFrame*, 4> frames_{};
-  ViewFrame* maximised_ = nullptr;
+  SpaceView* twin_ = nullptr;
+  std::array<ViewFrame*, 5> frames_{};  // transverse, space, coronal, sagittal, twin
+  QGridLayout* grid_ = nullptr;
+  ViewLayout layout_ = ViewLayout::square;
+  ViewLayout before_one_ = ViewLayout::square;
+  ViewLayout before_twins_ = ViewLayout::square;
+  int last_used_ = 1;
 };
 
 }  // namespace glisson::widgets

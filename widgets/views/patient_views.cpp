@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Geometry>
 #include <QRegularExpression>
 
 #include "scene/anatomy.h"
@@ -10,11 +11,14 @@
 namespace glisson::widgets {
 namespace {
 
+constexpr double shortest_arrow_mm = 18;
+constexpr double arrow_mm_per_N = 7;
 constexpr const char* distance_field = "displacement_mm";
 constexpr scene::Colour red{1.0, 0.10, 0.10};
 constexpr scene::Colour blue{0.12, 0.22, 1.0};
 constexpr scene::Colour purple{0.80, 0.20, 0.90};
 constexpr scene::Colour tool_colour{0.20, 0.83, 0.85};
+constexpr scene::Colour tool_steel{0.72, 0.76, 0.80};
 constexpr scene::Colour calm{0.90, 0.93, 0.96};
 constexpr scene::Colour amber{1.0, 0.72, 0.20};
 
@@ -48,6 +52,9 @@ Eigen::Vector3d moved_with(const std::vector<Eigen::Vector3d>& rest_mm, const st
 
 }  // namespace
 
+double arrow_length_mm(double force_N) { return shortest_arrow_mm + arrow_mm_per_N * force_N; }
+double arrow_force_N(double length_mm) { return std::max(0.0, (length_mm - shortest_arrow_mm) / arrow_mm_per_N); }
+
 PatientViews::PatientViews(LinkedViews& views, QObject* parent) : QObject(parent), views_(views) {}
 
 void PatientViews::show_patient(const Patient& patient) {
@@ -58,7 +65,7 @@ void PatientViews::show_patient(const Patient& patient) {
   hidden_.clear();
   workspace_.reset();
   frame_.reset();
-  tool_.reset();
+  tools_.clear();
   patient_body_.clear();
   atlas_body_.clear();
   for (const PatientStructure& structure : patient.structures) {
@@ -71,14 +78,15 @@ void PatientViews::show_patient(const Patient& patient) {
     const imaging::Grid& grid = patient.anatomy->grid;
     views_.set_crosshair(grid.position_mm(Eigen::Vector3d(grid.size[0], grid.size[1], grid.size[2]) * 0.5));
   }
+  views_.show_twin(false);
   rebuild_slices();
   rebuild_space();
   views_.space().frame_all();
 }
 
-void PatientViews::show_frame(const rehearsal::RehearsalFrame* frame, const ToolInView* tool) {
+void PatientViews::show_frame(const rehearsal::RehearsalFrame* frame, const std::vector<ToolInView>& tools) {
   frame_ = frame != nullptr ? std::optional(*frame) : std::nullopt;
-  tool_ = tool != nullptr ? std::optional(*tool) : std::nullopt;
+  tools_ = tools;
   const double largest_mm = frame_ ? frame_->patient.max_displacement_mm : 0;
   if (liver_colour_ == LiverColour::displacement &&
       (largest_mm > colour_range_mm_ || largest_mm < 0.2 * colour_range_mm_) &&
@@ -92,8 +100,38 @@ void PatientViews::show_frame(const rehearsal::RehearsalFrame* frame, const Tool
 
 void PatientViews::set_bodies(Bodies bodies) {
   bodies_ = bodies;
+  views_.show_twin(bodies == Bodies::side_by_side);
   rebuild_slices();
   rebuild_space();
+}
+
+void PatientViews::set_tool_movable(bool movable) {
+  tool_movable_ = movable;
+  apply_frame();
+}
+
+std::optional<PatientViews::PlaceOnLiver> PatientViews::place_on_liver(const scene::View::Pick& pick) const {
+  const bool liver = !patient_body_.empty() && (pick.surface == patient_body_[0] || pick.surface == atlas_body_[0]);
+  if (!liver) return std::nullopt;
+  const auto& rest_mm = patient_.structures.front().surface->points_mm;
+  std::array<Eigen::Vector3d, 3> corners_mm;
+  for (std::size_t k = 0; k < 3; ++k) corners_mm[k] = rest_mm[static_cast<std::size_t>(pick.corners[k])];
+  return PlaceOnLiver{
+      pick.weights[0] * corners_mm[0] + pick.weights[1] * corners_mm[1] + pick.weights[2] * corners_mm[2],
+      (corners_mm[1] - corners_mm[0]).cross(corners_mm[2] - corners_mm[0]).normalized()};
+}
+
+std::optional<PatientViews::PlaceOnLiver> PatientViews::nearest_on_liver(const Eigen::Vector3d& position_mm) const {
+  if (patient_.structures.empty()) return std::nullopt;
+  const geometry::Surface& liver = *patient_.structures.front().surface;
+  std::optional<PlaceOnLiver> nearest;
+  for (const auto& triangle : liver.triangles) {
+    const auto corner = [&](std::size_t k) { return liver.points_mm[static_cast<std::size_t>(triangle[k])]; };
+    const Eigen::Vector3d middle_mm = (corner(0) + corner(1) + corner(2)) / 3;
+    if (nearest && (middle_mm - position_mm).norm() >= (nearest->at_rest_mm - position_mm).norm()) continue;
+    nearest = {middle_mm, (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized()};
+  }
+  return nearest;
 }
 
 void PatientViews::set_liver_colour(LiverColour colour) {
@@ -138,11 +176,11 @@ void PatientViews::set_marked_landmark(const std::string& id) {
   apply_frame();
 }
 
-scene::SurfaceItem PatientViews::item(std::size_t structure, const Body& body) const {
+scene::SurfaceItem PatientViews::item(std::size_t structure, const Body& body, Bodies bodies) const {
   const std::string& name = patient_.structures[structure].name;
   const scene::Appearance look = scene::appearance_of(name);
   scene::SurfaceItem item{name, body[structure], look.colour, look.opacity, look.finish, {}};
-  if (bodies_ == Bodies::both) {
+  if (bodies == Bodies::both) {
     item.colour = &body == &atlas_body_ ? red : blue;
     item.opacity = structure == 0 ? 0.45 : 0.8;
     item.finish = scene::Finish::light;
@@ -155,12 +193,28 @@ scene::SurfaceItem PatientViews::item(std::size_t structure, const Body& body) c
 }
 
 void PatientViews::rebuild_space() {
+  if (bodies_ == Bodies::side_by_side) {
+    scene::Scene patient = space_scene(Bodies::patient);
+    patient.furniture.title = tr("The patient's own stiffness").toStdString();
+    scene::Scene atlas = space_scene(Bodies::atlas);
+    atlas.furniture.title = tr("One stiffness from the atlas").toStdString();
+    for (scene::Scene* each : {&patient, &atlas}) each->furniture.text_scale = 0.8;
+    views_.space().show_scene(patient);
+    views_.twin().show_scene(atlas);
+    views_.twin().follow(views_.space().view().camera());
+  } else {
+    views_.space().show_scene(space_scene(bodies_));
+  }
+  apply_frame();
+}
+
+scene::Scene PatientViews::space_scene(Bodies bodies) const {
   scene::Scene scene;
   const bool in_space = !workspace_ || workspace_->patient != WorkspaceScene::Patient::at_rest_in_slices_only;
   for (std::size_t k = 0; in_space && k < patient_.structures.size(); ++k) {
     if (hidden_.count(patient_.structures[k].name) != 0) continue;
-    if (shows(Bodies::atlas)) scene.surfaces.push_back(item(k, atlas_body_));
-    if (shows(Bodies::patient)) scene.surfaces.push_back(item(k, patient_body_));
+    if (bodies != Bodies::patient) scene.surfaces.push_back(item(k, atlas_body_, bodies));
+    if (bodies != Bodies::atlas) scene.surfaces.push_back(item(k, patient_body_, bodies));
   }
   if (workspace_) {
     for (const scene::SurfaceItem& surface : workspace_->surfaces) {
@@ -173,14 +227,13 @@ void PatientViews::rebuild_space() {
   // The first clause: the whole sentence stands above the views.
   static const QRegularExpression end_of_clause("[:,]");
   scene.furniture.warning = told(patient_.origin).section(end_of_clause, 0, 0).toStdString();
-  if (bodies_ == Bodies::both) {
+  if (bodies == Bodies::both) {
     scene.furniture.key = {{red, tr("Red: one stiffness from the atlas").toStdString()},
                            {blue, tr("Blue: the patient's own stiffness").toStdString()},
                            {purple, tr("Purple: both agree").toStdString()}};
   }
   if (workspace_) scene.furniture.key.insert(scene.furniture.key.end(), workspace_->key.begin(), workspace_->key.end());
-  views_.space().show_scene(scene);
-  apply_frame();
+  return scene;
 }
 
 void PatientViews::rebuild_slices() {
@@ -201,12 +254,8 @@ void PatientViews::rebuild_slices() {
     const scene::Colour colour = scene::appearance_of(structure.name).colour;
     // The rest shape stays as a faint line, so that the movement can be read off.
     content.cuts.push_back({structure.surface, {0.45 * colour.red, 0.45 * colour.green, 0.45 * colour.blue}, 1.0});
-    if (shows(Bodies::atlas)) {
-      content.cuts.push_back({atlas_body_[k], bodies_ == Bodies::both ? red : colour, 1.6});
-    }
-    if (shows(Bodies::patient)) {
-      content.cuts.push_back({patient_body_[k], bodies_ == Bodies::both ? blue : colour, 1.6});
-    }
+    if (cuts(Bodies::atlas)) content.cuts.push_back({atlas_body_[k], has_both() ? red : colour, 1.6});
+    if (cuts(Bodies::patient)) content.cuts.push_back({patient_body_[k], has_both() ? blue : colour, 1.6});
   }
   if (workspace_) content.cuts.insert(content.cuts.end(), workspace_->cuts.begin(), workspace_->cuts.end());
   views_.show_slices(content);
@@ -221,8 +270,13 @@ void PatientViews::apply_frame() {
   move_body(patient_body_, own);
   move_body(atlas_body_, atlas);
 
+  draw_marks(views_.space(), bodies_ == Bodies::atlas && atlas != nullptr ? atlas : own);
+  if (bodies_ == Bodies::side_by_side) draw_marks(views_.twin(), atlas != nullptr ? atlas : own);
+  views_.redraw();
+}
+
+void PatientViews::draw_marks(SpaceView& space, const rehearsal::RehearsalBody* shown) {
   std::vector<scene::LandmarkItem> landmarks;
-  const rehearsal::RehearsalBody* shown = bodies_ == Bodies::atlas && atlas != nullptr ? atlas : own;
   if (shown != nullptr) {
     for (const auto& landmark : shown->landmarks) {
       const bool named = landmark.id == marked_landmark_ || landmark.id.starts_with("tumour");
@@ -233,23 +287,28 @@ void PatientViews::apply_frame() {
     }
   }
   std::vector<scene::ArrowItem> arrows;
-  if (tool_ && !at_rest()) {
-    // Its length tells the force, within what fits the picture.
-    const double length_mm = std::clamp(10 * tool_->force_N, 25.0, 70.0);
-    Eigen::Vector3d at_mm = tool_->center_mm;
+  std::vector<scene::RodItem> rods;
+  std::optional<SpaceView::Grips> grips;
+  for (const ToolInView& tool : at_rest() ? std::vector<ToolInView>() : tools_) {
+    Eigen::Vector3d at_mm = tool.center_mm;
     if (shown != nullptr && !shown->structures_mm.empty()) {
       at_mm = moved_with(patient_body_.front()->points_mm, shown->structures_mm.front(), at_mm);
     }
-    arrows.push_back({at_mm - length_mm * tool_->direction, at_mm, 3.2, tool_colour,
-                      tr("%1 N").arg(tool_->force_N, 0, 'f', 1).toStdString()});
+    const Eigen::Vector3d reach_mm = arrow_length_mm(tool.force_N) * tool.direction;
+    const Eigen::Vector3d free_end_mm = at_mm + (tool.pulls ? reach_mm : Eigen::Vector3d(-reach_mm));
+    arrows.push_back({tool.pulls ? at_mm : free_end_mm, tool.pulls ? free_end_mm : at_mm, 3.2, tool_colour,
+                      tr("%1 N").arg(tool.force_N, 0, 'f', 1).toStdString()});
+    for (const mechanics::Rod& rod : tool.rods) rods.push_back({rod.from_mm, rod.to_mm, rod.radius_mm, tool_steel});
+    if (tool_movable_) grips = SpaceView::Grips{at_mm, free_end_mm};
   }
   if (workspace_) {
     landmarks.insert(landmarks.end(), workspace_->marks.begin(), workspace_->marks.end());
     arrows.insert(arrows.end(), workspace_->arrows.begin(), workspace_->arrows.end());
   }
-  views_.space().view().set_landmarks(landmarks);
-  views_.space().view().set_arrows(arrows);
-  views_.redraw();
+  space.set_grips(grips);
+  space.view().set_landmarks(landmarks);
+  space.view().set_arrows(arrows);
+  space.view().set_rods(rods);
 }
 
 void PatientViews::move_body(const Body& body, const rehearsal::RehearsalBody* displaced) {
@@ -257,13 +316,12 @@ void PatientViews::move_body(const Body& body, const rehearsal::RehearsalBody* d
     const bool moved = displaced != nullptr && k < displaced->structures_mm.size();
     const auto& rest_mm = body[k]->points_mm;
     const auto& points_mm = moved ? displaced->structures_mm[k] : rest_mm;
-    scene::View& space = views_.space().view();
-    space.move_surface(body[k], points_mm);
+    for (SpaceView* space : {&views_.space(), &views_.twin()}) space->view().move_surface(body[k], points_mm);
     for (SliceView* slice : views_.slices()) slice->view().move_surface(body[k], points_mm);
     if (k != 0 || liver_colour_ != LiverColour::displacement || bodies_ == Bodies::both) continue;
     std::vector<double> distance_mm(points_mm.size());
     for (std::size_t p = 0; p < distance_mm.size(); ++p) distance_mm[p] = (points_mm[p] - rest_mm[p]).norm();
-    space.recolour_surface(body[k], distance_mm);
+    for (SpaceView* space : {&views_.space(), &views_.twin()}) space->view().recolour_surface(body[k], distance_mm);
   }
 }
 

@@ -12,14 +12,16 @@
 
 namespace glisson::widgets {
 
-enum class Bodies { patient, atlas, both };
+enum class Bodies { patient, atlas, both, side_by_side };
 enum class LiverColour { tissue, displacement };
 enum class SliceImage { anatomy, stiffness };
 
 struct ToolInView {
-  Eigen::Vector3d center_mm{0, 0, 0};
+  Eigen::Vector3d center_mm{0, 0, 0};  // on the liver at rest
   Eigen::Vector3d direction{0, -1, 0};
   double force_N = 0;
+  bool pulls = false;                // the arrow leaves the liver there; otherwise it ends there
+  std::vector<mechanics::Rod> rods;  // the solid tool, where it is now; none where it is but a patch
 };
 
 // What a workspace shows in the views besides the patient, or in its place, as long as it is at work.
@@ -33,6 +35,10 @@ struct WorkspaceScene {
   std::vector<scene::KeyEntry> key;          // of the view in space
 };
 
+// The arrow is longer the larger the force: 18 mm and 7 mm more a newton, whatever the zoom.
+[[nodiscard]] double arrow_length_mm(double force_N);
+[[nodiscard]] double arrow_force_N(double length_mm);
+
 class PatientViews : public QObject {
   Q_OBJECT
 
@@ -40,8 +46,19 @@ class PatientViews : public QObject {
   explicit PatientViews(LinkedViews& views, QObject* parent = nullptr);
 
   void show_patient(const Patient& patient);
-  // At rest without a frame. The tool is drawn where the tissue under it is now.
-  void show_frame(const rehearsal::RehearsalFrame* frame, const ToolInView* tool);
+  // At rest without a frame. Tools are drawn where the tissue under them is now; the last one is in hand.
+  void show_frame(const rehearsal::RehearsalFrame* frame, const std::vector<ToolInView>& tools);
+  // Whether the tool in hand can be dragged by its arrow.
+  void set_tool_movable(bool movable);
+
+  struct PlaceOnLiver {
+    Eigen::Vector3d at_rest_mm{0, 0, 0};
+    Eigen::Vector3d outward{0, -1, 0};  // unit, at rest
+  };
+  // What was picked, where it is at rest; nothing where it is not the liver.
+  [[nodiscard]] std::optional<PlaceOnLiver> place_on_liver(const scene::View::Pick& pick) const;
+  // The place of the liver's surface that is nearest to a position; nothing without a liver.
+  [[nodiscard]] std::optional<PlaceOnLiver> nearest_on_liver(const Eigen::Vector3d& position_mm) const;
 
   void set_bodies(Bodies bodies);
   void set_liver_colour(LiverColour colour);
@@ -63,19 +80,23 @@ class PatientViews : public QObject {
   using Body = std::vector<std::shared_ptr<const geometry::Surface>>;
 
   void rebuild_space();
+  [[nodiscard]] scene::Scene space_scene(Bodies bodies) const;
+  void draw_marks(SpaceView& space, const rehearsal::RehearsalBody* shown);
   void rebuild_slices();
   void apply_frame();
   void move_body(const Body& body, const rehearsal::RehearsalBody* displaced);
-  [[nodiscard]] scene::SurfaceItem item(std::size_t structure, const Body& body) const;
+  [[nodiscard]] scene::SurfaceItem item(std::size_t structure, const Body& body, Bodies bodies) const;
   [[nodiscard]] bool at_rest() const;
-  [[nodiscard]] bool shows(Bodies body) const { return bodies_ == Bodies::both || bodies_ == body; }
+  [[nodiscard]] bool cuts(Bodies body) const { return bodies_ == body || has_both(); }
+  [[nodiscard]] bool has_both() const { return bodies_ == Bodies::both || bodies_ == Bodies::side_by_side; }
 
   LinkedViews& views_;
   Patient patient_;
   Body patient_body_;
   Body atlas_body_;
   std::optional<rehearsal::RehearsalFrame> frame_;
-  std::optional<ToolInView> tool_;
+  std::vector<ToolInView> tools_;
+  bool tool_movable_ = false;
   Bodies bodies_ = Bodies::patient;
   LiverColour liver_colour_ = LiverColour::tissue;
   SliceImage slice_image_ = SliceImage::anatomy;

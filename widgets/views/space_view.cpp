@@ -10,6 +10,7 @@ namespace {
 
 constexpr double degrees_per_pixel = 0.4;
 constexpr double click_slack_px = 4;
+constexpr double grip_reach_px = 14;
 // From the whole body down to a small vessel.
 constexpr double least_visible_mm = 5;
 constexpr double most_visible_mm = 3000;
@@ -17,6 +18,35 @@ constexpr double most_visible_mm = 3000;
 }  // namespace
 
 SpaceView::SpaceView(QWidget* parent) : RenderWidget(parent) { setObjectName("space_view"); }
+
+void SpaceView::follow(const scene::Camera& camera) {
+  keeps_all_in_view_ = false;
+  view().set_camera(camera);
+  redraw();
+}
+
+void SpaceView::set_grips(const std::optional<Grips>& grips) { grips_ = grips; }
+
+SpaceView::Grip SpaceView::grip_at(const QPointF& position) const {
+  if (!grips_) return Grip::none;
+  const QPointF at = device_position(position);
+  const auto away_px = [&](const Eigen::Vector3d& place_mm) {
+    return (view().pixel_of(place_mm) - Eigen::Vector2d(at.x(), at.y())).norm() / devicePixelRatioF();
+  };
+  const double from_touch = away_px(grips_->touch_mm);
+  const double from_free_end = away_px(grips_->free_end_mm);
+  if (std::min(from_touch, from_free_end) > grip_reach_px) return Grip::none;
+  return from_touch <= from_free_end ? Grip::touch : Grip::free_end;
+}
+
+void SpaceView::drag_grip(const QPointF& position) {
+  const QPointF at = device_position(position);
+  if (held_ == Grip::touch) {
+    if (const auto pick = view().pick(at.x(), at.y())) Q_EMIT touch_dragged(*pick);
+  } else {
+    Q_EMIT free_end_dragged(view().position_beside(at_press_.free_end_mm, at.x(), at.y()), at_press_.touch_mm);
+  }
+}
 
 void SpaceView::look_from(scene::PatientView side) {
   view().set_camera(scene::fit(scene_, side, static_cast<double>(std::max(1, width())) / std::max(1, height())));
@@ -49,14 +79,30 @@ void SpaceView::camera_moved_by_hand() {
 void SpaceView::mousePressEvent(QMouseEvent* event) {
   pressed_at_ = last_ = event->position();
   dragged_ = false;
+  held_ = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier ? grip_at(event->position())
+                                                                                    : Grip::none;
+  if (grips_) at_press_ = *grips_;
 }
 
 void SpaceView::mouseMoveEvent(QMouseEvent* event) {
-  if (event->buttons() == Qt::NoButton) return;
+  if (event->buttons() == Qt::NoButton) {
+    if (grips_) {
+      if (grip_at(event->position()) != Grip::none) {
+        setCursor(Qt::PointingHandCursor);
+      } else if (cursor().shape() == Qt::PointingHandCursor) {
+        unsetCursor();
+      }
+    }
+    return;
+  }
   const QPointF moved = event->position() - last_;
   if ((event->position() - pressed_at_).manhattanLength() < click_slack_px && !dragged_) return;
   dragged_ = true;
   last_ = event->position();
+  if (held_ != Grip::none) {
+    drag_grip(event->position());
+    return;
+  }
   const bool shifts = (event->buttons() & Qt::MiddleButton) != 0 || (event->modifiers() & Qt::ShiftModifier) != 0;
   if (shifts) {
     view().set_camera(scene::shifted(view().camera(), moved.x() * mm_per_pixel(), -moved.y() * mm_per_pixel()));
@@ -69,6 +115,10 @@ void SpaceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SpaceView::mouseReleaseEvent(QMouseEvent* event) {
+  if (held_ != Grip::none) {
+    held_ = Grip::none;
+    if (dragged_) Q_EMIT grip_released();
+  }
   if (dragged_ || event->button() != Qt::LeftButton) return;
   const QPointF at = device_position(event->position());
   if (const auto pick = view().pick(at.x(), at.y())) Q_EMIT clicked(*pick);

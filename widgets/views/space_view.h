@@ -1,7 +1,8 @@
 #pragma once
 // The patient in space: turn with the left button, shift with the middle one (or Shift and left), zoom with the wheel
-// or the right button; a click without a drag picks what is under it.
+// or the right button; a click without a drag picks what is under it. A tool in it is moved by its ends.
 
+#include <optional>
 #include <QPointF>
 
 #include "vtk/render_widget.h"
@@ -20,10 +21,23 @@ class SpaceView : public RenderWidget {
   void show_scene(const scene::Scene& scene);
   // Keeps everything in view, from the surgeon's side, until the person moves the camera.
   void frame_all();
+  // As the other view of the same patient looks; says nothing of it.
+  void follow(const scene::Camera& camera);
+
+  // The ends of a tool's arrow, which can be dragged: the one that touches slides over what is under the mouse, the
+  // free one moves in parallel with the picture.
+  struct Grips {
+    Eigen::Vector3d touch_mm{0, 0, 0};
+    Eigen::Vector3d free_end_mm{0, 0, 0};
+  };
+  void set_grips(const std::optional<Grips>& grips);
 
  Q_SIGNALS:
   void clicked(const glisson::scene::View::Pick& pick);
   void camera_changed();
+  void touch_dragged(const glisson::scene::View::Pick& over);
+  void free_end_dragged(const Eigen::Vector3d& to_mm, const Eigen::Vector3d& touch_mm);
+  void grip_released();
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;
@@ -33,6 +47,10 @@ class SpaceView : public RenderWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  enum class Grip { none, touch, free_end };
+
+  [[nodiscard]] Grip grip_at(const QPointF& position) const;
+  void drag_grip(const QPointF& position);
   void zoom(double factor);
   void camera_moved_by_hand();
 
@@ -40,6 +58,9 @@ class SpaceView : public RenderWidget {
   QPointF pressed_at_;
   QPointF last_;
   bool dragged_ = false;
+  std::optional<Grips> grips_;
+  Grips at_press_;  // tissue yields under a drag; measured from where it is then, the force would run away
+  Grip held_ = Grip::none;
   bool keeps_all_in_view_ = false;
 };
 

@@ -1,0 +1,264 @@
+// The Rehearse workspace under the hand: the tool dragged in space by its ends, frozen, seen again, filmed; two bodies
+// beside each other; rigid tools in contact.
+//
+// The body is the block of block_patient.h, 120 x 80 x 80 mm, held at its left end.
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QtTest>
+
+#include "base/files.h"
+#include "block_patient.h"
+#include "main_window.h"
+#include "run_test.h"
+#include "support/shapes.h"
+#include "vision/frame.h"
+
+namespace glisson::widgets {
+namespace {
+
+constexpr int patience_ms = 30000;  // for solves on a machine that does other work too
+
+class RehearseTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1400, 950);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  }
+
+  // Each begins with a probe in the middle of the free end, pushing with 1 N.
+  void init() {
+    window_->show_patient(block_patient(
+        {6, 4, 4}, {{"tumour-1", {100, 40, 40}}, {"hilum", {8, 40, 40}}},
+        {{"tumour-1", std::make_shared<geometry::Surface>(test::sphere_surface(10, 2, {100, 40, 40})), 4.2}}));
+    window_->go_to("rehearse");
+    space().look_from(scene::PatientView::surgeon);
+    QSignalSpy placed(&rehearsal(), &LiveRehearsal::placed);
+    rehearsal().hold({"palpation-probe", {120, 40, 40}, {1, 0, 0}, 15, {-1, 0, 0}, 1.0});
+    QVERIFY(placed.wait(patience_ms));
+    look_at_free_end();
+    QTest::qWait(50);
+  }
+
+  void the_tool_follows_the_surface_under_the_mouse() {
+    rehearsal().set_force_N(0.05);  // so that the place under the mouse is hardly elsewhere than at rest
+    drag(pixel_of(touched_mm()), pixel_of({120, 55, 50}));
+    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
+    const Eigen::Vector3d at_mm = rehearsal().tool_center_mm();
+    QVERIFY(std::abs(at_mm.x() - 120) < 1e-6);
+    QVERIFY((at_mm - Eigen::Vector3d(120, 55, 50)).norm() < 2.5);
+    QVERIFY(rehearsal().frame().has_value());
+  }
+
+  void dragging_the_arrow_changes_force_and_direction() {
+    // The push comes from the left of the patient; its free end is out there.
+    const double length_mm = arrow_length_mm(1.0);
+    const Eigen::Vector3d touch_mm = touched_mm();
+    const Eigen::Vector3d free_end_mm = touch_mm + length_mm * Eigen::Vector3d(1, 0, 0);
+    const Eigen::Vector3d wanted_mm = touch_mm + arrow_length_mm(2.0) * Eigen::Vector3d(0.8, 0, 0.6);
+    // In parallel with the picture: look along y, so that x and z are what the drag changes.
+    space().look_from(scene::PatientView::anterior);
+    QTest::qWait(50);
+    drag(pixel_of(free_end_mm), pixel_of(wanted_mm));
+    QVERIFY2(std::abs(rehearsal().force_N() - 2.0) < 0.25, qPrintable(QString::number(rehearsal().force_N())));
+    QVERIFY((rehearsal().direction() - Eigen::Vector3d(-0.8, 0, -0.6)).norm() < 0.12);
+    QVERIFY(std::abs(child<QDoubleSpinBox>("force")->value() - rehearsal().force_N()) < 0.051);
+    QCOMPARE(child<QComboBox>("direction")->currentText(), "As the arrow was dragged");
+  }
+
+  void nothing_moves_the_tool_while_it_is_frozen() {
+    QTest::mouseClick(child<QPushButton>("freeze"), Qt::LeftButton);
+    QVERIFY(rehearsal().frozen());
+    const Eigen::Vector3d before_mm = rehearsal().tool_center_mm();
+    drag(pixel_of({120, 40, 40}), pixel_of({120, 60, 50}));
+    QVERIFY((rehearsal().tool_center_mm() - before_mm).norm() < 1e-12);
+    QVERIFY(!child<QDoubleSpinBox>("force")->isEnabled());
+    QTest::mouseClick(child<QPushButton>("freeze"), Qt::LeftButton);
+    QVERIFY(child<QDoubleSpinBox>("force")->isEnabled());
+  }
+
+  void any_moment_is_seen_again_to_the_bit() {
+    std::vector<std::vector<Eigen::Vector3d>> shapes;
+    for (const double force_N : {1.0, 1.5, 2.5}) {
+      rehearsal().set_force_N(force_N);
+      shapes.push_back(rehearsal().frame()->patient.surface_mm);
+      QTest::qWait(120);
+    }
+    const auto& moments = rehearsal().track().moments();
+    QCOMPARE(moments.size(), std::size_t{3});
+    QVERIFY(moments[2].time_s > moments[1].time_s);
+    // By keys on the slider, back to the beginning.
+    auto* time = child<QSlider>("time");
+    time->setFocus();
+    QTest::keyClick(time, Qt::Key_Home);
+    QCOMPARE(rehearsal().shown_moment(), std::optional<std::size_t>(0));
+    QVERIFY(rehearsal().frame()->patient.surface_mm == shapes[0]);
+    QVERIFY(child<QLabel>("track_clock")->text().startsWith("0.0 of"));
+    QTest::keyClick(time, Qt::Key_End);
+    QVERIFY(!rehearsal().shown_moment());
+    QVERIFY(rehearsal().frame()->patient.surface_mm == shapes[2]);
+    // Play runs through it in its own time and ends with now.
+    QTest::mouseClick(child<QPushButton>("play"), Qt::LeftButton);
+    QTRY_VERIFY(rehearsal().shown_moment().has_value());
+    QTRY_VERIFY_WITH_TIMEOUT(!rehearsal().shown_moment(), patience_ms);
+    QVERIFY(!child<QPushButton>("play")->isChecked());
+  }
+
+  void films_what_the_view_shows() {
+    for (const double force_N : {1.0, 2.0, 3.0}) {
+      rehearsal().set_force_N(force_N);
+      QTest::qWait(100);
+    }
+    const TemporaryFolder folder;
+    const double length_s = rehearsal().track().length_s();
+    child<QWidget>("panel");
+    auto* panel = window_->findChild<RehearsePanel*>();
+    QSignalSpy told(panel, &RehearsePanel::said);
+    panel->track().make_movie(folder.path() / "rehearsal.mp4");
+    QVERIFY(told.wait(patience_ms));
+    auto movie = vision::FrameSource::open(folder.path() / "rehearsal.mp4").value();
+    int frames = 0;
+    std::optional<vision::Frame> first, last;
+    while (auto frame = movie.next().value()) {
+      if (frames++ == 0) first = frame;
+      last = frame;
+    }
+    QVERIFY(std::abs(frames - MovieMaker::frames_per_second * (length_s + 0.5)) < 2.5);
+    QVERIFY(first->rgb != last->rgb);
+    QVERIFY(std::abs(last->width - space().width()) <= 1);
+  }
+
+  void two_bodies_turn_together() {
+    QPushButton* beside = nullptr;
+    for (QPushButton* button : window_->findChildren<QPushButton*>()) {
+      if (button->text() == "Side by side") beside = button;
+    }
+    QVERIFY(beside != nullptr);
+    QTest::mouseClick(beside, Qt::LeftButton);
+    SpaceView& twin = window_->views().twin();
+    QTRY_VERIFY(twin.isVisible());
+    QTest::qWait(100);
+    for (SpaceView* by_hand : {&space(), &twin}) {
+      const QPoint corner(20, 60);
+      drag_in(*by_hand, corner, corner + QPoint(50, 20));
+      QVERIFY((space().view().camera().sight - twin.view().camera().sight).norm() < 1e-12);
+    }
+    // The atlas is twice as stiff, so the two pictures differ.
+    QTest::qWait(100);
+    QVERIFY(space().grabFramebuffer() != twin.grabFramebuffer());
+    for (QPushButton* button : window_->findChildren<QPushButton*>()) {
+      if (button->text() == "Patient") QTest::mouseClick(button, Qt::LeftButton);
+    }
+    QVERIFY(!twin.isVisible());
+    QCOMPARE(window_->views().view_layout(), ViewLayout::square);
+  }
+
+  void a_rigid_probe_pushes_and_cannot_pull() {
+    auto* rigid = child<QCheckBox>("rigid");
+    QTest::mouseClick(rigid, Qt::LeftButton, Qt::NoModifier, QPoint(8, rigid->height() / 2));
+    QCOMPARE(rehearsal().touch(), Touch::rigid);
+    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
+    // At balance the body pushes back with what the tool pushes, within the contact's tolerance.
+    QVERIFY(std::abs(rehearsal().frame()->force_N.norm() - 1.0) < 0.05);
+    QVERIFY(rehearsal().frame()->patient.max_displacement_mm > 0.5);
+    QCOMPARE(rehearsal().solids().size(), std::size_t{1});
+    const auto shape = rehearsal().frame()->patient.surface_mm;
+    rehearsal().set_direction({1, 0, 0});
+    QCOMPARE(rehearsal().solving(), Solving::refused);
+    QVERIFY(child<QLabel>("solving_trouble")->text().contains("cannot pull"));
+    QVERIFY(rehearsal().frame()->patient.surface_mm == shape);
+  }
+
+  void several_rigid_tools_are_held_at_once() {
+    rehearsal().set_touch(Touch::rigid);
+    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
+    QTest::mouseClick(child<QPushButton>("keep"), Qt::LeftButton);
+    rehearsal().hold({"grasper", {90, 0, 40}, {0, -1, 0}, 12, {0, -1, 0}, 0.5});
+    QCOMPARE(rehearsal().tools().size(), std::size_t{2});
+    QTRY_VERIFY_WITH_TIMEOUT(rehearsal().solving() == Solving::solved && rehearsal().solids().size() == 2, patience_ms);
+    QTest::mouseClick(child<QPushButton>("release"), Qt::LeftButton);
+    QCOMPARE(rehearsal().tools().size(), std::size_t{1});
+    QCOMPARE(rehearsal().tools().front().preset, std::string("palpation-probe"));
+  }
+
+  void the_table_of_a_rehearsal_names_its_units() {
+    rehearsal().set_force_N(2.0);
+    const std::string csv = rehearsal().track().csv({"tumour-1", "hilum"});
+    const QStringList lines = QString::fromStdString(csv).trimmed().split('\n');
+    QCOMPARE(lines.front(), "time_s,tools,force_N,max_displacement_mm,atlas_off_mm,tumour-1_mm,hilum_mm");
+    QCOMPARE(lines.size(), 3);
+    QCOMPARE(lines.back().split(',').at(2), "2.0000");
+    QCOMPARE(lines.back().split(',').size(), 7);
+  }
+
+  void places_the_tool_at_the_crosshair_by_key() {
+    window_->views().set_crosshair({60, -5, 40});
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
+    // The nearest triangle's middle; bricks are 20 mm wide.
+    QVERIFY(std::abs(rehearsal().tool_center_mm().y()) < 1e-9);
+    QVERIFY((rehearsal().tool_center_mm() - Eigen::Vector3d(60, 0, 40)).norm() < 15);
+  }
+
+  void cleanupTestCase() { window_.reset(); }
+
+ private:
+  SpaceView& space() { return window_->views().space(); }
+  LiveRehearsal& rehearsal() { return window_->rehearsal(); }
+
+  template <typename Widget>
+  Widget* child(const char* name) {
+    auto* found = window_->findChild<Widget*>(name);
+    if (found == nullptr) qFatal("the window has no %s", name);
+    return found;
+  }
+
+  // A little from above and the front, so that the arrow's two ends are seen apart.
+  void look_at_free_end() {
+    space().look_from(scene::PatientView::left);
+    space().view().set_camera(scene::turned(space().view().camera(), 35, 10));
+    space().redraw();
+  }
+
+  QPoint pixel_of(const Eigen::Vector3d& place_mm) {
+    const Eigen::Vector2d at = space().view().pixel_of(place_mm) / space().devicePixelRatioF();
+    return {static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
+  }
+
+  // Where the tissue under the tool is now: the surface's point nearest to it at rest has gone that far.
+  Eigen::Vector3d touched_mm() {
+    const auto& rest_mm = rehearsal().body()->surface().points_mm;
+    const auto& now_mm = rehearsal().frame()->patient.surface_mm;
+    const Eigen::Vector3d at_mm = rehearsal().tool_center_mm();
+    std::size_t nearest = 0;
+    for (std::size_t p = 1; p < rest_mm.size(); ++p) {
+      if ((rest_mm[p] - at_mm).norm() < (rest_mm[nearest] - at_mm).norm()) nearest = p;
+    }
+    return at_mm + now_mm[nearest] - rest_mm[nearest];
+  }
+
+  static void drag_in(SpaceView& view, const QPoint& from, const QPoint& to) {
+    QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, from);
+    for (int step = 1; step <= 5; ++step) QTest::mouseMove(&view, from + (to - from) * step / 5, 20);
+    QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, to);
+  }
+  void drag(const QPoint& from, const QPoint& to) { drag_in(space(), from, to); }
+
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace
+}  // namespace glisson::widgets
+
+int main(int argc, char** argv) { return glisson::widgets::run_test<glisson::widgets::RehearseTest>(argc, argv); }
+
+#include "rehearse_test.moc"

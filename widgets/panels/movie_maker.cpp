@@ -1,0 +1,63 @@
+#include "panels/movie_maker.h"
+
+namespace glisson::widgets {
+namespace {
+
+vision::Frame frame_of(const QImage& picture) {
+  const QImage rgb = picture.convertToFormat(QImage::Format_RGB888);
+  vision::Frame frame{rgb.width(), rgb.height(), {}};
+  frame.rgb.reserve(3 * static_cast<std::size_t>(rgb.width()) * static_cast<std::size_t>(rgb.height()));
+  for (int y = 0; y < rgb.height(); ++y) {
+    frame.rgb.insert(frame.rgb.end(), rgb.constScanLine(y), rgb.constScanLine(y) + std::ptrdiff_t{3} * rgb.width());
+  }
+  return frame;
+}
+
+}  // namespace
+
+MovieMaker::MovieMaker(LiveRehearsal& rehearsal, std::function<QImage()> grab, QObject* parent)
+    : QObject(parent), rehearsal_(rehearsal), grab_(std::move(grab)) {
+  timer_.setInterval(0);
+  connect(&timer_, &QTimer::timeout, this, &MovieMaker::next_picture);
+}
+
+void MovieMaker::begin(const std::filesystem::path& file) {
+  if (busy() || rehearsal_.track().empty()) return;
+  auto writer = vision::MovieWriter::begin(file, frames_per_second);
+  if (!writer) {
+    Q_EMIT finished(writer.error());
+    return;
+  }
+  writer_ = *std::move(writer);
+  time_s_ = 0;
+  rehearsal_.show_moment(0);
+  timer_.start();
+}
+
+void MovieMaker::stop() {
+  if (busy()) end(std::nullopt);
+}
+
+void MovieMaker::next_picture() {
+  if (rehearsal_.track().empty()) return end(std::nullopt);  // the patient was closed
+  if (rehearsal_.solving() == Solving::solving) return;      // the shape of this moment is on its way
+  const double length_s = rehearsal_.track().length_s();
+  if (auto added = writer_->add(frame_of(grab_())); !added) return end(added.error());
+  time_s_ += 1 / frames_per_second;
+  Q_EMIT progressed(length_s > 0 ? std::min(1.0, time_s_ / length_s) : 1.0);
+  // Half a second of rest at the end, so that the outcome can be seen.
+  if (time_s_ > length_s + 0.5) {
+    auto written = writer_->finish();
+    return end(written ? std::nullopt : std::optional(written.error()));
+  }
+  rehearsal_.show_moment(rehearsal_.track().at(time_s_));
+}
+
+void MovieMaker::end(std::optional<Error> error) {
+  timer_.stop();
+  writer_.reset();
+  rehearsal_.go_on();
+  Q_EMIT finished(error);
+}
+
+}  // namespace glisson::widgets

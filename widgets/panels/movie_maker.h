@@ -1,0 +1,45 @@
+#pragma once
+// Plays a rehearsal and writes what the view shows into a movie, a picture at a time between other events, so that
+// nothing freezes.
+
+#include <functional>
+#include <optional>
+#include <QImage>
+#include <QObject>
+#include <QTimer>
+
+#include "session/live_rehearsal.h"
+#include "vision/movie.h"
+
+namespace glisson::widgets {
+
+class MovieMaker : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr double frames_per_second = 25;
+
+  // `grab` gives the view's picture of now.
+  MovieMaker(LiveRehearsal& rehearsal, std::function<QImage()> grab, QObject* parent = nullptr);
+
+  void begin(const std::filesystem::path& file);
+  void stop();  // leaves nothing behind
+  [[nodiscard]] bool busy() const { return writer_.has_value(); }
+
+ Q_SIGNALS:
+  void progressed(double fraction);
+  void finished(const std::optional<glisson::Error>& error);  // none: the movie is there, or was stopped
+
+ private:
+  void next_picture();
+  void end(std::optional<Error> error);
+
+  LiveRehearsal& rehearsal_;
+  std::function<QImage()> grab_;
+  std::optional<vision::MovieWriter> writer_;
+  double time_s_ = 0;
+  QSize size_;
+  QTimer timer_;
+};
+
+}  // namespace glisson::widgets

@@ -1,0 +1,81 @@
+#include "panels/solving_light.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "theme.h"
+#include "words/told.h"
+#include "words/worded.h"
+
+namespace glisson::widgets {
+
+SolvingLight::SolvingLight(const LiveRehearsal& rehearsal, QWidget* parent) : QWidget(parent), rehearsal_(rehearsal) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  auto* row = new QHBoxLayout;
+  sign_ = new QLabel(this);
+  sign_->setObjectName("solving_sign");
+  figures_ = new QLabel(this);
+  figures_->setObjectName("faint");
+  row->addWidget(sign_);
+  row->addStretch();
+  row->addWidget(figures_);
+  column->addLayout(row);
+  trouble_ = new QLabel(this);
+  trouble_->setObjectName("solving_trouble");
+  trouble_->setWordWrap(true);
+  trouble_->hide();
+  column->addWidget(trouble_);
+  connect(&rehearsal, &LiveRehearsal::solving_changed, this, &SolvingLight::show_state);
+  connect(&rehearsal, &LiveRehearsal::frame_changed, this, &SolvingLight::show_state);
+  worded(this, [this] {
+    figures_->setToolTip(tr("How far the equations are from balance; what solving and drawing took"));
+    show_state();
+  });
+}
+
+void SolvingLight::show_drawing_ms(double drawing_ms) {
+  drawing_ms_ = drawing_ms;
+  show_state();
+}
+
+void SolvingLight::show_state() {
+  const int inverted = rehearsal_.inverted_cells();
+  QString words;
+  QString colour;
+  switch (rehearsal_.solving()) {
+    case Solving::no_tool: words = tr("○ No tool"); break;
+    case Solving::solving:
+      words = tr("◐ Solving");
+      colour = "warning";
+      break;
+    case Solving::solved:
+      words = inverted > 0 ? tr("▲ Not to be used") : tr("✔ Solved");
+      colour = inverted > 0 ? "trouble" : "accent_edge";
+      break;
+    case Solving::refused:
+      words = tr("✖ Not solved");
+      colour = "trouble";
+      break;
+  }
+  if (rehearsal_.frozen()) words += "  " + tr("❚❚ Frozen");
+  sign_->setText(words);
+  sign_->setStyleSheet(colour.isEmpty() ? QString() : QString("color: %1").arg(theme_colour(colour.toLatin1()).name()));
+  const auto& frame = rehearsal_.frame();
+  figures_->setText(frame ? tr("residual %1 · solved in %2 ms · drawn in %3 ms")
+                                .arg(frame->relative_residual, 0, 'e', 0)
+                                .arg(frame->answer_ms, 0, 'f', 1)
+                                .arg(drawing_ms_, 0, 'f', 0)
+                          : QString());
+  QString trouble;
+  if (rehearsal_.refusal()) {
+    trouble = told(*rehearsal_.refusal()) + " " + tr("What is shown is from before.");
+  } else if (inverted > 0) {
+    trouble = tr("Cells turned inside out: %1. Use less force.").arg(inverted);
+  }
+  trouble_->setText(trouble);
+  trouble_->setVisible(!trouble.isEmpty());
+}
+
+}  // namespace glisson::widgets

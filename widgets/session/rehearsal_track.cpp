@@ -1,0 +1,59 @@
+#include "session/rehearsal_track.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "base/result.h"
+
+namespace glisson::widgets {
+
+void RehearsalTrack::clear() { moments_.clear(); }
+
+void RehearsalTrack::add(Moment moment, double clock_s) {
+  const double rest_s = std::clamp(clock_s - last_clock_s_, 0.0, longest_rest_s);
+  moment.time_s = moments_.empty() ? 0 : moments_.back().time_s + rest_s;
+  last_clock_s_ = clock_s;
+  moments_.push_back(std::move(moment));
+  const auto contacts = std::count_if(moments_.begin(), moments_.end(), [](const Moment& m) { return m.contact; });
+  if (static_cast<std::size_t>(contacts) > most_contacts) moments_.erase(moments_.begin());
+}
+
+std::size_t RehearsalTrack::at(double time_s) const {
+  GLISSON_ASSERT(!moments_.empty());
+  const auto after = std::upper_bound(moments_.begin(), moments_.end(), time_s,
+                                      [](double time, const Moment& moment) { return time < moment.time_s; });
+  return after == moments_.begin() ? 0 : static_cast<std::size_t>(after - moments_.begin()) - 1;
+}
+
+std::string RehearsalTrack::csv(const std::vector<std::string>& landmark_ids) const {
+  std::string text = "time_s,tools,force_N,max_displacement_mm,atlas_off_mm";
+  for (const std::string& id : landmark_ids) text += "," + id + "_mm";
+  text += "\n";
+  for (const Moment& moment : moments_) {
+    std::string tools;
+    for (const ToolInHand& tool : moment.tools) {
+      const Eigen::Vector3d pull_N = tool.pull_N();
+      // Files speak English: not translated.
+      tools += fmt::format("{}{} at {:.2f} {:.2f} {:.2f} mm with {:.3f} {:.3f} {:.3f} N", tools.empty() ? "" : "; ",
+                           tool.preset, tool.center_mm.x(), tool.center_mm.y(), tool.center_mm.z(), pull_N.x(),
+                           pull_N.y(), pull_N.z());
+    }
+    text += fmt::format("{:.3f},{},{:.4f},{:.4f},{:.4f}", moment.time_s, tools, moment.force_N,
+                        moment.max_displacement_mm, moment.atlas_off_mm);
+    for (const double displacement_mm : moment.landmarks_mm) text += fmt::format(",{:.4f}", displacement_mm);
+    text += "\n";
+  }
+  return text;
+}
+
+Moment moment_of(std::vector<ToolInHand> tools, const rehearsal::RehearsalFrame& frame) {
+  Moment moment;
+  moment.tools = std::move(tools);
+  moment.force_N = frame.force_N.norm();
+  moment.max_displacement_mm = frame.patient.max_displacement_mm;
+  moment.atlas_off_mm = frame.max_difference_mm;
+  for (const auto& landmark : frame.patient.landmarks) moment.landmarks_mm.push_back(landmark.displacement_mm);
+  return moment;
+}
+
+}  // namespace glisson::widgets

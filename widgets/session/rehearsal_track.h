@@ -1,0 +1,48 @@
+#pragma once
+// What was done in a rehearsal, moment by moment, with the figures that a plot shows of it.
+
+#include <memory>
+#include <QString>
+#include <vector>
+
+#include "session/rigid_tools.h"
+
+namespace glisson::widgets {
+
+struct Moment {
+  double time_s = 0;  // since the first; rests longer than RehearsalTrack::longest_rest_s are cut short
+  std::vector<ToolInHand> tools;
+  double force_N = 0;  // the length of the sum of all tools' forces
+  double max_displacement_mm = 0;
+  double atlas_off_mm = 0;           // the largest over the liver's surface; 0 without an atlas
+  std::vector<double> landmarks_mm;  // how far each one moves
+  // With rigid tools, the shape depends on the way to it and is kept; without, it is answered anew, to the same bit.
+  std::shared_ptr<const rehearsal::SessionFrame> contact;
+};
+
+class RehearsalTrack {
+ public:
+  static constexpr double longest_rest_s = 1.0;
+  static constexpr std::size_t most_contacts = 400;  // shapes kept, about 1 MB each; the oldest moments go first
+
+  void clear();
+  // `clock_s` runs from anywhere and never back.
+  void add(Moment moment, double clock_s);
+
+  [[nodiscard]] const std::vector<Moment>& moments() const { return moments_; }
+  [[nodiscard]] bool empty() const { return moments_.empty(); }
+  [[nodiscard]] double length_s() const { return moments_.empty() ? 0 : moments_.back().time_s; }
+  // The last one at or before that time; there must be one.
+  [[nodiscard]] std::size_t at(double time_s) const;
+
+  // One line a moment: time, tools with places and forces, figures, landmarks.
+  [[nodiscard]] std::string csv(const std::vector<std::string>& landmark_ids) const;
+
+ private:
+  std::vector<Moment> moments_;
+  double last_clock_s_ = 0;
+};
+
+[[nodiscard]] Moment moment_of(std::vector<ToolInHand> tools, const rehearsal::RehearsalFrame& frame);
+
+}  // namespace glisson::widgets

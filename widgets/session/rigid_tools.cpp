@@ -1,0 +1,78 @@
+#include "session/rigid_tools.h"
+
+#include <algorithm>
+#include <Eigen/Geometry>
+
+#include "base/units.h"
+
+namespace glisson::widgets {
+namespace {
+
+// Far enough off the surface that the tool's solid touches nothing yet.
+constexpr double probe_gap_mm = 2;
+constexpr double blade_gap_mm = 12;  // the blade is flat, the organ is not
+
+}  // namespace
+
+Result<mechanics::HandTool> hand_tool(const ToolInHand& tool, const std::string& id) {
+  const double force_mN = units::mN_from_N(tool.force_N);
+  if (tool.preset == "grasper") {
+    return mechanics::HandTool{id, mechanics::Grasp{tool.center_mm, tool.radius_mm, force_mN, tool.direction}};
+  }
+  if (tool.pulls()) {
+    return failure(Error{"tool-cannot-pull",
+                         GLISSON_TEXT("A rigid tool that only touches the liver cannot pull it."),
+                         {},
+                         GLISSON_TEXT("Push into the surface, or take the grasper."),
+                         {}});
+  }
+  const bool probe = tool.preset == "palpation-probe";
+  const double gap_mm = probe ? tool.radius_mm + probe_gap_mm : blade_gap_mm;
+  return mechanics::HandTool{
+      id, mechanics::TouchingTool{probe ? mechanics::palpation_probe(tool.radius_mm) : mechanics::nathanson_retractor(),
+                                  mechanics::pose_towards(tool.center_mm - gap_mm * tool.direction, tool.direction),
+                                  force_mN}};
+}
+
+rehearsal::RehearsalFrame frame_of(const rehearsal::SessionFrame& session) {
+  rehearsal::RehearsalFrame frame;
+  for (const auto& tool : session.patient_step.tools) frame.force_N += 1e-3 * tool.force_mN;
+  frame.patient = session.patient;
+  frame.atlas = session.atlas;
+  frame.differences = session.differences;
+  frame.max_difference_mm = session.max_difference_mm;
+  frame.relative_residual = session.patient_step.report.relative_residual;
+  if (session.atlas_step) {
+    frame.relative_residual = std::max(frame.relative_residual, session.atlas_step->report.relative_residual);
+  }
+  frame.answer_ms = session.step_ms;
+  return frame;
+}
+
+std::vector<mechanics::ToolShape> solids_of(const rehearsal::SessionFrame& frame) {
+  std::vector<mechanics::ToolShape> solids;
+  for (const mechanics::HandTool& tool : frame.tools) {
+    mechanics::ToolShape& solid = solids.emplace_back();
+    const auto* touching = std::get_if<mechanics::TouchingTool>(&tool.what);
+    if (touching == nullptr) continue;
+    mechanics::Pose pose = touching->pose;
+    for (const mechanics::ToolContact& contact : frame.patient_step.tools) {
+      if (contact.id == tool.id) pose.position_mm += contact.advance_mm * pose.forward();
+    }
+    solid = mechanics::placed(touching->shape, pose);
+  }
+  return solids;
+}
+
+int inverted_cells(const geometry::TetMesh& mesh, const std::vector<Eigen::Vector3d>& displacement_mm) {
+  return static_cast<int>(std::count_if(mesh.cells.begin(), mesh.cells.end(), [&](const auto& cell) {
+    const auto at = [&](int corner) {
+      const auto p = static_cast<std::size_t>(cell[static_cast<std::size_t>(corner)]);
+      return Eigen::Vector3d(mesh.points_mm[p] + displacement_mm[p]);
+    };
+    const Eigen::Vector3d origin = at(0);
+    return (at(1) - origin).dot((at(2) - origin).cross(at(3) - origin)) <= 0;
+  }));
+}
+
+}  // namespace glisson::widgets
