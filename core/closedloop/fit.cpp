@@ -1,6 +1,7 @@
 #include "closedloop/fit.h"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,12 +49,16 @@ class WhiteResidual : public ceres::CostFunction {
     const Eigen::VectorXd values = space_.outward(parameters[0]);
     const Eigen::VectorXd& measured = model_.observations().measured;
     const auto rows = static_cast<Eigen::Index>(whitening_.rows().size());
-    const Linearisation* linear = at(values);
-    if (linear == nullptr) return false;
+    // A step that is only tried may be refused: its slopes, which cost the most, are computed where it is taken.
     if (jacobians == nullptr || jacobians[0] == nullptr) {
-      Eigen::Map<Eigen::VectorXd>(residuals, rows) = whitening_.whiten(linear->predicted - measured);
+      const auto predicted =
+          known(values) ? Result<Eigen::VectorXd>(linear_.predicted) : model_.predict(with_values(settings_, values));
+      if (!predicted) return false;
+      Eigen::Map<Eigen::VectorXd>(residuals, rows) = whitening_.whiten(*predicted - measured);
       return Eigen::Map<Eigen::VectorXd>(residuals, rows).allFinite();
     }
+    const Linearisation* linear = at(values);
+    if (linear == nullptr) return false;
     Eigen::Map<Eigen::VectorXd>(residuals, rows) = whitening_.whiten(linear->predicted - measured);
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     Eigen::Map<RowMajor> jacobian(jacobians[0], rows, values.size());
@@ -62,9 +67,8 @@ class WhiteResidual : public ceres::CostFunction {
     return jacobian.allFinite() && Eigen::Map<Eigen::VectorXd>(residuals, rows).allFinite();
   }
 
-  // The search asks for the residual where it steps, and mostly for the derivatives there next: both are kept.
   const Linearisation* at(const Eigen::VectorXd& values) const {
-    if (values_.size() != values.size() || values_ != values) {
+    if (!known(values)) {
       auto linear = model_.linearise(with_values(settings_, values));
       if (!linear) return nullptr;
       values_ = values;
@@ -74,6 +78,10 @@ class WhiteResidual : public ceres::CostFunction {
   }
 
  private:
+  [[nodiscard]] bool known(const Eigen::VectorXd& values) const {
+    return values_.size() == values.size() && values_ == values;
+  }
+
   mutable Eigen::VectorXd values_;
   mutable Linearisation linear_;
   const ForwardModel& model_;
@@ -82,15 +90,33 @@ class WhiteResidual : public ceres::CostFunction {
   SearchSpace space_;
 };
 
-class StopWhenCancelled : public ceres::IterationCallback {
+// What Ceres has to say of a step that fails is in its summary, which is read. It would also go to stderr, where the
+// log is the program's: nothing below what ends the program is let through.
+void keep_ceres_quiet() {
+  static const bool once = [] {
+    FLAGS_minloglevel = google::GLOG_FATAL;
+    return true;
+  }();
+  static_cast<void>(once);
+}
+
+// Ends the search when it is cancelled, and where a step is refused that hardly changes anything: Ceres would try ever
+// smaller ones.
+class StopEarly : public ceres::IterationCallback {
  public:
-  explicit StopWhenCancelled(const Progress& progress) : progress_(progress) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return progress_.cancelled() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  StopEarly(const Progress& progress, double relative_tolerance)
+      : progress_(progress), relative_tolerance_(relative_tolerance) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
+    if (progress_.cancelled()) return ceres::SOLVER_ABORT;
+    const bool refused = step.iteration > 0 && step.step_is_valid && !step.step_is_successful;
+    return refused && std::abs(step.cost_change) < relative_tolerance_ * step.cost
+               ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+               : ceres::SOLVER_CONTINUE;
   }
 
  private:
   const Progress& progress_;
+  double relative_tolerance_;
 };
 
 }  // namespace
@@ -120,7 +146,7 @@ Result<Fit> fit(const ForwardModel& model, const Settings& start, const Whitenin
     problem.SetParameterLowerBound(x.data(), i, space.inward(p, space.ranges.lower[p]));
     problem.SetParameterUpperBound(x.data(), i, space.inward(p, space.ranges.upper[p]));
   }
-  StopWhenCancelled stop(progress);
+  StopEarly stop(progress, options.relative_tolerance);
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::DENSE_QR;
   solver.max_num_iterations = options.most_iterations;
@@ -128,6 +154,7 @@ Result<Fit> fit(const ForwardModel& model, const Settings& start, const Whitenin
   solver.max_num_consecutive_invalid_steps = 10;
   solver.logging_type = ceres::SILENT;
   solver.callbacks.push_back(&stop);
+  keep_ceres_quiet();
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
   if (progress.cancelled()) return cancelled();
@@ -142,7 +169,7 @@ Result<Fit> fit(const ForwardModel& model, const Settings& start, const Whitenin
             linear->derivatives,
             {},
             0,
-            summary.termination_type == ceres::CONVERGENCE};
+            summary.termination_type == ceres::CONVERGENCE || summary.termination_type == ceres::USER_SUCCESS};
   found.white = whitening.whiten(model.observations().measured - found.predicted);
   found.chi2 = found.white.squaredNorm();
   return found;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -95,6 +96,8 @@ class PalpationModel : public ForwardModel {
   [[nodiscard]] Loading loading(const PalpationState& state) const;
   [[nodiscard]] Result<Eigen::MatrixXd> displacements(const Settings& settings) const;
   [[nodiscard]] Result<Fields> linear_derivatives(const Settings& settings) const;
+  [[nodiscard]] double promise_of_linear_fit(const Effect& effect, const Settings& active, const Start& start,
+                                             const Eigen::VectorXd& residual) const;
   [[nodiscard]] double promise_of_stiffening(const Effect& effect, const Settings& active,
                                              const ResidualField& left) const;
 
@@ -461,8 +464,34 @@ std::vector<Start> PalpationModel::starts(const Effect& effect, const Settings& 
   std::vector<Start> starts = palpation_starts(effect, solver_, at, left);
   if (starts.empty()) starts = ForwardModel::starts(effect, active, residual);
   if (effect.kind == palpation::strain_stiffening) starts.front().promise = promise_of_stiffening(effect, active, left);
-  for (Start& start : starts) start.promise /= experiment_.noise_mm * experiment_.noise_mm;
+  for (Start& start : starts) {
+    // A fit that is quick where the specimen is linear is slow where it stiffens.
+    if (stiffens(at) && std::isinf(start.promise))
+      start.promise = promise_of_linear_fit(effect, active, start, residual);
+    start.promise /= experiment_.noise_mm * experiment_.noise_mm;
+  }
   return starts;
+}
+
+// mm2: what one linear fit of all parameters from the start would take of the residual.
+double PalpationModel::promise_of_linear_fit(const Effect& effect, const Settings& active, const Start& start,
+                                             const Eigen::VectorXd& residual) const {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  Settings begun = active;
+  begun.push_back({effect.kind, effect.form, start.values});
+  const auto before = predict(active);
+  const auto linear = linearise(begun);
+  if (!before || !linear) return unknown;
+  Eigen::VectorXd left = residual - (linear->predicted - *before);
+  Eigen::MatrixXd slopes = linear->derivatives;
+  Eigen::VectorXd was = residual;
+  for (Eigen::Index row = 0; row < left.size(); ++row) {
+    if (std::isfinite(left[row])) continue;  // not seen
+    left[row] = was[row] = 0;
+    slopes.row(row).setZero();
+  }
+  const Eigen::VectorXd change = slopes.colPivHouseholderQr().solve(left);
+  return std::max(0.0, was.squaredNorm() - (left - slopes * change).squaredNorm());
 }
 
 // mm2. At small strain by the derivative where stiffening begins, which costs a few solves; at large strain by what the

@@ -94,6 +94,59 @@ Result<Eigen::MatrixXd> along_the_load(const SpecimenBody& specimen, const Palpa
   return u_mm;
 }
 
+// Equilibria near those of other effects under other loads: of each load the one known under the load nearest to it,
+// scaled.
+Eigen::MatrixXd from_others(const Eigen::MatrixXd& amounts, const Eigen::MatrixXd& known_amounts,
+                            const Eigen::MatrixXd& known_mm) {
+  Eigen::MatrixXd start_mm = Eigen::MatrixXd::Zero(known_mm.rows(), amounts.cols());
+  for (Eigen::Index c = 0; c < amounts.cols(); ++c) {
+    const double size = amounts.col(c).norm();
+    if (size == 0) continue;
+    Eigen::Index nearest = -1;
+    double apart = 0.5 * size;  // what is farther says nothing
+    for (Eigen::Index k = 0; k < known_amounts.cols(); ++k) {
+      const double distance = (known_amounts.col(k) - amounts.col(c)).norm();
+      if (distance < apart) {
+        apart = distance;
+        nearest = k;
+      }
+    }
+    if (nearest < 0) continue;
+    start_mm.col(c) = size / known_amounts.col(nearest).norm() * known_mm.col(nearest);
+  }
+  return start_mm;
+}
+
+// Several parameters may load a specimen alike (creep's amplitudes and times, a gain): of columns of forces on one
+// state that are multiples of each other one is solved for.
+struct Alike {
+  std::vector<Eigen::Index> solved;  // columns
+  std::vector<Eigen::Index> which;   // of `solved`, for each column
+  std::vector<double> factor;
+};
+Alike alike_columns(const Eigen::MatrixXd& forces_mN, const std::vector<Eigen::Index>& load_of_column) {
+  Alike alike;
+  const Eigen::VectorXd squared = forces_mN.colwise().squaredNorm();
+  for (Eigen::Index c = 0; c < forces_mN.cols(); ++c) {
+    Eigen::Index found = static_cast<Eigen::Index>(alike.solved.size());
+    double factor = 1;
+    for (std::size_t s = 0; s < alike.solved.size(); ++s) {
+      const Eigen::Index other = alike.solved[s];
+      if (load_of_column[static_cast<std::size_t>(other)] != load_of_column[static_cast<std::size_t>(c)]) continue;
+      if (squared[other] == 0) continue;
+      const double along = forces_mN.col(c).dot(forces_mN.col(other)) / squared[other];
+      if (squared[c] - along * along * squared[other] > 1e-12 * squared[c]) continue;
+      found = static_cast<Eigen::Index>(s);
+      factor = along;
+      break;
+    }
+    if (found == static_cast<Eigen::Index>(alike.solved.size())) alike.solved.push_back(c);
+    alike.which.push_back(found);
+    alike.factor.push_back(factor);
+  }
+  return alike;
+}
+
 }  // namespace
 
 // Equilibria at all nodes, one a distinct load, and their derivatives where they were asked for.
@@ -116,7 +169,7 @@ struct StiffenedResponse::Memory {
     Eigen::MatrixXd at_markers;
     std::vector<Eigen::MatrixXd> by_parameter;  // empty where not asked for
   };
-  static constexpr std::size_t most_entries = 512, most_nodal = 6;
+  static constexpr std::size_t most_entries = 512, most_nodal = 8;
   std::mutex guard;
   std::deque<Entry> entries;
   std::deque<std::shared_ptr<const Nodal>> nodal;
@@ -132,7 +185,12 @@ struct StiffenedResponse::Memory {
     if (entries.size() > most_entries) entries.pop_back();
   }
   void note(std::shared_ptr<const Nodal> solved) {
-    std::erase_if(nodal, [&](const auto& other) { return same_effects(other->settings, solved->settings); });
+    // Of the same effects two are kept: the last with slopes, from where the next begins best, and the last.
+    std::erase_if(nodal, [&](const auto& other) {
+      return same_effects(other->settings, solved->settings) &&
+             (other->by_parameter.empty() == solved->by_parameter.empty() ||
+              same_settings(other->settings, solved->settings));
+    });
     nodal.push_front(std::move(solved));
     if (nodal.size() > most_nodal) nodal.pop_back();
   }
@@ -156,14 +214,18 @@ Result<Eigen::MatrixXd> StiffenedResponse::at_markers(const Settings& settings) 
 
 // With springs and a membrane that do not scale, everything is divided by the stiffness factor: `amounts` are already.
 Result<std::shared_ptr<const StiffenedResponse::Nodal>> StiffenedResponse::equilibria(const Settings& settings) const {
-  std::shared_ptr<const Nodal> last;
+  std::shared_ptr<const Nodal> last, other;
   {
     const std::lock_guard lock(memory_->guard);
     for (const auto& known : memory_->nodal) {
-      if (same_effects(known->settings, settings)) last = known;
+      if (same_settings(known->settings, settings)) return known;
+      if (same_effects(known->settings, settings)) {
+        if (!last || last->by_parameter.empty()) last = known;
+      } else if (!other) {
+        other = known;
+      }
     }
   }
-  if (last && same_settings(last->settings, settings)) return last;
 
   auto solved = std::make_shared<Nodal>();
   solved->settings = settings;
@@ -187,6 +249,10 @@ Result<std::shared_ptr<const StiffenedResponse::Nodal>> StiffenedResponse::equil
       for (Eigen::Index p = 0; p < step.size(); ++p) start_mm += step[p] * last->by_parameter[column++];
     }
     found = stiffened_equilibria(solver_.specimen(), **linear, *at.stiffening, forces_mN, start_mm);
+  }
+  if (!found && other && other->acting.state.stiffening->law == at.stiffening->law) {
+    found = stiffened_equilibria(solver_.specimen(), **linear, *at.stiffening, forces_mN,
+                                 from_others(solved->loads.amounts, other->loads.amounts, other->u_mm));
   }
   if (!found) {
     found = along_the_load(solver_.specimen(), **linear, *at.stiffening, solved->loads.amounts, forces_mN, linear_mm);
@@ -213,15 +279,22 @@ Result<std::vector<Eigen::MatrixXd>> StiffenedResponse::derivatives_at_markers(c
   if (!linear) return failure(linear.error());
 
   const Eigen::Index loads = here.u_mm.cols(), parameters = parameter_count(settings);
-  const auto imbalance_mN = [&](const Settings& moved) {
-    const Acting there = acting_(moved);
+  // What the body resists changes with what it is made of alone; most parameters only load it.
+  const auto resisted_mN = [&](const Acting& there) {
     const Structure structure = there.state.scaled_structure();
-    Eigen::MatrixXd force_mN = -(solver_.loads_mN() * there.amounts(Eigen::all, here.loads.first));
+    Eigen::MatrixXd force_mN(here.u_mm.rows(), loads);
     parallel_for(static_cast<std::size_t>(loads), 1, [&](std::size_t begin, std::size_t end) {
       for (auto l = static_cast<Eigen::Index>(begin); l < static_cast<Eigen::Index>(end); ++l) {
-        force_mN.col(l) += resisting_force_mN(solver_.specimen(), structure, *there.state.stiffening, here.u_mm.col(l));
+        force_mN.col(l) = resisting_force_mN(solver_.specimen(), structure, *there.state.stiffening, here.u_mm.col(l));
       }
     });
+    return force_mN;
+  };
+  const auto imbalance_between_mN = [&](const Acting& behind, const Acting& ahead) {
+    Eigen::MatrixXd force_mN = solver_.loads_mN() * (behind.amounts - ahead.amounts)(Eigen::all, here.loads.first);
+    const bool same_body = behind.state.scaled_structure() == ahead.state.scaled_structure() &&
+                           behind.state.stiffening->coefficient == ahead.state.stiffening->coefficient;
+    if (!same_body) force_mN += resisted_mN(ahead) - resisted_mN(behind);
     return force_mN;
   };
   Eigen::MatrixXd forces_mN(here.u_mm.rows(), loads * parameters);
@@ -232,22 +305,30 @@ Result<std::vector<Eigen::MatrixXd>> StiffenedResponse::derivatives_at_markers(c
     for (Eigen::Index p = 0; p < settings[s].parameters.size(); ++p, ++column) {
       const double value = settings[s].parameters[p], step = 1e-5 * std::max(1e-2, std::abs(value));
       moved[s].parameters[p] = value + step;
-      const Eigen::MatrixXd ahead_mN = imbalance_mN(moved);
+      const Acting ahead = acting_(moved);
       moved[s].parameters[p] = value - step;
-      forces_mN.middleCols(column * loads, loads) = -(ahead_mN - imbalance_mN(moved)) / (2 * step);
+      forces_mN.middleCols(column * loads, loads) = -imbalance_between_mN(acting_(moved), ahead) / (2 * step);
       moved[s].parameters[p] = value;
       for (Eigen::Index l = 0; l < loads; ++l) load_of_column.push_back(l);
     }
   }
   constexpr double tolerance = 1e-3;  // a search needs no more of its slopes
-  auto slopes = solve_tangent(solver_.specimen(), **linear, *here.acting.state.stiffening, here.u_mm, forces_mN,
-                              load_of_column, tolerance);
-  if (!slopes) return failure(std::move(slopes.error()));
+  const Alike alike = alike_columns(forces_mN, load_of_column);
+  std::vector<Eigen::Index> load_of_solved;
+  for (const Eigen::Index c : alike.solved) load_of_solved.push_back(load_of_column[static_cast<std::size_t>(c)]);
+  const auto solved_slopes = solve_tangent(solver_.specimen(), **linear, *here.acting.state.stiffening, here.u_mm,
+                                           forces_mN(Eigen::all, alike.solved), load_of_solved, tolerance);
+  if (!solved_slopes) return failure(solved_slopes.error());
+  Eigen::MatrixXd slopes(forces_mN.rows(), forces_mN.cols());
+  for (Eigen::Index c = 0; c < slopes.cols(); ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    slopes.col(c) = alike.factor[i] * solved_slopes->col(alike.which[i]);
+  }
 
   auto with_slopes = std::make_shared<Nodal>(here);
   Memory::Entry entry{settings, here.at_shots(solver_.markers(), here.u_mm), {}};
   for (Eigen::Index i = 0; i < parameters; ++i) {
-    with_slopes->by_parameter.emplace_back(slopes->middleCols(i * loads, loads));
+    with_slopes->by_parameter.emplace_back(slopes.middleCols(i * loads, loads));
     entry.by_parameter.push_back(here.at_shots(solver_.markers(), with_slopes->by_parameter.back()));
   }
   std::vector<Eigen::MatrixXd> derivatives = entry.by_parameter;

@@ -243,7 +243,7 @@ Result<Eigen::MatrixXd> stiffened_equilibria(const SpecimenBody& specimen, const
     return precondition.of_the_free(residual);
   };
 
-  Eigen::MatrixXd u_mm = start_mm;
+  Eigen::MatrixXd u_mm = precondition.of_the_free(start_mm);  // it may come from where other supports gave way
   std::vector<int> all(static_cast<std::size_t>(columns));
   std::iota(all.begin(), all.end(), 0);
   Eigen::MatrixXd residual = residual_of(u_mm, all);

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <limits>
 
@@ -30,6 +29,43 @@ ShapeChange shape_change(const StretchMaterial& material, const Eigen::Vector3d&
   return {2.0 * by_i * squared, hessian};
 }
 
+// Eigenvalues and eigenvectors of a symmetric matrix by Jacobi's rotations (Golub and Van Loan, Matrix Computations,
+// 8.5), exact to rounding also where eigenvalues are nearly equal, as they are near rest; of 3x3 matrices quicker than
+// the usual way by a tridiagonal one.
+struct Modes {
+  Eigen::Vector3d values;
+  Eigen::Matrix3d vectors;
+};
+Modes modes_of(Eigen::Matrix3d a) {
+  Eigen::Matrix3d vectors = Eigen::Matrix3d::Identity();
+  const double small = 1e-32 * a.squaredNorm();
+  constexpr int most_sweeps = 20;  // three or four are usual
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    if (a(0, 1) * a(0, 1) + a(0, 2) * a(0, 2) + a(1, 2) * a(1, 2) <= small) break;
+    for (int p = 0; p < 2; ++p) {
+      for (int q = p + 1; q < 3; ++q) {
+        if (a(p, q) == 0) continue;
+        const double tau = (a(q, q) - a(p, p)) / (2 * a(p, q));
+        const double tangent = (tau >= 0 ? 1.0 : -1.0) / (std::abs(tau) + std::sqrt(1 + tau * tau));
+        const double cosine = 1 / std::sqrt(1 + tangent * tangent), sine = tangent * cosine;
+        a(p, p) -= tangent * a(p, q);
+        a(q, q) += tangent * a(p, q);
+        a(p, q) = a(q, p) = 0;
+        const int r = 3 - p - q;
+        const double of_p = a(r, p), of_q = a(r, q);
+        a(r, p) = a(p, r) = cosine * of_p - sine * of_q;
+        a(r, q) = a(q, r) = sine * of_p + cosine * of_q;
+        for (int k = 0; k < 3; ++k) {
+          const double along_p = vectors(k, p), along_q = vectors(k, q);
+          vectors(k, p) = cosine * along_p - sine * along_q;
+          vectors(k, q) = sine * along_p + cosine * along_q;
+        }
+      }
+    }
+  }
+  return {a.diagonal(), vectors};
+}
+
 constexpr std::array<std::array<int, 2>, 3> pairs{{{1, 2}, {2, 0}, {0, 1}}};
 
 }  // namespace
@@ -49,9 +85,9 @@ PrincipalState principal_state(const StretchMaterial& material, const Eigen::Mat
     state.symmetric = state.skew = state.stress;
     return state;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(f.transpose() * f);
-  const Eigen::Vector3d stretch = modes.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
-  state.right = modes.eigenvectors();
+  const Modes modes = modes_of(f.transpose() * f);
+  const Eigen::Vector3d stretch = modes.values.cwiseMax(1e-12).cwiseSqrt();
+  state.right = modes.vectors;
   state.left = f * state.right * stretch.cwiseInverse().asDiagonal();
 
   const Eigen::Vector3d logs = stretch.array().log();

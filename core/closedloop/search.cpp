@@ -18,6 +18,8 @@ constexpr double hopeless = 0.1;       // a second start ten times as far as whe
 // Shares of what the best takes of the error: what promises less than the one is not fitted, and slow forms are tried
 // of kinds that reach the other.
 constexpr double far_less = 0.3, about_as_well = 0.6;
+// ... and what promises less than half of what a finer mesh may change of the prediction cannot be told from that.
+constexpr double half_of_indistinct = 0.25;
 
 Settings without_kind(Settings settings, const std::string& kind) {
   std::erase_if(settings, [&](const Setting& setting) { return setting.kind == kind; });
@@ -185,6 +187,10 @@ Result<std::vector<Candidate>> Search::fit_each(const Settings& active, const st
     if (std::isfinite(attempt.promise)) worth_trying = std::max(worth_trying, attempt.promise);
   }
   worth_trying *= far_less;
+  if (!active.empty()) {
+    worth_trying =
+        std::max(worth_trying, half_of_indistinct * indistinct() * indistinct() * static_cast<double>(residual.size()));
+  }
   each(
       [&](std::size_t i) {
         return !effects[i]->late && std::isfinite(attempts[i].promise) && attempts[i].promise >= worth_trying;

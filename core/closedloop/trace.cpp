@@ -29,6 +29,7 @@ class Tracing {
                                              const std::vector<Candidate>& singles) const;
   Result<void> describe_effects(const Candidate& declared, const Candidate& chosen);
   void describe_parameters(const Candidate& chosen, std::vector<FoundEffect>& effects);
+  [[nodiscard]] bool comes_before(const std::string& kind, const std::string& other) const;
   void rank(const Candidate& declared, const std::vector<Candidate>& singles);
   void decide(const Candidate& declared, Candidate& chosen);
   void find_next_measurement(const Candidate& chosen);
@@ -120,6 +121,10 @@ Result<Candidate> Tracing::with_swaps(Candidate chosen, const std::vector<Candid
         // Of two that the data cannot tell apart, the one of fewer numbers leads.
         if (more < 0 && gain > -options_.alike_bic)
           return search_.leaves_nothing(other) || !search_.leaves_nothing(chosen);
+        // Of as many numbers, the one that the catalogue names first: it begins with the plainest causes.
+        if (more == 0 && gain > -clearly && comes_before(other.kind, chosen.fit.settings[which].kind) &&
+            search_.leaves_nothing(other) == search_.leaves_nothing(chosen))
+          return other.left_out.chi2 <= chosen.left_out.chi2;
         return gain > (more > 0 ? options_.alike_bic : clearly) && other.left_out.chi2 <= chosen.left_out.chi2;
       });
       if (better != others->end()) {
@@ -138,6 +143,14 @@ Result<Candidate> Tracing::with_swaps(Candidate chosen, const std::vector<Candid
     in_place_.push_back(std::move(*others));
   }
   return chosen;
+}
+
+bool Tracing::comes_before(const std::string& kind, const std::string& other) const {
+  const auto place = [&](const std::string& wanted) {
+    return std::find_if(model_.catalogue().begin(), model_.catalogue().end(),
+                        [&](const Effect& effect) { return effect.kind == wanted; });
+  };
+  return place(kind) < place(other);
 }
 
 void Tracing::rank(const Candidate& declared, const std::vector<Candidate>& singles) {
