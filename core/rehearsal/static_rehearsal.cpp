@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "base/units.h"
+#include "mechanics/live_strain.h"
 
 namespace glisson::rehearsal {
 namespace {
@@ -33,8 +34,7 @@ struct BodyResponse {
   Responses surface;
   std::vector<Responses> structures;
   Responses landmarks;
-  double standing_strain = 0;
-  Vector3d strain_per_N{0, 0, 0};
+  std::optional<mechanics::LiveStrain> strain;  // of the patient
   double relative_residual = 0;
 };
 
@@ -154,11 +154,9 @@ Result<BodyResponse> StaticRehearsal::Parts::response_to_tool(const Body& body, 
   if (!solved) return failure(solved.error());
 
   BodyResponse response;
-  response.standing_strain = body.standing.largest_strain;
   response.relative_residual = body.standing.relative_residual;
   for (int axis = 0; axis < 3; ++axis) {
     if (auto checked = usable((*solved)[axis]); !checked) return failure(std::move(checked.error()));
-    response.strain_per_N[axis] = (*solved)[axis].largest_strain;
     response.relative_residual = std::max(response.relative_residual, (*solved)[axis].relative_residual);
   }
   const auto responses_at = [&](const std::vector<PointInMesh>& places) {
@@ -168,6 +166,9 @@ Result<BodyResponse> StaticRehearsal::Parts::response_to_tool(const Body& body, 
   response.points =
       responses_from(body.standing.displacement_mm,
                      {(*solved)[0].displacement_mm, (*solved)[1].displacement_mm, (*solved)[2].displacement_mm});
+  if (&body == &*patient) {
+    response.strain.emplace(body.model, body.standing, std::array{&(*solved)[0], &(*solved)[1], &(*solved)[2]});
+  }
   for (const std::size_t p : mesh_point) response.surface.push_back(response.points[p]);
   for (const auto& places : structure_places) response.structures.push_back(responses_at(places));
   response.landmarks = responses_at(landmark_places);
@@ -198,7 +199,7 @@ RehearsalFrame PlacedTool::answer(const Vector3d& force_N) const {
   frame.force_N = force_N;
   frame.patient = parts_->rehearsal->body_under(parts_->patient, force_N);
   frame.relative_residual = parts_->patient.relative_residual;
-  frame.strain_bound = parts_->patient.standing_strain + parts_->patient.strain_per_N.dot(force_N.cwiseAbs());
+  frame.largest_strain = parts_->patient.strain->largest(force_N);
   if (parts_->atlas) {
     frame.atlas = parts_->rehearsal->body_under(*parts_->atlas, force_N);
     frame.relative_residual = std::max(frame.relative_residual, parts_->atlas->relative_residual);

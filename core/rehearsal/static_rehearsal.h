@@ -48,7 +48,7 @@ struct RehearsalFrame {
   std::vector<LandmarkDifference> differences;  // patient against atlas; empty without a twin
   double max_difference_mm = 0;                 // over the surface
   double relative_residual = 0;                 // the larger of the solves it is made from
-  double strain_bound = 0;  // no strain of the patient's body is larger; above about 0.2 small strain is stretched
+  double largest_strain = 0;  // principal, of the patient's body; above about 0.2 small strain is stretched
   double answer_ms = 0;
 };
 

@@ -4724,8 +4724,8 @@ figures</source>
         <translation>Der Atlas irrt um bis zu %1 mm.</translation>
     </message>
     <message>
-        <source>Strains may reach %1 %, more than this linear model is made for.</source>
-        <translation>Dehnungen können %1 % erreichen, mehr, als dieses lineare Modell abbilden kann.</translation>
+        <source>Strains reach %1 %, more than this linear model is made for.</source>
+        <translation>Dehnungen erreichen %1 %, mehr, als dieses lineare Modell abbilden kann.</translation>
     </message>
     <message>
         <source>Changed by evidence: %1</source>

@@ -4727,8 +4727,8 @@ supuestas</translation>
         <translation>El atlas se equivoca hasta %1 mm.</translation>
     </message>
     <message>
-        <source>Strains may reach %1 %, more than this linear model is made for.</source>
-        <translation>Las deformaciones pueden llegar al %1 %, más de lo que admite este modelo lineal.</translation>
+        <source>Strains reach %1 %, more than this linear model is made for.</source>
+        <translation>Las deformaciones llegan al %1 %, más de lo que admite este modelo lineal.</translation>
     </message>
     <message>
         <source>Changed by evidence: %1</source>

@@ -4727,8 +4727,8 @@ supposés</translation>
         <translation>L’atlas se trompe jusqu’à&#xa0;%1 mm.</translation>
     </message>
     <message>
-        <source>Strains may reach %1 %, more than this linear model is made for.</source>
-        <translation>Les déformations peuvent atteindre&#xa0;%1&#xa0;%, plus que ne le permet ce modèle linéaire.</translation>
+        <source>Strains reach %1 %, more than this linear model is made for.</source>
+        <translation>Les déformations atteignent&#xa0;%1&#xa0;%, plus que ne le permet ce modèle linéaire.</translation>
     </message>
     <message>
         <source>Changed by evidence: %1</source>

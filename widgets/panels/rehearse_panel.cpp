@@ -184,9 +184,9 @@ void RehearsePanel::show_frame() {
   if (frame->atlas) text += " " + tr("The atlas is off by up to %1 mm.").arg(frame->max_difference_mm, 0, 'f', 1);
   // Small-strain theory is the model's; say where it is stretched.
   constexpr double strain_worth_a_word = 0.2;
-  if (frame->strain_bound > strain_worth_a_word) {
-    text += "\n" + tr("Strains may reach %1 %, more than this linear model is made for.")
-                       .arg(100 * frame->strain_bound, 0, 'f', 0);
+  if (frame->largest_strain > strain_worth_a_word) {
+    text += "\n" + tr("Strains reach %1 %, more than this linear model is made for.")
+                       .arg(100 * frame->largest_strain, 0, 'f', 0);
   }
   summary_->setText(text);
 }
