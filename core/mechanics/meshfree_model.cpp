@@ -191,6 +191,13 @@ StaticResult result_of(const MeshfreeBody& frames, const Eigen::VectorXd& q_mm, 
         fmt::format("The largest strain is {:.0f} %: linear elasticity at small strain is an extrapolation there.",
                     100.0 * result.largest_strain));
   }
+  const double points_a_node = static_cast<double>(frames.body.mesh.points_mm.size()) / frames.basis->frames();
+  if (points_a_node < 4) {
+    result.notes.push_back(fmt::format(
+        "The mesh has {:.1f} points for each meshfree node: frames then describe one motion in many ways, and solving "
+        "takes far longer. A finer mesh or fewer nodes would do.",
+        points_a_node));
+  }
   double slip_mm = 0;
   for (std::size_t i = 0; i < frames.hold.size(); ++i) {
     if (frames.hold[i] > 0) slip_mm = std::max(slip_mm, std::abs(u_mm[static_cast<Eigen::Index>(i)]));
