@@ -1,12 +1,14 @@
 #pragma once
 // Rigid tools that press on a body at large deformation, of any material and with all that is around it: no deeper than
 // a tolerance, without friction, several at once, held in place or pushed by a force; and graspers that pull with a
-// force. The counterpart of contact.h, a factorisation a Newton step and therefore far from live.
+// force or hold their patch's mean at a displacement. The counterpart of contact.h, a factorisation a Newton step and
+// therefore far from live.
 //
 // The same places of the surface as there; at each the gap g to the tool's rods, with their bend, holds by an augmented
 // Lagrangian: the energy (max(0, p - k g)^2 - p^2) / (2 k) is added to the body's (newton.h) and p, the force, is
 // brought up to p - k g until neither p nor the surface changes (e.g. Wriggers, Computational Contact Mechanics, 6.3).
-// The advance of a pushed tool is found by secants on the force that it meets.
+// What jaws hold at a displacement is held in the same way, by (|p - k d|^2 - |p|^2) / (2 k), d being how far it is
+// off. The advance of a pushed tool is found by secants on the force that it meets.
 
 #include <vector>
 
@@ -23,8 +25,7 @@ struct LargeContact {
 
 // The tools go through the stations, one set of the same tools after the other; between two none should move by more
 // than half its rods' radius. The result did not converge where a station was not reached, and `why_stopped` says
-// which. Failures: those of find_equilibrium; "tool-invalid", "tool-touches-nothing"; "not-available" (a grasper whose
-// displacement is given).
+// which. Failures: those of find_equilibrium; "tool-invalid", "tool-touches-nothing".
 Result<LargeContact> find_equilibrium_in_contact(const Body& body, const std::vector<Material>& materials,
                                                  const AppliedLoads& loads,
                                                  const std::vector<std::vector<HandTool>>& stations,

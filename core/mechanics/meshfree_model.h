@@ -23,14 +23,17 @@ struct MeshfreeBody;
 
 class MeshfreeModel {
  public:
-  // `mesh` is open along the cuts (open_cuts). `options.order` is not read. Failures: those of prepare_meshfree_body.
+  // Checks everything, makes nodes and shape functions, assembles and factorises. `mesh` is open along the cuts
+  // (open_cuts); `youngs_kPa` has one value a cell; `options.order` is not read. Failures: those of
+  // prepare_meshfree_body.
   static Result<MeshfreeModel> create(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
                                       const std::vector<Support>& supports, const ChosenLaw& law,
                                       const StaticOptions& options = {}, const MeshfreeOptions& meshfree = {},
                                       const std::vector<Cut>& cuts = {}, const Progress& progress = {});
 
-  // `iterations` are conjugate gradients' with law
-  // linear and no ligament, Newton's otherwise. Failures: those of load_vector; "cancelled".
+  // Equilibrium under all the loads together. `iterations` are conjugate gradients' with law linear and no ligament,
+  // Newton's otherwise. A solve that misses the tolerance is a result that may not be used, and says so. Failures:
+  // those of load_vector; "cancelled".
   [[nodiscard]] Result<StaticResult> solve(const Loads& loads, const NewtonOptions& options = {},
                                            const Progress& progress = {}) const;
   // The same under given loads on the places of the quadratic layout.
@@ -41,15 +44,17 @@ class MeshfreeModel {
   [[nodiscard]] const NodeLayout& places() const;
   [[nodiscard]] const ShapeFunctions& shape_functions() const;
   [[nodiscard]] const std::vector<double>& youngs_kPa() const;
+  // The displacement at places in the body (see locate_points), by the cells' own shape functions.
   [[nodiscard]] std::vector<Eigen::Vector3d> displacement_at(const StaticResult& result,
                                                              const std::vector<PointInMesh>& places) const;
+  // Von Mises stress (kPa) at each cell's centroid.
   [[nodiscard]] std::vector<double> von_mises_kPa(const StaticResult& result) const;
 
   struct Cost {
     double setup_s = 0;
     std::size_t unknowns = 0;
     std::uint64_t matrix_bytes = 0;
-    std::uint64_t factor_bytes = 0;  // 0: the factor did not fit, and conjugate gradients go without it
+    std::uint64_t factor_bytes = 0;  // of what preconditions: the factor itself, or two levels (frame_solver.h)
   };
   [[nodiscard]] Cost cost() const;
 

@@ -97,11 +97,16 @@ Result<NewtonMotion> NewtonMotion::create(Body body, std::vector<Material> mater
 }
 
 Result<StepReport> NewtonMotion::step(const Progress& progress) {
+  return step(loads_, [&](const Landscape& landscape, double scale_mN, const VectorXd& from_mm) {
+    return descend(landscape, body_.resolved.held, scale_mN, from_mm,
+                   {options_.relative_tolerance, options_.max_iterations, body_.options.memory_limit_bytes}, progress);
+  });
+}
+
+Result<StepReport> NewtonMotion::step(const AppliedLoads& loads, const Settle& settle) {
   const Stopwatch watch;
-  const StepLandscape landscape(body_, materials_, loads_, options_, mass_kg_, u_mm_, v_mm_s_);
-  auto descent =
-      descend(landscape, body_.resolved.held, landscape.scale_mN(), u_mm_,
-              {options_.relative_tolerance, options_.max_iterations, body_.options.memory_limit_bytes}, progress);
+  const StepLandscape landscape(body_, materials_, loads, options_, mass_kg_, u_mm_, v_mm_s_);
+  auto descent = settle(landscape, landscape.scale_mN(), u_mm_);
   if (!descent) return failure(std::move(descent.error()));
   StepReport report;
   report.converged = descent->converged && descent->u_mm.allFinite();

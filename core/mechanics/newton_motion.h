@@ -12,6 +12,7 @@
 // Lengths mm, velocities mm/s, forces mN; values of nodes are 3 a node, in the order of NodeLayout.
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "base/progress.h"
@@ -23,6 +24,9 @@
 
 namespace glisson::mechanics {
 
+class Landscape;
+struct Descent;
+
 class NewtonMotion {
  public:
   // At rest and still, under loads that stay. The body must be laid out with linear cells. The options' tolerance is of
@@ -33,6 +37,11 @@ class NewtonMotion {
   // The report's `iterations` are Newton steps, its strain energy that of the body alone. A step that does not converge
   // moves nothing. Failures: "too-large", "factorisation-failed", "cancelled".
   Result<StepReport> step(const Progress& progress = {});
+
+  // The same where more stands in the body's way: `settle` finds the least of the step with it, from where the body is.
+  // `scale_mN` is what residuals of the step alone are measured by.
+  using Settle = std::function<Result<Descent>(const Landscape& step, double scale_mN, const Eigen::VectorXd& from_mm)>;
+  Result<StepReport> step(const AppliedLoads& loads, const Settle& settle);
 
   void set_velocity(const Eigen::VectorXd& velocity_mm_s);
   [[nodiscard]] const Eigen::VectorXd& displacement_mm() const { return u_mm_; }

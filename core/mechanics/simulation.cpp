@@ -149,6 +149,15 @@ bool may_have_grain(const Scenario& scenario) {
   return scenario.engine == Engine::fem && !scenario.motion && is_linear(scenario);
 }
 
+Result<MaterialBody> material_body(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                   const Scenario& scenario) {
+  const Stopwatch watch;
+  auto body = prepare_body(mesh, std::move(youngs_kPa), scenario.supports, options_of(scenario), Holding::required);
+  if (!body) return failure(std::move(body.error()));
+  std::vector<Material> materials = materials_of(*body, scenario.material, scenario.strain_stiffening);
+  return MaterialBody{std::move(*body), std::move(materials), watch.seconds()};
+}
+
 StaticOptions options_of(const Scenario& scenario) {
   StaticOptions options;
   options.poisson_ratio = scenario.poisson_ratio;
@@ -167,9 +176,9 @@ bool is_linear(const Scenario& scenario) {
 
 Result<void> check_tools(const Scenario& scenario) {
   if (scenario.tools.empty()) return {};
-  if (scenario.engine == Engine::fem && !scenario.motion) return {};
+  if (scenario.engine == Engine::fem) return {};
   return failure(Error{"not-available",
-                       GLISSON_TEXT("Tools in contact are there for equilibrium by finite elements."),
+                       GLISSON_TEXT("Tools in contact are there for finite elements, not for the meshfree engine."),
                        {},
                        GLISSON_TEXT("Elsewhere give a load."),
                        {}});
@@ -204,17 +213,14 @@ Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<doub
 
 Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
                                  const Scenario& scenario, const Places& places, const Progress& progress) {
-  const Stopwatch watch;
-  const auto body =
-      prepare_body(mesh, std::move(youngs_kPa), scenario.supports, options_of(scenario), Holding::required);
-  if (!body) return failure(body.error());
-  const std::vector<Material> materials = materials_of(*body, scenario.material, scenario.strain_stiffening);
-  const double setup_s = watch.seconds();
-  auto result = find_equilibrium(*body, materials, scenario.loads, {}, progress);
+  const auto prepared = material_body(mesh, std::move(youngs_kPa), scenario);
+  if (!prepared) return failure(prepared.error());
+  const auto& [body, materials, setup_s] = *prepared;
+  auto result = find_equilibrium(body, materials, scenario.loads, {}, progress);
   if (!result) return failure(std::move(result.error()));
   result->setup_s = setup_s;
-  auto landmarks_mm = displacement_at(*body, *result, places);
-  auto von_mises_kPa = von_mises_of_cells(*body, materials, nodal_displacements(*body, *result));
+  auto landmarks_mm = displacement_at(body, *result, places);
+  auto von_mises_kPa = von_mises_of_cells(body, materials, nodal_displacements(body, *result));
   return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}, {}, {}};
 }
 

@@ -13,9 +13,7 @@
 namespace glisson::mechanics {
 namespace {
 
-std::vector<HandTool> tools_at(const std::vector<ToolInHand>& tools, double part);
 int steps_for(const std::vector<ToolInHand>& tools, double largest_move_mm);
-double thinnest_rod_mm(const std::vector<ToolInHand>& tools);
 
 }  // namespace
 
@@ -59,27 +57,22 @@ Result<Answer> small_contact_equilibrium(const geometry::TetMesh& mesh, std::vec
 
 Result<Answer> large_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
                                          const Scenario& scenario, const Places& places, const Progress& progress) {
-  const Stopwatch watch;
-  const auto body =
-      prepare_body(mesh, std::move(youngs_kPa), scenario.supports, options_of(scenario), Holding::required);
-  if (!body) return failure(body.error());
-  const std::vector<Material> materials = materials_of(*body, scenario.material, scenario.strain_stiffening);
-  const auto loads = applied_loads(*body, scenario.loads, gas_on(materials));
+  const auto prepared = material_body(mesh, std::move(youngs_kPa), scenario);
+  if (!prepared) return failure(prepared.error());
+  const auto& [body, materials, setup_s] = *prepared;
+  const auto loads = applied_loads(body, scenario.loads, gas_on(materials));
   if (!loads) return failure(loads.error());
-  const double setup_s = watch.seconds();
   const int steps = steps_for(scenario.tools, 0.5 * thinnest_rod_mm(scenario.tools));
   std::vector<std::vector<HandTool>> stations;
   for (int step = 1; step <= steps; ++step) stations.push_back(tools_at(scenario.tools, double(step) / steps));
-  auto contact = find_equilibrium_in_contact(*body, materials, *loads, stations, {}, progress);
+  auto contact = find_equilibrium_in_contact(body, materials, *loads, stations, {}, progress);
   if (!contact) return failure(std::move(contact.error()));
   contact->result.setup_s = setup_s;
-  auto landmarks_mm = displacement_at(*body, contact->result, places);
-  auto von_mises_kPa = von_mises_of_cells(*body, materials, nodal_displacements(*body, contact->result));
+  auto landmarks_mm = displacement_at(body, contact->result, places);
+  auto von_mises_kPa = von_mises_of_cells(body, materials, nodal_displacements(body, contact->result));
   return Answer{std::move(contact->result), std::move(landmarks_mm), std::move(von_mises_kPa), {},
                 std::move(contact->tools),  contact->report};
 }
-
-namespace {
 
 // All tools go together, in steps in which none passes the surface by.
 std::vector<HandTool> tools_at(const std::vector<ToolInHand>& tools, double part) {
@@ -112,6 +105,8 @@ double thinnest_rod_mm(const std::vector<ToolInHand>& tools) {
   }
   return radius_mm;
 }
+
+namespace {
 
 int steps_for(const std::vector<ToolInHand>& tools, double largest_move_mm) {
   double farthest_mm = 0;

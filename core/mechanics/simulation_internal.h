@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "mechanics/body.h"
+#include "mechanics/material.h"
 #include "mechanics/simulation.h"
 #include "mechanics/static_model.h"
 
@@ -21,6 +23,19 @@ using Places = std::vector<PointInMesh>;
 
 [[nodiscard]] bool has_ligaments(const Scenario& scenario);
 [[nodiscard]] StaticOptions options_of(const Scenario& scenario);
+
+// A body of any material, laid out for its equilibrium.
+struct MaterialBody {
+  Body body;
+  std::vector<Material> materials;
+  double setup_s = 0;
+};
+Result<MaterialBody> material_body(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                   const Scenario& scenario);
+
+// All tools' ways gone to a part. And the radius of the thinnest rod of any, 10 at most.
+[[nodiscard]] std::vector<HandTool> tools_at(const std::vector<ToolInHand>& tools, double part);
+[[nodiscard]] double thinnest_rod_mm(const std::vector<ToolInHand>& tools);
 
 // With the scenario's tools.
 Result<Answer> small_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,

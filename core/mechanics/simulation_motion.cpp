@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <functional>
+#include <tuple>
 
 #include "mechanics/body.h"
 #include "mechanics/equilibrium.h"
 #include "mechanics/large_deformation.h"
 #include "mechanics/meshfree_motion.h"
 #include "mechanics/newton_motion.h"
+#include "mechanics/pressing.h"
 #include "mechanics/simulation_internal.h"
 #include "mechanics/stopwatch.h"
 
@@ -28,12 +30,21 @@ struct Mover {
   std::function<Result<StepReport>()> step;
   std::function<Eigen::VectorXd()> displacement_mm, velocity_mm_s;
   std::function<Eigen::Vector3d()> held_reaction_mN;  // none: what is left unbalanced at what is held
+  // Where there are tools: what they push with, of the whole body and each by itself.
+  std::function<Eigen::VectorXd()> tools_force_mN;
+  std::function<std::pair<std::vector<ToolContact>, ContactReport>()> contacts;
 };
+
+// The tools' way is gone in equal parts, one a step. Failure: "tool-too-fast" (a tool that would pass the surface by).
+Result<void> check_speed(const Scenario& scenario);
 
 Result<Answer> follow(const Mover& mover, const Body& body, const std::vector<Material>& materials,
                       const AppliedLoads& loads, const Scenario& scenario, double setup_s, const Places& places,
                       const Progress& progress);
 MotionOptions options_of(const Motion& motion);
+Result<Descent> touched_step(const NewtonMotion& motion, Pressing& pressing, const std::vector<HandTool>& tools,
+                             const Landscape& step, double scale_mN, const Eigen::VectorXd& from_mm,
+                             const MotionOptions& options, const Progress& progress);
 
 }  // namespace
 
@@ -50,8 +61,36 @@ Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> 
   MotionOptions motion_options = options_of(*scenario.motion);
   std::optional<MovingBody> moving;
   std::optional<NewtonMotion> newton;
+  std::optional<Pressing> pressing;
+  std::vector<HandTool> tools;
+  int done = 0;
   Mover mover;
-  if (moves_by_one_solve(scenario)) {
+  if (!scenario.tools.empty()) {
+    if (auto checked = check_speed(scenario); !checked) return failure(std::move(checked.error()));
+    motion_options.max_iterations = 40;
+    auto created = NewtonMotion::create(*body, materials, *loads, motion_options);
+    if (!created) return failure(std::move(created.error()));
+    newton = std::move(*created);
+    auto placed = Pressing::create(newton->body(), tools_at(scenario.tools, 0.0), {}, newton->displacement_mm());
+    if (!placed) return failure(std::move(placed.error()));
+    pressing = std::move(*placed);
+    mover = {[&]() -> Result<StepReport> {
+               tools = tools_at(scenario.tools, double(++done) / scenario.motion->steps);
+               return newton->step(pressing->with_pulls(*loads, tools), [&](const Landscape& step, double scale_mN,
+                                                                            const Eigen::VectorXd& from_mm) {
+                 return touched_step(*newton, *pressing, tools, step, scale_mN, from_mm, motion_options, progress);
+               });
+             },
+             [&] { return newton->displacement_mm(); },
+             [&] { return newton->velocity_mm_s(); },
+             {},
+             [&] {
+               return (pressing->force_mN() +
+                       pressing->with_pulls({Eigen::VectorXd::Zero(loads->dead_mN.size())}, tools).dead_mN)
+                   .eval();
+             },
+             [&] { return std::pair(pressing->contacts(tools), pressing->report()); }};
+  } else if (moves_by_one_solve(scenario)) {
     motion_options.max_iterations = 5000;  // nobody waits for a frame here: stiff bodies get theirs
     auto created = MovingBody::create(*body, scenario.material, motion_options);
     if (!created) return failure(std::move(created.error()));
@@ -59,6 +98,8 @@ Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> 
     mover = {[&]() -> Result<StepReport> { return moving->step(loads->dead_mN); },
              [&] { return moving->displacement_mm(); },
              [&] { return moving->velocity_mm_s(); },
+             {},
+             {},
              {}};
   } else {
     motion_options.max_iterations = 40;  // Newton steps: see NewtonOptions
@@ -68,6 +109,8 @@ Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> 
     mover = {[&] { return newton->step(progress); },
              [&] { return newton->displacement_mm(); },
              [&] { return newton->velocity_mm_s(); },
+             {},
+             {},
              {}};
   }
   return follow(mover, *body, materials, *loads, scenario, setting_up.seconds(), places, progress);
@@ -88,8 +131,11 @@ Result<Answer> end_of_meshfree_motion(const geometry::TetMesh& mesh, std::vector
   auto moving = MeshfreeMotion::create(std::move(*frames), motion_options);
   if (!moving) return failure(std::move(moving.error()));
   const Mover mover{[&]() -> Result<StepReport> { return moving->step(*loads); },
-                    [&] { return moving->displacement_mm(); }, [&] { return moving->velocity_mm_s(); },
-                    [&] { return moving->held_reaction_mN(); }};
+                    [&] { return moving->displacement_mm(); },
+                    [&] { return moving->velocity_mm_s(); },
+                    [&] { return moving->held_reaction_mN(); },
+                    {},
+                    {}};
   return follow(mover, moving->body(), materials, *loads, scenario, setting_up.seconds(), places, progress);
 }
 
@@ -99,6 +145,38 @@ MotionOptions options_of(const Motion& motion) {
   return {.step_s = motion.step_s,
           .mass_damping_per_s = motion.mass_damping_per_s,
           .stiffness_damping_s = motion.stiffness_damping_s};
+}
+
+// One step with what the tools add to it.
+Result<Descent> touched_step(const NewtonMotion& motion, Pressing& pressing, const std::vector<HandTool>& tools,
+                             const Landscape& step, double scale_mN, const Eigen::VectorXd& from_mm,
+                             const MotionOptions& options, const Progress& progress) {
+  int newton_steps = 0;
+  const auto settle = [&](const Landscape& with_tools, double scale_of_all_mN, const Eigen::VectorXd& start_mm) {
+    auto descent = descend(
+        with_tools, motion.body().resolved.held, scale_of_all_mN, start_mm,
+        {options.relative_tolerance, options.max_iterations, motion.body().options.memory_limit_bytes}, progress);
+    if (descent) newton_steps += descent->steps;
+    return descent;
+  };
+  GLISSON_ASSERT(from_mm.size() == pressing.displacement_mm().size());
+  const auto rested = pressing.rest_under(tools, {step, scale_mN, settle});
+  if (!rested) return failure(rested.error());
+  return Descent{pressing.displacement_mm(), pressing.report().relative_residual, newton_steps, *rested};
+}
+
+Result<void> check_speed(const Scenario& scenario) {
+  const double most_mm = 0.5 * thinnest_rod_mm(scenario.tools);
+  for (const ToolInHand& tool : scenario.tools) {
+    const auto* rigid = std::get_if<RigidToolInHand>(&tool.what);
+    if (rigid == nullptr || rigid->push_mN || rigid->advance_mm / scenario.motion->steps <= most_mm) continue;
+    return failure(Error{"tool-too-fast",
+                         GLISSON_TEXT("Tool {0} would move by {1} mm a step, past a surface that it should meet."),
+                         {tool.id, fmt::format("{:.1f}", rigid->advance_mm / scenario.motion->steps)},
+                         GLISSON_TEXT("Take more steps: at most half the radius of the tool's rods in each."),
+                         {}});
+  }
+  return {};
 }
 
 Result<Answer> follow(const Mover& mover, const Body& body, const std::vector<Material>& materials,
@@ -129,7 +207,9 @@ Result<Answer> follow(const Mover& mover, const Body& body, const std::vector<Ma
     relative_residual = std::max(relative_residual, report->relative_residual);
     if (!report->converged) status = SolveStatus::not_converged;
     const Eigen::VectorXd u_mm = mover.displacement_mm();
-    state = state_of(body, materials, u_mm, loads, damping_mN(u_mm, mover.velocity_mm_s()));
+    Eigen::VectorXd besides_mN = damping_mN(u_mm, mover.velocity_mm_s());
+    if (mover.tools_force_mN) besides_mN += mover.tools_force_mN();
+    state = state_of(body, materials, u_mm, loads, besides_mN);
     if (mover.held_reaction_mN) state.held_reaction_mN = mover.held_reaction_mN();
     MotionStep step{(done + 1) * motion.step_s,   displacement_at(body, state, places), state.held_reaction_mN,
                     state.foundation_reaction_mN, state.ligament_reaction_mN,           *report};
@@ -149,6 +229,12 @@ Result<Answer> follow(const Mover& mover, const Body& body, const std::vector<Ma
                                          result.relative_residual)
                            : fmt::format("Step {} of {} stayed at a relative residual of {:.1e}.", done, motion.steps,
                                          result.relative_residual);
+  if (mover.contacts) {
+    std::tie(answer.tools, answer.contact.emplace()) = mover.contacts();
+    answer.contact->converged = status == SolveStatus::converged;
+    answer.contact->energy_uJ = result.strain_energy_uJ;
+    answer.contact->inverted_cells = result.inverted_cells;
+  }
   answer.landmark_displacements_mm = displacement_at(body, result, places);
   answer.von_mises_kPa = von_mises_of_cells(body, materials, mover.displacement_mm());
   return answer;

@@ -1,0 +1,81 @@
+#pragma once
+// Tools that press on a body whose rest, or whose step in time, is the least of a landscape (newton.h): large_contact.h
+// says how. What the tools do is added to the landscape over the body's nodes; who gives it says how its least is
+// found. Inside of this room.
+
+#include <functional>
+
+#include "mechanics/contact.h"
+#include "mechanics/large_contact.h"
+#include "mechanics/newton.h"
+#include "mechanics/tool_search.h"
+
+namespace glisson::mechanics {
+
+// A kept place with the rod where it is now, and the force that it is known to bear.
+struct Bearing {
+  KeptPlace place;
+  Rod rod;
+  std::array<int, 3> nodes;
+  Eigen::Vector3d rest_mm;
+  double force_mN = 0;
+};
+
+// Jaws that hold the mean of some nodes, by weight, at a displacement, and the force that they are known to need.
+struct HeldPatch {
+  std::size_t tool;
+  std::vector<int> nodes;
+  std::vector<double> weights;
+  Eigen::Vector3d from_mm{0, 0, 0};  // where the mean was when they closed
+  Eigen::Vector3d wanted_mm{0, 0, 0};
+  Eigen::Vector3d force_mN{0, 0, 0};
+};
+
+// What all but the tools makes of the body, how large its forces are, and how its least with the tools is found, from
+// a displacement.
+struct Ground {
+  const Landscape& alone;
+  double scale_mN;
+  std::function<Result<Descent>(const Landscape& with_tools, double scale_mN, const Eigen::VectorXd& from_mm)> settle;
+};
+
+// Moved on from station to station.
+class Pressing {
+ public:
+  // `tools` are those of the first station. Failures: "tool-invalid", "tool-touches-nothing".
+  static Result<Pressing> create(const Body& body, const std::vector<HandTool>& tools, const ContactOptions& options,
+                                 Eigen::VectorXd u_mm);
+
+  // What graspers that pull add to the loads.
+  [[nodiscard]] AppliedLoads with_pulls(AppliedLoads loads, const std::vector<HandTool>& tools) const;
+
+  // Brings the body and the pushed tools to rest. False where they do not come to it.
+  Result<bool> rest_under(const std::vector<HandTool>& tools, const Ground& ground);
+
+  [[nodiscard]] const Eigen::VectorXd& displacement_mm() const { return u_mm_; }
+  // What the tools push with, 3 a node, without what pulls.
+  [[nodiscard]] Eigen::VectorXd force_mN() const;
+  [[nodiscard]] std::vector<ToolContact> contacts(const std::vector<HandTool>& tools) const;
+  [[nodiscard]] const ContactReport& report() const { return report_; }
+
+ private:
+  Pressing(const Body& body, const ContactOptions& options, Eigen::VectorXd u_mm);
+  Result<bool> rest_at_advances(const std::vector<HandTool>& tools, const Ground& ground);
+  void bear(const std::vector<HandTool>& tools);
+  [[nodiscard]] Eigen::VectorXd surface_mm(const Eigen::VectorXd& u_mm) const;
+  [[nodiscard]] Eigen::Vector3d force_of_tool(std::size_t tool) const;
+  [[nodiscard]] Rod rod_of(const KeptPlace& place, const std::vector<HandTool>& tools) const;
+
+  const Body* body_;
+  ContactOptions options_;
+  geometry::Surface surface_;
+  std::vector<int> node_of_point_;  // of the surface
+  double k_mN_mm_;
+  Eigen::VectorXd u_mm_, advance_mm_;
+  std::vector<Gripped> grips_;
+  std::vector<Bearing> bearings_;
+  std::vector<HeldPatch> patches_;
+  ContactReport report_;
+};
+
+}  // namespace glisson::mechanics
