@@ -3060,14 +3060,6 @@
         <translation>Verschieben Sie ihn durch den Körper, oder öffnen Sie ihn weiter; Positionen sind LPS, in mm.</translation>
     </message>
     <message>
-        <source>At large deformation a grasper pulls with a force; {0} has a displacement.</source>
-        <translation>Bei großer Verformung zieht eine Fasszange mit einer Kraft; {0} hat eine Verschiebung.</translation>
-    </message>
-    <message>
-        <source>Give it a pull, or take the material &quot;linear&quot;.</source>
-        <translation>Geben Sie ihr einen Zug, oder nehmen Sie das Material &quot;linear&quot;.</translation>
-    </message>
-    <message>
         <source>{0} needs exactly one of &quot;normal&quot; (a plane) and &quot;points_mm&quot; (a sheet through them).</source>
         <translation>{0} braucht genau eines von &quot;normal&quot; (eine Ebene) und &quot;points_mm&quot; (eine Fläche durch sie).</translation>
     </message>
@@ -3086,10 +3078,6 @@
     <message>
         <source>{0} must be &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; or {&quot;rods&quot;: [...]}.</source>
         <translation>{0} muss &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; oder {&quot;rods&quot;: [...]} sein.</translation>
-    </message>
-    <message>
-        <source>Tools in contact are there for equilibrium by finite elements.</source>
-        <translation>Werkzeuge in Kontakt gibt es für das Gleichgewicht mit finiten Elementen.</translation>
     </message>
     <message>
         <source>Elsewhere give a load.</source>
@@ -3430,6 +3418,18 @@
     <message>
         <source>Push into the surface, or take the grasper.</source>
         <translation>Drücken Sie in die Oberfläche hinein, oder nehmen Sie die Fasszange.</translation>
+    </message>
+    <message>
+        <source>Tools in contact are there for finite elements, not for the meshfree engine.</source>
+        <translation>Werkzeuge in Kontakt gibt es für finite Elemente, nicht für das netzfreie Verfahren.</translation>
+    </message>
+    <message>
+        <source>Tool {0} would move by {1} mm a step, past a surface that it should meet.</source>
+        <translation>Das Werkzeug {0} würde sich in einem Schritt um {1} mm bewegen, an einer Oberfläche vorbei, auf die es treffen sollte.</translation>
+    </message>
+    <message>
+        <source>Take more steps: at most half the radius of the tool&apos;s rods in each.</source>
+        <translation>Nehmen Sie mehr Schritte: in jedem höchstens den halben Radius der Stäbe des Werkzeugs.</translation>
     </message>
 </context>
 <context>

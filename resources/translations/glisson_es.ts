@@ -3060,14 +3060,6 @@
         <translation>Muévalo a través del cuerpo o ábralo más; las posiciones son LPS, en mm.</translation>
     </message>
     <message>
-        <source>At large deformation a grasper pulls with a force; {0} has a displacement.</source>
-        <translation>Con grandes deformaciones una pinza tira con una fuerza; {0} tiene un desplazamiento.</translation>
-    </message>
-    <message>
-        <source>Give it a pull, or take the material &quot;linear&quot;.</source>
-        <translation>Dele una tracción o tome el material &quot;linear&quot;.</translation>
-    </message>
-    <message>
         <source>{0} needs exactly one of &quot;normal&quot; (a plane) and &quot;points_mm&quot; (a sheet through them).</source>
         <translation>{0} necesita exactamente uno de &quot;normal&quot; (un plano) y &quot;points_mm&quot; (una superficie que pasa por ellos).</translation>
     </message>
@@ -3086,10 +3078,6 @@
     <message>
         <source>{0} must be &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; or {&quot;rods&quot;: [...]}.</source>
         <translation>{0} debe ser &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; o {&quot;rods&quot;: [...]}.</translation>
-    </message>
-    <message>
-        <source>Tools in contact are there for equilibrium by finite elements.</source>
-        <translation>Los instrumentos en contacto existen para el equilibrio por elementos finitos.</translation>
     </message>
     <message>
         <source>Elsewhere give a load.</source>
@@ -3430,6 +3418,18 @@
     <message>
         <source>Push into the surface, or take the grasper.</source>
         <translation>Empuje hacia la superficie, o tome la pinza.</translation>
+    </message>
+    <message>
+        <source>Tools in contact are there for finite elements, not for the meshfree engine.</source>
+        <translation>Los instrumentos en contacto existen para los elementos finitos, no para el motor sin malla.</translation>
+    </message>
+    <message>
+        <source>Tool {0} would move by {1} mm a step, past a surface that it should meet.</source>
+        <translation>El instrumento {0} se movería {1} mm en un paso y pasaría de largo una superficie que debería tocar.</translation>
+    </message>
+    <message>
+        <source>Take more steps: at most half the radius of the tool&apos;s rods in each.</source>
+        <translation>Tome más pasos: en cada uno, como mucho la mitad del radio de las varillas del instrumento.</translation>
     </message>
 </context>
 <context>

@@ -3060,14 +3060,6 @@
         <translation>Déplacez-la à travers le corps, ou ouvrez-la davantage&#xa0;; les positions sont en LPS, en mm.</translation>
     </message>
     <message>
-        <source>At large deformation a grasper pulls with a force; {0} has a displacement.</source>
-        <translation>En grande déformation, une pince tire avec une force&#xa0;; {0} a un déplacement.</translation>
-    </message>
-    <message>
-        <source>Give it a pull, or take the material &quot;linear&quot;.</source>
-        <translation>Donnez-lui une traction, ou prenez le matériau &quot;linear&quot;.</translation>
-    </message>
-    <message>
         <source>{0} needs exactly one of &quot;normal&quot; (a plane) and &quot;points_mm&quot; (a sheet through them).</source>
         <translation>{0} exige exactement un parmi &quot;normal&quot; (un plan) et &quot;points_mm&quot; (une surface passant par eux).</translation>
     </message>
@@ -3086,10 +3078,6 @@
     <message>
         <source>{0} must be &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; or {&quot;rods&quot;: [...]}.</source>
         <translation>{0} doit être &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; ou {&quot;rods&quot;: [...]}.</translation>
-    </message>
-    <message>
-        <source>Tools in contact are there for equilibrium by finite elements.</source>
-        <translation>Les outils en contact existent pour l’équilibre par éléments finis.</translation>
     </message>
     <message>
         <source>Elsewhere give a load.</source>
@@ -3430,6 +3418,18 @@
     <message>
         <source>Push into the surface, or take the grasper.</source>
         <translation>Poussez dans la surface, ou prenez la pince.</translation>
+    </message>
+    <message>
+        <source>Tools in contact are there for finite elements, not for the meshfree engine.</source>
+        <translation>Les outils en contact existent pour les éléments finis, non pour le moteur sans maillage.</translation>
+    </message>
+    <message>
+        <source>Tool {0} would move by {1} mm a step, past a surface that it should meet.</source>
+        <translation>L’outil {0} avancerait de {1} mm en un pas et passerait à travers une surface qu’il devrait rencontrer.</translation>
+    </message>
+    <message>
+        <source>Take more steps: at most half the radius of the tool&apos;s rods in each.</source>
+        <translation>Prenez plus de pas&#xa0;: dans chacun, au plus la moitié du rayon des tiges de l’outil.</translation>
     </message>
 </context>
 <context>
