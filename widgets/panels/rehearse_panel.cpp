@@ -185,8 +185,9 @@ void RehearsePanel::show_frame() {
   // Small-strain theory is the model's; say where it is stretched.
   constexpr double strain_worth_a_word = 0.2;
   if (frame->largest_strain > strain_worth_a_word) {
-    text += "\n" + tr("Strains reach %1 %, more than this linear model is made for.")
-                       .arg(100 * frame->largest_strain, 0, 'f', 0);
+    text +=
+        "\n" +
+        tr("Strains reach %1 %, more than this linear model is made for.").arg(100 * frame->largest_strain, 0, 'f', 0);
   }
   summary_->setText(text);
 }
