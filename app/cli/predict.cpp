@@ -1,11 +1,9 @@
 // glisson-cli predict: the trials of an experiment by the declared model, or by a better one that explain found.
 
 #include <fmt/format.h>
-#include <cmath>
 #include <vector>
 
-#include "closedloop/explanation_file.h"
-#include "closedloop/residual.h"
+#include "closedloop/predict.h"
 #include "command.h"
 
 namespace glisson::cli {
@@ -16,47 +14,10 @@ struct PredictCommand {
   std::string model;
 };
 
-Outcome describe(const closedloop::Observations& observations, const Eigen::VectorXd& predicted);
-
-Result<Outcome> run(const PredictCommand& command, const Progress& progress) {
-  auto experiment = closedloop::read_experiment(command.experiment, closedloop::Needs::conditions);
-  if (!experiment) return failure(std::move(experiment.error()));
-  const auto model = closedloop::forward_model(*experiment, progress);
-  if (!model) return failure(model.error());
-  closedloop::BetterModel better;
-  if (!command.model.empty()) {
-    auto read = closedloop::read_model(command.model, **model, *experiment);
-    if (!read) return failure(std::move(read.error()));
-    better = std::move(*read);
-  }
-  const auto predicted = closedloop::predict_with(**model, better);
-  if (!predicted) return failure(predicted.error());
-  return describe((*model)->observations(), *predicted);
-}
-
-// What belongs to one trial, as an experiment of its own.
-closedloop::Observations only_trial(const closedloop::Observations& all, int trial, const Eigen::VectorXd& predicted,
-                                    Eigen::VectorXd& predicted_of_trial) {
-  closedloop::Observations one;
-  one.unit = all.unit;
-  one.directions = all.directions;
-  std::vector<Eigen::Index> rows;
-  for (Eigen::Index row = 0; row < all.rows(); ++row) {
-    const auto i = static_cast<std::size_t>(row);
-    if (all.trial[i] != trial) continue;
-    rows.push_back(row);
-    one.direction.push_back(all.direction[i]);
-    one.point.push_back(all.point[i]);
-  }
-  one.measured = all.measured(rows);
-  one.noise = all.noise(rows);
-  predicted_of_trial = predicted(rows);
-  return one;
-}
-
-Outcome describe(const closedloop::Observations& observations, const Eigen::VectorXd& predicted) {
-  const std::string suffix = observations.unit == "mm" ? "_mm" : "";
-  Outcome outcome{{{"unit", observations.unit}, {"trials", Json::array()}}, {}};
+Outcome describe(const closedloop::Prediction& prediction) {
+  const std::string suffix = prediction.unit == "mm" ? "_mm" : "";
+  const std::string unit = prediction.unit == "noise" ? "times the noise" : prediction.unit;
+  Outcome outcome{{{"unit", prediction.unit}, {"trials", Json::array()}}, {}};
   const auto add_figures = [&](Json& json, const closedloop::ErrorFigures& figures) {
     json["rms" + suffix] = figures.rms;
     json["mean" + suffix] = figures.mean;
@@ -64,34 +25,34 @@ Outcome describe(const closedloop::Observations& observations, const Eigen::Vect
     json["max" + suffix] = figures.max;
     json["reduced_chi2"] = figures.reduced_chi2;
     for (std::size_t d = 0; d < figures.rms_of_direction.size(); ++d)
-      if (figures.rms_of_direction[d]) json["rms_" + observations.directions[d]] = *figures.rms_of_direction[d];
+      if (figures.rms_of_direction[d]) json["rms_" + prediction.directions[d]] = *figures.rms_of_direction[d];
   };
-  bool measured = false;
-  for (int trial = 0; trial < observations.trial_count(); ++trial) {
-    Eigen::VectorXd of_trial;
-    const auto one = only_trial(observations, trial, predicted, of_trial);
-    Json json{{"id", observations.trials[static_cast<std::size_t>(trial)]}, {"values", one.rows()}};
-    const bool compared = one.measured.array().isFinite().any();
-    if (compared) {
-      const auto figures = closedloop::error_figures(one, of_trial);
-      add_figures(json, figures);
-      outcome.text += fmt::format("{}: rms {:.4g} {}, at most {:.4g}\n", json["id"].get<std::string>(), figures.rms,
-                                  observations.unit == "noise" ? "times the noise" : observations.unit, figures.max);
+  for (const closedloop::PredictedTrial& trial : prediction.trials) {
+    Json json{{"id", trial.id}, {"values", trial.predicted.size()}};
+    if (trial.error) {
+      add_figures(json, *trial.error);
+      outcome.text +=
+          fmt::format("{}: rms {:.4g} {}, at most {:.4g}\n", trial.id, trial.error->rms, unit, trial.error->max);
     } else {
       json["not_compared"] = "the trial was not measured";
-      json["predicted"] = std::vector<double>(of_trial.begin(), of_trial.end());
-      outcome.text += fmt::format("{}: not measured, {} values predicted\n", json["id"].get<std::string>(), one.rows());
+      json["predicted"] = std::vector<double>(trial.predicted.begin(), trial.predicted.end());
+      outcome.text += fmt::format("{}: not measured, {} values predicted\n", trial.id, trial.predicted.size());
     }
-    measured = measured || compared;
     outcome.document["trials"].push_back(std::move(json));
   }
-  if (measured) {
-    const auto figures = closedloop::error_figures(observations, predicted);
-    add_figures(outcome.document, figures);
-    outcome.document["rms"] = figures.rms;
-    outcome.text += fmt::format("all: rms {:.4g}\n", figures.rms);
+  if (prediction.error) {
+    add_figures(outcome.document, *prediction.error);
+    outcome.document["rms"] = prediction.error->rms;
+    outcome.text += fmt::format("all: rms {:.4g}\n", prediction.error->rms);
   }
   return outcome;
+}
+
+Result<Outcome> run(const PredictCommand& command, const Progress& progress) {
+  const auto better = command.model.empty() ? std::nullopt : std::optional<std::filesystem::path>(command.model);
+  const auto prediction = closedloop::predict(command.experiment, better, progress);
+  if (!prediction) return failure(prediction.error());
+  return describe(*prediction);
 }
 
 }  // namespace

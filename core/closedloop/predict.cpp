@@ -1,0 +1,61 @@
+#include "closedloop/predict.h"
+
+#include "closedloop/explanation_file.h"
+
+namespace glisson::closedloop {
+namespace {
+
+// What belongs to one trial, as far as errors need it.
+Observations only_trial(const Observations& all, int trial, const std::vector<Eigen::Index>& rows) {
+  Observations one;
+  one.unit = all.unit;
+  one.directions = all.directions;
+  one.trials = {all.trials[static_cast<std::size_t>(trial)]};
+  for (const Eigen::Index row : rows) {
+    one.direction.push_back(all.direction[static_cast<std::size_t>(row)]);
+    one.point.push_back(all.point[static_cast<std::size_t>(row)]);
+  }
+  one.measured = all.measured(rows);
+  one.noise = all.noise(rows);
+  return one;
+}
+
+std::vector<Eigen::Index> rows_of(const Observations& all, int trial) {
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index row = 0; row < all.rows(); ++row) {
+    if (all.trial[static_cast<std::size_t>(row)] == trial) rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace
+
+Result<Prediction> predict(const std::filesystem::path& file, const std::optional<std::filesystem::path>& better_file,
+                           const Progress& progress) {
+  auto experiment = read_experiment(file, Needs::conditions);
+  if (!experiment) return failure(std::move(experiment.error()));
+  const auto model = forward_model(*experiment, progress);
+  if (!model) return failure(model.error());
+  BetterModel better;
+  if (better_file) {
+    auto read = read_model(*better_file, **model, *experiment);
+    if (!read) return failure(std::move(read.error()));
+    better = *std::move(read);
+  }
+  const auto predicted = predict_with(**model, better);
+  if (!predicted) return failure(predicted.error());
+
+  const Observations& observations = (*model)->observations();
+  Prediction prediction{observations.unit, observations.directions, {}, {}};
+  for (int trial = 0; trial < observations.trial_count(); ++trial) {
+    const auto rows = rows_of(observations, trial);
+    const Observations one = only_trial(observations, trial, rows);
+    PredictedTrial made{one.trials.front(), (*predicted)(rows), {}};
+    if (one.measured.array().isFinite().any()) made.error = error_figures(one, made.predicted);
+    prediction.trials.push_back(std::move(made));
+  }
+  if (observations.measured.array().isFinite().any()) prediction.error = error_figures(observations, *predicted);
+  return prediction;
+}
+
+}  // namespace glisson::closedloop

@@ -1,0 +1,34 @@
+#pragma once
+// The trials of an experiment as a model predicts them, each by itself, compared where they were measured.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "closedloop/observations.h"
+#include "closedloop/residual.h"
+
+namespace glisson::closedloop {
+
+struct PredictedTrial {
+  std::string id;
+  Eigen::VectorXd predicted;
+  std::optional<ErrorFigures> error;  // absent where the trial was not measured
+};
+
+struct Prediction {
+  std::string unit;
+  std::vector<std::string> directions;  // of ErrorFigures::rms_of_direction
+  std::vector<PredictedTrial> trials;
+  std::optional<ErrorFigures> error;  // of all that was measured
+};
+
+// `better` is the model.json of explain; without it, the declared model. Failures: those of read_experiment,
+// forward_model and read_model.
+Result<Prediction> predict(const std::filesystem::path& experiment, const std::optional<std::filesystem::path>& better,
+                           const Progress& progress = {});
+
+}  // namespace glisson::closedloop
