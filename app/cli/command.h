@@ -34,6 +34,7 @@ void add_session(CLI::App& app, Action& chosen);
 void add_compare(CLI::App& app, Action& chosen);
 void add_export(CLI::App& app, Action& chosen);
 void add_render(CLI::App& app, Action& chosen);
+void add_report(CLI::App& app, Action& chosen);
 void add_calibrate(CLI::App& app, Action& chosen);
 void add_stereo(CLI::App& app, Action& chosen);
 void add_sequence(CLI::App& app, Action& chosen);

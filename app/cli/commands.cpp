@@ -17,6 +17,7 @@ void add_commands(CLI::App& app, Action& chosen) {
   add_session(app, chosen);
   add_compare(app, chosen);
   add_render(app, chosen);
+  add_report(app, chosen);
   add_export(app, chosen);
   add_calibrate(app, chosen);
   add_stereo(app, chosen);

@@ -1,0 +1,168 @@
+#include "report/patient_page.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "base/files.h"
+#include "casefile/structures.h"
+#include "report/patient_sections_internal.h"
+
+namespace glisson::report {
+namespace {
+
+using casefile::Case;
+using casefile::Entry;
+using casefile::Freshness;
+
+void add_images(Page& page, const Case& patient, bool names_shown);
+Result<void> add_structures(Page& page, const Case& patient);
+void add_retraction(Page& page, const std::optional<RehearsedRetraction>& retraction);
+void add_plan(Page& page, const std::optional<platform::Plan>& plan);
+void add_files(Page& page, const Case& patient);
+
+}  // namespace
+
+Result<Page> patient_page(const Case& patient, const PatientPageContent& content, const Progress& progress) {
+  progress.report(0, GLISSON_TEXT("Reading the case"));
+  Page page;
+  page.title = content.name ? *content.name : "Patient: name withheld";
+  page.subtitle = "What was planned and rehearsed" + (content.when.empty() ? "" : ", " + content.when);
+  page.warning = (patient.origin().empty() ? "" : patient.origin() + ". ") + "Not a medical device.";
+  page.footer = fmt::format("Glisson {}. Not a medical device: not for diagnosis or treatment.", version());
+  if (!content.figures.empty()) page.blocks.push_back(FigureRow{content.figures});
+  add_images(page, patient, content.name.has_value());
+  if (auto added = add_structures(page, patient); !added) return failure(std::move(added.error()));
+  progress.report(0.3, GLISSON_TEXT("Reading the model"));
+  if (auto added = add_model(page, patient); !added) return failure(std::move(added.error()));
+  add_retraction(page, content.retraction);
+  add_resection(page, patient);
+  add_plan(page, content.plan);
+  if (auto added = add_evidence(page, patient); !added) return failure(std::move(added.error()));
+  progress.report(0.7, GLISSON_TEXT("Comparing the files with what they were made from"));
+  add_files(page, patient);
+  return page;
+}
+
+namespace {
+
+Cell length_mm(double value_mm) {
+  const bool significant = value_mm >= 5.0;
+  return {fmt::format("{:.1f}{}", value_mm, significant ? " !" : ""),
+          significant ? Cell::Emphasis::flag : Cell::Emphasis::none};
+}
+
+void add_images(Page& page, const Case& patient, bool names_shown) {
+  page.blocks.push_back(Heading{"Images"});
+  Table table{"", {"Volume", "From", "Made by"}, {}};
+  if (names_shown) table.columns.push_back("Series");
+  for (const Entry& entry : patient.entries()) {
+    if (!entry.id.starts_with("volumes/")) continue;
+    std::vector<Cell> row{
+        {entry.id.substr(std::string("volumes/").size())},
+        {entry.made.sources.empty() ? "the case" : fmt::format("{} files", entry.made.sources.size())},
+        {entry.made.by}};
+    if (names_shown) {
+      const auto described = entry.made.options.find("description");
+      row.push_back({described == entry.made.options.end() ? "" : described->second});
+    }
+    table.rows.push_back(std::move(row));
+  }
+  if (table.rows.empty()) {
+    page.blocks.push_back(Paragraph{"The case holds no images."});
+  } else {
+    page.blocks.push_back(std::move(table));
+  }
+}
+
+Result<void> add_structures(Page& page, const Case& patient) {
+  page.blocks.push_back(Heading{"Structures"});
+  const auto structures = casefile::read_structures(patient);
+  if (!structures) return failure(structures.error());
+  if (structures->empty()) {
+    page.blocks.push_back(Paragraph{"Nothing is outlined yet."});
+    return {};
+  }
+  Table table{"", {"Structure", "ml", "Outlined by"}, {}};
+  for (const auto& structure : *structures) {
+    const Entry* entry = patient.find("labels/" + structure.name);
+    table.rows.push_back({{structure.name},
+                          {fmt::format("{:.1f}", segmentation::volume_ml(structure.mask))},
+                          {entry != nullptr ? entry->made.by : ""}});
+  }
+  page.blocks.push_back(std::move(table));
+  return {};
+}
+
+void add_retraction(Page& page, const std::optional<RehearsedRetraction>& retraction) {
+  page.blocks.push_back(Heading{"Rehearsed retraction"});
+  if (!retraction) {
+    page.blocks.push_back(Paragraph{"No tool is on the liver: nothing is being rehearsed."});
+    return;
+  }
+  std::string sentence;
+  for (const RehearsedTool& tool : retraction->tools) {
+    sentence += fmt::format("{} {} with {:.1f} N over {:.0f} mm radius", sentence.empty() ? "Tools:" : ",", tool.name,
+                            tool.force_N, tool.radius_mm);
+  }
+  page.blocks.push_back(
+      Paragraph{fmt::format("{}. The liver moves by up to {:.1f} mm. Linear elasticity: exact for small strains.",
+                            sentence, retraction->max_displacement_mm)});
+  Table table{"5 mm or more matters to a surgeon and is marked !.", {"Landmark", "Moves (mm)", "Atlas off (mm)"}, {}};
+  for (const RehearsedLandmark& landmark : retraction->landmarks) {
+    table.rows.push_back({{landmark.id},
+                          length_mm(landmark.moves_mm),
+                          landmark.atlas_off_mm ? length_mm(*landmark.atlas_off_mm) : Cell{"-"}});
+  }
+  page.blocks.push_back(std::move(table));
+}
+
+void add_plan(Page& page, const std::optional<platform::Plan>& plan) {
+  if (!plan) return;
+  page.blocks.push_back(Heading{"What can be worn"});
+  page.blocks.push_back(Paragraph{fmt::format(
+      "For a liver of {:.0f} cm3, {:.1f} mm accuracy, {:.1f} frames a second, {:.1f} h at {:.0f} deg C: {}.",
+      plan->request.liver_volume_cm3, plan->request.accuracy_mm, plan->request.frames_per_s, plan->request.duration_h,
+      plan->request.ambient_C,
+      plan->recommended ? "the least obtrusive that holds is " + *plan->recommended
+                        : "none of the known platforms holds")});
+  Table table{"", {"Platform", "Frames/s", "Battery (h)", "Surface (deg C)", "Holds"}, {}};
+  for (const platform::PlatformAnswer& answer : plan->platforms) {
+    table.rows.push_back(
+        {{answer.name},
+         {fmt::format("{:.1f}", answer.fps)},
+         {fmt::format("{:.1f}", answer.battery_h)},
+         {fmt::format("{:.0f}", answer.temperature_C)},
+         {answer.feasible ? "yes" : "no", answer.feasible ? Cell::Emphasis::good : Cell::Emphasis::none}});
+  }
+  page.blocks.push_back(std::move(table));
+}
+
+std::string freshness_word(Freshness freshness) {
+  switch (freshness) {
+    case Freshness::current: return "current";
+    case Freshness::stale: return "stale: made from something that has changed";
+    case Freshness::changed_outside: return "changed by another program";
+    case Freshness::missing: return "missing";
+  }
+  GLISSON_ASSERT(false);
+}
+
+void add_files(Page& page, const Case& patient) {
+  page.blocks.push_back(Heading{"Where it comes from"});
+  Table table{"Each file of the case, the beginning of its SHA-256, and what made it.",
+              {"File", "SHA-256", "Made by", "When (UTC)", "State"},
+              {}};
+  for (const Entry& entry : patient.entries()) {
+    const Freshness freshness = patient.freshness(entry.id);
+    table.rows.push_back(
+        {{entry.id},
+         {entry.sha256.substr(0, 12)},
+         {fmt::format("{} (Glisson {})", entry.made.by, entry.version)},
+         {entry.when_utc},
+         {freshness_word(freshness), freshness == Freshness::current ? Cell::Emphasis::none : Cell::Emphasis::flag}});
+  }
+  page.blocks.push_back(std::move(table));
+}
+
+}  // namespace
+}  // namespace glisson::report

@@ -1,0 +1,49 @@
+#pragma once
+// One page of what was done for a patient: images, structures, model, rehearsal, resection, what can be worn, evidence
+// accepted, and where each file of the case comes from. Read from the case; what the case does not hold is given.
+//
+// The patient's name, the series' descriptions and the case's own folder stay out of it unless the name is given.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "casefile/case.h"
+#include "platform/plan.h"
+#include "report/page.h"
+
+namespace glisson::report {
+
+struct RehearsedLandmark {
+  std::string id;
+  double moves_mm = 0;
+  std::optional<double> atlas_off_mm;  // how far the atlas's answer is from the patient's
+};
+
+struct RehearsedTool {
+  std::string name;  // "nathanson-retractor"
+  double force_N = 0;
+  double radius_mm = 0;  // of the patch that it touches
+};
+
+struct RehearsedRetraction {
+  std::vector<RehearsedTool> tools;
+  double max_displacement_mm = 0;
+  std::vector<RehearsedLandmark> landmarks;
+};
+
+struct PatientPageContent {
+  std::optional<std::string> name;  // nothing: withheld
+  std::vector<Figure> figures;
+  std::optional<RehearsedRetraction> retraction;
+  std::optional<platform::Plan> plan;
+  std::string when;  // as a person reads it; empty for none
+};
+
+// Fails where a file of the case cannot be read, naming it. What is missing in the case is said on the page.
+Result<Page> patient_page(const casefile::Case& patient, const PatientPageContent& content,
+                          const Progress& progress = {});
+
+}  // namespace glisson::report
