@@ -21,9 +21,12 @@
 #include "base/files.h"
 #include "base/result.h"
 #include "diary/diary_window.h"
+#include "evidence/evidence_view.h"
 #include "help/shortcuts_window.h"
 #include "help/tour_stops.h"
 #include "register/register_page.h"
+#include "model/model_panel.h"
+#include "report/report_view.h"
 #include "resect/resect_panel.h"
 #include "session/load_patient.h"
 #include "settings/settings.h"
@@ -116,6 +119,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file
 
 // In the order of the work.
 void MainWindow::make_workspaces() {
+  add_workspace(ModelPanel::workspace(bench()));
   rehearse_panel_ = new RehearsePanel(rehearsal_);
   add_workspace({.id = "rehearse",
                  .name = [] { return tr("Rehearse"); },
@@ -145,6 +149,10 @@ void MainWindow::make_workspaces() {
                        view->show_case(QString::fromStdString(patient.name),
                                        outlined ? patient.structures.front().volume_ml : 0, patient.mean_youngs_kPa);
                      }});
+  add_workspace(EvidenceView::workspace(bench()));
+  add_workspace(ReportView::workspace(bench(), [view = qobject_cast<PlatformView*>(platforms)] {
+    return view != nullptr ? view->plan() : std::nullopt;
+  }));
 }
 
 void MainWindow::add_workspace(Workspace workspace) {

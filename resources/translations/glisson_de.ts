@@ -2,6 +2,105 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>effects</name>
+    <message>
+        <source>Stiffer or softer throughout</source>
+        <translation>Überall steifer oder weicher</translation>
+    </message>
+    <message>
+        <source>Stiffens as it deforms</source>
+        <translation>Versteift sich bei Verformung</translation>
+    </message>
+    <message>
+        <source>The support gives way</source>
+        <translation>Die Lagerung gibt nach</translation>
+    </message>
+    <message>
+        <source>A hidden stiffer region</source>
+        <translation>Ein verborgener steiferer Bereich</translation>
+    </message>
+    <message>
+        <source>Creeps under load</source>
+        <translation>Kriecht unter Last</translation>
+    </message>
+    <message>
+        <source>The force sensor is off</source>
+        <translation>Der Kraftsensor misst falsch</translation>
+    </message>
+    <message>
+        <source>Camera and specimen misaligned</source>
+        <translation>Kamera und Probe verschoben</translation>
+    </message>
+    <message>
+        <source>Stiffer along one direction</source>
+        <translation>Steifer in einer Richtung</translation>
+    </message>
+    <message>
+        <source>A stiff capsule around it</source>
+        <translation>Eine steife Kapsel darum</translation>
+    </message>
+    <message>
+        <source>Already loaded at the start</source>
+        <translation>Schon zu Beginn belastet</translation>
+    </message>
+    <message>
+        <source>Softer once it was stretched</source>
+        <translation>Weicher, nachdem es gedehnt wurde</translation>
+    </message>
+    <message>
+        <source>Loading and unloading differ</source>
+        <translation>Be- und Entlastung unterscheiden sich</translation>
+    </message>
+    <message>
+        <source>Tension and compression differ</source>
+        <translation>Zug und Druck unterscheiden sich</translation>
+    </message>
+    <message>
+        <source>The battery&apos;s own resistance</source>
+        <translation>Der Widerstand des Akkus selbst</translation>
+    </message>
+    <message>
+        <source>Less charge when emptied fast</source>
+        <translation>Weniger Ladung bei schneller Entladung</translation>
+    </message>
+    <message>
+        <source>It warms itself</source>
+        <translation>Es erwärmt sich selbst</translation>
+    </message>
+    <message>
+        <source>Voltage falls as it empties</source>
+        <translation>Spannung fällt beim Entladen</translation>
+    </message>
+    <message>
+        <source>Power drawn at rest</source>
+        <translation>Leistung im Leerlauf</translation>
+    </message>
+    <message>
+        <source>Power drawn by the work</source>
+        <translation>Leistung durch die Arbeit</translation>
+    </message>
+    <message>
+        <source>Slows down when hot</source>
+        <translation>Wird heiß langsamer</translation>
+    </message>
+    <message>
+        <source>Sheds heat better or worse</source>
+        <translation>Gibt Wärme besser oder schlechter ab</translation>
+    </message>
+    <message>
+        <source>Takes time to warm up</source>
+        <translation>Braucht Zeit zum Warmwerden</translation>
+    </message>
+    <message>
+        <source>Power lost in the supply</source>
+        <translation>Verlust in der Versorgung</translation>
+    </message>
+    <message>
+        <source>A smooth correction, no cause</source>
+        <translation>Eine glatte Korrektur, keine Ursache</translation>
+    </message>
+</context>
+<context>
     <name>errors</name>
     <message>
         <source>There is no column &quot;{0}&quot;.</source>
@@ -3431,6 +3530,18 @@
         <source>Take more steps: at most half the radius of the tool&apos;s rods in each.</source>
         <translation>Nehmen Sie mehr Schritte: in jedem höchstens den halben Radius der Stäbe des Werkzeugs.</translation>
     </message>
+    <message>
+        <source>Comparing the files with what they were made from</source>
+        <translation>Dateien werden mit dem verglichen, woraus sie entstanden</translation>
+    </message>
+    <message>
+        <source>{0} does not hold a report of measurements: {1}.</source>
+        <translation>{0} enthält keinen Bericht über Messungen: {1}.</translation>
+    </message>
+    <message>
+        <source>Open an experiment to make one; it holds report.json, report.html and model.json.</source>
+        <translation>Öffnen Sie einen Versuch, um einen zu erstellen; er enthält report.json, report.html und model.json.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -3578,6 +3689,105 @@
     </message>
 </context>
 <context>
+    <name>glisson::widgets::CutControls</name>
+    <message>
+        <source>Cut by a plane</source>
+        <translation>Schnitt mit einer Ebene</translation>
+    </message>
+    <message>
+        <source>Cut by a smooth surface through points</source>
+        <translation>Schnitt mit einer glatten Fläche durch Punkte</translation>
+    </message>
+    <message>
+        <source>Divides</source>
+        <translation>Trennt</translation>
+    </message>
+    <message>
+        <source>left from right</source>
+        <translation>links von rechts</translation>
+    </message>
+    <message>
+        <source>front from back</source>
+        <translation>vorn von hinten</translation>
+    </message>
+    <message>
+        <source>head from foot</source>
+        <translation>Kopf- von Fußseite</translation>
+    </message>
+    <message>
+        <source>Through crosshair</source>
+        <translation>Durchs Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Puts the plane through the crosshair, across the direction above</source>
+        <translation>Legt die Ebene durch das Fadenkreuz, quer zur Richtung darüber</translation>
+    </message>
+    <message>
+        <source>By three clicks</source>
+        <translation>Mit drei Klicks</translation>
+    </message>
+    <message>
+        <source>Then click three places on the liver or in the slices</source>
+        <translation>Klicken Sie dann drei Stellen auf der Leber oder in den Schnitten an</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Kippen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Distance of the plane from the middle of the liver, along its normal</source>
+        <translation>Abstand der Ebene von der Mitte der Leber, entlang ihrer Normalen</translation>
+    </message>
+    <message>
+        <source>The normal about the axis from feet to head: 0° to the patient&apos;s left, 90° to the back</source>
+        <translation>Die Normale um die Achse von den Füßen zum Kopf: 0° zur linken Seite des Patienten, 90° nach hinten</translation>
+    </message>
+    <message>
+        <source>The normal upwards: 90° to the head</source>
+        <translation>Die Normale nach oben: 90° zum Kopf</translation>
+    </message>
+    <message>
+        <source>Set points</source>
+        <translation>Punkte setzen</translation>
+    </message>
+    <message>
+        <source>Each click on the liver or in a slice sets a point; points can be dragged</source>
+        <translation>Jeder Klick auf die Leber oder in einen Schnitt setzt einen Punkt; Punkte lassen sich ziehen</translation>
+    </message>
+    <message>
+        <source>Drop the last</source>
+        <translation>Letzten entfernen</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Points set: %1. Three are needed.</source>
+        <translation>Gesetzte Punkte: %1. Drei sind nötig.</translation>
+    </message>
+    <message>
+        <source>Points set: %1. Drag them in any view.</source>
+        <translation>Gesetzte Punkte: %1. Sie lassen sich in jeder Ansicht ziehen.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::DiaryWindow</name>
     <message>
         <source>Log - Glisson</source>
@@ -3606,6 +3816,329 @@
     <message>
         <source>Text (*.txt)</source>
         <translation>Text (*.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ErrorsTable</name>
+    <message>
+        <source>%1 × noise</source>
+        <translation>%1 × Rauschen</translation>
+    </message>
+    <message>
+        <source>Error, × noise</source>
+        <translation>Fehler, × Rauschen</translation>
+    </message>
+    <message>
+        <source>Error, %1</source>
+        <translation>Fehler, %1</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>On trials left out</source>
+        <translation>An ausgelassenen Versuchen</translation>
+    </message>
+    <message>
+        <source>95 % interval of it</source>
+        <translation>95-%-Intervall davon</translation>
+    </message>
+    <message>
+        <source>Root mean square</source>
+        <translation>Quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>95 of 100 are below</source>
+        <translation>95 von 100 liegen darunter</translation>
+    </message>
+    <message>
+        <source>Noise of the measurement</source>
+        <translation>Rauschen der Messung</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::EvidenceAnswer</name>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Residual (mm)</source>
+        <translation>Residuum (mm)</translation>
+    </message>
+    <message>
+        <source>Measured less predicted, where this trial was farthest off. Arrows %1 times as long as they are; colours reach to %2 mm, between markers interpolated.</source>
+        <translation>Gemessen minus vorhergesagt, wo dieser Versuch am weitesten abwich. Pfeile %1-fach verlängert; Farben bis %2 mm, zwischen Markern interpoliert.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing: what the declared model leaves, %1, is noise.</source>
+        <translation>Nichts fehlt: Was das angegebene Modell übrig lässt, %1, ist Rauschen.</translation>
+    </message>
+    <message>
+        <source>Explained: the error falls from %1 to %2, as small as the noise.</source>
+        <translation>Erklärt: Der Fehler fällt von %1 auf %2, so klein wie das Rauschen.</translation>
+    </message>
+    <message>
+        <source>Not explained: the error falls from %1 to %2 and stays above the noise. What is named is a part of it, not its cause.</source>
+        <translation>Nicht erklärt: Der Fehler fällt von %1 auf %2 und bleibt über dem Rauschen. Was genannt ist, ist ein Teil davon, nicht seine Ursache.</translation>
+    </message>
+    <message>
+        <source>No test finds anything in it that noise would not do.</source>
+        <translation>Kein Test findet darin etwas, das Rauschen nicht täte.</translation>
+    </message>
+    <message>
+        <source>What the declared model leaves is not noise: %1.</source>
+        <translation>Was das angegebene Modell übrig lässt, ist kein Rauschen: %1.</translation>
+    </message>
+    <message>
+        <source>What is left at the end: %1.</source>
+        <translation>Was am Ende bleibt: %1.</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>Suspects</source>
+        <translation>Verdächtige</translation>
+    </message>
+    <message>
+        <source>What to measure next</source>
+        <translation>Was als Nächstes zu messen ist</translation>
+    </message>
+    <message>
+        <source>No further trial is known that would tell the leading explanations apart.</source>
+        <translation>Kein weiterer Versuch ist bekannt, der die führenden Erklärungen unterschiede.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::EvidenceView</name>
+    <message>
+        <source>Evidence</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Hold measurements against the model, and find what it lacks.</source>
+        <translation>Messungen gegen das Modell halten und finden, was ihm fehlt.</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Open an experiment...</source>
+        <translation>Versuch öffnen ...</translation>
+    </message>
+    <message>
+        <source>A file that says what was measured and which model was assumed (Help, Closing the loop)</source>
+        <translation>Eine Datei, die sagt, was gemessen und welches Modell angenommen wurde (Hilfe, Closing the loop)</translation>
+    </message>
+    <message>
+        <source>Try the example</source>
+        <translation>Das Beispiel probieren</translation>
+    </message>
+    <message>
+        <source>Silicone of liver-like stiffness, compressed: measured, not simulated</source>
+        <translation>Silikon von leberähnlicher Steifigkeit unter Druck: gemessen, nicht simuliert</translation>
+    </message>
+    <message>
+        <source>Open a report...</source>
+        <translation>Bericht öffnen ...</translation>
+    </message>
+    <message>
+        <source>A folder with report.json and model.json, written here or by glisson-cli explain</source>
+        <translation>Ein Ordner mit report.json und model.json, hier oder von glisson-cli explain geschrieben</translation>
+    </message>
+    <message>
+        <source>For the patient</source>
+        <translation>Für den Patienten</translation>
+    </message>
+    <message>
+        <source>Accept for this patient</source>
+        <translation>Für diesen Patienten annehmen</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Other trials</source>
+        <translation>Andere Versuche</translation>
+    </message>
+    <message>
+        <source>Predict other trials...</source>
+        <translation>Andere Versuche vorhersagen ...</translation>
+    </message>
+    <message>
+        <source>An experiment of the same kind; where it was measured, both models are compared with it</source>
+        <translation>Ein Versuch derselben Art; wo gemessen wurde, werden beide Modelle damit verglichen</translation>
+    </message>
+    <message>
+        <source>Save the report...</source>
+        <translation>Bericht speichern ...</translation>
+    </message>
+    <message>
+        <source>Open measurements of a palpation, a material test or a wearable computer.
+Glisson says how far the declared model is off, what it lacks, and how sure that is.
+
+No measurements at hand? Try the example: silicone of liver-like stiffness in compression.</source>
+        <translation>Öffnen Sie Messungen einer Palpation, eines Materialversuchs oder eines tragbaren Rechners.
+Glisson sagt, wie weit das angegebene Modell danebenliegt, was ihm fehlt und wie sicher das ist.
+
+Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnlicher Steifigkeit unter Druck.</translation>
+    </message>
+    <message>
+        <source>Explaining %1</source>
+        <translation>%1 wird erklärt</translation>
+    </message>
+    <message>
+        <source>Something else is still under way. Wait for it, or cancel it first.</source>
+        <translation>Etwas anderes läuft noch. Warten Sie darauf, oder brechen Sie es zuerst ab.</translation>
+    </message>
+    <message>
+        <source>Open measurements first.</source>
+        <translation>Öffnen Sie zuerst Messungen.</translation>
+    </message>
+    <message>
+        <source>Nothing was found missing that could be accepted.</source>
+        <translation>Nichts Fehlendes gefunden, das angenommen werden könnte.</translation>
+    </message>
+    <message>
+        <source>What was found is of a computer, not of a patient.</source>
+        <translation>Das Gefundene betrifft einen Rechner, keinen Patienten.</translation>
+    </message>
+    <message>
+        <source>Open the patient&apos;s case first.</source>
+        <translation>Öffnen Sie zuerst den Fall des Patienten.</translation>
+    </message>
+    <message>
+        <source>Needs a model of the liver: build it first.</source>
+        <translation>Braucht ein Modell der Leber: bauen Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>Tick an effect among what was found.</source>
+        <translation>Kreuzen Sie unter dem Gefundenen einen Effekt an.</translation>
+    </message>
+    <message>
+        <source>%1, learnt from %2</source>
+        <translation>%1, gelernt aus %2</translation>
+    </message>
+    <message>
+        <source>A palpation</source>
+        <translation>Eine Palpation</translation>
+    </message>
+    <message>
+        <source>A material test</source>
+        <translation>Ein Materialversuch</translation>
+    </message>
+    <message>
+        <source>A wearable computer</source>
+        <translation>Ein tragbarer Rechner</translation>
+    </message>
+    <message>
+        <source>Nothing is open.</source>
+        <translation>Nichts ist geöffnet.</translation>
+    </message>
+    <message>
+        <source>The ticked effects change the organ that is rehearsed</source>
+        <translation>Die angekreuzten Effekte ändern das Organ, das geprobt wird</translation>
+    </message>
+    <message>
+        <source>Nothing was accepted for this patient.</source>
+        <translation>Für diesen Patienten wurde nichts angenommen.</translation>
+    </message>
+    <message>
+        <source>The organ is again what it was before</source>
+        <translation>Das Organ ist wieder, was es vorher war</translation>
+    </message>
+    <message>
+        <source>Accepted: %1</source>
+        <translation>Angenommen: %1</translation>
+    </message>
+    <message>
+        <source>Accepted, but left out: %1</source>
+        <translation>Angenommen, aber ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source>About %1 s left</source>
+        <translation>Noch etwa %1 s</translation>
+    </message>
+    <message>
+        <source>About %1 min left</source>
+        <translation>Noch etwa %1 min</translation>
+    </message>
+    <message>
+        <source>Accepting the evidence</source>
+        <translation>Befund wird angenommen</translation>
+    </message>
+    <message>
+        <source>Taking the evidence back</source>
+        <translation>Befund wird zurückgenommen</translation>
+    </message>
+    <message>
+        <source>Predicting the trials of %1</source>
+        <translation>Versuche von %1 werden vorhergesagt</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Declared</source>
+        <translation>Angegebenes</translation>
+    </message>
+    <message>
+        <source>Better</source>
+        <translation>Besseres</translation>
+    </message>
+    <message>
+        <source>Root mean square error, %1</source>
+        <translation>Mittlerer quadratischer Fehler, %1</translation>
+    </message>
+    <message>
+        <source>Open an experiment</source>
+        <translation>Versuch öffnen</translation>
+    </message>
+    <message>
+        <source>Experiments (*.json)</source>
+        <translation>Versuche (*.json)</translation>
+    </message>
+    <message>
+        <source>Open a report (a folder with report.json)</source>
+        <translation>Einen Bericht öffnen (ein Ordner mit report.json)</translation>
+    </message>
+    <message>
+        <source>Predict other trials</source>
+        <translation>Andere Versuche vorhersagen</translation>
+    </message>
+    <message>
+        <source>Save the report in this folder</source>
+        <translation>Den Bericht in diesem Ordner speichern</translation>
+    </message>
+    <message>
+        <source>The report is in %1</source>
+        <translation>Der Bericht liegt in %1</translation>
     </message>
 </context>
 <context>
@@ -3669,6 +4202,29 @@
     <message>
         <source>To register all frames and to judge them, s</source>
         <translation>Um alle Bilder zu registrieren und zu beurteilen, s</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::FoundTree</name>
+    <message>
+        <source>Effect</source>
+        <translation>Effekt</translation>
+    </message>
+    <message>
+        <source>Value ± sd</source>
+        <translation>Wert ± Std.abw.</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>● left open by the data</source>
+        <translation>● von den Daten offen gelassen</translation>
     </message>
 </context>
 <context>
@@ -4058,6 +4614,205 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
     <message>
         <source>No page holds these words.</source>
         <translation>Keine Seite enthält diese Wörter.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ModelPanel</name>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Bring it up to date</source>
+        <translation>Auf den neuesten Stand bringen</translation>
+    </message>
+    <message>
+        <source>Cells, stiffness and supports of the liver, and building them anew.</source>
+        <translation>Zellen, Steifigkeit und Lagerung der Leber, und wie sie neu gebaut werden.</translation>
+    </message>
+    <message>
+        <source>Needs an outline of the liver: make it in Segment.</source>
+        <translation>Braucht einen Umriss der Leber: Machen Sie ihn unter Segmentieren.</translation>
+    </message>
+    <message>
+        <source>The 3D view shows</source>
+        <translation>Die 3D-Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>What holds it</source>
+        <translation>Was sie hält</translation>
+    </message>
+    <message>
+        <source>The patient</source>
+        <translation>Den Patienten</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>E-Modul</translation>
+    </message>
+    <message>
+        <source>From MR elastography</source>
+        <translation>Aus der MR-Elastographie</translation>
+    </message>
+    <message>
+        <source>Atlas: 2.1 kPa in shear</source>
+        <translation>Atlas: 2.1 kPa Schubmodul</translation>
+    </message>
+    <message>
+        <source>Atlas: 2.6 kPa in shear</source>
+        <translation>Atlas: 2.6 kPa Schubmodul</translation>
+    </message>
+    <message>
+        <source>One value for all cells</source>
+        <translation>Ein Wert für alle Zellen</translation>
+    </message>
+    <message>
+        <source> kPa</source>
+        <translation> kPa</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus, about three times the shear modulus</source>
+        <translation>Elastizitätsmodul, etwa das Dreifache des Schubmoduls</translation>
+    </message>
+    <message>
+        <source>Give it this stiffness</source>
+        <translation>Diese Steifigkeit geben</translation>
+    </message>
+    <message>
+        <source>Elastography waves...</source>
+        <translation>Elastographie-Wellen ...</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Bauen</translation>
+    </message>
+    <message>
+        <source> cells</source>
+        <translation> Zellen</translation>
+    </message>
+    <message>
+        <source>Wanted number of cells: more are finer and slower. 20 000 answer at once.</source>
+        <translation>Gewünschte Zahl der Zellen: mehr sind feiner und langsamer. 20 000 antworten sofort.</translation>
+    </message>
+    <message>
+        <source>Building the model</source>
+        <translation>Modell wird erstellt</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Gehalten</translation>
+    </message>
+    <message>
+        <source>On springs</source>
+        <translation>Auf Federn</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus (kPa)</source>
+        <translation>Elastizitätsmodul (kPa)</translation>
+    </message>
+    <message>
+        <source>Needs a case: open one, or the demo patient.</source>
+        <translation>Braucht einen Fall: Öffnen Sie einen, oder den Demo-Patienten.</translation>
+    </message>
+    <message>
+        <source>There is no model yet. Build it from the outline.</source>
+        <translation>Es gibt noch kein Modell. Bauen Sie es aus dem Umriss.</translation>
+    </message>
+    <message>
+        <source>✓ The model is up to date.</source>
+        <translation>✓ Das Modell ist auf dem neuesten Stand.</translation>
+    </message>
+    <message>
+        <source>▲ A file of the model is gone.</source>
+        <translation>▲ Eine Datei des Modells fehlt.</translation>
+    </message>
+    <message>
+        <source>▲ Another program has changed a file of the model.</source>
+        <translation>▲ Ein anderes Programm hat eine Datei des Modells geändert.</translation>
+    </message>
+    <message>
+        <source>▲ The model is out of date.</source>
+        <translation>▲ Das Modell ist veraltet.</translation>
+    </message>
+    <message>
+        <source>▲ Out of date: %1 changed since it was built.</source>
+        <translation>▲ Veraltet: %1 hat sich geändert, seit es gebaut wurde.</translation>
+    </message>
+    <message>
+        <source>Build it anew</source>
+        <translation>Neu bauen</translation>
+    </message>
+    <message>
+        <source>Build the model</source>
+        <translation>Modell erstellen</translation>
+    </message>
+    <message>
+        <source>This case has no stiffness map: import one, or invert its waves</source>
+        <translation>Dieser Fall hat keine Steifigkeitskarte: Importieren Sie eine, oder invertieren Sie seine Wellen</translation>
+    </message>
+    <message>
+        <source>Keeps the cells and gives each this stiffness</source>
+        <translation>Behält die Zellen und gibt jeder diese Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Needs cells: build the model first</source>
+        <translation>Braucht Zellen: Bauen Sie zuerst das Modell</translation>
+    </message>
+    <message>
+        <source>Makes the cells anew and gives them the stiffness chosen above</source>
+        <translation>Macht die Zellen neu und gibt ihnen die oben gewählte Steifigkeit</translation>
+    </message>
+    <message>
+        <source>See the waves and invert them</source>
+        <translation>Die Wellen ansehen und invertieren</translation>
+    </message>
+    <message>
+        <source>This case has no raw waves</source>
+        <translation>Dieser Fall hat keine Rohwellen</translation>
+    </message>
+    <message>
+        <source>Assumed from the liver&apos;s shape: the bare area at the vena cava is held, the dome below the diaphragm rests on springs of 1.1 kPa/mm.</source>
+        <translation>Aus der Form der Leber angenommen: Die Area nuda an der Hohlvene wird gehalten, die Kuppel unter dem Zwerchfell ruht auf Federn von 1.1 kPa/mm.</translation>
+    </message>
+    <message>
+        <source>%1 cells, %2 points</source>
+        <translation>%1 Zellen, %2 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 ml in cells, %2 ml outlined (%3 %)</source>
+        <translation>%1 ml in Zellen, %2 ml umrissen (%3 %)</translation>
+    </message>
+    <message>
+        <source>Smallest dihedral angle %1°</source>
+        <translation>Kleinster Flächenwinkel %1°</translation>
+    </message>
+    <message>
+        <source>smallest dihedral angle of a cell, °</source>
+        <translation>kleinster Flächenwinkel einer Zelle, °</translation>
+    </message>
+    <message>
+        <source>%1 kPa on average, sd %2</source>
+        <translation>%1 kPa im Mittel, Standardabweichung %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the cells without data of their own, filled from inside</source>
+        <translation>%1 % der Zellen ohne eigene Daten, von innen her aufgefüllt</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of a cell, kPa</source>
+        <translation>Elastizitätsmodul einer Zelle, kPa</translation>
     </message>
 </context>
 <context>
@@ -4761,6 +5516,89 @@ figures</source>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::ReportView</name>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Show the patient&apos;s name</source>
+        <translation>Den Namen des Patienten zeigen</translation>
+    </message>
+    <message>
+        <source>Without it the page names neither the patient nor the case; see the settings too</source>
+        <translation>Ohne ihn nennt die Seite weder den Patienten noch den Fall; siehe auch die Einstellungen</translation>
+    </message>
+    <message>
+        <source>Collect again</source>
+        <translation>Neu zusammenstellen</translation>
+    </message>
+    <message>
+        <source>Reads the case and the present rehearsal anew</source>
+        <translation>Liest den Fall und die jetzige Probe neu</translation>
+    </message>
+    <message>
+        <source>Save as a web page...</source>
+        <translation>Als Webseite speichern ...</translation>
+    </message>
+    <message>
+        <source>Print to PDF...</source>
+        <translation>Als PDF drucken ...</translation>
+    </message>
+    <message>
+        <source>All that was done for this patient on one page.</source>
+        <translation>Alles, was für diesen Patienten getan wurde, auf einer Seite.</translation>
+    </message>
+    <message>
+        <source>Needs a case: open one, or the demo patient.</source>
+        <translation>Braucht einen Fall: Öffnen Sie einen, oder den Demo-Patienten.</translation>
+    </message>
+    <message>
+        <source>Collecting the report</source>
+        <translation>Bericht wird zusammengestellt</translation>
+    </message>
+    <message>
+        <source>Open a case, or the demo patient, to see its page.</source>
+        <translation>Öffnen Sie einen Fall oder den Demo-Patienten, um die Seite zu sehen.</translation>
+    </message>
+    <message>
+        <source>The page is being collected.</source>
+        <translation>Die Seite wird zusammengestellt.</translation>
+    </message>
+    <message>
+        <source>Something has changed since this page was collected.</source>
+        <translation>Seit diese Seite zusammengestellt wurde, hat sich etwas geändert.</translation>
+    </message>
+    <message>
+        <source>Collected from the case and from what is being rehearsed now.</source>
+        <translation>Zusammengestellt aus dem Fall und dem, was gerade geprobt wird.</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Webseiten (*.html)</translation>
+    </message>
+    <message>
+        <source>The report is in %1</source>
+        <translation>Der Bericht liegt in %1</translation>
+    </message>
+    <message>
+        <source>Print the report</source>
+        <translation>Bericht drucken</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report could not be written to %1.</source>
+        <translation>Der Bericht konnte nicht nach %1 geschrieben werden.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::ResectPanel</name>
     <message>
         <source>Plan a resection</source>
@@ -4769,14 +5607,6 @@ figures</source>
     <message>
         <source>Needs a model of the liver. Build it first, or open the demo patient.</source>
         <translation>Braucht ein Modell der Leber. Bauen Sie es zuerst, oder öffnen Sie den Demo-Patienten.</translation>
-    </message>
-    <message>
-        <source>Cut by a plane</source>
-        <translation>Schnitt mit einer Ebene</translation>
-    </message>
-    <message>
-        <source>Cut by a smooth surface through points</source>
-        <translation>Schnitt mit einer glatten Fläche durch Punkte</translation>
     </message>
     <message>
         <source>Resect</source>
@@ -4789,86 +5619,6 @@ figures</source>
     <message>
         <source>Needs a model of the liver: build it first.</source>
         <translation>Braucht ein Modell der Leber: bauen Sie es zuerst.</translation>
-    </message>
-    <message>
-        <source>Divides</source>
-        <translation>Trennt</translation>
-    </message>
-    <message>
-        <source>left from right</source>
-        <translation>links von rechts</translation>
-    </message>
-    <message>
-        <source>front from back</source>
-        <translation>vorn von hinten</translation>
-    </message>
-    <message>
-        <source>head from foot</source>
-        <translation>Kopf- von Fußseite</translation>
-    </message>
-    <message>
-        <source>Through crosshair</source>
-        <translation>Durchs Fadenkreuz</translation>
-    </message>
-    <message>
-        <source>Puts the plane through the crosshair, across the direction above</source>
-        <translation>Legt die Ebene durch das Fadenkreuz, quer zur Richtung darüber</translation>
-    </message>
-    <message>
-        <source>By three clicks</source>
-        <translation>Mit drei Klicks</translation>
-    </message>
-    <message>
-        <source>Then click three places on the liver or in the slices</source>
-        <translation>Klicken Sie dann drei Stellen auf der Leber oder in den Schnitten an</translation>
-    </message>
-    <message>
-        <source>Shift</source>
-        <translation>Verschieben</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Drehen</translation>
-    </message>
-    <message>
-        <source>Tilt</source>
-        <translation>Kippen</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Distance of the plane from the middle of the liver, along its normal</source>
-        <translation>Abstand der Ebene von der Mitte der Leber, entlang ihrer Normalen</translation>
-    </message>
-    <message>
-        <source>The normal about the axis from feet to head: 0° to the patient&apos;s left, 90° to the back</source>
-        <translation>Die Normale um die Achse von den Füßen zum Kopf: 0° zur linken Seite des Patienten, 90° nach hinten</translation>
-    </message>
-    <message>
-        <source>The normal upwards: 90° to the head</source>
-        <translation>Die Normale nach oben: 90° zum Kopf</translation>
-    </message>
-    <message>
-        <source>Set points</source>
-        <translation>Punkte setzen</translation>
-    </message>
-    <message>
-        <source>Each click on the liver or in a slice sets a point; points can be dragged</source>
-        <translation>Jeder Klick auf die Leber oder in einen Schnitt setzt einen Punkt; Punkte lassen sich ziehen</translation>
-    </message>
-    <message>
-        <source>Drop the last</source>
-        <translation>Letzten entfernen</translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>Löschen</translation>
     </message>
     <message>
         <source>Apart</source>
@@ -4909,14 +5659,6 @@ figures</source>
     <message>
         <source>Stays</source>
         <translation>Bleibt</translation>
-    </message>
-    <message>
-        <source>Points set: %1. Three are needed.</source>
-        <translation>Gesetzte Punkte: %1. Drei sind nötig.</translation>
-    </message>
-    <message>
-        <source>Points set: %1. Drag them in any view.</source>
-        <translation>Gesetzte Punkte: %1. Sie lassen sich in jeder Ansicht ziehen.</translation>
     </message>
     <message>
         <source>This patient is not kept in a case folder</source>
@@ -5204,6 +5946,49 @@ von je %4 × %5 × %6 mm</translation>
 Young&apos;s modulus %2 kPa (mean)</source>
         <translation>%1 Zellen
 Elastizitätsmodul %2 kPa (Mittel)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::SuspectsTable</name>
+    <message>
+        <source>Suspect, each by itself</source>
+        <translation>Verdacht, jeder für sich</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>On trials left out</source>
+        <translation>An ausgelassenen Versuchen</translation>
+    </message>
+    <message>
+        <source>ΔBIC</source>
+        <translation>ΔBIC</translation>
+    </message>
+    <message>
+        <source>These data cannot tell it from</source>
+        <translation>Diese Daten unterscheiden es nicht von</translation>
+    </message>
+    <message>
+        <source>Root mean square on the trials that it was fitted to</source>
+        <translation>Quadratisches Mittel auf den Versuchen, an die es angepasst wurde</translation>
+    </message>
+    <message>
+        <source>Root mean square on trials that it was not fitted to, left out whole</source>
+        <translation>Quadratisches Mittel auf ganz ausgelassenen Versuchen, an die es nicht angepasst wurde</translation>
+    </message>
+    <message>
+        <source>Evidence against the declared model: below -10 is very strong</source>
+        <translation>Evidenz gegen das angegebene Modell: unter -10 ist sehr stark</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>out of the running: %1</source>
+        <translation>aus dem Rennen: %1</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,105 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
+    <name>effects</name>
+    <message>
+        <source>Stiffer or softer throughout</source>
+        <translation>Más rígido o más blando en todo</translation>
+    </message>
+    <message>
+        <source>Stiffens as it deforms</source>
+        <translation>Se endurece al deformarse</translation>
+    </message>
+    <message>
+        <source>The support gives way</source>
+        <translation>El apoyo cede</translation>
+    </message>
+    <message>
+        <source>A hidden stiffer region</source>
+        <translation>Una región más rígida oculta</translation>
+    </message>
+    <message>
+        <source>Creeps under load</source>
+        <translation>Fluye bajo carga</translation>
+    </message>
+    <message>
+        <source>The force sensor is off</source>
+        <translation>El sensor de fuerza se desvía</translation>
+    </message>
+    <message>
+        <source>Camera and specimen misaligned</source>
+        <translation>Cámara y muestra desalineadas</translation>
+    </message>
+    <message>
+        <source>Stiffer along one direction</source>
+        <translation>Más rígido en una dirección</translation>
+    </message>
+    <message>
+        <source>A stiff capsule around it</source>
+        <translation>Una cápsula rígida alrededor</translation>
+    </message>
+    <message>
+        <source>Already loaded at the start</source>
+        <translation>Ya cargado al principio</translation>
+    </message>
+    <message>
+        <source>Softer once it was stretched</source>
+        <translation>Más blando tras haberse estirado</translation>
+    </message>
+    <message>
+        <source>Loading and unloading differ</source>
+        <translation>La carga y la descarga difieren</translation>
+    </message>
+    <message>
+        <source>Tension and compression differ</source>
+        <translation>La tracción y la compresión difieren</translation>
+    </message>
+    <message>
+        <source>The battery&apos;s own resistance</source>
+        <translation>La resistencia propia de la batería</translation>
+    </message>
+    <message>
+        <source>Less charge when emptied fast</source>
+        <translation>Menos carga si se vacía rápido</translation>
+    </message>
+    <message>
+        <source>It warms itself</source>
+        <translation>Se calienta a sí mismo</translation>
+    </message>
+    <message>
+        <source>Voltage falls as it empties</source>
+        <translation>La tensión cae al vaciarse</translation>
+    </message>
+    <message>
+        <source>Power drawn at rest</source>
+        <translation>Potencia en reposo</translation>
+    </message>
+    <message>
+        <source>Power drawn by the work</source>
+        <translation>Potencia debida al trabajo</translation>
+    </message>
+    <message>
+        <source>Slows down when hot</source>
+        <translation>Se ralentiza al calentarse</translation>
+    </message>
+    <message>
+        <source>Sheds heat better or worse</source>
+        <translation>Disipa el calor mejor o peor</translation>
+    </message>
+    <message>
+        <source>Takes time to warm up</source>
+        <translation>Tarda en calentarse</translation>
+    </message>
+    <message>
+        <source>Power lost in the supply</source>
+        <translation>Pérdidas en la alimentación</translation>
+    </message>
+    <message>
+        <source>A smooth correction, no cause</source>
+        <translation>Una corrección suave, no una causa</translation>
+    </message>
+</context>
+<context>
     <name>errors</name>
     <message>
         <source>There is no column &quot;{0}&quot;.</source>
@@ -3431,6 +3530,18 @@
         <source>Take more steps: at most half the radius of the tool&apos;s rods in each.</source>
         <translation>Tome más pasos: en cada uno, como mucho la mitad del radio de las varillas del instrumento.</translation>
     </message>
+    <message>
+        <source>Comparing the files with what they were made from</source>
+        <translation>Comparando los archivos con aquello de lo que se hicieron</translation>
+    </message>
+    <message>
+        <source>{0} does not hold a report of measurements: {1}.</source>
+        <translation>{0} no contiene un informe de mediciones: {1}.</translation>
+    </message>
+    <message>
+        <source>Open an experiment to make one; it holds report.json, report.html and model.json.</source>
+        <translation>Abra un experimento para crear uno; contiene report.json, report.html y model.json.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -3578,6 +3689,105 @@
     </message>
 </context>
 <context>
+    <name>glisson::widgets::CutControls</name>
+    <message>
+        <source>Cut by a plane</source>
+        <translation>Sección por un plano</translation>
+    </message>
+    <message>
+        <source>Cut by a smooth surface through points</source>
+        <translation>Sección por una superficie suave que pasa por puntos</translation>
+    </message>
+    <message>
+        <source>Divides</source>
+        <translation>Separa</translation>
+    </message>
+    <message>
+        <source>left from right</source>
+        <translation>izquierda de derecha</translation>
+    </message>
+    <message>
+        <source>front from back</source>
+        <translation>delante de detrás</translation>
+    </message>
+    <message>
+        <source>head from foot</source>
+        <translation>cabeza de pies</translation>
+    </message>
+    <message>
+        <source>Through crosshair</source>
+        <translation>Por la cruz</translation>
+    </message>
+    <message>
+        <source>Puts the plane through the crosshair, across the direction above</source>
+        <translation>Pone el plano por la cruz, transversal a la dirección de arriba</translation>
+    </message>
+    <message>
+        <source>By three clicks</source>
+        <translation>Con tres clics</translation>
+    </message>
+    <message>
+        <source>Then click three places on the liver or in the slices</source>
+        <translation>Haga clic después en tres lugares del hígado o de los cortes</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Desplazar</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Girar</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Inclinar</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Distance of the plane from the middle of the liver, along its normal</source>
+        <translation>Distancia del plano al centro del hígado, a lo largo de su normal</translation>
+    </message>
+    <message>
+        <source>The normal about the axis from feet to head: 0° to the patient&apos;s left, 90° to the back</source>
+        <translation>La normal alrededor del eje de pies a cabeza: 0° hacia la izquierda del paciente, 90° hacia atrás</translation>
+    </message>
+    <message>
+        <source>The normal upwards: 90° to the head</source>
+        <translation>La normal hacia arriba: 90° hacia la cabeza</translation>
+    </message>
+    <message>
+        <source>Set points</source>
+        <translation>Poner puntos</translation>
+    </message>
+    <message>
+        <source>Each click on the liver or in a slice sets a point; points can be dragged</source>
+        <translation>Cada clic en el hígado o en un corte pone un punto; los puntos se pueden arrastrar</translation>
+    </message>
+    <message>
+        <source>Drop the last</source>
+        <translation>Quitar el último</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Points set: %1. Three are needed.</source>
+        <translation>Puntos puestos: %1. Hacen falta tres.</translation>
+    </message>
+    <message>
+        <source>Points set: %1. Drag them in any view.</source>
+        <translation>Puntos puestos: %1. Arrástrelos en cualquier vista.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::DiaryWindow</name>
     <message>
         <source>Log - Glisson</source>
@@ -3606,6 +3816,329 @@
     <message>
         <source>Text (*.txt)</source>
         <translation>Texto (*.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ErrorsTable</name>
+    <message>
+        <source>%1 × noise</source>
+        <translation>%1 × ruido</translation>
+    </message>
+    <message>
+        <source>Error, × noise</source>
+        <translation>Error, × ruido</translation>
+    </message>
+    <message>
+        <source>Error, %1</source>
+        <translation>Error, %1</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Después</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>On trials left out</source>
+        <translation>En ensayos apartados</translation>
+    </message>
+    <message>
+        <source>95 % interval of it</source>
+        <translation>Intervalo del 95 %</translation>
+    </message>
+    <message>
+        <source>Root mean square</source>
+        <translation>Media cuadrática</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>95 of 100 are below</source>
+        <translation>95 de cada 100 están por debajo</translation>
+    </message>
+    <message>
+        <source>Noise of the measurement</source>
+        <translation>Ruido de la medición</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::EvidenceAnswer</name>
+    <message>
+        <source>What was found</source>
+        <translation>Lo que se encontró</translation>
+    </message>
+    <message>
+        <source>Residual (mm)</source>
+        <translation>Residuo (mm)</translation>
+    </message>
+    <message>
+        <source>Measured less predicted, where this trial was farthest off. Arrows %1 times as long as they are; colours reach to %2 mm, between markers interpolated.</source>
+        <translation>Medido menos predicho, donde este ensayo más se apartó. Flechas alargadas %1 veces; colores hasta %2 mm, interpolados entre marcadores.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing: what the declared model leaves, %1, is noise.</source>
+        <translation>No falta nada: lo que deja el modelo declarado, %1, es ruido.</translation>
+    </message>
+    <message>
+        <source>Explained: the error falls from %1 to %2, as small as the noise.</source>
+        <translation>Explicado: el error baja de %1 a %2, tan pequeño como el ruido.</translation>
+    </message>
+    <message>
+        <source>Not explained: the error falls from %1 to %2 and stays above the noise. What is named is a part of it, not its cause.</source>
+        <translation>Sin explicar: el error baja de %1 a %2 y queda por encima del ruido. Lo nombrado es una parte, no su causa.</translation>
+    </message>
+    <message>
+        <source>No test finds anything in it that noise would not do.</source>
+        <translation>Ninguna prueba encuentra en ello nada que el ruido no haría.</translation>
+    </message>
+    <message>
+        <source>What the declared model leaves is not noise: %1.</source>
+        <translation>Lo que deja el modelo declarado no es ruido: %1.</translation>
+    </message>
+    <message>
+        <source>What is left at the end: %1.</source>
+        <translation>Lo que queda al final: %1.</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Después</translation>
+    </message>
+    <message>
+        <source>Suspects</source>
+        <translation>Sospechosos</translation>
+    </message>
+    <message>
+        <source>What to measure next</source>
+        <translation>Qué medir después</translation>
+    </message>
+    <message>
+        <source>No further trial is known that would tell the leading explanations apart.</source>
+        <translation>No se conoce otro ensayo que distinga las explicaciones principales.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::EvidenceView</name>
+    <message>
+        <source>Evidence</source>
+        <translation>Evidencia</translation>
+    </message>
+    <message>
+        <source>Hold measurements against the model, and find what it lacks.</source>
+        <translation>Contrastar mediciones con el modelo y encontrar lo que le falta.</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mediciones</translation>
+    </message>
+    <message>
+        <source>Open an experiment...</source>
+        <translation>Abrir un experimento...</translation>
+    </message>
+    <message>
+        <source>A file that says what was measured and which model was assumed (Help, Closing the loop)</source>
+        <translation>Un archivo que dice qué se midió y qué modelo se supuso (Ayuda, Closing the loop)</translation>
+    </message>
+    <message>
+        <source>Try the example</source>
+        <translation>Probar el ejemplo</translation>
+    </message>
+    <message>
+        <source>Silicone of liver-like stiffness, compressed: measured, not simulated</source>
+        <translation>Silicona de rigidez parecida al hígado, comprimida: medida, no simulada</translation>
+    </message>
+    <message>
+        <source>Open a report...</source>
+        <translation>Abrir un informe...</translation>
+    </message>
+    <message>
+        <source>A folder with report.json and model.json, written here or by glisson-cli explain</source>
+        <translation>Una carpeta con report.json y model.json, escrita aquí o por glisson-cli explain</translation>
+    </message>
+    <message>
+        <source>For the patient</source>
+        <translation>Para el paciente</translation>
+    </message>
+    <message>
+        <source>Accept for this patient</source>
+        <translation>Aceptar para este paciente</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Retirar</translation>
+    </message>
+    <message>
+        <source>Other trials</source>
+        <translation>Otros ensayos</translation>
+    </message>
+    <message>
+        <source>Predict other trials...</source>
+        <translation>Predecir otros ensayos...</translation>
+    </message>
+    <message>
+        <source>An experiment of the same kind; where it was measured, both models are compared with it</source>
+        <translation>Un experimento del mismo tipo; donde se midió, ambos modelos se comparan con él</translation>
+    </message>
+    <message>
+        <source>Save the report...</source>
+        <translation>Guardar el informe...</translation>
+    </message>
+    <message>
+        <source>Open measurements of a palpation, a material test or a wearable computer.
+Glisson says how far the declared model is off, what it lacks, and how sure that is.
+
+No measurements at hand? Try the example: silicone of liver-like stiffness in compression.</source>
+        <translation>Abra mediciones de una palpación, un ensayo de material o un ordenador portátil en el cuerpo.
+Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué certeza.
+
+¿No tiene mediciones a mano? Pruebe el ejemplo: silicona de rigidez parecida al hígado, en compresión.</translation>
+    </message>
+    <message>
+        <source>Explaining %1</source>
+        <translation>Explicando %1</translation>
+    </message>
+    <message>
+        <source>Something else is still under way. Wait for it, or cancel it first.</source>
+        <translation>Hay otra operación en curso. Espere a que termine o cancélela antes.</translation>
+    </message>
+    <message>
+        <source>Open measurements first.</source>
+        <translation>Abra primero mediciones.</translation>
+    </message>
+    <message>
+        <source>Nothing was found missing that could be accepted.</source>
+        <translation>No se encontró que faltara nada que pudiera aceptarse.</translation>
+    </message>
+    <message>
+        <source>What was found is of a computer, not of a patient.</source>
+        <translation>Lo encontrado es de un ordenador, no de un paciente.</translation>
+    </message>
+    <message>
+        <source>Open the patient&apos;s case first.</source>
+        <translation>Abra primero el caso del paciente.</translation>
+    </message>
+    <message>
+        <source>Needs a model of the liver: build it first.</source>
+        <translation>Necesita un modelo del hígado: constrúyalo primero.</translation>
+    </message>
+    <message>
+        <source>Tick an effect among what was found.</source>
+        <translation>Marque un efecto entre lo encontrado.</translation>
+    </message>
+    <message>
+        <source>%1, learnt from %2</source>
+        <translation>%1, aprendido de %2</translation>
+    </message>
+    <message>
+        <source>A palpation</source>
+        <translation>Una palpación</translation>
+    </message>
+    <message>
+        <source>A material test</source>
+        <translation>Un ensayo de material</translation>
+    </message>
+    <message>
+        <source>A wearable computer</source>
+        <translation>Un ordenador portátil en el cuerpo</translation>
+    </message>
+    <message>
+        <source>Nothing is open.</source>
+        <translation>No hay nada abierto.</translation>
+    </message>
+    <message>
+        <source>The ticked effects change the organ that is rehearsed</source>
+        <translation>Los efectos marcados cambian el órgano que se ensaya</translation>
+    </message>
+    <message>
+        <source>Nothing was accepted for this patient.</source>
+        <translation>No se aceptó nada para este paciente.</translation>
+    </message>
+    <message>
+        <source>The organ is again what it was before</source>
+        <translation>El órgano vuelve a ser lo que era</translation>
+    </message>
+    <message>
+        <source>Accepted: %1</source>
+        <translation>Aceptado: %1</translation>
+    </message>
+    <message>
+        <source>Accepted, but left out: %1</source>
+        <translation>Aceptado, pero omitido: %1</translation>
+    </message>
+    <message>
+        <source>About %1 s left</source>
+        <translation>Quedan unos %1 s</translation>
+    </message>
+    <message>
+        <source>About %1 min left</source>
+        <translation>Quedan unos %1 min</translation>
+    </message>
+    <message>
+        <source>Accepting the evidence</source>
+        <translation>Aceptando la evidencia</translation>
+    </message>
+    <message>
+        <source>Taking the evidence back</source>
+        <translation>Retirando la evidencia</translation>
+    </message>
+    <message>
+        <source>Predicting the trials of %1</source>
+        <translation>Prediciendo los ensayos de %1</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>no medido</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Ensayo</translation>
+    </message>
+    <message>
+        <source>Declared</source>
+        <translation>Declarado</translation>
+    </message>
+    <message>
+        <source>Better</source>
+        <translation>Mejor</translation>
+    </message>
+    <message>
+        <source>Root mean square error, %1</source>
+        <translation>Error cuadrático medio, %1</translation>
+    </message>
+    <message>
+        <source>Open an experiment</source>
+        <translation>Abrir un experimento</translation>
+    </message>
+    <message>
+        <source>Experiments (*.json)</source>
+        <translation>Experimentos (*.json)</translation>
+    </message>
+    <message>
+        <source>Open a report (a folder with report.json)</source>
+        <translation>Abrir un informe (una carpeta con report.json)</translation>
+    </message>
+    <message>
+        <source>Predict other trials</source>
+        <translation>Predecir otros ensayos</translation>
+    </message>
+    <message>
+        <source>Save the report in this folder</source>
+        <translation>Guardar el informe en esta carpeta</translation>
+    </message>
+    <message>
+        <source>The report is in %1</source>
+        <translation>El informe está en %1</translation>
     </message>
 </context>
 <context>
@@ -3669,6 +4202,29 @@
     <message>
         <source>To register all frames and to judge them, s</source>
         <translation>Para registrar todos los fotogramas y juzgarlos, s</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::FoundTree</name>
+    <message>
+        <source>Effect</source>
+        <translation>Efecto</translation>
+    </message>
+    <message>
+        <source>Value ± sd</source>
+        <translation>Valor ± desv.</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>● left open by the data</source>
+        <translation>● los datos lo dejan abierto</translation>
     </message>
 </context>
 <context>
@@ -4060,6 +4616,205 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
     <message>
         <source>No page holds these words.</source>
         <translation>Ninguna página contiene estas palabras.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ModelPanel</name>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>Bring it up to date</source>
+        <translation>Actualizarlo</translation>
+    </message>
+    <message>
+        <source>Cells, stiffness and supports of the liver, and building them anew.</source>
+        <translation>Celdas, rigidez y apoyos del hígado, y cómo construirlos de nuevo.</translation>
+    </message>
+    <message>
+        <source>Needs an outline of the liver: make it in Segment.</source>
+        <translation>Necesita un contorno del hígado: hágalo en Segmentar.</translation>
+    </message>
+    <message>
+        <source>The 3D view shows</source>
+        <translation>La vista 3D muestra</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Rigidez</translation>
+    </message>
+    <message>
+        <source>What holds it</source>
+        <translation>Qué lo sujeta</translation>
+    </message>
+    <message>
+        <source>The patient</source>
+        <translation>El paciente</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Celdas</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Módulo de Young</translation>
+    </message>
+    <message>
+        <source>From MR elastography</source>
+        <translation>De la elastografía por RM</translation>
+    </message>
+    <message>
+        <source>Atlas: 2.1 kPa in shear</source>
+        <translation>Atlas: 2.1 kPa en cizalla</translation>
+    </message>
+    <message>
+        <source>Atlas: 2.6 kPa in shear</source>
+        <translation>Atlas: 2.6 kPa en cizalla</translation>
+    </message>
+    <message>
+        <source>One value for all cells</source>
+        <translation>Un valor para todas las celdas</translation>
+    </message>
+    <message>
+        <source> kPa</source>
+        <translation> kPa</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus, about three times the shear modulus</source>
+        <translation>Módulo de Young, unas tres veces el módulo de cizalla</translation>
+    </message>
+    <message>
+        <source>Give it this stiffness</source>
+        <translation>Darle esta rigidez</translation>
+    </message>
+    <message>
+        <source>Elastography waves...</source>
+        <translation>Ondas de elastografía...</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Construir</translation>
+    </message>
+    <message>
+        <source> cells</source>
+        <translation> celdas</translation>
+    </message>
+    <message>
+        <source>Wanted number of cells: more are finer and slower. 20 000 answer at once.</source>
+        <translation>Número de celdas deseado: más son más finas y lentas. 20 000 responden al instante.</translation>
+    </message>
+    <message>
+        <source>Building the model</source>
+        <translation>Construyendo el modelo</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Abriendo %1</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Sujeto</translation>
+    </message>
+    <message>
+        <source>On springs</source>
+        <translation>Sobre muelles</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus (kPa)</source>
+        <translation>Módulo de Young (kPa)</translation>
+    </message>
+    <message>
+        <source>Needs a case: open one, or the demo patient.</source>
+        <translation>Necesita un caso: abra uno o el paciente de demostración.</translation>
+    </message>
+    <message>
+        <source>There is no model yet. Build it from the outline.</source>
+        <translation>Aún no hay modelo. Constrúyalo a partir del contorno.</translation>
+    </message>
+    <message>
+        <source>✓ The model is up to date.</source>
+        <translation>✓ El modelo está al día.</translation>
+    </message>
+    <message>
+        <source>▲ A file of the model is gone.</source>
+        <translation>▲ Falta un archivo del modelo.</translation>
+    </message>
+    <message>
+        <source>▲ Another program has changed a file of the model.</source>
+        <translation>▲ Otro programa ha cambiado un archivo del modelo.</translation>
+    </message>
+    <message>
+        <source>▲ The model is out of date.</source>
+        <translation>▲ El modelo está desactualizado.</translation>
+    </message>
+    <message>
+        <source>▲ Out of date: %1 changed since it was built.</source>
+        <translation>▲ Desactualizado: %1 cambió desde que se construyó.</translation>
+    </message>
+    <message>
+        <source>Build it anew</source>
+        <translation>Construirlo de nuevo</translation>
+    </message>
+    <message>
+        <source>Build the model</source>
+        <translation>Construir el modelo</translation>
+    </message>
+    <message>
+        <source>This case has no stiffness map: import one, or invert its waves</source>
+        <translation>Este caso no tiene mapa de rigidez: importe uno o invierta sus ondas</translation>
+    </message>
+    <message>
+        <source>Keeps the cells and gives each this stiffness</source>
+        <translation>Conserva las celdas y da a cada una esta rigidez</translation>
+    </message>
+    <message>
+        <source>Needs cells: build the model first</source>
+        <translation>Necesita celdas: construya primero el modelo</translation>
+    </message>
+    <message>
+        <source>Makes the cells anew and gives them the stiffness chosen above</source>
+        <translation>Rehace las celdas y les da la rigidez elegida arriba</translation>
+    </message>
+    <message>
+        <source>See the waves and invert them</source>
+        <translation>Ver las ondas e invertirlas</translation>
+    </message>
+    <message>
+        <source>This case has no raw waves</source>
+        <translation>Este caso no tiene ondas sin procesar</translation>
+    </message>
+    <message>
+        <source>Assumed from the liver&apos;s shape: the bare area at the vena cava is held, the dome below the diaphragm rests on springs of 1.1 kPa/mm.</source>
+        <translation>Supuesto por la forma del hígado: el área desnuda junto a la vena cava está sujeta, la cúpula bajo el diafragma descansa sobre muelles de 1.1 kPa/mm.</translation>
+    </message>
+    <message>
+        <source>%1 cells, %2 points</source>
+        <translation>%1 celdas, %2 puntos</translation>
+    </message>
+    <message>
+        <source>%1 ml in cells, %2 ml outlined (%3 %)</source>
+        <translation>%1 ml en celdas, %2 ml delineados (%3 %)</translation>
+    </message>
+    <message>
+        <source>Smallest dihedral angle %1°</source>
+        <translation>Menor ángulo diedro %1°</translation>
+    </message>
+    <message>
+        <source>smallest dihedral angle of a cell, °</source>
+        <translation>menor ángulo diedro de una celda, °</translation>
+    </message>
+    <message>
+        <source>%1 kPa on average, sd %2</source>
+        <translation>%1 kPa de media, desviación típica %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the cells without data of their own, filled from inside</source>
+        <translation>%1 % de las celdas sin datos propios, rellenadas desde el interior</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of a cell, kPa</source>
+        <translation>módulo de Young de una celda, kPa</translation>
     </message>
 </context>
 <context>
@@ -4764,6 +5519,89 @@ supuestas</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::ReportView</name>
+    <message>
+        <source>Report</source>
+        <translation>Informe</translation>
+    </message>
+    <message>
+        <source>Show the patient&apos;s name</source>
+        <translation>Mostrar el nombre del paciente</translation>
+    </message>
+    <message>
+        <source>Without it the page names neither the patient nor the case; see the settings too</source>
+        <translation>Sin él, la página no nombra ni al paciente ni el caso; vea también los ajustes</translation>
+    </message>
+    <message>
+        <source>Collect again</source>
+        <translation>Reunir de nuevo</translation>
+    </message>
+    <message>
+        <source>Reads the case and the present rehearsal anew</source>
+        <translation>Lee de nuevo el caso y el ensayo actual</translation>
+    </message>
+    <message>
+        <source>Save as a web page...</source>
+        <translation>Guardar como página web...</translation>
+    </message>
+    <message>
+        <source>Print to PDF...</source>
+        <translation>Imprimir a PDF...</translation>
+    </message>
+    <message>
+        <source>All that was done for this patient on one page.</source>
+        <translation>Todo lo hecho para este paciente en una página.</translation>
+    </message>
+    <message>
+        <source>Needs a case: open one, or the demo patient.</source>
+        <translation>Necesita un caso: abra uno o el paciente de demostración.</translation>
+    </message>
+    <message>
+        <source>Collecting the report</source>
+        <translation>Reuniendo el informe</translation>
+    </message>
+    <message>
+        <source>Open a case, or the demo patient, to see its page.</source>
+        <translation>Abra un caso, o el paciente de demostración, para ver su página.</translation>
+    </message>
+    <message>
+        <source>The page is being collected.</source>
+        <translation>La página se está reuniendo.</translation>
+    </message>
+    <message>
+        <source>Something has changed since this page was collected.</source>
+        <translation>Algo ha cambiado desde que se reunió esta página.</translation>
+    </message>
+    <message>
+        <source>Collected from the case and from what is being rehearsed now.</source>
+        <translation>Reunido del caso y de lo que se ensaya ahora.</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Guardar el informe</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Páginas web (*.html)</translation>
+    </message>
+    <message>
+        <source>The report is in %1</source>
+        <translation>El informe está en %1</translation>
+    </message>
+    <message>
+        <source>Print the report</source>
+        <translation>Imprimir el informe</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report could not be written to %1.</source>
+        <translation>El informe no se pudo escribir en %1.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::ResectPanel</name>
     <message>
         <source>Plan a resection</source>
@@ -4772,14 +5610,6 @@ supuestas</translation>
     <message>
         <source>Needs a model of the liver. Build it first, or open the demo patient.</source>
         <translation>Necesita un modelo del hígado. Constrúyalo primero o abra el paciente de demostración.</translation>
-    </message>
-    <message>
-        <source>Cut by a plane</source>
-        <translation>Sección por un plano</translation>
-    </message>
-    <message>
-        <source>Cut by a smooth surface through points</source>
-        <translation>Sección por una superficie suave que pasa por puntos</translation>
     </message>
     <message>
         <source>Resect</source>
@@ -4792,86 +5622,6 @@ supuestas</translation>
     <message>
         <source>Needs a model of the liver: build it first.</source>
         <translation>Necesita un modelo del hígado: constrúyalo primero.</translation>
-    </message>
-    <message>
-        <source>Divides</source>
-        <translation>Separa</translation>
-    </message>
-    <message>
-        <source>left from right</source>
-        <translation>izquierda de derecha</translation>
-    </message>
-    <message>
-        <source>front from back</source>
-        <translation>delante de detrás</translation>
-    </message>
-    <message>
-        <source>head from foot</source>
-        <translation>cabeza de pies</translation>
-    </message>
-    <message>
-        <source>Through crosshair</source>
-        <translation>Por la cruz</translation>
-    </message>
-    <message>
-        <source>Puts the plane through the crosshair, across the direction above</source>
-        <translation>Pone el plano por la cruz, transversal a la dirección de arriba</translation>
-    </message>
-    <message>
-        <source>By three clicks</source>
-        <translation>Con tres clics</translation>
-    </message>
-    <message>
-        <source>Then click three places on the liver or in the slices</source>
-        <translation>Haga clic después en tres lugares del hígado o de los cortes</translation>
-    </message>
-    <message>
-        <source>Shift</source>
-        <translation>Desplazar</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Girar</translation>
-    </message>
-    <message>
-        <source>Tilt</source>
-        <translation>Inclinar</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Distance of the plane from the middle of the liver, along its normal</source>
-        <translation>Distancia del plano al centro del hígado, a lo largo de su normal</translation>
-    </message>
-    <message>
-        <source>The normal about the axis from feet to head: 0° to the patient&apos;s left, 90° to the back</source>
-        <translation>La normal alrededor del eje de pies a cabeza: 0° hacia la izquierda del paciente, 90° hacia atrás</translation>
-    </message>
-    <message>
-        <source>The normal upwards: 90° to the head</source>
-        <translation>La normal hacia arriba: 90° hacia la cabeza</translation>
-    </message>
-    <message>
-        <source>Set points</source>
-        <translation>Poner puntos</translation>
-    </message>
-    <message>
-        <source>Each click on the liver or in a slice sets a point; points can be dragged</source>
-        <translation>Cada clic en el hígado o en un corte pone un punto; los puntos se pueden arrastrar</translation>
-    </message>
-    <message>
-        <source>Drop the last</source>
-        <translation>Quitar el último</translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>Borrar</translation>
     </message>
     <message>
         <source>Apart</source>
@@ -4912,14 +5662,6 @@ supuestas</translation>
     <message>
         <source>Stays</source>
         <translation>Queda</translation>
-    </message>
-    <message>
-        <source>Points set: %1. Three are needed.</source>
-        <translation>Puntos puestos: %1. Hacen falta tres.</translation>
-    </message>
-    <message>
-        <source>Points set: %1. Drag them in any view.</source>
-        <translation>Puntos puestos: %1. Arrástrelos en cualquier vista.</translation>
     </message>
     <message>
         <source>This patient is not kept in a case folder</source>
@@ -5207,6 +5949,49 @@ de %4 × %5 × %6 mm cada uno</translation>
 Young&apos;s modulus %2 kPa (mean)</source>
         <translation>%1 celdas
 Módulo de Young %2 kPa (media)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::SuspectsTable</name>
+    <message>
+        <source>Suspect, each by itself</source>
+        <translation>Sospechoso, cada uno por sí solo</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>On trials left out</source>
+        <translation>En ensayos apartados</translation>
+    </message>
+    <message>
+        <source>ΔBIC</source>
+        <translation>ΔBIC</translation>
+    </message>
+    <message>
+        <source>These data cannot tell it from</source>
+        <translation>Estos datos no lo distinguen de</translation>
+    </message>
+    <message>
+        <source>Root mean square on the trials that it was fitted to</source>
+        <translation>Media cuadrática en los ensayos a los que se ajustó</translation>
+    </message>
+    <message>
+        <source>Root mean square on trials that it was not fitted to, left out whole</source>
+        <translation>Media cuadrática en ensayos enteros apartados, a los que no se ajustó</translation>
+    </message>
+    <message>
+        <source>Evidence against the declared model: below -10 is very strong</source>
+        <translation>Evidencia contra el modelo declarado: por debajo de -10 es muy fuerte</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>out of the running: %1</source>
+        <translation>fuera de concurso: %1</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,105 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
+    <name>effects</name>
+    <message>
+        <source>Stiffer or softer throughout</source>
+        <translation>Partout plus rigide ou plus souple</translation>
+    </message>
+    <message>
+        <source>Stiffens as it deforms</source>
+        <translation>Se raidit en se déformant</translation>
+    </message>
+    <message>
+        <source>The support gives way</source>
+        <translation>L&apos;appui cède</translation>
+    </message>
+    <message>
+        <source>A hidden stiffer region</source>
+        <translation>Une région plus rigide cachée</translation>
+    </message>
+    <message>
+        <source>Creeps under load</source>
+        <translation>Flue sous la charge</translation>
+    </message>
+    <message>
+        <source>The force sensor is off</source>
+        <translation>Le capteur de force est faussé</translation>
+    </message>
+    <message>
+        <source>Camera and specimen misaligned</source>
+        <translation>Caméra et échantillon mal alignés</translation>
+    </message>
+    <message>
+        <source>Stiffer along one direction</source>
+        <translation>Plus rigide dans une direction</translation>
+    </message>
+    <message>
+        <source>A stiff capsule around it</source>
+        <translation>Une capsule rigide autour</translation>
+    </message>
+    <message>
+        <source>Already loaded at the start</source>
+        <translation>Déjà chargé au départ</translation>
+    </message>
+    <message>
+        <source>Softer once it was stretched</source>
+        <translation>Plus souple après un premier étirement</translation>
+    </message>
+    <message>
+        <source>Loading and unloading differ</source>
+        <translation>Charge et décharge diffèrent</translation>
+    </message>
+    <message>
+        <source>Tension and compression differ</source>
+        <translation>Traction et compression diffèrent</translation>
+    </message>
+    <message>
+        <source>The battery&apos;s own resistance</source>
+        <translation>La résistance propre de la batterie</translation>
+    </message>
+    <message>
+        <source>Less charge when emptied fast</source>
+        <translation>Moins de charge si vidée vite</translation>
+    </message>
+    <message>
+        <source>It warms itself</source>
+        <translation>Il se réchauffe lui-même</translation>
+    </message>
+    <message>
+        <source>Voltage falls as it empties</source>
+        <translation>La tension baisse en se vidant</translation>
+    </message>
+    <message>
+        <source>Power drawn at rest</source>
+        <translation>Puissance au repos</translation>
+    </message>
+    <message>
+        <source>Power drawn by the work</source>
+        <translation>Puissance due au travail</translation>
+    </message>
+    <message>
+        <source>Slows down when hot</source>
+        <translation>Ralentit à chaud</translation>
+    </message>
+    <message>
+        <source>Sheds heat better or worse</source>
+        <translation>Évacue la chaleur mieux ou moins bien</translation>
+    </message>
+    <message>
+        <source>Takes time to warm up</source>
+        <translation>Met du temps à chauffer</translation>
+    </message>
+    <message>
+        <source>Power lost in the supply</source>
+        <translation>Pertes dans l&apos;alimentation</translation>
+    </message>
+    <message>
+        <source>A smooth correction, no cause</source>
+        <translation>Une correction lisse, pas une cause</translation>
+    </message>
+</context>
+<context>
     <name>errors</name>
     <message>
         <source>There is no column &quot;{0}&quot;.</source>
@@ -3431,6 +3530,18 @@
         <source>Take more steps: at most half the radius of the tool&apos;s rods in each.</source>
         <translation>Prenez plus de pas&#xa0;: dans chacun, au plus la moitié du rayon des tiges de l’outil.</translation>
     </message>
+    <message>
+        <source>Comparing the files with what they were made from</source>
+        <translation>Comparaison des fichiers avec ce dont ils proviennent</translation>
+    </message>
+    <message>
+        <source>{0} does not hold a report of measurements: {1}.</source>
+        <translation>{0} ne contient pas de rapport de mesures : {1}.</translation>
+    </message>
+    <message>
+        <source>Open an experiment to make one; it holds report.json, report.html and model.json.</source>
+        <translation>Ouvrez une expérience pour en créer un ; il contient report.json, report.html et model.json.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -3578,6 +3689,105 @@
     </message>
 </context>
 <context>
+    <name>glisson::widgets::CutControls</name>
+    <message>
+        <source>Cut by a plane</source>
+        <translation>Section par un plan</translation>
+    </message>
+    <message>
+        <source>Cut by a smooth surface through points</source>
+        <translation>Section par une surface lisse passant par des points</translation>
+    </message>
+    <message>
+        <source>Divides</source>
+        <translation>Sépare</translation>
+    </message>
+    <message>
+        <source>left from right</source>
+        <translation>la gauche de la droite</translation>
+    </message>
+    <message>
+        <source>front from back</source>
+        <translation>l&apos;avant de l&apos;arrière</translation>
+    </message>
+    <message>
+        <source>head from foot</source>
+        <translation>la tête des pieds</translation>
+    </message>
+    <message>
+        <source>Through crosshair</source>
+        <translation>Par le réticule</translation>
+    </message>
+    <message>
+        <source>Puts the plane through the crosshair, across the direction above</source>
+        <translation>Place le plan par le réticule, en travers de la direction ci-dessus</translation>
+    </message>
+    <message>
+        <source>By three clicks</source>
+        <translation>Par trois clics</translation>
+    </message>
+    <message>
+        <source>Then click three places on the liver or in the slices</source>
+        <translation>Cliquez ensuite trois endroits sur le foie ou dans les coupes</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Décaler</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Tourner</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Incliner</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Distance of the plane from the middle of the liver, along its normal</source>
+        <translation>Distance du plan au milieu du foie, le long de sa normale</translation>
+    </message>
+    <message>
+        <source>The normal about the axis from feet to head: 0° to the patient&apos;s left, 90° to the back</source>
+        <translation>La normale autour de l&apos;axe pieds-tête : 0° vers la gauche du patient, 90° vers l&apos;arrière</translation>
+    </message>
+    <message>
+        <source>The normal upwards: 90° to the head</source>
+        <translation>La normale vers le haut : 90° vers la tête</translation>
+    </message>
+    <message>
+        <source>Set points</source>
+        <translation>Poser des points</translation>
+    </message>
+    <message>
+        <source>Each click on the liver or in a slice sets a point; points can be dragged</source>
+        <translation>Chaque clic sur le foie ou dans une coupe pose un point ; les points peuvent être déplacés</translation>
+    </message>
+    <message>
+        <source>Drop the last</source>
+        <translation>Ôter le dernier</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>Points set: %1. Three are needed.</source>
+        <translation>Points posés : %1. Il en faut trois.</translation>
+    </message>
+    <message>
+        <source>Points set: %1. Drag them in any view.</source>
+        <translation>Points posés : %1. Déplacez-les dans n&apos;importe quelle vue.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::DiaryWindow</name>
     <message>
         <source>Log - Glisson</source>
@@ -3606,6 +3816,329 @@
     <message>
         <source>Text (*.txt)</source>
         <translation>Texte (*.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ErrorsTable</name>
+    <message>
+        <source>%1 × noise</source>
+        <translation>%1 × bruit</translation>
+    </message>
+    <message>
+        <source>Error, × noise</source>
+        <translation>Erreur, × bruit</translation>
+    </message>
+    <message>
+        <source>Error, %1</source>
+        <translation>Erreur, %1</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Après</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>On trials left out</source>
+        <translation>Sur les essais écartés</translation>
+    </message>
+    <message>
+        <source>95 % interval of it</source>
+        <translation>Intervalle à 95 %</translation>
+    </message>
+    <message>
+        <source>Root mean square</source>
+        <translation>Moyenne quadratique</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>95 of 100 are below</source>
+        <translation>95 sur 100 sont en dessous</translation>
+    </message>
+    <message>
+        <source>Noise of the measurement</source>
+        <translation>Bruit de la mesure</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::EvidenceAnswer</name>
+    <message>
+        <source>What was found</source>
+        <translation>Ce qui a été trouvé</translation>
+    </message>
+    <message>
+        <source>Residual (mm)</source>
+        <translation>Résidu (mm)</translation>
+    </message>
+    <message>
+        <source>Measured less predicted, where this trial was farthest off. Arrows %1 times as long as they are; colours reach to %2 mm, between markers interpolated.</source>
+        <translation>Mesuré moins prédit, là où cet essai s&apos;écarte le plus. Flèches allongées %1 fois ; couleurs jusqu&apos;à %2 mm, interpolées entre les marqueurs.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing: what the declared model leaves, %1, is noise.</source>
+        <translation>Rien ne manque : ce que laisse le modèle déclaré, %1, est du bruit.</translation>
+    </message>
+    <message>
+        <source>Explained: the error falls from %1 to %2, as small as the noise.</source>
+        <translation>Expliqué : l&apos;erreur passe de %1 à %2, aussi petite que le bruit.</translation>
+    </message>
+    <message>
+        <source>Not explained: the error falls from %1 to %2 and stays above the noise. What is named is a part of it, not its cause.</source>
+        <translation>Non expliqué : l&apos;erreur passe de %1 à %2 et reste au-dessus du bruit. Ce qui est nommé en est une partie, pas la cause.</translation>
+    </message>
+    <message>
+        <source>No test finds anything in it that noise would not do.</source>
+        <translation>Aucun test n&apos;y trouve rien que le bruit ne ferait pas.</translation>
+    </message>
+    <message>
+        <source>What the declared model leaves is not noise: %1.</source>
+        <translation>Ce que laisse le modèle déclaré n&apos;est pas du bruit : %1.</translation>
+    </message>
+    <message>
+        <source>What is left at the end: %1.</source>
+        <translation>Ce qui reste à la fin : %1.</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Après</translation>
+    </message>
+    <message>
+        <source>Suspects</source>
+        <translation>Suspects</translation>
+    </message>
+    <message>
+        <source>What to measure next</source>
+        <translation>Que mesurer ensuite</translation>
+    </message>
+    <message>
+        <source>No further trial is known that would tell the leading explanations apart.</source>
+        <translation>On ne connaît pas d&apos;autre essai qui départagerait les meilleures explications.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::EvidenceView</name>
+    <message>
+        <source>Evidence</source>
+        <translation>Preuves</translation>
+    </message>
+    <message>
+        <source>Hold measurements against the model, and find what it lacks.</source>
+        <translation>Confronter des mesures au modèle et trouver ce qui lui manque.</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Open an experiment...</source>
+        <translation>Ouvrir une expérience...</translation>
+    </message>
+    <message>
+        <source>A file that says what was measured and which model was assumed (Help, Closing the loop)</source>
+        <translation>Un fichier qui dit ce qui a été mesuré et quel modèle a été supposé (Aide, Closing the loop)</translation>
+    </message>
+    <message>
+        <source>Try the example</source>
+        <translation>Essayer l&apos;exemple</translation>
+    </message>
+    <message>
+        <source>Silicone of liver-like stiffness, compressed: measured, not simulated</source>
+        <translation>Silicone de rigidité proche du foie, comprimé : mesuré, non simulé</translation>
+    </message>
+    <message>
+        <source>Open a report...</source>
+        <translation>Ouvrir un rapport...</translation>
+    </message>
+    <message>
+        <source>A folder with report.json and model.json, written here or by glisson-cli explain</source>
+        <translation>Un dossier avec report.json et model.json, écrit ici ou par glisson-cli explain</translation>
+    </message>
+    <message>
+        <source>For the patient</source>
+        <translation>Pour le patient</translation>
+    </message>
+    <message>
+        <source>Accept for this patient</source>
+        <translation>Accepter pour ce patient</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Other trials</source>
+        <translation>Autres essais</translation>
+    </message>
+    <message>
+        <source>Predict other trials...</source>
+        <translation>Prédire d&apos;autres essais...</translation>
+    </message>
+    <message>
+        <source>An experiment of the same kind; where it was measured, both models are compared with it</source>
+        <translation>Une expérience du même genre ; là où elle a été mesurée, les deux modèles lui sont comparés</translation>
+    </message>
+    <message>
+        <source>Save the report...</source>
+        <translation>Enregistrer le rapport...</translation>
+    </message>
+    <message>
+        <source>Open measurements of a palpation, a material test or a wearable computer.
+Glisson says how far the declared model is off, what it lacks, and how sure that is.
+
+No measurements at hand? Try the example: silicone of liver-like stiffness in compression.</source>
+        <translation>Ouvrez des mesures d&apos;une palpation, d&apos;un essai de matériau ou d&apos;un ordinateur porté.
+Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
+
+Pas de mesures sous la main ? Essayez l&apos;exemple : du silicone de rigidité proche du foie, en compression.</translation>
+    </message>
+    <message>
+        <source>Explaining %1</source>
+        <translation>Explication de %1</translation>
+    </message>
+    <message>
+        <source>Something else is still under way. Wait for it, or cancel it first.</source>
+        <translation>Une autre opération est en cours. Attendez-la, ou annulez-la d’abord.</translation>
+    </message>
+    <message>
+        <source>Open measurements first.</source>
+        <translation>Ouvrez d&apos;abord des mesures.</translation>
+    </message>
+    <message>
+        <source>Nothing was found missing that could be accepted.</source>
+        <translation>Rien de manquant n&apos;a été trouvé qui pourrait être accepté.</translation>
+    </message>
+    <message>
+        <source>What was found is of a computer, not of a patient.</source>
+        <translation>Ce qui a été trouvé concerne un ordinateur, pas un patient.</translation>
+    </message>
+    <message>
+        <source>Open the patient&apos;s case first.</source>
+        <translation>Ouvrez d&apos;abord le cas du patient.</translation>
+    </message>
+    <message>
+        <source>Needs a model of the liver: build it first.</source>
+        <translation>Il faut un modèle du foie : construisez-le d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>Tick an effect among what was found.</source>
+        <translation>Cochez un effet parmi ce qui a été trouvé.</translation>
+    </message>
+    <message>
+        <source>%1, learnt from %2</source>
+        <translation>%1, d&apos;après %2</translation>
+    </message>
+    <message>
+        <source>A palpation</source>
+        <translation>Une palpation</translation>
+    </message>
+    <message>
+        <source>A material test</source>
+        <translation>Un essai de matériau</translation>
+    </message>
+    <message>
+        <source>A wearable computer</source>
+        <translation>Un ordinateur porté</translation>
+    </message>
+    <message>
+        <source>Nothing is open.</source>
+        <translation>Rien n&apos;est ouvert.</translation>
+    </message>
+    <message>
+        <source>The ticked effects change the organ that is rehearsed</source>
+        <translation>Les effets cochés changent l&apos;organe qui est répété</translation>
+    </message>
+    <message>
+        <source>Nothing was accepted for this patient.</source>
+        <translation>Rien n&apos;a été accepté pour ce patient.</translation>
+    </message>
+    <message>
+        <source>The organ is again what it was before</source>
+        <translation>L&apos;organe redevient ce qu&apos;il était</translation>
+    </message>
+    <message>
+        <source>Accepted: %1</source>
+        <translation>Accepté : %1</translation>
+    </message>
+    <message>
+        <source>Accepted, but left out: %1</source>
+        <translation>Accepté, mais laissé de côté : %1</translation>
+    </message>
+    <message>
+        <source>About %1 s left</source>
+        <translation>Encore environ %1 s</translation>
+    </message>
+    <message>
+        <source>About %1 min left</source>
+        <translation>Encore environ %1 min</translation>
+    </message>
+    <message>
+        <source>Accepting the evidence</source>
+        <translation>Acceptation des preuves</translation>
+    </message>
+    <message>
+        <source>Taking the evidence back</source>
+        <translation>Retrait des preuves</translation>
+    </message>
+    <message>
+        <source>Predicting the trials of %1</source>
+        <translation>Prédiction des essais de %1</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>non mesuré</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Declared</source>
+        <translation>Déclaré</translation>
+    </message>
+    <message>
+        <source>Better</source>
+        <translation>Meilleur</translation>
+    </message>
+    <message>
+        <source>Root mean square error, %1</source>
+        <translation>Erreur quadratique moyenne, %1</translation>
+    </message>
+    <message>
+        <source>Open an experiment</source>
+        <translation>Ouvrir une expérience</translation>
+    </message>
+    <message>
+        <source>Experiments (*.json)</source>
+        <translation>Expériences (*.json)</translation>
+    </message>
+    <message>
+        <source>Open a report (a folder with report.json)</source>
+        <translation>Ouvrir un rapport (un dossier avec report.json)</translation>
+    </message>
+    <message>
+        <source>Predict other trials</source>
+        <translation>Prédire d&apos;autres essais</translation>
+    </message>
+    <message>
+        <source>Save the report in this folder</source>
+        <translation>Enregistrer le rapport dans ce dossier</translation>
+    </message>
+    <message>
+        <source>The report is in %1</source>
+        <translation>Le rapport est dans %1</translation>
     </message>
 </context>
 <context>
@@ -3669,6 +4202,29 @@
     <message>
         <source>To register all frames and to judge them, s</source>
         <translation>Pour recaler toutes les images et les juger, s</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::FoundTree</name>
+    <message>
+        <source>Effect</source>
+        <translation>Effet</translation>
+    </message>
+    <message>
+        <source>Value ± sd</source>
+        <translation>Valeur ± éc. type</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>● left open by the data</source>
+        <translation>● laissé ouvert par les données</translation>
     </message>
 </context>
 <context>
@@ -4060,6 +4616,205 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
     <message>
         <source>No page holds these words.</source>
         <translation>Aucune page ne contient ces mots.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ModelPanel</name>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Bring it up to date</source>
+        <translation>Le mettre à jour</translation>
+    </message>
+    <message>
+        <source>Cells, stiffness and supports of the liver, and building them anew.</source>
+        <translation>Cellules, rigidité et appuis du foie, et leur reconstruction.</translation>
+    </message>
+    <message>
+        <source>Needs an outline of the liver: make it in Segment.</source>
+        <translation>Il faut un contour du foie : tracez-le dans Segmenter.</translation>
+    </message>
+    <message>
+        <source>The 3D view shows</source>
+        <translation>La vue 3D montre</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Rigidité</translation>
+    </message>
+    <message>
+        <source>What holds it</source>
+        <translation>Ce qui le tient</translation>
+    </message>
+    <message>
+        <source>The patient</source>
+        <translation>Le patient</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Cellules</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Module de Young</translation>
+    </message>
+    <message>
+        <source>From MR elastography</source>
+        <translation>De l&apos;élastographie par IRM</translation>
+    </message>
+    <message>
+        <source>Atlas: 2.1 kPa in shear</source>
+        <translation>Atlas : 2.1 kPa en cisaillement</translation>
+    </message>
+    <message>
+        <source>Atlas: 2.6 kPa in shear</source>
+        <translation>Atlas : 2.6 kPa en cisaillement</translation>
+    </message>
+    <message>
+        <source>One value for all cells</source>
+        <translation>Une valeur pour toutes les cellules</translation>
+    </message>
+    <message>
+        <source> kPa</source>
+        <translation> kPa</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus, about three times the shear modulus</source>
+        <translation>Module d&apos;Young, environ trois fois le module de cisaillement</translation>
+    </message>
+    <message>
+        <source>Give it this stiffness</source>
+        <translation>Lui donner cette rigidité</translation>
+    </message>
+    <message>
+        <source>Elastography waves...</source>
+        <translation>Ondes d&apos;élastographie...</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Construire</translation>
+    </message>
+    <message>
+        <source> cells</source>
+        <translation> cellules</translation>
+    </message>
+    <message>
+        <source>Wanted number of cells: more are finer and slower. 20 000 answer at once.</source>
+        <translation>Nombre de cellules voulu : plus il y en a, plus c&apos;est fin et lent. 20 000 répondent aussitôt.</translation>
+    </message>
+    <message>
+        <source>Building the model</source>
+        <translation>Construction du modèle</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Fixé</translation>
+    </message>
+    <message>
+        <source>On springs</source>
+        <translation>Sur ressorts</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus (kPa)</source>
+        <translation>Module d&apos;Young (kPa)</translation>
+    </message>
+    <message>
+        <source>Needs a case: open one, or the demo patient.</source>
+        <translation>Il faut un cas : ouvrez-en un, ou le patient de démonstration.</translation>
+    </message>
+    <message>
+        <source>There is no model yet. Build it from the outline.</source>
+        <translation>Il n&apos;y a pas encore de modèle. Construisez-le à partir du contour.</translation>
+    </message>
+    <message>
+        <source>✓ The model is up to date.</source>
+        <translation>✓ Le modèle est à jour.</translation>
+    </message>
+    <message>
+        <source>▲ A file of the model is gone.</source>
+        <translation>▲ Un fichier du modèle a disparu.</translation>
+    </message>
+    <message>
+        <source>▲ Another program has changed a file of the model.</source>
+        <translation>▲ Un autre programme a modifié un fichier du modèle.</translation>
+    </message>
+    <message>
+        <source>▲ The model is out of date.</source>
+        <translation>▲ Le modèle est périmé.</translation>
+    </message>
+    <message>
+        <source>▲ Out of date: %1 changed since it was built.</source>
+        <translation>▲ Périmé : %1 a changé depuis sa construction.</translation>
+    </message>
+    <message>
+        <source>Build it anew</source>
+        <translation>Le reconstruire</translation>
+    </message>
+    <message>
+        <source>Build the model</source>
+        <translation>Construire le modèle</translation>
+    </message>
+    <message>
+        <source>This case has no stiffness map: import one, or invert its waves</source>
+        <translation>Ce cas n&apos;a pas de carte de rigidité : importez-en une, ou inversez ses ondes</translation>
+    </message>
+    <message>
+        <source>Keeps the cells and gives each this stiffness</source>
+        <translation>Garde les cellules et donne à chacune cette rigidité</translation>
+    </message>
+    <message>
+        <source>Needs cells: build the model first</source>
+        <translation>Il faut des cellules : construisez d&apos;abord le modèle</translation>
+    </message>
+    <message>
+        <source>Makes the cells anew and gives them the stiffness chosen above</source>
+        <translation>Refait les cellules et leur donne la rigidité choisie ci-dessus</translation>
+    </message>
+    <message>
+        <source>See the waves and invert them</source>
+        <translation>Voir les ondes et les inverser</translation>
+    </message>
+    <message>
+        <source>This case has no raw waves</source>
+        <translation>Ce cas n&apos;a pas d&apos;ondes brutes</translation>
+    </message>
+    <message>
+        <source>Assumed from the liver&apos;s shape: the bare area at the vena cava is held, the dome below the diaphragm rests on springs of 1.1 kPa/mm.</source>
+        <translation>Supposé d&apos;après la forme du foie : l&apos;area nuda contre la veine cave est fixée, le dôme sous le diaphragme repose sur des ressorts de 1.1 kPa/mm.</translation>
+    </message>
+    <message>
+        <source>%1 cells, %2 points</source>
+        <translation>%1 cellules, %2 points</translation>
+    </message>
+    <message>
+        <source>%1 ml in cells, %2 ml outlined (%3 %)</source>
+        <translation>%1 ml en cellules, %2 ml délimités (%3 %)</translation>
+    </message>
+    <message>
+        <source>Smallest dihedral angle %1°</source>
+        <translation>Plus petit angle dièdre %1°</translation>
+    </message>
+    <message>
+        <source>smallest dihedral angle of a cell, °</source>
+        <translation>plus petit angle dièdre d&apos;une cellule, °</translation>
+    </message>
+    <message>
+        <source>%1 kPa on average, sd %2</source>
+        <translation>%1 kPa en moyenne, écart type %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the cells without data of their own, filled from inside</source>
+        <translation>%1 % des cellules sans données propres, complétées depuis l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of a cell, kPa</source>
+        <translation>module d&apos;Young d&apos;une cellule, kPa</translation>
     </message>
 </context>
 <context>
@@ -4764,6 +5519,89 @@ supposés</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::ReportView</name>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Show the patient&apos;s name</source>
+        <translation>Montrer le nom du patient</translation>
+    </message>
+    <message>
+        <source>Without it the page names neither the patient nor the case; see the settings too</source>
+        <translation>Sans cela, la page ne nomme ni le patient ni le cas ; voir aussi les réglages</translation>
+    </message>
+    <message>
+        <source>Collect again</source>
+        <translation>Rassembler à nouveau</translation>
+    </message>
+    <message>
+        <source>Reads the case and the present rehearsal anew</source>
+        <translation>Relit le cas et la répétition en cours</translation>
+    </message>
+    <message>
+        <source>Save as a web page...</source>
+        <translation>Enregistrer comme page web...</translation>
+    </message>
+    <message>
+        <source>Print to PDF...</source>
+        <translation>Imprimer en PDF...</translation>
+    </message>
+    <message>
+        <source>All that was done for this patient on one page.</source>
+        <translation>Tout ce qui a été fait pour ce patient, sur une page.</translation>
+    </message>
+    <message>
+        <source>Needs a case: open one, or the demo patient.</source>
+        <translation>Il faut un cas : ouvrez-en un, ou le patient de démonstration.</translation>
+    </message>
+    <message>
+        <source>Collecting the report</source>
+        <translation>Rassemblement du rapport</translation>
+    </message>
+    <message>
+        <source>Open a case, or the demo patient, to see its page.</source>
+        <translation>Ouvrez un cas, ou le patient de démonstration, pour voir sa page.</translation>
+    </message>
+    <message>
+        <source>The page is being collected.</source>
+        <translation>La page est en cours de rassemblement.</translation>
+    </message>
+    <message>
+        <source>Something has changed since this page was collected.</source>
+        <translation>Quelque chose a changé depuis que cette page a été rassemblée.</translation>
+    </message>
+    <message>
+        <source>Collected from the case and from what is being rehearsed now.</source>
+        <translation>Rassemblé à partir du cas et de ce qui est répété en ce moment.</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Enregistrer le rapport</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Pages web (*.html)</translation>
+    </message>
+    <message>
+        <source>The report is in %1</source>
+        <translation>Le rapport est dans %1</translation>
+    </message>
+    <message>
+        <source>Print the report</source>
+        <translation>Imprimer le rapport</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report could not be written to %1.</source>
+        <translation>Le rapport n&apos;a pas pu être écrit dans %1.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::ResectPanel</name>
     <message>
         <source>Plan a resection</source>
@@ -4772,14 +5610,6 @@ supposés</translation>
     <message>
         <source>Needs a model of the liver. Build it first, or open the demo patient.</source>
         <translation>Il faut un modèle du foie. Construisez-le d&apos;abord, ou ouvrez le patient de démonstration.</translation>
-    </message>
-    <message>
-        <source>Cut by a plane</source>
-        <translation>Section par un plan</translation>
-    </message>
-    <message>
-        <source>Cut by a smooth surface through points</source>
-        <translation>Section par une surface lisse passant par des points</translation>
     </message>
     <message>
         <source>Resect</source>
@@ -4792,86 +5622,6 @@ supposés</translation>
     <message>
         <source>Needs a model of the liver: build it first.</source>
         <translation>Il faut un modèle du foie : construisez-le d&apos;abord.</translation>
-    </message>
-    <message>
-        <source>Divides</source>
-        <translation>Sépare</translation>
-    </message>
-    <message>
-        <source>left from right</source>
-        <translation>la gauche de la droite</translation>
-    </message>
-    <message>
-        <source>front from back</source>
-        <translation>l&apos;avant de l&apos;arrière</translation>
-    </message>
-    <message>
-        <source>head from foot</source>
-        <translation>la tête des pieds</translation>
-    </message>
-    <message>
-        <source>Through crosshair</source>
-        <translation>Par le réticule</translation>
-    </message>
-    <message>
-        <source>Puts the plane through the crosshair, across the direction above</source>
-        <translation>Place le plan par le réticule, en travers de la direction ci-dessus</translation>
-    </message>
-    <message>
-        <source>By three clicks</source>
-        <translation>Par trois clics</translation>
-    </message>
-    <message>
-        <source>Then click three places on the liver or in the slices</source>
-        <translation>Cliquez ensuite trois endroits sur le foie ou dans les coupes</translation>
-    </message>
-    <message>
-        <source>Shift</source>
-        <translation>Décaler</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Tourner</translation>
-    </message>
-    <message>
-        <source>Tilt</source>
-        <translation>Incliner</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Distance of the plane from the middle of the liver, along its normal</source>
-        <translation>Distance du plan au milieu du foie, le long de sa normale</translation>
-    </message>
-    <message>
-        <source>The normal about the axis from feet to head: 0° to the patient&apos;s left, 90° to the back</source>
-        <translation>La normale autour de l&apos;axe pieds-tête : 0° vers la gauche du patient, 90° vers l&apos;arrière</translation>
-    </message>
-    <message>
-        <source>The normal upwards: 90° to the head</source>
-        <translation>La normale vers le haut : 90° vers la tête</translation>
-    </message>
-    <message>
-        <source>Set points</source>
-        <translation>Poser des points</translation>
-    </message>
-    <message>
-        <source>Each click on the liver or in a slice sets a point; points can be dragged</source>
-        <translation>Chaque clic sur le foie ou dans une coupe pose un point ; les points peuvent être déplacés</translation>
-    </message>
-    <message>
-        <source>Drop the last</source>
-        <translation>Ôter le dernier</translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>Effacer</translation>
     </message>
     <message>
         <source>Apart</source>
@@ -4912,14 +5662,6 @@ supposés</translation>
     <message>
         <source>Stays</source>
         <translation>Reste</translation>
-    </message>
-    <message>
-        <source>Points set: %1. Three are needed.</source>
-        <translation>Points posés : %1. Il en faut trois.</translation>
-    </message>
-    <message>
-        <source>Points set: %1. Drag them in any view.</source>
-        <translation>Points posés : %1. Déplacez-les dans n&apos;importe quelle vue.</translation>
     </message>
     <message>
         <source>This patient is not kept in a case folder</source>
@@ -5207,6 +5949,49 @@ de&#xa0;%4 ×&#xa0;%5 ×&#xa0;%6 mm chacun</translation>
 Young&apos;s modulus %2 kPa (mean)</source>
         <translation>%1 cellules
 Module de Young&#xa0;%2 kPa (moyenne)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::SuspectsTable</name>
+    <message>
+        <source>Suspect, each by itself</source>
+        <translation>Suspect, chacun seul</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>On trials left out</source>
+        <translation>Sur les essais écartés</translation>
+    </message>
+    <message>
+        <source>ΔBIC</source>
+        <translation>ΔBIC</translation>
+    </message>
+    <message>
+        <source>These data cannot tell it from</source>
+        <translation>Ces données ne le distinguent pas de</translation>
+    </message>
+    <message>
+        <source>Root mean square on the trials that it was fitted to</source>
+        <translation>Moyenne quadratique sur les essais auxquels il a été ajusté</translation>
+    </message>
+    <message>
+        <source>Root mean square on trials that it was not fitted to, left out whole</source>
+        <translation>Moyenne quadratique sur des essais entiers écartés, auxquels il n&apos;a pas été ajusté</translation>
+    </message>
+    <message>
+        <source>Evidence against the declared model: below -10 is very strong</source>
+        <translation>Preuve contre le modèle déclaré : en dessous de -10, très forte</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>out of the running: %1</source>
+        <translation>hors course : %1</translation>
     </message>
 </context>
 <context>

@@ -67,7 +67,10 @@ class WindowTest : public QObject {
     QVERIFY(!child<QPushButton>("place")->isVisible());
     window_->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window_.get()));
-    QTest::keyClick(window_.get(), Qt::Key_1, Qt::ControlModifier);
+    // Ctrl and its number in the row.
+    const auto row = window_->findChild<WorkspaceBar*>()->findChildren<QToolButton*>();
+    const auto number = row.indexOf(child<QToolButton>("workspace_rehearse"));
+    QTest::keyClick(window_.get(), static_cast<Qt::Key>(Qt::Key_1 + number), Qt::ControlModifier);
     QCOMPARE(window_->workspace(), "rehearse");
     QVERIFY(child<QPushButton>("place")->isVisible());
   }

@@ -1,7 +1,6 @@
 #include "resect/resect_panel.h"
 
 #include <Eigen/Geometry>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -17,16 +16,6 @@ using Removed = casefile::PlannedCut::Removed;
 
 constexpr scene::Colour cut_colour{0.20, 0.83, 0.85};
 constexpr int farthest_apart_mm = 80;
-
-NumberBox* number_box(double least, double most, double step, const char* name, QWidget* parent) {
-  auto* box = new NumberBox(parent);
-  box->setObjectName(name);
-  box->setRange(least, most);
-  box->setDecimals(1);
-  box->setSingleStep(step);
-  box->setKeyboardTracking(false);
-  return box;
-}
 
 QPushButton* button(const char* name, QWidget* parent) {
   auto* made = new QPushButton(parent);
@@ -69,19 +58,25 @@ ResectPanel::ResectPanel(Bench bench, QWidget* parent) : QWidget(parent), bench_
   inner->setContentsMargins(0, 0, 10, 0);
   inner->setSpacing(8);
 
-  kind_ = new QComboBox(controls_);
-  kind_->setObjectName("cut_kind");
-  kind_->addItem({}, plane_cut);
-  kind_->addItem({}, sheet_cut);
-  inner->addWidget(kind_);
-  kinds_ = new QStackedWidget(controls_);
-  kinds_->addWidget(make_plane_controls());
-  kinds_->addWidget(make_sheet_controls());
-  inner->addWidget(kinds_);
+  cut_controls_ = new CutControls(controls_);
+  inner->addWidget(cut_controls_);
   inner->addWidget(make_outcome());
   inner->addStretch(1);
 
-  connect(kind_, &QComboBox::activated, this, &ResectPanel::choose_kind);
+  connect(cut_controls_, &CutControls::kind_chosen, this, &ResectPanel::cut_changed);
+  connect(cut_controls_, &CutControls::drawing_changed, this, &ResectPanel::set_drawing);
+  connect(cut_controls_, &CutControls::through_crosshair, this, [this](const Vector3d& normal) {
+    if (!patient_.structures.empty()) move_plane(plane_through(bench_.views.crosshair_mm(), normal));
+  });
+  connect(cut_controls_, &CutControls::plane_typed, this, [this](double shift_mm, double turn_deg, double tilt_deg) {
+    if (plane_) move_plane({plane_->middle_mm, shift_mm, turn_deg, tilt_deg});
+  });
+  connect(cut_controls_, &CutControls::last_dropped, this, [this] {
+    auto fewer_mm = points_mm_;
+    if (!fewer_mm.empty()) fewer_mm.pop_back();
+    set_points(std::move(fewer_mm));
+  });
+  connect(cut_controls_, &CutControls::cleared, this, [this] { set_points({}); });
   connect(handles_, &CutHandles::plane_moved, this, &ResectPanel::move_plane);
   connect(handles_, &CutHandles::point_clicked, this, &ResectPanel::take_click);
   connect(handles_, &CutHandles::point_moved, this, [this](std::size_t point, const Vector3d& position_mm) {
@@ -90,15 +85,20 @@ ResectPanel::ResectPanel(Bench bench, QWidget* parent) : QWidget(parent), bench_
     cut_changed();
   });
   connect(&bench_.views.space(), &SpaceView::clicked, this, [this](const scene::View::Pick& pick) {
-    if (isVisible() && (by_clicks_->isChecked() || draw_->isChecked())) take_click(pick.position_mm);
+    if (isVisible() && cut_controls_->drawing()) take_click(pick.position_mm);
   });
-  connect(&bench_.patient_views, &PatientViews::slices_rebuilt, handles_, &CutHandles::draw_in_slices);
+  connect(&bench_.patient_views, &PatientViews::slices_rebuilt, this, [this] {
+    move_square();
+    handles_->draw_in_slices();
+  });
+  connect(&bench_.patient_views, &PatientViews::space_rebuilt, this, [this] {
+    move_square();
+    if (isVisible()) pieces_.draw_apart(bench_.views.space().view(), apart_->value());
+  });
   connect(live_, &LiveResection::changed, this, &ResectPanel::show_result);
   worded(this, [=, this] {
     title->setText(tr("Plan a resection"));
     missing_->setText(tr("Needs a model of the liver. Build it first, or open the demo patient."));
-    kind_->setItemText(plane_cut, tr("Cut by a plane"));
-    kind_->setItemText(sheet_cut, tr("Cut by a smooth surface through points"));
     word_state();
     show_result();
   });
@@ -115,90 +115,6 @@ Workspace ResectPanel::workspace(Bench bench) {
               [](const Patient& patient) {
                 return patient.rehearsal ? QString() : tr("Needs a model of the liver: build it first.");
               }};
-}
-
-QWidget* ResectPanel::make_plane_controls() {
-  auto* group = new QWidget;
-  auto* form = new QFormLayout(group);
-  form->setContentsMargins(0, 0, 0, 0);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  across_ = new QComboBox(group);
-  across_->setObjectName("cut_across");
-  for (const Across across : {across_left, across_front, across_head}) across_->addItem({}, across);
-  auto* across_name = new QLabel(group);
-  form->addRow(across_name, across_);
-  through_crosshair_ = button("cut_through_crosshair", group);
-  by_clicks_ = button("cut_by_clicks", group);
-  by_clicks_->setCheckable(true);
-  auto* places = new QHBoxLayout;
-  places->addWidget(through_crosshair_);
-  places->addWidget(by_clicks_);
-  form->addRow(places);
-  shift_ = number_box(-400, 400, 1, "cut_shift", group);
-  turn_ = number_box(-180, 180, 2, "cut_turn", group);
-  turn_->setWrapping(true);
-  tilt_ = number_box(-90, 90, 2, "cut_tilt", group);
-  std::array<QLabel*, 3> names{};
-  for (std::size_t k = 0; NumberBox * box : {shift_, turn_, tilt_}) {
-    names[k] = new QLabel(group);
-    names[k]->setBuddy(box);
-    form->addRow(names[k++], box);
-    connect(box, &QDoubleSpinBox::valueChanged, this, &ResectPanel::type_plane);
-  }
-  connect(through_crosshair_, &QPushButton::clicked, this, &ResectPanel::put_plane_through_crosshair);
-  connect(by_clicks_, &QPushButton::toggled, this, &ResectPanel::set_drawing);
-  worded(group, [=, this] {
-    across_name->setText(tr("Divides"));
-    across_->setItemText(across_left, tr("left from right"));
-    across_->setItemText(across_front, tr("front from back"));
-    across_->setItemText(across_head, tr("head from foot"));
-    through_crosshair_->setText(tr("Through crosshair"));
-    through_crosshair_->setToolTip(tr("Puts the plane through the crosshair, across the direction above"));
-    by_clicks_->setText(tr("By three clicks"));
-    by_clicks_->setToolTip(tr("Then click three places on the liver or in the slices"));
-    names[0]->setText(tr("Shift"));
-    names[1]->setText(tr("Turn"));
-    names[2]->setText(tr("Tilt"));
-    shift_->setSuffix(tr(" mm"));
-    for (NumberBox* box : {turn_, tilt_}) box->setSuffix(tr("°"));
-    shift_->setToolTip(tr("Distance of the plane from the middle of the liver, along its normal"));
-    turn_->setToolTip(tr("The normal about the axis from feet to head: 0° to the patient's left, 90° to the back"));
-    tilt_->setToolTip(tr("The normal upwards: 90° to the head"));
-  });
-  return group;
-}
-
-QWidget* ResectPanel::make_sheet_controls() {
-  auto* group = new QWidget;
-  auto* column = new QVBoxLayout(group);
-  column->setContentsMargins(0, 0, 0, 0);
-  draw_ = button("cut_draw", group);
-  draw_->setCheckable(true);
-  drop_last_ = button("cut_drop_last", group);
-  clear_ = button("cut_clear", group);
-  auto* row = new QHBoxLayout;
-  for (QPushButton* each : {draw_, drop_last_, clear_}) row->addWidget(each);
-  column->addLayout(row);
-  points_told_ = new QLabel(group);
-  points_told_->setObjectName("faint");
-  points_told_->setWordWrap(true);
-  column->addWidget(points_told_);
-  column->addStretch(1);
-  connect(draw_, &QPushButton::toggled, this, &ResectPanel::set_drawing);
-  connect(drop_last_, &QPushButton::clicked, this, [this] {
-    auto fewer_mm = points_mm_;
-    if (!fewer_mm.empty()) fewer_mm.pop_back();
-    set_points(std::move(fewer_mm));
-  });
-  connect(clear_, &QPushButton::clicked, this, [this] { set_points({}); });
-  worded(group, [this] {
-    draw_->setText(tr("Set points"));
-    draw_->setToolTip(tr("Each click on the liver or in a slice sets a point; points can be dragged"));
-    drop_last_->setText(tr("Drop the last"));
-    clear_->setText(tr("Clear"));
-  });
-  return group;
 }
 
 QWidget* ResectPanel::make_outcome() {
@@ -256,27 +172,27 @@ void ResectPanel::show_patient(const Patient& patient) {
   missing_->setVisible(!patient.rehearsal);
   controls_->setVisible(patient.rehearsal != nullptr);
   live_->set_patient(patient);
-  if (other) {
-    plane_.reset();
-    points_mm_.clear();
-    clicks_mm_.clear();
-    removed_ = Removed::smaller;
-    kind_->setCurrentIndex(plane_cut);
-    kinds_->setCurrentIndex(plane_cut);
-    const auto kept = patient.folder.empty() ? Result<casefile::PlannedCut>(tl::unexpected(Error{}))
-                                             : casefile::read_planned_cut(folder_of_plan(patient));
-    if (kept && patient.rehearsal) {
-      removed_ = kept->removed;
-      points_mm_ = kept->through_mm;
-      kind_->setCurrentIndex(points_mm_.empty() ? plane_cut : sheet_cut);
-      kinds_->setCurrentIndex(kind_->currentIndex());
-      if (points_mm_.empty()) {
-        plane_ = CutPlane{geometry::bounding_box(patient.structures.front().surface->points_mm).center_mm(), 0, 0, 0};
-        plane_->put(kept->point_mm, kept->normal);
-      }
-    }
-  }
+  if (other) take_up_saved_plan();
   cut_changed();
+}
+
+void ResectPanel::take_up_saved_plan() {
+  plane_.reset();
+  points_mm_.clear();
+  clicks_mm_.clear();
+  square_.reset();
+  removed_ = Removed::smaller;
+  cut_controls_->choose(CutControls::plane_cut);
+  if (patient_.folder.empty() || !patient_.rehearsal) return;
+  const auto kept = casefile::read_planned_cut(folder_of_plan(patient_));
+  if (!kept) return;
+  removed_ = kept->removed;
+  points_mm_ = kept->through_mm;
+  if (points_mm_.empty()) {
+    plane_ = plane_through(kept->point_mm, kept->normal);
+  } else {
+    cut_controls_->choose(CutControls::sheet_cut);
+  }
 }
 
 void ResectPanel::showEvent(QShowEvent* event) {
@@ -286,55 +202,40 @@ void ResectPanel::showEvent(QShowEvent* event) {
 }
 
 void ResectPanel::hideEvent(QHideEvent* event) {
-  by_clicks_->setChecked(false);
-  draw_->setChecked(false);
+  cut_controls_->stop_drawing();
   handles_->set_active(false);
   bench_.patient_views.set_workspace_scene({});
   QWidget::hideEvent(event);
 }
 
-void ResectPanel::put_plane_through_crosshair() {
-  if (patient_.structures.empty()) return;
-  const std::array<Vector3d, 3> normals{Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()};
+CutPlane ResectPanel::plane_through(const Vector3d& place_mm, const Vector3d& normal) const {
   CutPlane plane{geometry::bounding_box(patient_.structures.front().surface->points_mm).center_mm(), 0, 0, 0};
-  plane.put(bench_.views.crosshair_mm(), normals[static_cast<std::size_t>(across_->currentData().toInt())]);
-  by_clicks_->setChecked(false);
-  move_plane(plane);
+  plane.put(place_mm, normal);
+  return plane;
 }
 
 void ResectPanel::take_click(const Vector3d& position_mm) {
-  if (draw_->isChecked()) {
+  if (patient_.structures.empty()) return;
+  if (!cut_controls_->by_clicks()) {
     auto more_mm = points_mm_;
     more_mm.push_back(position_mm);
     set_points(std::move(more_mm));
     return;
   }
-  if (!by_clicks_->isChecked()) return;
   clicks_mm_.push_back(position_mm);
   if (clicks_mm_.size() == 3) {
-    const Vector3d normal = (clicks_mm_[1] - clicks_mm_[0]).cross(clicks_mm_[2] - clicks_mm_[0]);
-    const Vector3d through_mm = clicks_mm_[0];
-    const double widest_mm = (clicks_mm_[1] - clicks_mm_[0]).norm() * (clicks_mm_[2] - clicks_mm_[0]).norm();
-    if (normal.norm() < 0.02 * widest_mm || patient_.structures.empty()) {
+    const Vector3d first_mm = clicks_mm_[0], along_mm = clicks_mm_[1] - first_mm, aside_mm = clicks_mm_[2] - first_mm;
+    const Vector3d normal = along_mm.cross(aside_mm);
+    constexpr double narrowest = 0.02;  // sine of the angle between them
+    if (normal.norm() < narrowest * along_mm.norm() * aside_mm.norm()) {
       clicks_mm_.clear();
       bench_.tell_status(tr("The three places lie almost on one line. Click three others."));
     } else {
-      CutPlane plane{geometry::bounding_box(patient_.structures.front().surface->points_mm).center_mm(), 0, 0, 0};
-      plane.put(through_mm, normal);
-      plane_ = plane;
-      by_clicks_->setChecked(false);
+      plane_ = plane_through(first_mm, normal);
+      cut_controls_->stop_drawing();
     }
   }
   cut_changed();
-}
-
-void ResectPanel::type_plane() {
-  if (!plane_) return;
-  CutPlane plane = *plane_;
-  plane.shift_mm = shift_->value();
-  plane.turn_deg = turn_->value();
-  plane.tilt_deg = tilt_->value();
-  move_plane(plane);
 }
 
 void ResectPanel::move_plane(const CutPlane& plane) {
@@ -347,32 +248,25 @@ void ResectPanel::set_points(std::vector<Vector3d> points_mm) {
   cut_changed();
 }
 
-void ResectPanel::choose_kind(int kind) {
-  kinds_->setCurrentIndex(kind);
-  by_clicks_->setChecked(false);
-  draw_->setChecked(false);
-  cut_changed();
-  if (kind == sheet_cut && points_mm_.empty()) draw_->setChecked(true);
-}
-
 void ResectPanel::set_drawing(bool drawing) {
   clicks_mm_.clear();
   handles_->set_drawing(drawing);
   if (drawing) apart_->setValue(0);
-  bench_.tell_status(!drawing                  ? QString()
-                     : by_clicks_->isChecked() ? tr("Click three places on the liver or in the slices.")
-                                               : tr("Click on the liver or in the slices where the cut is to pass."));
+  bench_.tell_status(!drawing ? QString()
+                     : cut_controls_->by_clicks()
+                         ? tr("Click three places on the liver or in the slices.")
+                         : tr("Click on the liver or in the slices where the cut is to pass."));
   cut_changed();
 }
 
 std::optional<casefile::PlannedCut> ResectPanel::cut() const {
   casefile::PlannedCut cut;
   cut.removed = removed_;
-  if (kind_->currentIndex() == sheet_cut) {
+  if (cut_controls_->kind() == CutControls::sheet_cut) {
     if (points_mm_.size() < 3) return {};
     cut.through_mm = points_mm_;
   } else {
-    if (!plane_ || by_clicks_->isChecked()) return {};
+    if (!plane_ || cut_controls_->by_clicks()) return {};
     cut.point_mm = plane_->point_mm();
     cut.normal = plane_->normal();
   }
@@ -380,17 +274,11 @@ std::optional<casefile::PlannedCut> ResectPanel::cut() const {
 }
 
 void ResectPanel::cut_changed() {
-  const bool by_plane = kind_->currentIndex() == plane_cut;
-  const auto shown = by_plane && !by_clicks_->isChecked() ? plane_ : std::nullopt;
+  const bool by_plane = cut_controls_->kind() == CutControls::plane_cut;
+  const auto shown = by_plane && !cut_controls_->by_clicks() ? plane_ : std::nullopt;
   handles_->set_plane(shown);
   handles_->set_points(by_plane ? clicks_mm_ : points_mm_);
-  if (shown && square_) {
-    // Where it was drawn it moves along; the plan follows when it is made.
-    const auto corners = corners_mm(*shown, reach_mm());
-    const std::vector<Vector3d> moved_mm(corners.begin(), corners.end());
-    bench_.views.space().view().move_surface(square_, moved_mm);
-    for (SliceView* slice : bench_.views.slices()) slice->view().move_surface(square_, moved_mm);
-  }
+  move_square();
   live_->set_cut(cut());
   word_state();
   if (!live_->result() || !square_ || !shown) show_scene();
@@ -407,15 +295,15 @@ void ResectPanel::show_result() {
 void ResectPanel::show_scene() {
   if (!isVisible()) return;
   WorkspaceScene scene;
-  const bool drawing = by_clicks_->isChecked() || draw_->isChecked();
+  const bool drawing = cut_controls_->drawing();
   const bool in_parts = live_->result() != nullptr && !drawing;
   scene.patient = in_parts ? WorkspaceScene::Patient::at_rest_in_slices_only : WorkspaceScene::Patient::at_rest;
   if (in_parts) {
     pieces_.add_to(scene);
     scene.key = {{specimen_colour(), tr("Removed").toStdString()}, {remnant_colour(), tr("Stays").toStdString()}};
   }
-  if (kind_->currentIndex() == plane_cut && plane_ && !by_clicks_->isChecked()) {
-    square_ = std::make_shared<geometry::Surface>(square_of(*plane_, reach_mm()));
+  if (cut_controls_->kind() == CutControls::plane_cut && plane_ && !cut_controls_->by_clicks()) {
+    if (!square_) square_ = std::make_shared<geometry::Surface>(square_of(*plane_, reach_mm()));
     scene.surfaces.push_back({"cut", square_, cut_colour, 0.14, scene::Finish::solid, {}});
     scene.cuts.push_back({square_, cut_colour, 2.0});
   } else {
@@ -427,21 +315,20 @@ void ResectPanel::show_scene() {
   scene.marks = handles_->marks_in_space();
   scene.arrows = handles_->arrows_in_space();
   bench_.patient_views.set_workspace_scene(std::move(scene));
-  if (in_parts) pieces_.draw_apart(bench_.views.space().view(), apart_->value());
-  handles_->draw_in_slices();
+}
+
+// The square stays the same surface while it moves, so that the views need not be built anew.
+void ResectPanel::move_square() {
+  if (!square_ || !plane_ || !isVisible()) return;
+  const auto corners = corners_mm(*plane_, reach_mm());
+  const std::vector<Vector3d> moved_mm(corners.begin(), corners.end());
+  bench_.views.space().view().move_surface(square_, moved_mm);
+  for (SliceView* slice : bench_.views.slices()) slice->view().move_surface(square_, moved_mm);
 }
 
 void ResectPanel::word_state() {
-  for (NumberBox* box : {shift_, turn_, tilt_}) {
-    const QSignalBlocker quiet(box);
-    box->setEnabled(plane_.has_value());
-    if (plane_) box->setValue(box == shift_ ? plane_->shift_mm : box == turn_ ? plane_->turn_deg : plane_->tilt_deg);
-  }
-  points_told_->setText((points_mm_.size() < 3 ? tr("Points set: %1. Three are needed.")
-                                               : tr("Points set: %1. Drag them in any view."))
-                            .arg(points_mm_.size()));
-  drop_last_->setEnabled(!points_mm_.empty());
-  clear_->setEnabled(!points_mm_.empty());
+  cut_controls_->show_plane(plane_);
+  cut_controls_->show_points(points_mm_.size());
   const bool planned = live_->result() != nullptr;
   for (QWidget* each : std::initializer_list<QWidget*>{apart_, other_part_}) each->setEnabled(planned);
   no_cut_->setEnabled(plane_ || !points_mm_.empty());
@@ -453,10 +340,10 @@ void ResectPanel::word_state() {
 
 QString ResectPanel::why_nothing() const {
   if (live_->result()) return {};
-  if (kind_->currentIndex() == sheet_cut) {
+  if (cut_controls_->kind() == CutControls::sheet_cut) {
     return tr("Set three or more points where the cut is to pass: on the liver, or in the slices.");
   }
-  if (by_clicks_->isChecked()) return tr("Click three places through which the plane is to pass.");
+  if (cut_controls_->by_clicks()) return tr("Click three places through which the plane is to pass.");
   return plane_ ? tr("Planning...")
                 : tr("Put the crosshair where the cut is to pass, then the plane through it. "
                      "Drag its line in a slice to shift it, a line's end to tilt it.");

@@ -3,18 +3,16 @@
 // moves. A plane, or a smooth surface through points drawn on the liver.
 
 #include <optional>
-#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
-#include <QStackedWidget>
 #include <QWidget>
 
+#include "resect/cut_controls.h"
 #include "resect/cut_handles.h"
 #include "resect/live_resection.h"
 #include "resect/resection_results.h"
 #include "resect/resection_scene.h"
-#include "words/number_box.h"
 #include "workspaces/workspace.h"
 
 namespace glisson::widgets {
@@ -36,23 +34,18 @@ class ResectPanel : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  enum Kind { plane_cut, sheet_cut };
-  enum Across { across_left, across_front, across_head };
-
-  QWidget* make_plane_controls();
-  QWidget* make_sheet_controls();
   QWidget* make_outcome();
-  void put_plane_through_crosshair();
+  [[nodiscard]] CutPlane plane_through(const Eigen::Vector3d& place_mm, const Eigen::Vector3d& normal) const;
   void take_click(const Eigen::Vector3d& position_mm);
-  void type_plane();
   void move_plane(const CutPlane& plane);
   void set_points(std::vector<Eigen::Vector3d> points_mm);
-  void choose_kind(int kind);
+  void take_up_saved_plan();
   void set_drawing(bool drawing);
   // The cut has changed: plan it anew, and show where it is.
   void cut_changed();
   void show_result();
   void show_scene();
+  void move_square();
   void word_state();
   void save();
   [[nodiscard]] std::optional<casefile::PlannedCut> cut() const;
@@ -71,18 +64,7 @@ class ResectPanel : public QWidget {
   ResectionScene pieces_;
   QWidget* controls_;
   QLabel* missing_;
-  QComboBox* kind_;
-  QStackedWidget* kinds_;
-  QComboBox* across_;
-  QPushButton* through_crosshair_;
-  QPushButton* by_clicks_;
-  NumberBox* shift_;
-  NumberBox* turn_;
-  NumberBox* tilt_;
-  QPushButton* draw_;
-  QPushButton* drop_last_;
-  QPushButton* clear_;
-  QLabel* points_told_;
+  CutControls* cut_controls_;
   QPushButton* other_part_;
   QPushButton* no_cut_;
   ResectionResults* results_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <Eigen/Geometry>
 #include <QRegularExpression>
+#include <utility>
 
 #include "scene/anatomy.h"
 #include "words/told.h"
@@ -162,8 +163,14 @@ void PatientViews::reword() {
 }
 
 void PatientViews::set_workspace_scene(std::optional<WorkspaceScene> scene) {
+  const bool was_at_rest = at_rest();
+  const auto cuts_before = workspace_ ? std::exchange(workspace_->cuts, {}) : std::vector<scene::CutLine>();
   workspace_ = std::move(scene);
-  rebuild_slices();
+  // Slices cost most, and most changes leave them as they are.
+  const auto& cuts = workspace_ ? workspace_->cuts : std::vector<scene::CutLine>();
+  const bool same_cuts = std::equal(cuts.begin(), cuts.end(), cuts_before.begin(), cuts_before.end(),
+                                    [](const auto& a, const auto& b) { return a.surface == b.surface; });
+  if (!same_cuts || was_at_rest != at_rest()) rebuild_slices();
   rebuild_space();
 }
 
@@ -206,6 +213,7 @@ void PatientViews::rebuild_space() {
     views_.space().show_scene(space_scene(bodies_));
   }
   apply_frame();
+  Q_EMIT space_rebuilt();
 }
 
 scene::Scene PatientViews::space_scene(Bodies bodies) const {

@@ -72,8 +72,9 @@ class PatientViews : public QObject {
   void set_workspace_scene(std::optional<WorkspaceScene> scene);
 
  Q_SIGNALS:
-  // What somebody put straight into the slice views (View::set_landmarks) is gone.
+  // What somebody changed straight in those views (View::move_surface, set_landmarks) is gone.
   void slices_rebuilt();
+  void space_rebuilt();
 
  private:
   // One body's surfaces, which move; the structures' order.

@@ -1,0 +1,239 @@
+// Evidence, driven as a person drives it: the example that ships, a palpation whose missing effect is known, a report
+// opened again, other trials predicted, and evidence accepted for a patient and taken back.
+
+#include <QComboBox>
+#include <QDir>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "casefile/case.h"
+#include "closedloop/palpation_bodies.h"
+#include "closedloop/palpation_model.h"
+#include "evidence/evidence_view.h"
+#include "geometry/mesh_file.h"
+#include "main_window.h"
+#include "modelled_case.h"
+#include "run_test.h"
+
+namespace glisson::widgets {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int patience_ms = 120000;  // a palpation is traced on a machine that does other work too
+constexpr double true_factor = 0.5;
+
+// A pad that is half as stiff as declared, written as the files that a laboratory would write.
+fs::path soft_pad(const fs::path& folder) {
+  using namespace closedloop;
+  Palpation declared = closedloop::test::pad({.bricks = {4, 4, 2}, .markers = 24, .hold_on = false});
+  const auto model = palpation_model(declared);
+  if (!model) qFatal("%s", model.error().message().c_str());
+  const Settings truth{{"stiffness-scale", "", Eigen::VectorXd::Constant(1, true_factor)}};
+  const Palpation seen = closedloop::test::measured_as(declared, (*model)->predict(truth).value(), declared.noise_mm);
+  geometry::TetMesh mesh = seen.mesh;
+  if (!geometry::write_tetrahedra(folder / "pad.vtu", mesh)) qFatal("the mesh could not be written");
+  Json json{{"format", "glisson-experiment/1"},
+            {"kind", "palpation"},
+            {"title", "A pad"},
+            {"specimen",
+             {{"mesh", "pad.vtu"}, {"youngs_modulus_kPa", 17.5}, {"poisson_ratio", 0.45}, {"density_kg_m3", 1000}}},
+            {"supports", Json::array({{{"point_array", "fixed"}}})},
+            {"noise_mm", seen.noise_mm},
+            {"trials", Json::array()}};
+  for (const PalpationTrial& trial : seen.trials) {
+    Json one{{"id", trial.id},
+             {"tool",
+              {{"center_mm", json_of(trial.tool.center_mm)},
+               {"radius_mm", trial.tool.radius_mm},
+               {"direction", json_of(trial.tool.direction)}}},
+             {"samples", Json::array()}};
+    int number = 0;
+    for (const PalpationSample& sample : trial.samples) {
+      Json state{{"time_s", sample.time_s}, {"force_N", units::N_from_mN(sample.force_mN)}};
+      if (!sample.markers.empty()) {
+        const std::string name = trial.id + "_" + std::to_string(number++) + ".csv";
+        std::string table = "id,rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm\n";
+        for (const Marker& marker : sample.markers) {
+          table += marker.id;
+          for (const Eigen::Vector3d& at : {marker.rest_mm, marker.position_mm}) {
+            for (int axis = 0; axis < 3; ++axis) table += "," + QString::number(at[axis], 'f', 6).toStdString();
+          }
+          table += "\n";
+        }
+        if (!write_text_file(folder / name, table)) qFatal("no table");
+        state["markers"] = name;
+      }
+      one["samples"].push_back(std::move(state));
+    }
+    json["trials"].push_back(std::move(one));
+  }
+  const fs::path file = folder / "pad.json";
+  if (!write_json_file(file, json)) qFatal("no experiment");
+  return file;
+}
+
+class EvidenceTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1500, 950);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_->go_to("evidence");
+    view_ = window_->findChild<EvidenceView*>();
+    QVERIFY(view_->isVisible());
+    QVERIFY(QDir().mkpath(pictures_));
+    folder_ = fs::path(temporary_.path().toStdString());
+  }
+
+  void says_what_each_button_waits_for() {
+    QVERIFY(!child<QPushButton>("evidence_accept")->isEnabled());
+    QVERIFY(child<QPushButton>("evidence_accept")->toolTip().contains("Open measurements first"));
+    QVERIFY(!child<QPushButton>("evidence_take_back")->isEnabled());
+    QVERIFY(!child<QPushButton>("evidence_save")->isEnabled());
+  }
+
+  void explains_the_example_that_ships() {
+    finish([this] { QTest::mouseClick(child<QPushButton>("evidence_example"), Qt::LeftButton); });
+    QVERIFY(view_->record() != nullptr);
+    // Silicone stiffens in compression and softens once it was stretched; no one effect explains it to the noise.
+    QCOMPARE(view_->record()->verdict, std::string("unexplained"));
+    QCOMPARE(view_->record()->effects.front().kind, std::string("strain-stiffening"));
+    const auto* suspects = child<QTableWidget>("evidence_suspects");
+    QCOMPARE(suspects->rowCount(), int(view_->record()->ranking.size()));
+    QCOMPARE(suspects->item(0, SuspectsTable::name)->text().section(" (", 0, 0), QString("Stiffens as it deforms"));
+    // By how well they predict what they were not fitted to.
+    QVERIFY(suspects->item(0, SuspectsTable::held_out)->text().toDouble() <
+            suspects->item(1, SuspectsTable::held_out)->text().toDouble());
+    QVERIFY(child<QPushButton>("evidence_save")->isEnabled());
+    QVERIFY(child<QPushButton>("evidence_accept")->toolTip().contains("case"));
+    QTest::qWait(200);
+    QVERIFY(window_->grab().save(pictures_ + "/evidence_example.png"));
+  }
+
+  void predicts_trials_that_it_was_not_fitted_to() {
+    const auto resources = resource_folder();
+    QVERIFY(bool(resources));
+    finish([&] { view_->compare_trials(*resources / "examples" / "silicone" / "heldout.json"); });
+    const auto* table = child<QTableWidget>("evidence_comparison");
+    QVERIFY(table->isVisible());
+    QCOMPARE(table->rowCount(), 2);
+    for (int row = 0; row < 2; ++row) {
+      QVERIFY(table->item(row, 2)->text().toDouble() < 0.2 * table->item(row, 1)->text().toDouble());
+    }
+  }
+
+  void finds_what_a_palpation_lacks_and_shows_it_in_space() {
+    const fs::path experiment = soft_pad(folder_);
+    finish([&] { view_->open(experiment); });
+    QCOMPARE(view_->record()->verdict, std::string("explained"));
+    QCOMPARE(view_->record()->effects.front().kind, std::string("stiffness-scale"));
+    auto* found = child<FoundTree>("evidence_found");
+    const QString value = found->topLevelItem(0)->child(0)->text(1);
+    QVERIFY2(std::abs(value.section(" ", 0, 0).toDouble() - true_factor) < 0.03, qPrintable(value));
+    SpaceView& space = view_->answer().residual_space();
+    QVERIFY(space.isVisible());
+    QTest::qWait(200);
+    const QImage before = space.grabFramebuffer();
+    QVERIFY(window_->grab().save(pictures_ + "/evidence_before.png"));
+    QTest::mouseClick(child<QPushButton>("evidence_after"), Qt::LeftButton);
+    QTest::qWait(100);
+    QVERIFY(space.grabFramebuffer() != before);
+    QVERIFY(window_->grab().save(pictures_ + "/evidence_after.png"));
+    auto* trial = child<QComboBox>("evidence_trial");
+    QCOMPARE(trial->count(), 4);
+    trial->setFocus();
+    QTest::keyClick(trial, trial->currentIndex() == 0 ? Qt::Key_Down : Qt::Key_Up);
+  }
+
+  void cancels_and_says_so() {
+    QSignalSpy finished(&window_->work(), &BackgroundWork::finished);
+    view_->open(folder_ / "pad.json");
+    QVERIFY(!child<QPushButton>("evidence_example")->isEnabled());
+    QTest::mouseClick(window_->findChild<QPushButton*>("cancel"), Qt::LeftButton);
+    QVERIFY(finished.wait(patience_ms));
+    QTRY_VERIFY(child<QPushButton>("evidence_example")->isEnabled());
+    QVERIFY(view_->record() != nullptr);  // what was there stays
+  }
+
+  void accepts_evidence_for_the_patient_and_takes_it_back() {
+    const fs::path folder = test::modelled_case(folder_);
+    window_->open_path(folder);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("evidence_accept")->isEnabled(), patience_ms);
+    QSignalSpy finished(&window_->work(), &BackgroundWork::finished);
+    QTest::mouseClick(child<QPushButton>("evidence_accept"), Qt::LeftButton);
+    QVERIFY(finished.wait(patience_ms));
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("evidence_take_back")->isEnabled(), patience_ms);
+    QVERIFY(casefile::Case::open(folder)->find("evidence/model") != nullptr);
+    QTest::mouseClick(child<QPushButton>("evidence_take_back"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("evidence_take_back")->isEnabled(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->work().busy(), patience_ms);
+    QVERIFY(casefile::Case::open(folder)->find("evidence/model") == nullptr);
+  }
+
+  void nothing_ticked_is_nothing_accepted() {
+    auto* found = child<FoundTree>("evidence_found");
+    found->topLevelItem(0)->setCheckState(0, Qt::Unchecked);
+    QVERIFY(!child<QPushButton>("evidence_accept")->isEnabled());
+    QVERIFY(child<QPushButton>("evidence_accept")->toolTip().contains("Tick an effect"));
+    found->topLevelItem(0)->setCheckState(0, Qt::Checked);
+    QVERIFY(child<QPushButton>("evidence_accept")->isEnabled());
+  }
+
+  void opens_a_report_that_was_kept() {
+    const fs::path kept = folder_ / "kept";
+    fs::copy(view_->record()->folder, kept);
+    finish([this] { QTest::mouseClick(child<QPushButton>("evidence_example"), Qt::LeftButton); });
+    QCOMPARE(view_->record()->experiment_kind, std::string("material"));
+    view_->open(kept / "report.json");
+    QCOMPARE(view_->record()->experiment_kind, std::string("palpation"));
+    QVERIFY(!view_->answer().residual_space().isVisible());  // the markers are not in a report, the drawings are
+    QVERIFY(view_->record()->drawings.size() == 3);
+    QTest::qWait(100);
+    QVERIFY(window_->grab().save(pictures_ + "/evidence_report.png"));
+  }
+
+  void says_that_a_folder_holds_no_report() {
+    view_->open(folder_ / "small.glisson");
+    const auto* notice = window_->findChild<QLabel*>("notice_text");
+    QTRY_VERIFY(notice->isVisible());
+    QVERIFY(notice->text().contains("does not hold a report"));
+  }
+
+  void shuts_down_cleanly() { window_.reset(); }
+
+ private:
+  template <typename Widget>
+  Widget* child(const char* name) {
+    auto* found = view_->findChild<Widget*>(name);
+    if (found == nullptr) qFatal("the view has no %s", name);
+    return found;
+  }
+  void finish(const std::function<void()>& begin) {
+    QSignalSpy finished(&window_->work(), &BackgroundWork::finished);
+    begin();
+    QVERIFY(finished.count() > 0 || finished.wait(patience_ms));
+    QTest::qWait(20);
+  }
+
+  std::unique_ptr<MainWindow> window_;
+  EvidenceView* view_ = nullptr;
+  const QString pictures_ = GLISSON_BINARY_DIR "/pictures";
+  QTemporaryDir temporary_;
+  fs::path folder_;
+};
+
+}  // namespace
+}  // namespace glisson::widgets
+
+int main(int argc, char** argv) { return glisson::widgets::run_test<glisson::widgets::EvidenceTest>(argc, argv); }
+
+#include "evidence_test.moc"

@@ -1,0 +1,150 @@
+// Model, as a person uses it: its facts, another stiffness by one click, a model that went stale and is brought up to
+// date, and what the 3D view shows of it.
+
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "main_window.h"
+#include "model/model_panel.h"
+#include "modelled_case.h"
+#include "run_test.h"
+
+namespace glisson::widgets {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int patience_ms = 60000;
+
+class ModelTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1400, 950);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    panel_ = window_->findChild<ModelPanel*>();
+    window_->go_to("model");
+    folder_ = test::modelled_case(fs::path(temporary_.path().toStdString()));
+    window_->open_path(folder_);
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->facts() != nullptr, patience_ms);
+  }
+
+  void tells_what_the_model_is() {
+    QVERIFY(panel_->state().current);
+    QVERIFY(child<QLabel>("model_state")->text().contains("up to date"));
+    QVERIFY(!primary()->isVisible());
+    QVERIFY(child<QLabel>("model_cells")->text().startsWith(QString::number(panel_->facts()->cells)));
+    QVERIFY(std::abs(panel_->facts()->mesh_ml / panel_->facts()->label_ml - 1) < 0.1);
+    QVERIFY(child<QLabel>("model_stiffness")->text().contains("6.0 kPa on average, sd 0.0"));
+    QCOMPARE(panel_->facts()->min_dihedral_deg.size(), panel_->facts()->cells);
+  }
+
+  void a_source_that_the_case_lacks_says_so() {
+    choose_source(0);  // MR elastography
+    QVERIFY(!child<QPushButton>("model_give")->isEnabled());
+    QVERIFY(child<QPushButton>("model_give")->toolTip().contains("no stiffness map"));
+    QVERIFY(!child<QPushButton>("model_waves")->isEnabled());
+  }
+
+  void gives_another_stiffness_by_one_click_and_keeps_the_cells() {
+    const std::size_t cells = panel_->facts()->cells;
+    choose_source(1);  // the atlas, 2.1 kPa in shear: 2 (1 + 0.45) times that
+    QTest::mouseClick(child<QPushButton>("model_give"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->facts() && std::abs(panel_->facts()->mean_kPa - 6.09) < 0.01, patience_ms);
+    QCOMPARE(panel_->facts()->cells, cells);
+    QCOMPARE(child<QComboBox>("model_source")->currentIndex(), 1);
+  }
+
+  void builds_finer_cells() {
+    const std::size_t cells = panel_->facts()->cells;
+    auto* target = child<QDoubleSpinBox>("model_target");
+    target->setFocus();
+    target->selectAll();
+    QTest::keyClicks(target, "2400");
+    QTest::keyClick(target, Qt::Key_Return);
+    QTest::mouseClick(child<QPushButton>("model_build"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->facts() && panel_->facts()->cells > 2 * cells, patience_ms);
+    QCOMPARE(panel_->facts()->target_cells, 2400);
+    QVERIFY(std::abs(panel_->facts()->mean_kPa - 6.09) < 0.01);  // still the atlas's
+  }
+
+  void a_stale_model_says_what_changed_and_is_mended_by_one_click() {
+    QVERIFY(bool(test::save_ball(folder_, "liver", 14)));
+    window_->open_path(folder_);
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->facts() && panel_->state().built && !panel_->state().current, patience_ms);
+    QVERIFY(child<QLabel>("model_state")->text().contains("Liver changed"));
+    const double before_ml = panel_->facts()->mesh_ml;
+    QVERIFY(primary()->isVisible());
+    QTest::mouseClick(primary(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->facts() && panel_->state().current, patience_ms);
+    QVERIFY(panel_->facts()->mesh_ml > 1.3 * before_ml);  // (14 / 12)^3 = 1.59
+    QVERIFY(!primary()->isVisible());
+  }
+
+  void shows_stiffness_and_supports_in_space() {
+    SpaceView& space = window_->views().space();
+    QTest::qWait(100);
+    const QImage stiffness = space.grabFramebuffer();
+    QVERIFY(QDir().mkpath(GLISSON_BINARY_DIR "/pictures"));
+    QVERIFY(window_->grab().save(GLISSON_BINARY_DIR "/pictures/model_stiffness.png"));
+    QTest::mouseClick(child<QPushButton>("show_supports"), Qt::LeftButton);
+    QTest::qWait(100);
+    const QImage supports = space.grabFramebuffer();
+    QVERIFY(supports != stiffness);
+    QVERIFY(!panel_->facts()->held.triangles.empty());
+    QVERIFY(!panel_->facts()->on_springs.triangles.empty());
+    QVERIFY(window_->grab().save(GLISSON_BINARY_DIR "/pictures/model_supports.png"));
+    QTest::mouseClick(child<QPushButton>("show_patient"), Qt::LeftButton);
+    QTest::qWait(100);
+    QVERIFY(space.grabFramebuffer() != supports);
+  }
+
+  void a_case_without_a_model_builds_one() {
+    const QTemporaryDir other;
+    const fs::path bare = test::small_case(fs::path(other.path().toStdString()));
+    window_->open_path(bare);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("model_state")->text().contains("no model yet"), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("model_build")->isEnabled(), patience_ms);
+    auto* target = child<QDoubleSpinBox>("model_target");
+    target->setValue(800);
+    QTest::mouseClick(child<QPushButton>("model_build"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->facts() && panel_->state().current, patience_ms);
+    QVERIFY(window_->rehearsal().body() != nullptr);
+  }
+
+  void shuts_down_cleanly() { window_.reset(); }
+
+ private:
+  template <typename Widget>
+  Widget* child(const char* name) {
+    auto* found = panel_->findChild<Widget*>(name);
+    if (found == nullptr) qFatal("the panel has no %s", name);
+    return found;
+  }
+  QPushButton* primary() { return child<QPushButton>("primary"); }
+  void choose_source(int index) {
+    auto* source = child<QComboBox>("model_source");
+    source->setFocus();
+    while (source->currentIndex() > index) QTest::keyClick(source, Qt::Key_Up);
+    while (source->currentIndex() < index) QTest::keyClick(source, Qt::Key_Down);
+  }
+
+  std::unique_ptr<MainWindow> window_;
+  ModelPanel* panel_ = nullptr;
+  QTemporaryDir temporary_;
+  fs::path folder_;
+};
+
+}  // namespace
+}  // namespace glisson::widgets
+
+int main(int argc, char** argv) { return glisson::widgets::run_test<glisson::widgets::ModelTest>(argc, argv); }
+
+#include "model_test.moc"

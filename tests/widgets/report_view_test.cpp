@@ -1,0 +1,121 @@
+// Report, as a person uses it: the page of a case read in the window, with and without the name, saved and printed.
+
+#include <QCheckBox>
+#include <QDir>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTextBrowser>
+#include <QtTest>
+
+#include "base/files.h"
+#include "main_window.h"
+#include "modelled_case.h"
+#include "report/report_view.h"
+#include "run_test.h"
+
+namespace glisson::widgets {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int patience_ms = 20000;
+
+class ReportViewTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1400, 900);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    view_ = window_->findChild<ReportView*>();
+  }
+
+  void says_that_it_needs_a_case() {
+    window_->go_to("report");
+    QVERIFY(child<QLabel>("report_state")->text().contains("Open a case"));
+    QVERIFY(!child<QPushButton>("report_html")->isEnabled());
+  }
+
+  void collects_the_page_of_the_case() {
+    const fs::path folder = test::modelled_case(fs::path(temporary_.path().toStdString()));
+    window_->go_to("rehearse");
+    window_->open_path(folder);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->rehearsal().body() != nullptr, patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->work().busy(), patience_ms);
+    window_->go_to("report");
+    QTRY_VERIFY2_WITH_TIMEOUT(child<QPushButton>("report_html")->isEnabled(),
+                              qPrintable(window_->findChild<QLabel*>("notice_text")->text()), patience_ms);
+    const QString page = text();
+    QVERIFY(page.contains("6.00 kPa on average"));
+    QVERIFY(page.contains("tumour-1"));
+    QVERIFY(page.contains("No resection was saved."));
+    QVERIFY(page.contains("nothing is being rehearsed"));
+    QVERIFY(page.contains("Not a medical device"));
+  }
+
+  void withholds_the_name_until_it_is_asked_for() {
+    QVERIFY(text().contains("name withheld"));
+    QVERIFY(!text().contains("small"));
+    QTest::mouseClick(child<QCheckBox>("report_name"), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
+    QTRY_VERIFY_WITH_TIMEOUT(text().startsWith("Not a medical device.\nsmall"), patience_ms);
+    QTest::mouseClick(child<QCheckBox>("report_name"), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
+    QTRY_VERIFY_WITH_TIMEOUT(!text().contains("small"), patience_ms);
+  }
+
+  void tells_what_is_being_rehearsed_when_it_is_looked_at() {
+    window_->go_to("rehearse");
+    QSignalSpy placed(&window_->rehearsal(), &LiveRehearsal::placed);
+    const auto& surface = window_->rehearsal().body()->surface();
+    window_->rehearsal().hold({"palpation-probe", surface.points_mm.front(), {0, -1, 0}, 6, {0, 1, 0}, 1.5});
+    QVERIFY(placed.wait(patience_ms));
+    window_->go_to("report");
+    QTRY_VERIFY_WITH_TIMEOUT(text().contains("palpation-probe with 1.5 N"), patience_ms);
+  }
+
+  void saves_a_web_page_and_prints_a_pdf() {
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->work().busy(), patience_ms);
+    const QString html = temporary_.filePath("report.html"), pdf = temporary_.filePath("report.pdf");
+    QVERIFY(bool(view_->save_html(html.toStdString())));
+    const auto bytes = read_text_file(html.toStdString(), 1 << 26);
+    QVERIFY(bytes && bytes->find("6.00 kPa on average") != std::string::npos);
+    QVERIFY(bytes->find(">small<") == std::string::npos);
+    view_->print_pdf(pdf);
+    QFile file(pdf);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.read(5) == "%PDF-");
+    QVERIFY(file.size() > 10000);
+  }
+
+  void leaves_a_picture_to_look_at() {
+    QVERIFY(QDir().mkpath(GLISSON_BINARY_DIR "/pictures"));
+    QTest::qWait(100);
+    QVERIFY(window_->grab().save(GLISSON_BINARY_DIR "/pictures/report.png"));
+    QFile::remove(GLISSON_BINARY_DIR "/pictures/report.pdf");
+    QVERIFY(QFile::copy(temporary_.filePath("report.pdf"), GLISSON_BINARY_DIR "/pictures/report.pdf"));
+  }
+
+  void shuts_down_cleanly() { window_.reset(); }
+
+ private:
+  template <typename Widget>
+  Widget* child(const char* name) {
+    auto* found = view_->findChild<Widget*>(name);
+    if (found == nullptr) qFatal("the view has no %s", name);
+    return found;
+  }
+  QString text() { return child<QTextBrowser>("paper")->toPlainText(); }
+
+  std::unique_ptr<MainWindow> window_;
+  ReportView* view_ = nullptr;
+  QTemporaryDir temporary_;
+};
+
+}  // namespace
+}  // namespace glisson::widgets
+
+int main(int argc, char** argv) { return glisson::widgets::run_test<glisson::widgets::ReportViewTest>(argc, argv); }
+
+#include "report_view_test.moc"

@@ -1,0 +1,79 @@
+#include "evidence/effect_words.h"
+
+#include <array>
+#include <QCoreApplication>
+#include <QStringList>
+#include <vector>
+
+namespace glisson::widgets {
+namespace {
+
+struct Words {
+  const char* kind;
+  const char* label;
+};
+
+constexpr const char* context = "effects";
+
+constexpr Words known[] = {
+    {"stiffness-scale", QT_TRANSLATE_NOOP("effects", "Stiffer or softer throughout")},
+    {"strain-stiffening", QT_TRANSLATE_NOOP("effects", "Stiffens as it deforms")},
+    {"support-compliance", QT_TRANSLATE_NOOP("effects", "The support gives way")},
+    {"stiff-inclusion", QT_TRANSLATE_NOOP("effects", "A hidden stiffer region")},
+    {"viscoelastic-creep", QT_TRANSLATE_NOOP("effects", "Creeps under load")},
+    {"force-bias", QT_TRANSLATE_NOOP("effects", "The force sensor is off")},
+    {"frame-misalignment", QT_TRANSLATE_NOOP("effects", "Camera and specimen misaligned")},
+    {"anisotropy", QT_TRANSLATE_NOOP("effects", "Stiffer along one direction")},
+    {"capsule", QT_TRANSLATE_NOOP("effects", "A stiff capsule around it")},
+    {"preload", QT_TRANSLATE_NOOP("effects", "Already loaded at the start")},
+    {"softening", QT_TRANSLATE_NOOP("effects", "Softer once it was stretched")},
+    {"hysteresis", QT_TRANSLATE_NOOP("effects", "Loading and unloading differ")},
+    {"tension-compression-asymmetry", QT_TRANSLATE_NOOP("effects", "Tension and compression differ")},
+    {"internal-resistance", QT_TRANSLATE_NOOP("effects", "The battery's own resistance")},
+    {"rate-capacity", QT_TRANSLATE_NOOP("effects", "Less charge when emptied fast")},
+    {"self-heating", QT_TRANSLATE_NOOP("effects", "It warms itself")},
+    {"discharge-curve", QT_TRANSLATE_NOOP("effects", "Voltage falls as it empties")},
+    {"static-power", QT_TRANSLATE_NOOP("effects", "Power drawn at rest")},
+    {"dynamic-power", QT_TRANSLATE_NOOP("effects", "Power drawn by the work")},
+    {"thermal-throttling", QT_TRANSLATE_NOOP("effects", "Slows down when hot")},
+    {"thermal-resistance", QT_TRANSLATE_NOOP("effects", "Sheds heat better or worse")},
+    {"thermal-inertia", QT_TRANSLATE_NOOP("effects", "Takes time to warm up")},
+    {"supply-loss", QT_TRANSLATE_NOOP("effects", "Power lost in the supply")},
+    {"smooth-correction", QT_TRANSLATE_NOOP("effects", "A smooth correction, no cause")},
+};
+
+}  // namespace
+
+QString effect_label(const std::string& kind) {
+  for (const Words& words : known) {
+    if (kind == words.kind) return QCoreApplication::translate(context, words.label);
+  }
+  return QString::fromStdString(kind);
+}
+
+QString effect_labels(const std::vector<std::string>& kinds) {
+  QStringList labels;
+  for (const std::string& kind : kinds) labels << effect_label(kind);
+  return labels.isEmpty() ? QString("–") : labels.join(", ");
+}
+
+QString parameter_label(const std::string& name) {
+  static constexpr std::array<std::pair<const char*, const char*>, 9> units{{{"_kPa_per_mm", ", kPa/mm"},
+                                                                             {"_N_per_mm", ", N/mm"},
+                                                                             {"_m_s2", ", m/s²"},
+                                                                             {"_per_C", ", 1/°C"},
+                                                                             {"_kPa", ", kPa"},
+                                                                             {"_mm", ", mm"},
+                                                                             {"_deg", ", °"},
+                                                                             {"_ohm", ", Ω"},
+                                                                             {"_N", ", N"}}};
+  QString label = QString::fromStdString(name);
+  for (const auto& [ending, unit] : units) {
+    if (!label.endsWith(ending)) continue;
+    label = label.chopped(static_cast<qsizetype>(std::char_traits<char>::length(ending))) + QString::fromUtf8(unit);
+    break;
+  }
+  return label.replace('_', ' ');
+}
+
+}  // namespace glisson::widgets

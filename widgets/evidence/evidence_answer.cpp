@@ -1,0 +1,205 @@
+#include "evidence/evidence_answer.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "evidence/svg_view.h"
+#include "words/told.h"
+#include "words/worded.h"
+
+namespace glisson::widgets {
+namespace {
+
+QLabel* label(const char* name, QWidget* parent) {
+  auto* made = new QLabel(parent);
+  made->setObjectName(name);
+  made->setWordWrap(true);
+  made->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return made;
+}
+
+}  // namespace
+
+EvidenceAnswer::EvidenceAnswer(QWidget* parent) : QScrollArea(parent) {
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  auto* page = new QWidget;
+  page->setObjectName("panel");
+  setWidget(page);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(18, 14, 18, 14);
+  column->setSpacing(10);
+  verdict_ = label("patient_name", page);
+  column->addWidget(verdict_);
+  shape_ = label("faint", page);
+  column->addWidget(shape_);
+  across_ = new QSplitter(Qt::Horizontal, page);
+  across_->setChildrenCollapsible(false);
+  residual_ = make_residual();
+  across_->addWidget(residual_);
+  drawings_ = new QWidget;
+  new QVBoxLayout(drawings_);
+  drawings_->layout()->setContentsMargins(0, 0, 0, 0);
+  across_->addWidget(drawings_);
+  across_->addWidget(make_numbers());
+  for (int part = 0; part < 3; ++part) across_->setStretchFactor(part, 1);
+  column->addWidget(across_, 1);
+  suspects_title_ = label("heading", page);
+  column->addWidget(suspects_title_);
+  suspects_ = new SuspectsTable(page);
+  column->addWidget(suspects_);
+  next_title_ = label("heading", page);
+  column->addWidget(next_title_);
+  next_ = label("next_measurement", page);
+  column->addWidget(next_);
+  notes_ = label("faint", page);
+  column->addWidget(notes_);
+  worded(this, [this] { word(); });
+}
+
+QWidget* EvidenceAnswer::make_residual() {
+  auto* group = new QWidget;
+  auto* column = new QVBoxLayout(group);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* row = new QHBoxLayout;
+  trial_ = new QComboBox(group);
+  trial_->setObjectName("evidence_trial");
+  row->addWidget(trial_, 1);
+  before_ = new QPushButton(group);
+  before_->setObjectName("evidence_before");
+  before_->setProperty("segment", "first");
+  after_ = new QPushButton(group);
+  after_->setObjectName("evidence_after");
+  after_->setProperty("segment", "last");
+  auto* which = new QButtonGroup(group);
+  auto* segments = new QHBoxLayout;
+  segments->setSpacing(0);
+  for (QPushButton* button : {before_, after_}) {
+    button->setCheckable(true);
+    which->addButton(button);
+    segments->addWidget(button);
+  }
+  before_->setChecked(true);
+  row->addLayout(segments);
+  column->addLayout(row);
+  space_ = new SpaceView(group);
+  space_->setObjectName("residual_space");
+  space_->setMinimumHeight(320);
+  column->addWidget(space_, 1);
+  scale_told_ = label("faint", group);
+  column->addWidget(scale_told_);
+  connect(trial_, &QComboBox::currentIndexChanged, this, &EvidenceAnswer::show_residual);
+  connect(which, &QButtonGroup::buttonClicked, this, &EvidenceAnswer::show_residual);
+  return group;
+}
+
+QWidget* EvidenceAnswer::make_numbers() {
+  auto* group = new QWidget;
+  auto* column = new QVBoxLayout(group);
+  column->setContentsMargins(0, 0, 0, 0);
+  errors_ = new ErrorsTable(group);
+  column->addWidget(errors_);
+  auto* title = label("heading", group);
+  column->addWidget(title);
+  found_ = new FoundTree(group);
+  found_->setMinimumHeight(130);
+  column->addWidget(found_, 1);
+  worded(group, [title] { title->setText(tr("What was found")); });
+  group->setMinimumWidth(430);
+  return group;
+}
+
+void EvidenceAnswer::show_record(std::shared_ptr<const EvidenceRecord> record,
+                                 std::shared_ptr<const closedloop::Explained> explained) {
+  record_ = std::move(record);
+  explained_ = std::move(explained);
+  const bool in_space = explained_ && has_residual_scene(*explained_);
+  residual_->setVisible(in_space);
+  {
+    const QSignalBlocker quiet(trial_);
+    trial_->clear();
+    if (in_space) {
+      for (const std::string& trial : explained_->model->observations().trials) {
+        trial_->addItem(QString::fromStdString(trial));
+      }
+      trial_->setCurrentIndex(static_cast<int>(worst_trial(*explained_)));
+    }
+  }
+  before_->setChecked(true);
+  show_drawings();
+  word();
+  across_->setSizes(in_space ? QList<int>{520, 330, 460} : QList<int>{0, 660, 560});
+  if (in_space) {
+    show_residual();
+    space_->frame_all();
+  }
+}
+
+void EvidenceAnswer::show_residual() {
+  if (!explained_ || trial_->currentIndex() < 0) return;
+  const auto made = residual_scene(*explained_, static_cast<std::size_t>(trial_->currentIndex()),
+                                   before_->isChecked() ? ResidualOf::declared : ResidualOf::better,
+                                   tr("Residual (mm)").toStdString());
+  space_->show_scene(made.scene);
+  scale_told_->setText(
+      tr("Measured less predicted, where this trial was farthest off. Arrows %1 times as long as they are; "
+         "colours reach to %2 mm, between markers interpolated.")
+          .arg(made.magnification, 0, 'g', 2)
+          .arg(made.largest_mm, 0, 'g', 2));
+}
+
+void EvidenceAnswer::show_drawings() {
+  qDeleteAll(drawings_->findChildren<SvgView*>());
+  // In space what is left stands already; the last drawing is the error by load.
+  const bool in_space = explained_ && has_residual_scene(*explained_);
+  const auto& drawings = record_->drawings;
+  for (std::size_t k = in_space && !drawings.empty() ? drawings.size() - 1 : 0; k < drawings.size(); ++k) {
+    drawings_->layout()->addWidget(new SvgView(drawings[k], drawings_));
+  }
+  drawings_->setVisible(!drawings.empty());
+}
+
+void EvidenceAnswer::word() {
+  if (!record_) return;
+  const EvidenceRecord& record = *record_;
+  const QString before = with_unit(record.before.rms, record), after = with_unit(record.after.rms, record);
+  const bool nothing_missing = record.verdict == "nothing-missing", explained = record.verdict == "explained";
+  verdict_->setText(
+      nothing_missing ? tr("Nothing is missing: what the declared model leaves, %1, is noise.").arg(before)
+      : explained     ? tr("Explained: the error falls from %1 to %2, as small as the noise.").arg(before, after)
+                      : tr("Not explained: the error falls from %1 to %2 and stays above the noise. What is named is "
+                               "a part of it, not its cause.")
+                        .arg(before, after));
+  const auto shape = [](const std::vector<std::string>& features) {
+    QStringList words;
+    for (const std::string& feature : features) words << told(feature);
+    return words.join("; ");
+  };
+  shape_->setText(record.shape_before.empty()
+                      ? tr("No test finds anything in it that noise would not do.")
+                      : tr("What the declared model leaves is not noise: %1.").arg(shape(record.shape_before)) +
+                            (record.shape_after.empty()
+                                 ? QString()
+                                 : " " + tr("What is left at the end: %1.").arg(shape(record.shape_after))));
+  before_->setText(tr("Before"));
+  after_->setText(tr("After"));
+  errors_->show_record(record);
+  found_->show_record(record);
+  suspects_title_->setText(tr("Suspects"));
+  suspects_->show_record(record);
+  for (QWidget* each : std::initializer_list<QWidget*>{suspects_title_, suspects_}) {
+    each->setVisible(!record.ranking.empty());
+  }
+  next_title_->setText(tr("What to measure next"));
+  next_->setText(record.next_measurement.empty()
+                     ? tr("No further trial is known that would tell the leading explanations apart.")
+                     : QString::fromStdString(record.next_measurement));
+  QStringList notes;
+  for (const std::string& note : record.notes) notes << told(note);
+  notes_->setText(notes.join("\n"));
+  notes_->setVisible(!notes.isEmpty());
+  if (explained_ && has_residual_scene(*explained_)) show_residual();
+}
+
+}  // namespace glisson::widgets

@@ -1,0 +1,61 @@
+#pragma once
+// What measurements showed, to be read from top to bottom: the verdict, the errors before and after with pictures of
+// what is left, the suspects with their evidence, and what to measure next.
+
+#include <memory>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QWidget>
+
+#include "closedloop/explain.h"
+#include "evidence/evidence_record.h"
+#include "evidence/evidence_tables.h"
+#include "evidence/residual_scene.h"
+#include "views/space_view.h"
+
+namespace glisson::widgets {
+
+class EvidenceAnswer : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  explicit EvidenceAnswer(QWidget* parent = nullptr);
+
+  // `explained` where it was computed now: then what is left is shown in space too.
+  void show_record(std::shared_ptr<const EvidenceRecord> record,
+                   std::shared_ptr<const closedloop::Explained> explained = nullptr);
+  [[nodiscard]] FoundTree& found() { return *found_; }
+  [[nodiscard]] SpaceView& residual_space() { return *space_; }
+
+ private:
+  QWidget* make_residual();
+  QWidget* make_numbers();
+  void word();
+  void show_residual();
+  void show_drawings();
+
+  std::shared_ptr<const EvidenceRecord> record_;
+  std::shared_ptr<const closedloop::Explained> explained_;
+  QLabel* verdict_;
+  QLabel* shape_;
+  QSplitter* across_;
+  QWidget* residual_;
+  SpaceView* space_;
+  QComboBox* trial_;
+  QPushButton* before_;
+  QPushButton* after_;
+  QLabel* scale_told_;
+  QWidget* drawings_;
+  ErrorsTable* errors_;
+  FoundTree* found_;
+  SuspectsTable* suspects_;
+  QLabel* suspects_title_;
+  QLabel* next_title_;
+  QLabel* next_;
+  QLabel* notes_;
+};
+
+}  // namespace glisson::widgets

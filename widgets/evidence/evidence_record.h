@@ -1,0 +1,66 @@
+#pragma once
+// What closing the loop found, as its report says it: read from report.json, model.json and report.html, whether they
+// were written a moment ago or a year.
+
+#include <filesystem>
+#include <optional>
+#include <QString>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace glisson::widgets {
+
+struct EvidenceErrors {
+  double rms = 0, mean = 0, p95 = 0, noise = 0, reduced_chi2 = 0;
+  std::optional<double> held_out_rms, held_out_low, held_out_high;
+};
+
+struct EvidenceParameter {
+  std::string name;
+  std::string value, std, low, high;  // as they are shown: a vector is "(1, 2, 3)"; empty for none
+  bool determined = true;
+};
+
+struct EvidenceEffect {
+  std::string kind;
+  std::string law;
+  std::string sentence;
+  std::vector<EvidenceParameter> parameters;
+  std::optional<double> delta_bic, held_out_rms, held_out_rms_without;
+  std::vector<std::string> alike;
+};
+
+struct EvidenceSuspect {
+  std::string kind;
+  std::string law;
+  std::optional<double> rms, held_out_rms, delta_bic;
+  std::vector<std::string> alike;
+  std::string removed;  // why it is out of the running
+};
+
+struct EvidenceDrawing {
+  std::string svg;
+  QString caption;
+};
+
+struct EvidenceRecord {
+  std::filesystem::path folder;
+  std::string experiment_kind;  // "palpation", "material", "platform"
+  std::string learnt_from;      // name of the experiment's file
+  std::string verdict;          // "nothing-missing", "explained", "unexplained"
+  std::string unit;             // "mm", "kPa", "noise"
+  EvidenceErrors before, after;
+  std::vector<std::string> shape_before, shape_after;  // in what the rest is not noise; empty for noise
+  std::vector<EvidenceEffect> effects;
+  std::vector<EvidenceSuspect> ranking;
+  std::string next_measurement;  // empty for none
+  std::vector<std::string> notes;
+  std::vector<EvidenceDrawing> drawings;
+};
+
+// Fails with "not-a-report": a file is missing, or is not what explain writes.
+Result<EvidenceRecord> read_evidence(const std::filesystem::path& folder);
+
+}  // namespace glisson::widgets

@@ -1,0 +1,45 @@
+#pragma once
+// The numbers of a report of measurements: errors before and after, what was found, and the suspects in their order.
+
+#include <QTableWidget>
+#include <QTreeWidget>
+
+#include "evidence/evidence_record.h"
+
+namespace glisson::widgets {
+
+class ErrorsTable : public QTableWidget {
+  Q_OBJECT
+
+ public:
+  explicit ErrorsTable(QWidget* parent = nullptr);
+  void show_record(const EvidenceRecord& record);
+};
+
+// An effect is a row that can be ticked, its parameters stand below it.
+class FoundTree : public QTreeWidget {
+  Q_OBJECT
+
+ public:
+  explicit FoundTree(QWidget* parent = nullptr);
+  void show_record(const EvidenceRecord& record);
+  [[nodiscard]] std::vector<std::string> ticked_kinds() const;
+
+ Q_SIGNALS:
+  void ticked();
+};
+
+class SuspectsTable : public QTableWidget {
+  Q_OBJECT
+
+ public:
+  enum Column { name, rms, held_out, delta_bic, alike };
+
+  explicit SuspectsTable(QWidget* parent = nullptr);
+  void show_record(const EvidenceRecord& record);
+};
+
+// "1.23 mm": of a record's unit.
+[[nodiscard]] QString with_unit(double value, const EvidenceRecord& record);
+
+}  // namespace glisson::widgets

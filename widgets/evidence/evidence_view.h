@@ -1,0 +1,77 @@
+#pragma once
+// Evidence: measurements are held against a model, what it lacks is traced to a cause, and the cause can be accepted
+// for the patient whose case is open, and taken back.
+
+#include <memory>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QWidget>
+
+#include "closedloop/predict.h"
+#include "evidence/evidence_answer.h"
+#include "workspaces/workspace.h"
+
+namespace glisson::widgets {
+
+class EvidenceView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit EvidenceView(Bench bench, QWidget* parent = nullptr);
+  [[nodiscard]] static Workspace workspace(Bench bench);
+
+  // An experiment is explained, a report's folder or one of its files is shown.
+  void open(const std::filesystem::path& path);
+  void open_example();
+  void show_patient(const Patient& patient);
+  // Other trials, by the declared model and by the better one.
+  void compare_trials(const std::filesystem::path& experiment);
+
+  [[nodiscard]] const std::shared_ptr<const EvidenceRecord>& record() const { return record_; }
+  [[nodiscard]] EvidenceAnswer& answer() { return *answer_; }
+
+ private:
+  QWidget* make_panel();
+  QWidget* make_beginning();
+  void explain(const std::filesystem::path& experiment);
+  void show_report(const std::filesystem::path& folder, std::shared_ptr<const closedloop::Explained> explained);
+  void show_comparison(const closedloop::Prediction& declared, const closedloop::Prediction& better);
+  void accept();
+  void take_back();
+  void save_report();
+  void choose_experiment();
+  void choose_report();
+  void choose_trials();
+  void word_state();
+  void tell_time_left(double fraction);
+  // Why what was found cannot be accepted; empty where it can.
+  [[nodiscard]] QString why_not_accept() const;
+
+  Bench bench_;
+  Patient patient_;
+  std::shared_ptr<const EvidenceRecord> record_;
+  QTemporaryDir scratch_;  // reports made here until they are saved
+  int made_here_ = 0;
+  bool explaining_ = false;
+  QElapsedTimer since_;
+  QStackedWidget* right_;
+  EvidenceAnswer* answer_;
+  QLabel* beginning_;
+  QLabel* opened_;
+  QLabel* time_left_;
+  QPushButton* open_;
+  QPushButton* open_report_;
+  QPushButton* example_;
+  QPushButton* save_;
+  QPushButton* accept_;
+  QPushButton* take_back_;
+  QLabel* accepted_;
+  QPushButton* compare_;
+  QTableWidget* comparison_;
+};
+
+}  // namespace glisson::widgets

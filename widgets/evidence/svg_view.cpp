@@ -1,0 +1,35 @@
+#include "evidence/svg_view.h"
+
+#include <QPainter>
+#include <QSvgRenderer>
+
+#include "theme.h"
+
+namespace glisson::widgets {
+namespace {
+
+constexpr int caption_px = 40;
+
+}  // namespace
+
+SvgView::SvgView(EvidenceDrawing drawing, QWidget* parent) : QWidget(parent), drawing_(std::move(drawing)) {
+  setMinimumSize(300, 230);
+  setAccessibleName(drawing_.caption);
+  setToolTip(drawing_.caption);
+}
+
+void SvgView::paintEvent(QPaintEvent*) {
+  // Reports leave the colour of lines and letters to the page that they stand on.
+  QByteArray svg = QByteArray::fromStdString(drawing_.svg);
+  svg.replace("currentColor", theme_colour("ink").name().toUtf8());
+  svg.replace("<svg ", "<svg xmlns=\"http://www.w3.org/2000/svg\" ");  // not translated
+  QSvgRenderer renderer(svg);
+  renderer.setAspectRatioMode(Qt::KeepAspectRatio);
+  QPainter painter(this);
+  renderer.render(&painter, QRectF(0, 0, width(), height() - caption_px));
+  painter.setPen(theme_colour("faint"));
+  painter.drawText(QRectF(4, height() - caption_px, width() - 8, caption_px), Qt::AlignHCenter | Qt::TextWordWrap,
+                   drawing_.caption);
+}
+
+}  // namespace glisson::widgets

@@ -1,0 +1,231 @@
+#include "report/report_view.h"
+
+#include <QDateTime>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QPrinter>
+#include <QVBoxLayout>
+
+#include "report/html.h"
+#include "report/page_document.h"
+#include "report/patient_page.h"
+#include "settings/settings.h"
+#include "words/told.h"
+#include "words/worded.h"
+
+namespace glisson::widgets {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Proposed names say nothing of the patient.
+const QString html_name = "report.html", pdf_name = "report.pdf";
+
+fs::path path_of(const QString& text) { return fs::path(text.toStdU16String()); }
+
+QPushButton* button(const char* name, QWidget* parent) {
+  auto* made = new QPushButton(parent);
+  made->setObjectName(name);
+  return made;
+}
+
+std::optional<report::RehearsedRetraction> retraction_of(const LiveRehearsal& rehearsal) {
+  const auto& frame = rehearsal.frame();
+  if (!frame) return {};
+  report::RehearsedRetraction made{{}, frame->patient.max_displacement_mm, {}};
+  for (const ToolInHand& tool : rehearsal.tools()) made.tools.push_back({tool.preset, tool.force_N, tool.radius_mm});
+  for (std::size_t k = 0; k < frame->patient.landmarks.size(); ++k) {
+    const auto& landmark = frame->patient.landmarks[k];
+    made.landmarks.push_back({landmark.id, landmark.displacement_mm, {}});
+    if (k < frame->differences.size()) made.landmarks.back().atlas_off_mm = frame->differences[k].difference_mm;
+  }
+  return made;
+}
+
+}  // namespace
+
+ReportView::ReportView(Bench bench, PlanOfNow plan, QWidget* parent)
+    : QWidget(parent), bench_(std::move(bench)), plan_(std::move(plan)) {
+  setObjectName("report_view");
+  auto* across = new QHBoxLayout(this);
+  across->setContentsMargins(0, 0, 0, 0);
+  across->setSpacing(0);
+  auto* panel = new QWidget(this);
+  panel->setObjectName("panel");
+  panel->setFixedWidth(280);
+  auto* column = new QVBoxLayout(panel);
+  column->setContentsMargins(14, 14, 14, 14);
+  column->setSpacing(8);
+  auto* title = new QLabel(panel);
+  title->setObjectName("heading");
+  column->addWidget(title);
+  state_ = new QLabel(panel);
+  state_->setObjectName("report_state");
+  state_->setWordWrap(true);
+  column->addWidget(state_);
+  name_ = new QCheckBox(panel);
+  name_->setObjectName("report_name");
+  column->addWidget(name_);
+  refresh_ = button("report_refresh", panel);
+  column->addWidget(refresh_);
+  column->addSpacing(10);
+  html_ = button("report_html", panel);
+  pdf_ = button("primary", panel);
+  column->addWidget(pdf_);
+  column->addWidget(html_);
+  column->addStretch(1);
+  across->addWidget(panel);
+  paper_ = new QTextBrowser(this);
+  paper_->setObjectName("paper");
+  paper_->setOpenLinks(false);
+  paper_->setMaximumWidth(860);
+  across->addStretch(1);
+  across->addWidget(paper_, 30);
+  across->addStretch(1);
+  connect(name_, &QCheckBox::toggled, this, &ReportView::refresh);
+  // What was under way when the page was asked for is over.
+  connect(
+      &bench_.work, &BackgroundWork::finished, this,
+      [this] {
+        if (waiting_ && isVisible()) refresh();
+      },
+      Qt::QueuedConnection);
+  connect(refresh_, &QPushButton::clicked, this, &ReportView::refresh);
+  connect(html_, &QPushButton::clicked, this, &ReportView::choose_html);
+  connect(pdf_, &QPushButton::clicked, this, &ReportView::choose_pdf);
+  worded(this, [=, this] {
+    title->setText(tr("Report"));
+    name_->setText(tr("Show the patient's name"));
+    name_->setToolTip(tr("Without it the page names neither the patient nor the case; see the settings too"));
+    refresh_->setText(tr("Collect again"));
+    refresh_->setToolTip(tr("Reads the case and the present rehearsal anew"));
+    html_->setText(tr("Save as a web page..."));
+    pdf_->setText(tr("Print to PDF..."));
+    paper_->setAccessibleName(tr("Report"));
+    word_state();
+  });
+}
+
+Workspace ReportView::workspace(Bench bench, PlanOfNow plan) {
+  auto* view = new ReportView(std::move(bench), std::move(plan));
+  return {.id = "report",
+          .name = [] { return tr("Report"); },
+          .about = [] { return tr("All that was done for this patient on one page."); },
+          .widget = view,
+          .place = Workspace::Place::whole_window,
+          .show_patient = [view](const Patient& patient) { view->show_patient(patient); },
+          .missing =
+              [](const Patient& patient) {
+                return patient.folder.empty() ? tr("Needs a case: open one, or the demo patient.") : QString();
+              }};
+}
+
+void ReportView::show_patient(const Patient& patient) {
+  if (patient.folder != patient_.folder) {
+    page_.reset();
+    document_.reset();
+    paper_->setDocument(nullptr);
+    const QSignalBlocker quiet(name_);
+    name_->setChecked(names_shown_outside());
+  }
+  patient_ = patient;
+  stale_ = true;
+  word_state();
+  if (isVisible()) refresh();
+}
+
+// The rehearsal goes on while this is hidden, so the page is collected each time that it is looked at.
+void ReportView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  refresh();
+}
+
+void ReportView::refresh() {
+  waiting_ = bench_.work.busy();
+  if (patient_.folder.empty() || waiting_) {
+    word_state();
+    return;
+  }
+  report::PatientPageContent content;
+  if (name_->isChecked()) content.name = patient_label(patient_.name).toStdString();
+  content.when = QDateTime::currentDateTime().toString(Qt::ISODate).replace('T', ' ').left(16).toStdString();
+  content.retraction = retraction_of(bench_.rehearsal);
+  content.plan = plan_();
+  if (!patient_.structures.empty()) {
+    const QString picture = scratch_.filePath("patient.png");
+    if (bench_.views.space().grabFramebuffer().save(picture)) {
+      // Reports speak English: not translated.
+      content.figures.push_back({path_of(picture), "The patient as shown in the window."});
+    }
+  }
+  bench_.work.start(
+      tr("Collecting the report"),
+      [this, content, folder = patient_.folder](const Progress& progress) -> BackgroundWork::Then {
+        auto page = std::make_shared<Result<report::Page>>(casefile::Case::open(folder).and_then(
+            [&](const casefile::Case& patient) { return report::patient_page(patient, content, progress); }));
+        return [this, page] {
+          if (!*page) return bench_.tell_error(page->error());
+          show_page(**page);
+        };
+      });
+}
+
+void ReportView::show_page(const report::Page& page) {
+  page_ = page;
+  stale_ = false;
+  auto document = document_of(page);
+  paper_->setDocument(document.get());
+  document_ = std::move(document);
+  word_state();
+}
+
+void ReportView::word_state() {
+  const bool ready = page_.has_value();
+  state_->setText(patient_.folder.empty() ? tr("Open a case, or the demo patient, to see its page.")
+                  : !ready                ? tr("The page is being collected.")
+                  : stale_                ? tr("Something has changed since this page was collected.")
+                                          : tr("Collected from the case and from what is being rehearsed now."));
+  refresh_->setEnabled(!patient_.folder.empty());
+  for (QPushButton* each : {html_, pdf_}) {
+    each->setEnabled(ready);
+    each->setToolTip(ready ? QString() : tr("Needs a case: open one, or the demo patient."));
+  }
+}
+
+Result<void> ReportView::save_html(const fs::path& file) const {
+  GLISSON_ASSERT(page_.has_value());
+  return report::write_html(file, *page_);
+}
+
+void ReportView::print_pdf(const QString& file) const {
+  GLISSON_ASSERT(document_ != nullptr);
+  QPrinter printer(QPrinter::HighResolution);
+  printer.setOutputFormat(QPrinter::PdfFormat);
+  printer.setOutputFileName(file);
+  printer.setPageSize(QPageSize(QPageSize::A4));
+  printer.setDocName(tr("Report"));
+  document_->print(&printer);
+}
+
+void ReportView::choose_html() {
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save the report"), html_name, tr("Web pages (*.html)"));
+  if (file.isEmpty()) return;
+  if (auto written = save_html(path_of(file)); !written) {
+    bench_.tell_error(written.error());
+  } else {
+    bench_.tell_status(tr("The report is in %1").arg(file));
+  }
+}
+
+void ReportView::choose_pdf() {
+  const QString file = QFileDialog::getSaveFileName(this, tr("Print the report"), pdf_name, tr("PDF (*.pdf)"));
+  if (file.isEmpty()) return;
+  print_pdf(file);
+  if (QFileInfo(file).size() > 0) {
+    bench_.tell_status(tr("The report is in %1").arg(file));
+  } else {
+    bench_.tell_status(tr("The report could not be written to %1.").arg(file));
+  }
+}
+
+}  // namespace glisson::widgets

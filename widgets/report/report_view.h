@@ -1,0 +1,62 @@
+#pragma once
+// Report: one page of what was done for the patient who is open, to read, save and print. The name is withheld unless
+// it is asked for.
+
+#include <functional>
+#include <memory>
+#include <QCheckBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTextBrowser>
+#include <QTextDocument>
+#include <QWidget>
+
+#include "platform/plan.h"
+#include "report/page.h"
+#include "workspaces/workspace.h"
+
+namespace glisson::widgets {
+
+class ReportView : public QWidget {
+  Q_OBJECT
+
+ public:
+  // What was planned to be worn, where it was planned for this patient.
+  using PlanOfNow = std::function<std::optional<platform::Plan>()>;
+
+  explicit ReportView(Bench bench, PlanOfNow plan, QWidget* parent = nullptr);
+  [[nodiscard]] static Workspace workspace(Bench bench, PlanOfNow plan);
+
+  void show_patient(const Patient& patient);
+  // Collects everything anew, on a worker.
+  void refresh();
+  Result<void> save_html(const std::filesystem::path& file) const;
+  void print_pdf(const QString& file) const;
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void show_page(const report::Page& page);
+  void choose_html();
+  void choose_pdf();
+  void word_state();
+
+  Bench bench_;
+  PlanOfNow plan_;
+  Patient patient_;
+  QTemporaryDir scratch_;  // the page's pictures
+  std::optional<report::Page> page_;
+  std::unique_ptr<QTextDocument> document_;
+  bool stale_ = true;
+  bool waiting_ = false;  // for other work to be over
+  QTextBrowser* paper_;
+  QLabel* state_;
+  QCheckBox* name_;
+  QPushButton* refresh_;
+  QPushButton* html_;
+  QPushButton* pdf_;
+};
+
+}  // namespace glisson::widgets
