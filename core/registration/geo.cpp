@@ -167,6 +167,7 @@ Result<MatchingSolution> solve(const MatchingProblem& problem, const GeoOptions&
     return trws(*mrf, options.solving);
   }
   TrwlsOptions solving;
+  solving.starts = Starts::one;  // match_surfaces has its own, and orientation to tell them apart
   static_cast<SolverOptions&>(solving) = options.solving;
   return trwls(problem, solving);
 }
@@ -196,6 +197,7 @@ std::vector<Labelling> rough_matchings(const MatchingProblem& problem) {
   std::mt19937 random(20151207);  // any number; the same each time, so that the same surfaces match the same way
   std::uniform_real_distribution<double> noise(0, most_noise);
   TrwlsOptions solving;
+  solving.starts = Starts::one;
   solving.passes = 3;
   for (int start = 0; start < starts; ++start) {
     MatchingProblem noisy = rough;

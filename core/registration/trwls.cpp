@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "registration/rough_starts_internal.h"
 #include "registration/trwls_plain_internal.h"
 #include "registration/trwls_schedule_internal.h"
 #include "registration/trwls_simd_internal.h"
@@ -80,7 +81,8 @@ class Trwls {
   using Bound = typename Arithmetic<Word>::Bound;
 
   Trwls(const MatchingProblem& problem, const TrwlsOptions& options, const SliceKernels<Word>& kernels)
-      : options_(options),
+      : problem_(problem),
+        options_(options),
         kernels_(kernels),
         field_(quantise<Word>(problem)),
         energy_(problem),
@@ -118,8 +120,10 @@ class Trwls {
   [[nodiscard]] double lower_bound(int sweep) const;
   [[nodiscard]] Labelling labelling() const;
   void polish(Labelling& labels) const;
+  void try_other_starts(MatchingSolution& solution) const;
   [[nodiscard]] int cheapest(const AlignedVector<Total>& costs) const;
 
+  const MatchingProblem& problem_;
   const TrwlsOptions& options_;
   SliceKernels<Word> kernels_;
   Quantised<Word> field_;
@@ -174,6 +178,11 @@ MatchingSolution Trwls<Word>::run(const Progress& progress) {
     progress.report(static_cast<double>(pass + 1) / options_.passes, GLISSON_TEXT("matching"));
   }
   schedule_.call_off();
+  helpers.clear();
+  const bool may_be_better = solution.stopped != StopReason::cancelled && solution.stopped != StopReason::bound_met;
+  const bool wanted = options_.starts == Starts::several && options_.polish == Polish::single_nodes &&
+                      options_.stopping == Stopping::dynamic;
+  if (wanted && may_be_better) try_other_starts(solution);
   return solution;
 }
 
@@ -284,6 +293,34 @@ void Trwls<Word>::polish(Labelling& labels) const {
     const bool better = costs[static_cast<std::size_t>(best)] < costs[static_cast<std::size_t>(label)];
     settled = better ? 0 : settled + 1;
     if (better) label = best;
+  }
+}
+
+// Each start gives the other nodes the labels that go best with it, and is polished.
+template <typename Word>
+void Trwls<Word>::try_other_starts(MatchingSolution& solution) const {
+  const std::vector<RoughStart> starts = rough_starts(problem_);
+  std::vector<Labelling> settled(starts.size());
+  parallel_for(starts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    AlignedVector<Total> costs(stride_);
+    for (std::size_t k = begin; k < end; ++k) {
+      const RoughStart& start = starts[k];
+      Labelling& labels = settled[k];
+      for (int s = 0; s < nodes_; ++s) {
+        std::copy_n(field_.seed.data() + static_cast<std::size_t>(s) * stride_, stride_, costs.begin());
+        for (std::size_t i = 0; i < start.nodes.size(); ++i) {
+          if (start.nodes[i] != s) add_cost_of_neighbour(s, start.nodes[i], start.labels[i], costs.data());
+        }
+        labels.push_back(cheapest(costs));
+      }
+      polish(labels);
+    }
+  });
+  for (Labelling& labels : settled) {
+    const double energy = energy_(labels);
+    if (energy >= solution.energy) continue;
+    solution.energy = energy;
+    solution.labels = std::move(labels);
   }
 }
 

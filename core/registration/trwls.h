@@ -27,8 +27,15 @@ enum class Polish {
   single_nodes  // then one node at a time takes the label that is cheapest given all others, until none changes
 };
 
+// From where the least is looked for.
+enum class Starts {
+  one,     // from nothing, as `trws`
+  several  // and at the end, where the bound was not met, from a few rough matchings of nodes far apart, polished
+};
+
 struct TrwlsOptions : SolverOptions {
   Polish polish = Polish::single_nodes;  // a tenth of a pass, and fewer passes are needed
+  Starts starts = Starts::several;       // what one or two passes take; only with dynamic stopping and polish
   WordWidth width = WordWidth::bits_16;
   Instructions instructions = Instructions::widest;
 };

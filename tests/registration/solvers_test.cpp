@@ -248,6 +248,27 @@ TEST(Trwls, PolishesWithoutEverRaisingTheEnergy) {
   }
 }
 
+// Passes that begin from nothing may settle on a body turned the wrong way round.
+TEST(Trwls, FindsLowerEnergiesFromOtherStartsAndNeverHigherOnes) {
+  TrwlsOptions one_start;
+  one_start.starts = Starts::one;
+  int lower = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const MatchingProblem problem = shuffled_points(48, 14, seed).problem;
+    const MatchingSolution one = trwls(problem, one_start).value();
+    set_thread_count(1);
+    const MatchingSolution alone = trwls(problem).value();
+    set_thread_count(3);
+    const MatchingSolution several = trwls(problem).value();
+    set_thread_count(0);
+    EXPECT_EQ(several.labels, alone.labels) << seed;  // whoever computes it
+    EXPECT_LE(several.energy, one.energy) << seed;
+    EXPECT_EQ(several.energy, MatchingEnergy(problem)(several.labels));
+    lower += several.energy < 0.99 * one.energy ? 1 : 0;
+  }
+  EXPECT_GE(lower, 3);
+}
+
 TEST(Trwls, TakesItsSeedIntoAccount) {
   auto [problem, truth] = shuffled_points(30, 0, 2);
   EXPECT_EQ(trwls(problem).value().labels, truth);
