@@ -156,7 +156,7 @@ MatchingSolution Trwls<Word>::run(const Progress& progress) {
   MatchingSolution solution;
   solution.energy = std::numeric_limits<double>::infinity();
   solution.lower_bound = -std::numeric_limits<double>::infinity();
-  AlignedVector<Word> scratch(2 * stride_);
+  AlignedVector<Word> scratch(4 * stride_);
   Schedule::Claim claim = schedule_.claim();
   while (solution.stopped == StopReason::not_run) {
     const int pass = static_cast<int>(solution.passes.size());
@@ -188,7 +188,7 @@ MatchingSolution Trwls<Word>::run(const Progress& progress) {
 
 template <typename Word>
 void Trwls<Word>::help() {
-  AlignedVector<Word> scratch(2 * stride_);
+  AlignedVector<Word> scratch(4 * stride_);
   while (schedule_.helpers_stay()) {
     const auto claim = schedule_.claim();
     if (claim.sweep >= schedule_.sweeps() || !send(claim, scratch)) return;

@@ -101,7 +101,7 @@ struct SliceKernels {
   using Total = typename Arithmetic<Word>::Total;
   using Bound = typename Arithmetic<Word>::Bound;
 
-  // Sends `count` messages from a node whose scaled belief is given; `scratch` holds two arrays. Returns the sum of
+  // Sends `count` messages from a node whose scaled belief is given; `scratch` holds four arrays. Returns the sum of
   // the minima that were taken off the messages. Words beyond `labels` become 0.
   Bound (*send)(const Slices<Word>& slices, const Word* scaled_belief, const Message<Word>* messages, int count,
                 Word* scratch);

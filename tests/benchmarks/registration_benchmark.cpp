@@ -3,6 +3,7 @@
 //
 //   bench_registration                                       the sweep below (minutes)
 //   bench_registration --benchmark_filter='n:128|pairs'      the targets
+//   bench_registration --benchmark_filter=roofline           how near the vectors are to what the processor can do
 //   bench_registration --benchmark_filter=correct_matches    the curve of correct matches
 //   bench_registration --benchmark_filter='pairs/n:64'       56 pairs in a minute
 //   bench_registration --benchmark_filter='pairs/n:128'      56 pairs; the first time their baselines take 4 minutes
@@ -23,7 +24,12 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <random>
 #include <tuple>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
 
 #include "base/files.h"
 #include "base/json.h"
@@ -34,6 +40,7 @@
 #include "registration/geo.h"
 #include "registration/samples.h"
 #include "registration/trwls.h"
+#include "registration/trwls_simd_internal.h"
 #include "registration/trws.h"
 #include "support/data.h"
 
@@ -142,6 +149,80 @@ BENCHMARK(trwls_wolves)
     ->ArgsProduct({{96, 128, 192, 256}, {1, 2}, {0, 1}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+
+// How near the vectors are to what this processor can do with the seven operations that a cost takes (difference, its
+// size, cut at tau, larger weight, product, sum, least): costs a second of one core, in the kernel as it is called (12
+// messages of one node, 128 labels) and in registers alone. The fastest of many short runs each, so that other programs
+// hardly matter. floor_ms is what 20 passes at n = 128 would take two cores at that rate.
+#if defined(__x86_64__)
+__attribute__((target("avx512f,avx512bw"), noinline)) void costs_in_registers(int rounds, __m512i* least) {
+  __m512i y = _mm512_set1_epi16(1234), weight = _mm512_set1_epi16(3333), start = _mm512_set1_epi16(10);
+  const __m512i x = _mm512_set1_epi16(99), x_weight = _mm512_set1_epi16(77), tau = _mm512_set1_epi16(5000);
+  __m512i best[8];
+  for (__m512i& each : best) each = _mm512_set1_epi16(30000);
+  for (int round = 0; round < rounds; ++round) {
+#pragma GCC unroll 8
+    for (__m512i& each : best) {
+      asm volatile("" : "+v"(y), "+v"(weight), "+v"(start));  // nothing is known to stay the same
+      const __m512i difference = _mm512_min_epu16(_mm512_abs_epi16(_mm512_sub_epi16(y, x)), tau);
+      const __m512i cost = _mm512_mulhi_epu16(_mm512_max_epu16(weight, x_weight), difference);
+      each = _mm512_min_epu16(each, _mm512_add_epi16(start, cost));
+    }
+  }
+  for (int i = 0; i < 8; ++i) _mm512_storeu_si512(least + i, best[i]);
+}
+#endif
+
+void cost_roofline(benchmark::State& state) {
+  constexpr int labels = 128, messages = 12, repeats = 20000;
+  std::mt19937 random(1);
+  const auto fill = [&](auto& words, unsigned most) {
+    for (auto& word : words) word = static_cast<std::uint16_t>(random() % most);
+  };
+  Slices<std::uint16_t> slices;
+  slices.nodes = slices.labels = slices.stride = labels;
+  slices.tau = slices.largest_cost = 8000;
+  slices.y.resize(labels * labels);
+  slices.y_weight.resize(labels * labels);
+  fill(slices.y, 32000);
+  fill(slices.y_weight, 65000);
+  AlignedVector<std::uint16_t> belief(labels), scratch(4 * labels), reverse(messages * labels), updated(reverse.size());
+  fill(belief, 8000);
+  fill(reverse, 8000);
+  std::vector<Message<std::uint16_t>> chunk;
+  for (std::size_t m = 0; m < messages; ++m) {
+    chunk.push_back({reverse.data() + m * labels, updated.data() + m * labels, static_cast<std::uint16_t>(1000 * m),
+                     static_cast<std::uint16_t>(60000 - 3000 * m)});
+  }
+  const SliceKernels<std::uint16_t> kernels = simd_kernels();
+  double kernel_ms = 1e9, registers_ms = 1e9;
+  for (auto _ : state) {
+    for (int i = 0; i < repeats; ++i) {
+      const auto start = Clock::now();
+      benchmark::DoNotOptimize(kernels.send(slices, belief.data(), chunk.data(), messages, scratch.data()));
+      kernel_ms = std::min(kernel_ms, ms_since(start));
+    }
+  }
+  const double costs = 1.0 * messages * labels * labels;
+  state.SetLabel(widest_instructions());
+  state.counters["kernel_G_a_s"] = 1e-6 * costs / kernel_ms;
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512bw") == 0) return;
+  constexpr int rounds = 1000;
+  __m512i least[8];
+  for (int i = 0; i < repeats / 4; ++i) {
+    const auto start = Clock::now();
+    costs_in_registers(rounds, least);
+    benchmark::DoNotOptimize(least);
+    registers_ms = std::min(registers_ms, ms_since(start));
+  }
+  const double most = 8.0 * 32 * rounds / registers_ms;
+  state.counters["registers_G_a_s"] = 1e-6 * most;
+  state.counters["share_%"] = 100 * costs / kernel_ms / most;
+  state.counters["floor_ms"] = 20.0 * 128 * 127 * 128 * 128 / (2 * most);
+#endif
+}
+BENCHMARK(cost_roofline)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 // Figure 3.8: the energy that each width of word reaches, and what it costs in plain code.
 void word_widths(benchmark::State& state) {
