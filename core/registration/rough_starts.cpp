@@ -8,7 +8,7 @@
 namespace glisson::registration {
 namespace {
 
-constexpr int few_nodes = 20, few_labels = 48, starts = 8;
+constexpr int few_nodes = 20, few_labels = 48, starts = 16;
 
 // Each as far as can be from those before it; the first is the one farthest from the rest.
 std::vector<int> far_apart(const Eigen::MatrixXd& between_mm, int count) {

@@ -93,6 +93,7 @@ std::optional<MatchingProblem> wolves(int n) {
 struct Baseline {
   double store_ms = 0;
   double solve_ms = 0;
+  double solve_cpu_ms = 0;
   double energy = 0;
 };
 
@@ -106,8 +107,10 @@ std::optional<Baseline> baseline(const MatchingProblem& problem) {
   if (!mrf) return std::nullopt;
   Baseline measured;
   measured.store_ms = ms_since(start);
+  const double before_ms = cpu_ms();
   const MatchingSolution solution = trws(*mrf, {.stopping = Stopping::fixed_passes});
   measured.solve_ms = solution.solve_ms;
+  measured.solve_cpu_ms = cpu_ms() - before_ms;
   measured.energy = solution.energy;
   return known.emplace(problem.nodes(), measured).first->second;
 }
@@ -122,21 +125,25 @@ void trwls_wolves(benchmark::State& state) {
     options.stopping = Stopping::fixed_passes;
     options.polish = Polish::none;  // as the baseline
   }
-  double least_ms = 1e9;
+  double least_ms = 1e9, least_cpu_ms = 1e9;
   MatchingSolution solution;
   for (auto _ : state) {
+    const double before_ms = cpu_ms();
     solution = trwls(*problem, options).value();
     least_ms = std::min(least_ms, solution.solve_ms);
+    least_cpu_ms = std::min(least_cpu_ms, cpu_ms() - before_ms);
   }
   set_thread_count(0);
   state.SetLabel(widest_instructions());
   state.counters["least_ms"] = least_ms;
+  state.counters["least_cpu_ms"] = least_cpu_ms;  // of all threads
   state.counters["passes"] = static_cast<double>(solution.passes.size());
   if (const auto base = baseline(*problem)) {
     const double cells =
         0.5 * static_cast<double>(problem->nodes()) * (problem->nodes() - 1) * problem->labels() * problem->labels();
     const double evaluated_ms = base->solve_ms + base->store_ms / cells * (20 * 2 * cells);
     state.counters["ratio_given"] = base->solve_ms / least_ms;
+    state.counters["ratio_given_cpu"] = base->solve_cpu_ms / least_cpu_ms;  // work against work, on busy machines too
     state.counters["ratio_with_field"] = (base->store_ms + base->solve_ms) / least_ms;
     state.counters["ratio_evaluated"] = evaluated_ms / least_ms;
     state.counters["energy_%"] = 100 * (solution.energy / base->energy - 1);
