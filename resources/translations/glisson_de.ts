@@ -3728,7 +3728,7 @@
     </message>
     <message>
         <source>Then click three places on the liver or in the slices</source>
-        <translation>Klicken Sie dann drei Stellen auf der Leber oder in den Schnitten an</translation>
+        <translation>Klicken Sie dann drei Stellen auf der Leber oder in den Schichten an</translation>
     </message>
     <message>
         <source>Shift</source>
@@ -3768,7 +3768,7 @@
     </message>
     <message>
         <source>Each click on the liver or in a slice sets a point; points can be dragged</source>
-        <translation>Jeder Klick auf die Leber oder in einen Schnitt setzt einen Punkt; Punkte lassen sich ziehen</translation>
+        <translation>Jeder Klick auf die Leber oder in eine Schicht setzt einen Punkt; Punkte lassen sich ziehen</translation>
     </message>
     <message>
         <source>Drop the last</source>
@@ -5646,11 +5646,11 @@ figures</source>
     </message>
     <message>
         <source>Click three places on the liver or in the slices.</source>
-        <translation>Klicken Sie drei Stellen auf der Leber oder in den Schnitten an.</translation>
+        <translation>Klicken Sie drei Stellen auf der Leber oder in den Schichten an.</translation>
     </message>
     <message>
         <source>Click on the liver or in the slices where the cut is to pass.</source>
-        <translation>Klicken Sie auf der Leber oder in den Schnitten dorthin, wo der Schnitt verlaufen soll.</translation>
+        <translation>Klicken Sie auf der Leber oder in den Schichten dorthin, wo der Schnitt verlaufen soll.</translation>
     </message>
     <message>
         <source>Removed</source>
@@ -5674,7 +5674,7 @@ figures</source>
     </message>
     <message>
         <source>Set three or more points where the cut is to pass: on the liver, or in the slices.</source>
-        <translation>Setzen Sie drei oder mehr Punkte, wo der Schnitt verlaufen soll: auf der Leber oder in den Schnitten.</translation>
+        <translation>Setzen Sie drei oder mehr Punkte, wo der Schnitt verlaufen soll: auf der Leber oder in den Schichten.</translation>
     </message>
     <message>
         <source>Click three places through which the plane is to pass.</source>
@@ -5686,7 +5686,7 @@ figures</source>
     </message>
     <message>
         <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
-        <translation>Setzen Sie das Fadenkreuz dorthin, wo der Schnitt verlaufen soll, dann die Ebene hindurch. Ziehen Sie ihre Linie in einem Schnittbild, um sie zu verschieben, und ein Ende der Linie, um sie zu kippen.</translation>
+        <translation>Setzen Sie das Fadenkreuz dorthin, wo der Schnitt verlaufen soll, dann die Ebene hindurch. Ziehen Sie ihre Linie in einer Schicht, um sie zu verschieben, und ein Ende der Linie, um sie zu kippen.</translation>
     </message>
     <message>
         <source>Saving the plan</source>
@@ -6590,7 +6590,7 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     </message>
     <message>
         <source>The liver, its vessels and tumours as coloured outlines in the slices. Paint, erase, grow and smooth; every step can be undone, even after the case was closed.</source>
-        <translation>Die Leber, ihre Gefäße und Tumoren als farbige Umrisse in den Schnitten. Malen, radieren, wachsen lassen und glätten; jeder Schritt lässt sich rückgängig machen, auch nachdem der Fall geschlossen war.</translation>
+        <translation>Die Leber, ihre Gefäße und Tumoren als farbige Umrisse in den Schichten. Malen, radieren, wachsen lassen und glätten; jeder Schritt lässt sich rückgängig machen, auch nachdem der Fall geschlossen war.</translation>
     </message>
     <message>
         <source>Model: how stiff each part is</source>

@@ -13,7 +13,7 @@ constexpr int caption_px = 40;
 }  // namespace
 
 SvgView::SvgView(EvidenceDrawing drawing, QWidget* parent) : QWidget(parent), drawing_(std::move(drawing)) {
-  setMinimumSize(300, 230);
+  setMinimumSize(320, 270);
   setAccessibleName(drawing_.caption);
   setToolTip(drawing_.caption);
 }
@@ -21,6 +21,8 @@ SvgView::SvgView(EvidenceDrawing drawing, QWidget* parent) : QWidget(parent), dr
 void SvgView::paintEvent(QPaintEvent*) {
   // Reports leave the colour of lines and letters to the page that they stand on.
   QByteArray svg = QByteArray::fromStdString(drawing_.svg);
+  // Drawn for a page twice as wide as this.
+  svg.replace("font-size=\"13\"", "font-size=\"18\"");
   svg.replace("currentColor", theme_colour("ink").name().toUtf8());
   svg.replace("<svg ", "<svg xmlns=\"http://www.w3.org/2000/svg\" ");  // not translated
   QSvgRenderer renderer(svg);
