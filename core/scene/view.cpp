@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 
+#include "scene/drawing.h"
 #include "scene/frame.h"
 #include "scene/furniture.h"
 #include "scene/markers.h"
@@ -34,7 +35,8 @@ std::optional<Hit> first_hit(const geometry::Surface& surface, const Ray& ray);
 }  // namespace
 
 struct View::Parts {
-  Parts(vtkRenderer& into, double scale) : renderer(into), pixel_scale(scale), overlay(into), markers(into) {}
+  Parts(vtkRenderer& into, double scale)
+      : renderer(into), pixel_scale(scale), overlay(into), markers(into), drawing(into) {}
 
   SurfaceActor* actor_of(const SurfaceId& surface) {
     const auto found = surfaces.find(surface);
@@ -51,12 +53,14 @@ struct View::Parts {
   std::vector<LineItem> lines;
   Overlay overlay;
   Markers markers;
+  Drawing drawing;
   Frame frame;
   bool framed = false;  // whether a camera was ever chosen
   Transparency transparency = Transparency::exact;
 };
 
 View::View(vtkRenderer& renderer, double pixel_scale) : parts_(std::make_unique<Parts>(renderer, pixel_scale)) {
+  parts_->drawing.set_line_scale(pixel_scale);
   light(renderer);
   // A few layers are enough for a clear liver with clear things in it.
   renderer.SetMaximumNumberOfPeels(4);
@@ -145,10 +149,15 @@ void View::set_window(std::size_t slice, double center, double width) {
 
 void View::set_furniture(const Furniture& furniture) { parts_->scene.furniture = furniture; }
 
+void View::set_drawn_lines(const std::vector<DrawnLines>& lines) { parts_->drawing.set_lines(lines); }
+
+void View::set_drawn_cells(const std::optional<DrawnCells>& cells) { parts_->drawing.set_cells(cells); }
+
 void View::set_pixel_scale(double pixel_scale) {
   if (pixel_scale == parts_->pixel_scale) return;
   parts_->pixel_scale = pixel_scale;
   for (const auto& slice : parts_->slices) slice->set_line_scale(pixel_scale);
+  parts_->drawing.set_line_scale(pixel_scale);
 }
 
 void View::set_transparency(Transparency transparency) { parts_->transparency = transparency; }
@@ -171,6 +180,7 @@ void View::prepare_frame(int width, int height) {
   for (const auto& slice : parts.slices) {
     slice->lift_lines(-parts.frame.camera.sight * 0.002 * parts.frame.camera.visible_height_mm);
   }
+  parts.drawing.lift(-parts.frame.camera.sight * 0.002 * parts.frame.camera.visible_height_mm);
   lay_out(parts.overlay, parts.frame,
           {parts.scene.furniture, parts.legends, parts.scene.landmarks, parts.scene.arrows, parts.scene.crosshair,
            parts.lines, parts.scene.background},

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/drawing.h"
 #include "scene/scene.h"
 
 class vtkRenderer;
@@ -54,6 +55,9 @@ class View {
   void turn_slice(std::size_t slice, const Eigen::Vector3d& normal);
   void set_window(std::size_t slice, double center, double width);
   void set_furniture(const Furniture& furniture);
+  // What is drawn over the slices while a person works; it stays when another scene is shown.
+  void set_drawn_lines(const std::vector<DrawnLines>& lines);
+  void set_drawn_cells(const std::optional<DrawnCells>& cells);
 
   // How many device pixels one pixel of line width or text stands for (2 on a high-resolution screen).
   void set_pixel_scale(double pixel_scale);

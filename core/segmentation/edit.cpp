@@ -6,9 +6,11 @@
 #include <array>
 #include <cmath>
 #include <Eigen/Geometry>
+#include <optional>
 
 #include "base/parallel.h"
-#include "base/result.h"
+#include "base/units.h"
+#include "segmentation/structures.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -22,15 +24,27 @@ void set_in_ball(Mask& mask, const Ball& ball, std::uint8_t value);
 void set_within(Mask& mask, const Mask& target, double distance_mm, std::uint8_t value);
 Mask inverse_of(const Mask& mask);
 bool is_inside(const std::vector<Vector2d>& polygon, const Vector2d& point);
+Mask layer_of(const Mask& mask, int axis, int index);
+void set_layer(Mask& mask, int axis, int index, const Mask& layer);
+std::vector<double> signed_distances_mm(const Mask& layer);
 
-// Takes away the voxels for whose position `leaves` says so.
+// A layer that holds something, with each cell's distance to its outline: negative inside.
+struct DrawnLayer {
+  int index = 0;
+  std::vector<double> distances_mm;
+};
+
+// Takes away the voxels for whose position `leaves` says so; in one layer or everywhere.
 template <typename Leaves>
-void remove_where(Mask& mask, const Leaves& leaves) {
+void remove_where(Mask& mask, const Leaves& leaves, const std::optional<Outline::Layer>& only = std::nullopt) {
   const Grid& grid = mask.grid;
   parallel_for(static_cast<std::size_t>(grid.size[2]), 1, [&](std::size_t begin, std::size_t end) {
     for (auto k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
+      if (only && only->axis == 2 && only->index != k) continue;
       for (int j = 0; j < grid.size[1]; ++j) {
+        if (only && only->axis == 1 && only->index != j) continue;
         for (int i = 0; i < grid.size[0]; ++i) {
+          if (only && only->axis == 0 && only->index != i) continue;
           std::uint8_t& value = mask.at(i, j, k);
           if (value != 0 && leaves(grid.position_mm(i, j, k))) value = 0;
         }
@@ -64,8 +78,9 @@ Mask cut(Mask mask, const Outline& outline, CutSide side) {
   const auto on_plane = [&](const Vector3d& at_mm) { return Vector2d(at_mm.dot(u), at_mm.dot(v)); };
   std::vector<Vector2d> polygon;
   for (const Vector3d& point_mm : outline.points_mm) polygon.push_back(on_plane(point_mm));
-  remove_where(mask,
-               [&](const Vector3d& at_mm) { return is_inside(polygon, on_plane(at_mm)) == (side == CutSide::inside); });
+  remove_where(
+      mask, [&](const Vector3d& at_mm) { return is_inside(polygon, on_plane(at_mm)) == (side == CutSide::inside); },
+      outline.only);
   return mask;
 }
 
@@ -74,6 +89,48 @@ Mask keep_largest(Mask mask) {
   const std::uint32_t largest = connected.largest();
   for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
     if (connected.piece[voxel] != largest) mask.values[voxel] = 0;
+  }
+  return mask;
+}
+
+Mask without_small_pieces(Mask mask, double least_ml) {
+  const imaging::ConnectedVoxels connected = imaging::connected_voxels(mask, imaging::Neighbours::all);
+  const double voxel_ml = units::ml_from_mm3(mask.grid.voxel_volume_mm3());
+  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+    if (static_cast<double>(connected.sizes[connected.piece[voxel]]) * voxel_ml < least_ml) mask.values[voxel] = 0;
+  }
+  return mask;
+}
+
+Result<Mask> keep_piece_at(Mask mask, const Vector3d& place_mm) {
+  const Eigen::Vector3i index = mask.grid.index_of(place_mm).array().round().cast<int>();
+  if (!mask.grid.contains(index[0], index[1], index[2]) || mask.at(index[0], index[1], index[2]) == 0) {
+    return failure("edit-no-piece-there", GLISSON_TEXT("There is nothing of this structure at that place."));
+  }
+  const imaging::ConnectedVoxels connected = imaging::connected_voxels(mask, imaging::Neighbours::all);
+  const std::uint32_t picked = connected.piece[mask.grid.offset(index[0], index[1], index[2])];
+  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+    if (connected.piece[voxel] != picked) mask.values[voxel] = 0;
+  }
+  return mask;
+}
+
+Mask fill_between_layers(Mask mask, int axis) {
+  const int layers = mask.grid.size[static_cast<std::size_t>(axis)];
+  std::optional<DrawnLayer> before;
+  for (int index = 0; index < layers; ++index) {
+    Mask flat = layer_of(mask, axis, index);
+    if (voxel_count(flat) == 0) continue;
+    DrawnLayer here{index, signed_distances_mm(flat)};
+    for (int between = before ? before->index + 1 : index; between < index; ++between) {
+      const double share = static_cast<double>(between - before->index) / (index - before->index);
+      for (std::size_t cell = 0; cell < here.distances_mm.size(); ++cell) {
+        const double mixed_mm = (1 - share) * before->distances_mm[cell] + share * here.distances_mm[cell];
+        flat.values[cell] = mixed_mm <= 0 ? 1 : 0;
+      }
+      set_layer(mask, axis, between, flat);
+    }
+    before = std::move(here);
   }
   return mask;
 }
@@ -157,6 +214,51 @@ bool is_inside(const std::vector<Vector2d>& polygon, const Vector2d& point) {
     if (point.x() < a.x() + (point.y() - a.y()) * (b.x() - a.x()) / (b.y() - a.y())) inside = !inside;
   }
   return inside;
+}
+
+// One layer as a mask of its own, one voxel thick.
+Mask layer_of(const Mask& mask, int axis, int index) {
+  Mask layer;
+  layer.grid = mask.grid;
+  layer.grid.size[static_cast<std::size_t>(axis)] = 1;
+  Vector3d corner = Vector3d::Zero();
+  corner[axis] = index;
+  layer.grid.origin_mm = mask.grid.position_mm(corner);
+  layer.values.reserve(layer.grid.voxels());
+  const std::array<int, 3> offset{axis == 0 ? index : 0, axis == 1 ? index : 0, axis == 2 ? index : 0};
+  for (int k = 0; k < layer.grid.size[2]; ++k) {
+    for (int j = 0; j < layer.grid.size[1]; ++j) {
+      for (int i = 0; i < layer.grid.size[0]; ++i) {
+        layer.values.push_back(mask.at(i + offset[0], j + offset[1], k + offset[2]));
+      }
+    }
+  }
+  return layer;
+}
+
+void set_layer(Mask& mask, int axis, int index, const Mask& layer) {
+  const std::array<int, 3> offset{axis == 0 ? index : 0, axis == 1 ? index : 0, axis == 2 ? index : 0};
+  for (int k = 0; k < layer.grid.size[2]; ++k) {
+    for (int j = 0; j < layer.grid.size[1]; ++j) {
+      for (int i = 0; i < layer.grid.size[0]; ++i) {
+        mask.at(i + offset[0], j + offset[1], k + offset[2]) = layer.at(i, j, k);
+      }
+    }
+  }
+}
+
+// A layer that is full has no outline: all of it counts as far inside.
+std::vector<double> signed_distances_mm(const Mask& layer) {
+  const std::vector<float> outside_mm2 = imaging::squared_distances_mm2(layer);
+  const std::vector<float> inside_mm2 = imaging::squared_distances_mm2(inverse_of(layer));
+  const double far_mm =
+      layer.grid.spacing_mm.cwiseProduct(Vector3d(layer.grid.size[0], layer.grid.size[1], layer.grid.size[2])).norm();
+  std::vector<double> signed_mm(layer.values.size());
+  for (std::size_t cell = 0; cell < signed_mm.size(); ++cell) {
+    const double depth_mm = std::min(std::sqrt(static_cast<double>(inside_mm2[cell])), far_mm);
+    signed_mm[cell] = layer.values[cell] != 0 ? -depth_mm : std::sqrt(static_cast<double>(outside_mm2[cell]));
+  }
+  return signed_mm;
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 // a ball is a ball on any grid.
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
+#include "base/result.h"
 #include "imaging/filters.h"
 
 namespace glisson::segmentation {
@@ -31,6 +33,12 @@ struct Plane {
 struct Outline {
   std::vector<Eigen::Vector3d> points_mm;  // at least three; the last is joined to the first
   Eigen::Vector3d direction{0, 0, 1};      // any length but zero
+  // Only this layer of voxels along this axis of the grid; absent: all of the volume.
+  struct Layer {
+    int axis = 2;
+    int index = 0;
+  };
+  std::optional<Layer> only = std::nullopt;
 };
 enum class CutSide { inside, outside };
 
@@ -42,6 +50,17 @@ using imaging::fill_holes;
 
 // Keeps the largest piece (26 neighbours); an empty mask stays empty.
 [[nodiscard]] imaging::Mask keep_largest(imaging::Mask mask);
+
+// Takes away the pieces (26 neighbours) of less than that volume.
+[[nodiscard]] imaging::Mask without_small_pieces(imaging::Mask mask, double least_ml);
+
+// Keeps the piece (26 neighbours) that a place lies in. Fails with "edit-no-piece-there".
+[[nodiscard]] Result<imaging::Mask> keep_piece_at(imaging::Mask mask, const Eigen::Vector3d& place_mm);
+
+// Fills the layers along an axis of the grid (0, 1, 2) that hold nothing, between layers that do: where the distances
+// to the outlines in the layer before and the one after, negative inside, mixed by how near each layer is, are at most
+// 0 (shape-based interpolation: Raya and Udupa, IEEE Trans Med Imaging 9:32, 1990). Drawn layers stay as they are.
+[[nodiscard]] imaging::Mask fill_between_layers(imaging::Mask mask, int axis);
 
 // Rounds what is smaller than about radius_mm: the half level of the mask blurred with a Gaussian of that standard
 // deviation. Volume is nearly kept where the surface is flat on that scale; thinner parts vanish.
