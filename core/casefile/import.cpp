@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "base/files.h"
 #include "casefile/motion_options.h"
@@ -33,6 +34,25 @@ Result<void> import_series(Case& patient, const Chosen& chosen, std::vector<Impo
                            const Progress& progress);
 Result<void> import_segments(Case& patient, const Series& series, const imaging::Grid& grid);
 std::string origin_of(const Study& study);
+Result<const Series*> series_for(const Study& study, Role role, const std::optional<std::string>& uid,
+                                 const std::string& option);
+std::string id_of(Role role);
+
+Result<std::vector<ImportedVolume>> import_chosen(Case& patient, const Study& study, const std::vector<Chosen>& chosen,
+                                                  const std::vector<const Series*>& segmentations,
+                                                  const Progress& progress) {
+  std::vector<ImportedVolume> imported;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const double count = static_cast<double>(chosen.size());
+    const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    if (auto done = import_series(patient, chosen[i], imported, part); !done) return failure(done.error());
+  }
+  for (const Series* series : segmentations) {
+    if (auto done = import_segments(patient, *series, imported.front().grid); !done) return failure(done.error());
+  }
+  if (auto saved = patient.set_origin(origin_of(study)); !saved) return failure(saved.error());
+  return imported;
+}
 
 }  // namespace
 
@@ -40,19 +60,53 @@ Result<std::vector<ImportedVolume>> import_study(Case& patient, const Study& stu
                                                  const Progress& progress) {
   const auto chosen = choose(study, choice);
   if (!chosen) return failure(chosen.error());
-
-  std::vector<ImportedVolume> imported;
-  for (std::size_t i = 0; i < chosen->size(); ++i) {
-    const double count = static_cast<double>(chosen->size());
-    const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-    if (auto done = import_series(patient, (*chosen)[i], imported, part); !done) return failure(done.error());
-  }
+  std::vector<const Series*> segmentations;
   for (const Series& series : study.series) {
-    if (series.role != Role::segmentation) continue;
-    if (auto done = import_segments(patient, series, imported.front().grid); !done) return failure(done.error());
+    if (series.role == Role::segmentation) segmentations.push_back(&series);
   }
-  if (auto saved = patient.set_origin(origin_of(study)); !saved) return failure(saved.error());
-  return imported;
+  return import_chosen(patient, study, *chosen, segmentations, progress);
+}
+
+Result<std::vector<ImportedVolume>> import_series_as(Case& patient, const Study& study,
+                                                     const std::vector<SeriesRole>& roles, const Progress& progress) {
+  std::vector<Chosen> chosen;
+  std::vector<const Series*> segmentations;
+  int phase_volumes = 0;
+  const auto phases =
+      std::count_if(roles.begin(), roles.end(), [](const SeriesRole& one) { return one.role == Role::mre_phase; });
+  for (const SeriesRole& wanted : roles) {
+    if (wanted.role == Role::other) continue;
+    const auto series = series_for(study, wanted.role, wanted.uid, "");
+    if (!series) return failure(series.error());
+    if (wanted.role == Role::segmentation) {
+      segmentations.push_back(*series);
+      continue;
+    }
+    const bool twice =
+        std::any_of(chosen.begin(), chosen.end(), [&](const Chosen& one) { return one.role == wanted.role; });
+    if (twice && wanted.role != Role::mre_phase) {
+      return failure(Error{"import-role-twice",
+                           GLISSON_TEXT("Two series are to be the {0}: {1} is the second."),
+                           {std::string(imaging::role_name(wanted.role)), (*series)->description},
+                           GLISSON_TEXT("Leave one of them out, or give it another role."),
+                           {}});
+    }
+    Chosen one{wanted.role, id_of(wanted.role), *series};
+    if (wanted.role == Role::mre_phase && phases > 1)
+      one.number_before = std::exchange(phase_volumes, phase_volumes + (*series)->volumes);
+    chosen.push_back(std::move(one));
+  }
+  if (chosen.empty()) {
+    return failure("import-nothing", GLISSON_TEXT("No series is chosen: give at least one of them a role."));
+  }
+  // The anatomy first: segmentations are carried to its grid. Magnitude images serve where there is none.
+  std::stable_partition(chosen.begin(), chosen.end(), [](const Chosen& one) { return one.role == Role::anatomy; });
+  const auto magnitude =
+      std::find_if(chosen.begin(), chosen.end(), [](const Chosen& one) { return one.role == Role::mre_magnitude; });
+  if (magnitude != chosen.end() && chosen.front().role != Role::anatomy) {
+    chosen.insert(chosen.begin(), {Role::anatomy, "volumes/anatomy", magnitude->series});
+  }
+  return import_chosen(patient, study, chosen, segmentations, progress);
 }
 
 Result<NewCase> new_case_from(const Study& study, const std::filesystem::path& folder, const ImportChoice& choice,
@@ -83,6 +137,17 @@ std::string structure_name(const std::string& name) {
 }
 
 namespace {
+
+std::string id_of(Role role) {
+  switch (role) {
+    case Role::mre_magnitude: return "volumes/magnitude";
+    case Role::mre_phase: return "volumes/phase";
+    case Role::mre_wave: return "volumes/wave";
+    case Role::mre_stiffness: return "volumes/stiffness";
+    case Role::mre_confidence: return "volumes/confidence";
+    default: return "volumes/anatomy";
+  }
+}
 
 std::string list_of(const std::vector<const Series*>& candidates) {
   std::string list;

@@ -40,6 +40,17 @@ struct ImportedVolume {
 Result<std::vector<ImportedVolume>> import_study(Case& patient, const imaging::Study& study, const ImportChoice& choice,
                                                  const Progress& progress = {});
 
+// The same with every role chosen by a person: exactly these series, each as what it says (`other`: not at all). An
+// anatomy is not asked for: waves alone make a case whose elastography can be inverted. Fails with "import-nothing",
+// "import-unknown-uid", "import-role-twice" (only phases may be several series), or as reading fails.
+struct SeriesRole {
+  std::string uid;
+  imaging::Role role;
+};
+Result<std::vector<ImportedVolume>> import_series_as(Case& patient, const imaging::Study& study,
+                                                     const std::vector<SeriesRole>& roles,
+                                                     const Progress& progress = {});
+
 // A new case of a study, or nothing: where the import fails or is cancelled, the folder that it made is gone again.
 struct NewCase {
   Case patient;
