@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <QCloseEvent>
-#include <QDir>
 #include <QDropEvent>
 #include <QFileDialog>
-#include <QInputDialog>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -28,9 +26,11 @@
 #include "model/model_panel.h"
 #include "report/report_view.h"
 #include "resect/resect_panel.h"
+#include "segment/segment_panel.h"
 #include "session/load_patient.h"
 #include "settings/settings.h"
 #include "settings/settings_window.h"
+#include "study/study_page.h"
 #include "views/wave_view.h"
 #include "words/language_menu.h"
 #include "words/told.h"
@@ -119,6 +119,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file
 
 // In the order of the work.
 void MainWindow::make_workspaces() {
+  add_workspace(StudyPage::workspace(bench()));
+  study_page_ = findChild<StudyPage*>();
+  add_workspace(SegmentPanel::workspace(bench()));
   add_workspace(ModelPanel::workspace(bench()));
   rehearse_panel_ = new RehearsePanel(rehearsal_);
   add_workspace({.id = "rehearse",
@@ -182,6 +185,7 @@ Bench MainWindow::bench() {
           .undo = undo_,
           .patient = [this]() -> const Patient& { return patient_; },
           .change = [this](const QString& title, auto loader) { change(title, std::move(loader)); },
+          .open = [this](const QString& title, auto loader) { load(title, std::move(loader)); },
           .tell_error = [this](const Error& error) { show_error(error); },
           .tell_status = [this](const QString& text) { status_->setText(text); },
           .go_to = [this](const QString& workspace_id) { go_to(workspace_id); }};
@@ -195,16 +199,8 @@ void MainWindow::open_path(const fs::path& opened) {
          [path](const Progress& progress) { return load_patient(path, progress); });
     return;
   }
-  work_.start(tr("Looking for images"), [this, path](const Progress& progress) -> BackgroundWork::Then {
-    auto study = std::make_shared<Result<imaging::Study>>(imaging::scan(path, progress));
-    return [this, path, study] {
-      if (!*study) {
-        show_error(study->error());
-      } else {
-        offer_import(**study, path);
-      }
-    };
-  });
+  go_to("study");
+  study_page_->browse(path);
 }
 
 void MainWindow::open_demo_then(std::function<void()> once_shown) {
@@ -224,7 +220,6 @@ void MainWindow::open_demo_then(std::function<void()> once_shown) {
 
 void MainWindow::show_patient(const Patient& patient) {
   patient_ = patient;
-  undo_.open_case(patient.folder);
   welcome_->hide();
   views_->show();
   notice_->hide();
@@ -239,6 +234,8 @@ void MainWindow::show_patient(const Patient& patient) {
   study_panel_->show_patient(patient);
   patient_views_->show_patient(patient);
   rehearsal_.set_body(patient.rehearsal, patient.rehearsal_setup);
+  rehearsal_undo_.begin();
+  undo_.open_case(patient.folder);
   for (const Workspace& workspace : workspaces_) workspace.show_patient(patient);
   bar_->show_patient(patient);
   save_picture_->setEnabled(true);
@@ -635,6 +632,7 @@ void MainWindow::load(const QString& title, std::function<Result<Patient>(const 
 void MainWindow::change(const QString& title, std::function<Result<Patient>(const Progress&)> loader) {
   load(title, [this, name = Sentence{title.toStdString(), {}}, loader = std::move(loader)](const Progress& progress) {
     Result<Patient> patient = failure("cancelled", {});
+    undo_.wait();  // what was drawn before belongs to what is worked on now
     const auto recorded = undo_.recorded(name, [&]() -> Result<void> {
       patient = loader(progress);
       return patient ? Result<void>() : failure(patient.error());
@@ -645,43 +643,12 @@ void MainWindow::change(const QString& title, std::function<Result<Patient>(cons
 }
 
 // Undone or done again. What a workspace shows of its own it reads itself; the patient is read anew.
-void MainWindow::show_moved_entries() {
+void MainWindow::show_moved_entries(const QStringList& ids) {
+  const bool outlines_alone =
+      std::all_of(ids.begin(), ids.end(), [](const QString& id) { return id.startsWith("labels/"); });
+  if (outlines_alone && workspace() == "segment") return;
   load(tr("Opening %1").arg(text_of(patient_.folder.filename())),
        [folder = patient_.folder](const Progress& progress) { return load_patient(folder, progress); });
-}
-
-void MainWindow::offer_import(const imaging::Study& study, const fs::path& path) {
-  QStringList names;
-  std::vector<std::string> uids;
-  for (const imaging::Series& series : study.series) {
-    if (series.role != imaging::Role::anatomy && series.role != imaging::Role::other) continue;
-    const auto& size = series.grid.size;
-    names << tr("%1 %2 (%3 × %4 × %5)")
-                 .arg(QString::fromStdString(series.modality), QString::fromStdString(series.description))
-                 .arg(size[0])
-                 .arg(size[1])
-                 .arg(size[2]);
-    uids.push_back(series.uid);
-  }
-  if (names.isEmpty()) {
-    show_notice([path] { return tr("No anatomical images were found in %1.").arg(text_of(path)); });
-    return;
-  }
-  std::string chosen = uids.front();
-  if (names.size() > 1) {
-    bool agreed = false;
-    const QString name = QInputDialog::getItem(this, tr("Which images show the anatomy?"),
-                                               tr("The study holds several series:"), names, 0, false, &agreed);
-    if (!agreed) return;
-    chosen = uids[static_cast<std::size_t>(names.indexOf(name))];
-  }
-  const QString proposal = QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
-                               .filePath(text_of(path.stem()) + ".glisson");
-  const QString folder = QFileDialog::getSaveFileName(this, tr("Keep the case as"), proposal, tr("Cases (*.glisson)"));
-  if (folder.isEmpty()) return;
-  load(tr("Importing"), [study, chosen, to = path_of(folder)](const Progress& progress) {
-    return import_patient(study, chosen, to, progress);
-  });
 }
 
 void MainWindow::take_next_step() {

@@ -16,7 +16,6 @@
 #include "diary/stall_watch.h"
 #include "help/manual_window.h"
 #include "help/tour.h"
-#include "imaging/study.h"
 #include "panels/platform_view.h"
 #include "panels/rehearse_panel.h"
 #include "panels/study_panel.h"
@@ -25,6 +24,7 @@
 #include "session/load_patient.h"
 #include "session/open_work.h"
 #include "session/patient.h"
+#include "session/rehearsal_undo.h"
 #include "session/undo.h"
 #include "views/linked_views.h"
 #include "views/patient_views.h"
@@ -33,6 +33,8 @@
 #include "workspaces/workspace_bar.h"
 
 namespace glisson::widgets {
+
+class StudyPage;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -97,8 +99,7 @@ class MainWindow : public QMainWindow {
             std::function<void()> once_shown = {});
   // The same for work that changes the case: one step of undo.
   void change(const QString& title, std::function<Result<Patient>(const Progress&)> loader);
-  void show_moved_entries();
-  void offer_import(const imaging::Study& study, const std::filesystem::path& path);
+  void show_moved_entries(const QStringList& ids);
   void take_next_step();
   void show_error(const Error& error);
   // The words are asked for again when the language changes.
@@ -115,10 +116,12 @@ class MainWindow : public QMainWindow {
   NextStep next_ = NextStep::none;
   LiveRehearsal rehearsal_;
   Undo undo_;
+  RehearsalUndo rehearsal_undo_{rehearsal_, undo_};
   BackgroundWork work_;
   LinkedViews* views_ = nullptr;
   PatientViews* patient_views_ = nullptr;
   StudyPanel* study_panel_ = nullptr;
+  StudyPage* study_page_ = nullptr;
   RehearsePanel* rehearse_panel_ = nullptr;
   ManualWindow* manual_ = nullptr;  // from the first time that it is asked for
   WorkspaceBar* bar_ = nullptr;

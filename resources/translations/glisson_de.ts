@@ -3542,6 +3542,110 @@
         <source>Open an experiment to make one; it holds report.json, report.html and model.json.</source>
         <translation>Öffnen Sie einen Versuch, um einen zu erstellen; er enthält report.json, report.html und model.json.</translation>
     </message>
+    <message>
+        <source>Two series are to be the {0}: {1} is the second.</source>
+        <translation>Zwei Serien sollen {0} sein: {1} ist die zweite.</translation>
+    </message>
+    <message>
+        <source>Leave one of them out, or give it another role.</source>
+        <translation>Lassen Sie eine davon aus oder geben Sie ihr eine andere Rolle.</translation>
+    </message>
+    <message>
+        <source>No series is chosen: give at least one of them a role.</source>
+        <translation>Keine Serie ist gewählt: Geben Sie mindestens einer eine Rolle.</translation>
+    </message>
+    <message>
+        <source>There is nothing of this structure at that place.</source>
+        <translation>An dieser Stelle ist nichts von dieser Struktur.</translation>
+    </message>
+    <message>
+        <source>Fill between slices of {0}</source>
+        <translation>Zwischen Schichten von {0} füllen</translation>
+    </message>
+    <message>
+        <source>Fill holes of {0}</source>
+        <translation>Löcher von {0} füllen</translation>
+    </message>
+    <message>
+        <source>Keep the largest piece of {0}</source>
+        <translation>Größtes Stück von {0} behalten</translation>
+    </message>
+    <message>
+        <source>Remove small pieces of {0}</source>
+        <translation>Kleine Stücke von {0} entfernen</translation>
+    </message>
+    <message>
+        <source>Smooth {0}</source>
+        <translation>{0} glätten</translation>
+    </message>
+    <message>
+        <source>Margin around {0}</source>
+        <translation>Rand um {0}</translation>
+    </message>
+    <message>
+        <source>Shrink {0}</source>
+        <translation>{0} schrumpfen</translation>
+    </message>
+    <message>
+        <source>Keep one piece of {0}</source>
+        <translation>Ein Stück von {0} behalten</translation>
+    </message>
+    <message>
+        <source>Smart brush on {0}</source>
+        <translation>Gewebepinsel auf {0}</translation>
+    </message>
+    <message>
+        <source>Brush on {0}</source>
+        <translation>Pinsel auf {0}</translation>
+    </message>
+    <message>
+        <source>Eraser on {0}</source>
+        <translation>Radierer auf {0}</translation>
+    </message>
+    <message>
+        <source>Scissors on {0}</source>
+        <translation>Schere an {0}</translation>
+    </message>
+    <message>
+        <source>New structure {0}</source>
+        <translation>Neue Struktur {0}</translation>
+    </message>
+    <message>
+        <source>Rename {0}</source>
+        <translation>{0} umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove {0}</source>
+        <translation>{0} entfernen</translation>
+    </message>
+    <message>
+        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
+        <translation>Die Strukturen haben sich geändert, seit das Modell erstellt wurde, und {0} Landmarken liegen nun außerhalb: Sie werden ausgelassen. Erstellen Sie das Modell neu.</translation>
+    </message>
+    <message>
+        <source>The model cannot be used. Build it anew.</source>
+        <translation>Das Modell kann nicht verwendet werden. Erstellen Sie es neu.</translation>
+    </message>
+    <message>
+        <source>Place the tool</source>
+        <translation>Werkzeug platzieren</translation>
+    </message>
+    <message>
+        <source>Take the tool away</source>
+        <translation>Werkzeug wegnehmen</translation>
+    </message>
+    <message>
+        <source>Move the tool</source>
+        <translation>Werkzeug bewegen</translation>
+    </message>
+    <message>
+        <source>Change the force</source>
+        <translation>Kraft ändern</translation>
+    </message>
+    <message>
+        <source>No images were found in {0}.</source>
+        <translation>In {0} wurden keine Bilder gefunden.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -3628,6 +3732,105 @@
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
         <translation>Registriert jedes Bild mit den Algorithmen oben und beurteilt sie mit SIRGn: bis etwa eine Sekunde je Bild</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::CaseOverview</name>
+    <message>
+        <source>The open case</source>
+        <translation>Der offene Fall</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>Erstellt durch</translation>
+    </message>
+    <message>
+        <source>What comes next</source>
+        <translation>Was als Nächstes kommt</translation>
+    </message>
+    <message>
+        <source>up to date</source>
+        <translation>aktuell</translation>
+    </message>
+    <message>
+        <source>⚠ stale</source>
+        <translation>⚠ veraltet</translation>
+    </message>
+    <message>
+        <source>⚠ changed by another program</source>
+        <translation>⚠ von einem anderen Programm geändert</translation>
+    </message>
+    <message>
+        <source>⚠ file is gone</source>
+        <translation>⚠ Datei fehlt</translation>
+    </message>
+    <message>
+        <source>Something that it was made from has changed since.</source>
+        <translation>Etwas, woraus es gemacht wurde, hat sich seither geändert.</translation>
+    </message>
+    <message>
+        <source>No case is open. Open images, choose what each series is for, and make a case of them.</source>
+        <translation>Es ist kein Fall geöffnet. Öffnen Sie Bilder, wählen Sie, wozu jede Serie dient, und legen Sie daraus einen Fall an.</translation>
+    </message>
+    <message>
+        <source>Everything is up to date.</source>
+        <translation>Alles ist aktuell.</translation>
+    </message>
+    <message>
+        <source>Stale: %1. They were made from something that has changed since.</source>
+        <translation>Veraltet: %1. Sie wurden aus etwas gemacht, das sich seither geändert hat.</translation>
+    </message>
+    <message>
+        <source>Make the model anew</source>
+        <translation>Modell neu erstellen</translation>
+    </message>
+    <message>
+        <source>There are no anatomical images: without them nothing can be outlined. Open them on the left.</source>
+        <translation>Es gibt keine anatomischen Bilder: Ohne sie kann nichts umrissen werden. Öffnen Sie sie links.</translation>
+    </message>
+    <message>
+        <source>The elastography has not been inverted: File, Elastography waves (Ctrl+W) makes the stiffness of it.</source>
+        <translation>Die Elastographie ist noch nicht invertiert: Datei, Elastographie-Wellen (Strg+W) macht daraus die Steifigkeit.</translation>
+    </message>
+    <message>
+        <source>The liver is not outlined yet.</source>
+        <translation>Die Leber ist noch nicht umrissen.</translation>
+    </message>
+    <message>
+        <source>Outline it in Segment</source>
+        <translation>In Segmentieren umreißen</translation>
+    </message>
+    <message>
+        <source>There is no model yet.</source>
+        <translation>Es gibt noch kein Modell.</translation>
+    </message>
+    <message>
+        <source>There is no model yet. Without elastography its stiffness is the atlas&apos;s.</source>
+        <translation>Es gibt noch kein Modell. Ohne Elastographie hat es die Steifigkeit des Atlas.</translation>
+    </message>
+    <message>
+        <source>Build the model</source>
+        <translation>Modell erstellen</translation>
+    </message>
+    <message>
+        <source>The model is there.</source>
+        <translation>Das Modell ist da.</translation>
+    </message>
+    <message>
+        <source>Rehearse</source>
+        <translation>Proben</translation>
+    </message>
+    <message>
+        <source>Building the model</source>
+        <translation>Modell wird erstellt</translation>
     </message>
 </context>
 <context>
@@ -4341,10 +4544,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
         <translation>%1 wird geöffnet</translation>
     </message>
     <message>
-        <source>Looking for images</source>
-        <translation>Bilder werden gesucht</translation>
-    </message>
-    <message>
         <source>Opening the demo patient</source>
         <translation>Demopatient wird geöffnet</translation>
     </message>
@@ -4463,34 +4662,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
     <message>
         <source>Something else is still under way. Wait for it, or cancel it first.</source>
         <translation>Etwas anderes läuft noch. Warten Sie darauf, oder brechen Sie es zuerst ab.</translation>
-    </message>
-    <message>
-        <source>%1 %2 (%3 × %4 × %5)</source>
-        <translation>%1 %2 (%3 × %4 × %5)</translation>
-    </message>
-    <message>
-        <source>No anatomical images were found in %1.</source>
-        <translation>In %1 wurden keine anatomischen Bilder gefunden.</translation>
-    </message>
-    <message>
-        <source>Which images show the anatomy?</source>
-        <translation>Welche Bilder zeigen die Anatomie?</translation>
-    </message>
-    <message>
-        <source>The study holds several series:</source>
-        <translation>Die Studie enthält mehrere Serien:</translation>
-    </message>
-    <message>
-        <source>Keep the case as</source>
-        <translation>Fall aufbewahren als</translation>
-    </message>
-    <message>
-        <source>Cases (*.glisson)</source>
-        <translation>Fälle (*.glisson)</translation>
-    </message>
-    <message>
-        <source>Importing</source>
-        <translation>Import läuft</translation>
     </message>
     <message>
         <source>Outlining the liver</source>
@@ -5785,6 +5956,386 @@ figures</source>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::SegmentPanel</name>
+    <message>
+        <source>Segment</source>
+        <translation>Segmentieren</translation>
+    </message>
+    <message>
+        <source>Outline the liver, its vessels and its tumours.</source>
+        <translation>Leber, Gefäße und Tumoren umreißen.</translation>
+    </message>
+    <message>
+        <source>Needs a case: open one, or import images.</source>
+        <translation>Braucht einen Fall: Öffnen Sie einen oder importieren Sie Bilder.</translation>
+    </message>
+    <message>
+        <source>Needs anatomical images: import them in Study.</source>
+        <translation>Braucht anatomische Bilder: Importieren Sie sie unter Studie.</translation>
+    </message>
+    <message>
+        <source>Nothing changed.</source>
+        <translation>Nichts hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>Reading the structures</source>
+        <translation>Strukturen werden gelesen</translation>
+    </message>
+    <message>
+        <source>Another name...</source>
+        <translation>Anderer Name ...</translation>
+    </message>
+    <message>
+        <source>Name of the structure</source>
+        <translation>Name der Struktur</translation>
+    </message>
+    <message>
+        <source>Letters, digits and hyphens:</source>
+        <translation>Buchstaben, Ziffern und Bindestriche:</translation>
+    </message>
+    <message>
+        <source>Choose a structure first, or add one.</source>
+        <translation>Wählen Sie zuerst eine Struktur oder fügen Sie eine hinzu.</translation>
+    </message>
+    <message>
+        <source>Click into the structure first, in any slice.</source>
+        <translation>Klicken Sie zuerst in die Struktur, in irgendeiner Schicht.</translation>
+    </message>
+    <message>
+        <source>Replaces the outline by the tissue around the points</source>
+        <translation>Ersetzt den Umriss durch das Gewebe um die Punkte</translation>
+    </message>
+    <message>
+        <source>Click into the tissue, away from large vessels. Points so far: %1</source>
+        <translation>Klicken Sie ins Gewebe, abseits großer Gefäße. Punkte bisher: %1</translation>
+    </message>
+    <message>
+        <source>Click on the piece that is to stay; all others go.</source>
+        <translation>Klicken Sie auf das Stück, das bleiben soll; alle anderen gehen.</translation>
+    </message>
+    <message>
+        <source>Choose a tool to draw in the slices. Without one, clicks move the crosshair.</source>
+        <translation>Wählen Sie ein Werkzeug, um in den Schichten zu zeichnen. Ohne Werkzeug bewegen Klicks das Fadenkreuz.</translation>
+    </message>
+    <message>
+        <source>Growing: %1</source>
+        <translation>Wachsen: %1</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Strukturen</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>The chosen one is drawn on. The box shows or hides it.</source>
+        <translation>Auf der gewählten wird gezeichnet. Das Kästchen zeigt oder verbirgt sie.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>A new, empty structure</source>
+        <translation>Eine neue, leere Struktur</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Another name, and with it another colour, for the chosen structure</source>
+        <translation>Ein anderer Name und damit eine andere Farbe für die gewählte Struktur</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes the chosen structure out of the case; Ctrl+Z brings it back</source>
+        <translation>Nimmt die gewählte Struktur aus dem Fall; Strg+Z bringt sie zurück</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Crosshair</source>
+        <translation>Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Eraser</source>
+        <translation>Radierer</translation>
+    </message>
+    <message>
+        <source>Smart brush</source>
+        <translation>Gewebepinsel</translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Schere</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Wachsen</translation>
+    </message>
+    <message>
+        <source>Pick piece</source>
+        <translation>Stück wählen</translation>
+    </message>
+    <message>
+        <source>Clicks move the crosshair</source>
+        <translation>Klicks bewegen das Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Drag to add. Ctrl: erase instead. Shift+wheel: radius in mm</source>
+        <translation>Ziehen fügt hinzu. Strg: stattdessen löschen. Umschalt+Rad: Radius in mm</translation>
+    </message>
+    <message>
+        <source>Drag to take away. Ctrl: add instead. Shift+wheel: radius in mm</source>
+        <translation>Ziehen nimmt weg. Strg: stattdessen hinzufügen. Umschalt+Rad: Radius in mm</translation>
+    </message>
+    <message>
+        <source>Adds only where the grey values are like those under the click</source>
+        <translation>Fügt nur hinzu, wo die Grauwerte denen unter dem Klick gleichen</translation>
+    </message>
+    <message>
+        <source>Draw around something, and cut away what is inside or outside</source>
+        <translation>Etwas umfahren und wegschneiden, was innen oder außen ist</translation>
+    </message>
+    <message>
+        <source>Click points into the tissue, then let the structure grow over what looks alike</source>
+        <translation>Setzen Sie Punkte ins Gewebe und lassen Sie die Struktur dann über Gleichartiges wachsen</translation>
+    </message>
+    <message>
+        <source>Click on the piece that is to stay; all others go</source>
+        <translation>Klicken Sie auf das Stück, das bleiben soll; alle anderen gehen</translation>
+    </message>
+    <message>
+        <source>%1 (key %2)</source>
+        <translation>%1 (Taste %2)</translation>
+    </message>
+    <message>
+        <source>Radius (Shift+wheel)</source>
+        <translation>Radius (Umschalt+Rad)</translation>
+    </message>
+    <message>
+        <source>Radius of the brush in mm</source>
+        <translation>Radius des Pinsels in mm</translation>
+    </message>
+    <message>
+        <source>Disc in this slice</source>
+        <translation>Scheibe in dieser Schicht</translation>
+    </message>
+    <message>
+        <source>Ball through the slices</source>
+        <translation>Kugel durch die Schichten</translation>
+    </message>
+    <message>
+        <source>Whether the brush reaches into the neighbouring slices</source>
+        <translation>Ob der Pinsel in die Nachbarschichten reicht</translation>
+    </message>
+    <message>
+        <source>Tolerance (standard deviations)</source>
+        <translation>Toleranz (Standardabweichungen)</translation>
+    </message>
+    <message>
+        <source>How far a grey value may be from that under the click, in standard deviations around it</source>
+        <translation>Wie weit ein Grauwert von dem unter dem Klick abweichen darf, in Standardabweichungen um ihn</translation>
+    </message>
+    <message>
+        <source>Cut away what is inside</source>
+        <translation>Wegschneiden, was innen ist</translation>
+    </message>
+    <message>
+        <source>Cut away what is outside</source>
+        <translation>Wegschneiden, was außen ist</translation>
+    </message>
+    <message>
+        <source>In this slice only</source>
+        <translation>Nur in dieser Schicht</translation>
+    </message>
+    <message>
+        <source>Through all slices</source>
+        <translation>Durch alle Schichten</translation>
+    </message>
+    <message>
+        <source>Forget the points</source>
+        <translation>Punkte vergessen</translation>
+    </message>
+    <message>
+        <source>The whole structure</source>
+        <translation>Die ganze Struktur</translation>
+    </message>
+    <message>
+        <source>Fill between slices</source>
+        <translation>Zwischen Schichten füllen</translation>
+    </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Löcher füllen</translation>
+    </message>
+    <message>
+        <source>Keep the largest</source>
+        <translation>Größtes behalten</translation>
+    </message>
+    <message>
+        <source>Remove pieces below</source>
+        <translation>Stücke entfernen unter</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Grow by</source>
+        <translation>Wachsen um</translation>
+    </message>
+    <message>
+        <source>Shrink by</source>
+        <translation>Schrumpfen um</translation>
+    </message>
+    <message>
+        <source>Fills the slices between drawn ones by their shapes</source>
+        <translation>Füllt die Schichten zwischen gezeichneten nach deren Formen</translation>
+    </message>
+    <message>
+        <source>Fills what is enclosed on all sides</source>
+        <translation>Füllt, was ringsum eingeschlossen ist</translation>
+    </message>
+    <message>
+        <source>Keeps the largest piece and drops the others</source>
+        <translation>Behält das größte Stück und entfernt die anderen</translation>
+    </message>
+    <message>
+        <source>Drops pieces of less than this volume in ml</source>
+        <translation>Entfernt Stücke von weniger als diesem Volumen in ml</translation>
+    </message>
+    <message>
+        <source>Rounds what is smaller than about this many mm</source>
+        <translation>Rundet, was kleiner als etwa so viele mm ist</translation>
+    </message>
+    <message>
+        <source>Adds a margin of this many mm all around</source>
+        <translation>Fügt ringsum einen Rand von so vielen mm hinzu</translation>
+    </message>
+    <message>
+        <source>Takes a margin of this many mm away all around</source>
+        <translation>Nimmt ringsum einen Rand von so vielen mm weg</translation>
+    </message>
+    <message>
+        <source>Transverse</source>
+        <translation>Transversal</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>The slices that were drawn in</source>
+        <translation>Die Schichten, in denen gezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>Least volume in ml</source>
+        <translation>Kleinstes Volumen in ml</translation>
+    </message>
+    <message>
+        <source>Radius of smoothing in mm</source>
+        <translation>Radius der Glättung in mm</translation>
+    </message>
+    <message>
+        <source>Margin in mm</source>
+        <translation>Rand in mm</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::SeriesTable</name>
+    <message>
+        <source>Series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>Size and spacing</source>
+        <translation>Größe und Abstand</translation>
+    </message>
+    <message>
+        <source>Use as</source>
+        <translation>Verwenden als</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>Anatomy</source>
+        <translation>Anatomie</translation>
+    </message>
+    <message>
+        <source>Stiffness (kPa)</source>
+        <translation>Steifigkeit (kPa)</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Konfidenz</translation>
+    </message>
+    <message>
+        <source>MRE magnitude</source>
+        <translation>MRE-Magnitude</translation>
+    </message>
+    <message>
+        <source>MRE phase</source>
+        <translation>MRE-Phase</translation>
+    </message>
+    <message>
+        <source>MRE waves</source>
+        <translation>MRE-Wellen</translation>
+    </message>
+    <message>
+        <source>Segmentation</source>
+        <translation>Segmentierung</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>Without a description</source>
+        <translation>Ohne Beschreibung</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3
+%4 × %5 × %6 mm</source>
+        <translation>%1 × %2 × %3
+%4 × %5 × %6 mm</translation>
+    </message>
+    <message>
+        <source>%1 volumes</source>
+        <translation>%1 Volumen</translation>
+    </message>
+    <message>
+        <source>Use %1 as</source>
+        <translation>%1 verwenden als</translation>
+    </message>
+    <message>
+        <source>What this series is for. The proposal is read from its header.</source>
+        <translation>Wozu diese Serie dient. Der Vorschlag ist aus ihrem Kopf gelesen.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::SettingsWindow</name>
     <message>
         <source>Settings - Glisson</source>
@@ -5863,6 +6414,21 @@ figures</source>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::SliceTools</name>
+    <message>
+        <source>Choose a structure first, or add one.</source>
+        <translation>Wählen Sie zuerst eine Struktur oder fügen Sie eine hinzu.</translation>
+    </message>
+    <message>
+        <source>One moment: the last change is being worked off.</source>
+        <translation>Einen Moment: Die letzte Änderung wird noch ausgeführt.</translation>
+    </message>
+    <message>
+        <source>This slice is turned: drawing needs one along the image&apos;s own slices.</source>
+        <translation>Diese Schicht ist gedreht: Zum Zeichnen braucht es eine entlang der Schichten des Bildes.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::SolvingLight</name>
     <message>
         <source>How far the equations are from balance; what solving and drawing took</source>
@@ -5903,6 +6469,93 @@ figures</source>
     <message>
         <source>Cells turned inside out: %1. Use less force.</source>
         <translation>Umgestülpte Zellen: %1. Nehmen Sie weniger Kraft.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::StudyPage</name>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Find images, say what each series is for, and see what the case holds.</source>
+        <translation>Bilder finden, sagen, wozu jede Serie dient, und sehen, was der Fall enthält.</translation>
+    </message>
+    <message>
+        <source>Looking for images</source>
+        <translation>Bilder werden gesucht</translation>
+    </message>
+    <message>
+        <source>Something else is still under way. Wait for it, or cancel it first.</source>
+        <translation>Etwas anderes läuft noch. Warten Sie darauf, oder brechen Sie es zuerst ab.</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Look in a folder...</source>
+        <translation>In einem Ordner suchen ...</translation>
+    </message>
+    <message>
+        <source>A folder, a DICOMDIR or one file; dropping it on the window does the same</source>
+        <translation>Ein Ordner, ein DICOMDIR oder eine Datei; Ablegen auf dem Fenster tut dasselbe</translation>
+    </message>
+    <message>
+        <source>Patients&apos; names are not shown: they are not read from the images. The images are never written to.</source>
+        <translation>Patientennamen werden nicht gezeigt: Sie werden aus den Bildern nicht gelesen. Die Bilder werden nie verändert.</translation>
+    </message>
+    <message>
+        <source>Keep the case as</source>
+        <translation>Fall aufbewahren als</translation>
+    </message>
+    <message>
+        <source>Make a case</source>
+        <translation>Fall anlegen</translation>
+    </message>
+    <message>
+        <source>Add to the open case</source>
+        <translation>Zum offenen Fall hinzufügen</translation>
+    </message>
+    <message>
+        <source>Drop a folder of DICOM images, a DICOMDIR, or a NIfTI, NRRD or MHA file here.</source>
+        <translation>Legen Sie hier einen Ordner mit DICOM-Bildern, ein DICOMDIR oder eine NIfTI-, NRRD- oder MHA-Datei ab.</translation>
+    </message>
+    <message>
+        <source>%1: series found: %2</source>
+        <translation>%1: gefundene Serien: %2</translation>
+    </message>
+    <message>
+        <source>; files left out: %1</source>
+        <translation>; ausgelassene Dateien: %1</translation>
+    </message>
+    <message>
+        <source>Give at least one series a role first.</source>
+        <translation>Geben Sie zuerst mindestens einer Serie eine Rolle.</translation>
+    </message>
+    <message>
+        <source>There is something of that name already: choose another.</source>
+        <translation>Unter diesem Namen gibt es schon etwas: Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>Copies the chosen series into a new case</source>
+        <translation>Kopiert die gewählten Serien in einen neuen Fall</translation>
+    </message>
+    <message>
+        <source>No case is open.</source>
+        <translation>Es ist kein Fall geöffnet.</translation>
+    </message>
+    <message>
+        <source>Series of the same role are replaced; Ctrl+Z brings them back</source>
+        <translation>Serien derselben Rolle werden ersetzt; Strg+Z bringt sie zurück</translation>
+    </message>
+    <message>
+        <source>Open a folder of images</source>
+        <translation>Ordner mit Bildern öffnen</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>Import läuft</translation>
     </message>
 </context>
 <context>

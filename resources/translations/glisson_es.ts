@@ -3542,6 +3542,110 @@
         <source>Open an experiment to make one; it holds report.json, report.html and model.json.</source>
         <translation>Abra un experimento para crear uno; contiene report.json, report.html y model.json.</translation>
     </message>
+    <message>
+        <source>Two series are to be the {0}: {1} is the second.</source>
+        <translation>Dos series deben ser {0}: {1} es la segunda.</translation>
+    </message>
+    <message>
+        <source>Leave one of them out, or give it another role.</source>
+        <translation>Omita una de ellas o dele otra función.</translation>
+    </message>
+    <message>
+        <source>No series is chosen: give at least one of them a role.</source>
+        <translation>No se ha elegido ninguna serie: dé una función a al menos una.</translation>
+    </message>
+    <message>
+        <source>There is nothing of this structure at that place.</source>
+        <translation>En ese lugar no hay nada de esta estructura.</translation>
+    </message>
+    <message>
+        <source>Fill between slices of {0}</source>
+        <translation>Rellenar entre cortes de {0}</translation>
+    </message>
+    <message>
+        <source>Fill holes of {0}</source>
+        <translation>Rellenar huecos de {0}</translation>
+    </message>
+    <message>
+        <source>Keep the largest piece of {0}</source>
+        <translation>Conservar el trozo mayor de {0}</translation>
+    </message>
+    <message>
+        <source>Remove small pieces of {0}</source>
+        <translation>Quitar trozos pequeños de {0}</translation>
+    </message>
+    <message>
+        <source>Smooth {0}</source>
+        <translation>Suavizar {0}</translation>
+    </message>
+    <message>
+        <source>Margin around {0}</source>
+        <translation>Margen alrededor de {0}</translation>
+    </message>
+    <message>
+        <source>Shrink {0}</source>
+        <translation>Reducir {0}</translation>
+    </message>
+    <message>
+        <source>Keep one piece of {0}</source>
+        <translation>Conservar un trozo de {0}</translation>
+    </message>
+    <message>
+        <source>Smart brush on {0}</source>
+        <translation>Pincel selectivo en {0}</translation>
+    </message>
+    <message>
+        <source>Brush on {0}</source>
+        <translation>Pincel en {0}</translation>
+    </message>
+    <message>
+        <source>Eraser on {0}</source>
+        <translation>Goma en {0}</translation>
+    </message>
+    <message>
+        <source>Scissors on {0}</source>
+        <translation>Tijeras en {0}</translation>
+    </message>
+    <message>
+        <source>New structure {0}</source>
+        <translation>Estructura nueva {0}</translation>
+    </message>
+    <message>
+        <source>Rename {0}</source>
+        <translation>Renombrar {0}</translation>
+    </message>
+    <message>
+        <source>Remove {0}</source>
+        <translation>Quitar {0}</translation>
+    </message>
+    <message>
+        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
+        <translation>Las estructuras han cambiado desde que se creó el modelo y {0} puntos de referencia quedan fuera de él: se omiten. Vuelva a crear el modelo.</translation>
+    </message>
+    <message>
+        <source>The model cannot be used. Build it anew.</source>
+        <translation>El modelo no se puede usar. Vuelva a crearlo.</translation>
+    </message>
+    <message>
+        <source>Place the tool</source>
+        <translation>Colocar la herramienta</translation>
+    </message>
+    <message>
+        <source>Take the tool away</source>
+        <translation>Retirar la herramienta</translation>
+    </message>
+    <message>
+        <source>Move the tool</source>
+        <translation>Mover la herramienta</translation>
+    </message>
+    <message>
+        <source>Change the force</source>
+        <translation>Cambiar la fuerza</translation>
+    </message>
+    <message>
+        <source>No images were found in {0}.</source>
+        <translation>No se encontraron imágenes en {0}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -3628,6 +3732,105 @@
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
         <translation>Registra cada fotograma con los algoritmos de arriba y los juzga con SIRGn: hasta un segundo por fotograma, más o menos</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::CaseOverview</name>
+    <message>
+        <source>The open case</source>
+        <translation>El caso abierto</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Qué</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>Creado por</translation>
+    </message>
+    <message>
+        <source>What comes next</source>
+        <translation>Lo que sigue</translation>
+    </message>
+    <message>
+        <source>up to date</source>
+        <translation>al día</translation>
+    </message>
+    <message>
+        <source>⚠ stale</source>
+        <translation>⚠ desfasado</translation>
+    </message>
+    <message>
+        <source>⚠ changed by another program</source>
+        <translation>⚠ modificado por otro programa</translation>
+    </message>
+    <message>
+        <source>⚠ file is gone</source>
+        <translation>⚠ falta el archivo</translation>
+    </message>
+    <message>
+        <source>Something that it was made from has changed since.</source>
+        <translation>Algo de lo que se hizo ha cambiado desde entonces.</translation>
+    </message>
+    <message>
+        <source>No case is open. Open images, choose what each series is for, and make a case of them.</source>
+        <translation>No hay ningún caso abierto. Abra imágenes, elija para qué es cada serie y cree un caso con ellas.</translation>
+    </message>
+    <message>
+        <source>Everything is up to date.</source>
+        <translation>Todo está al día.</translation>
+    </message>
+    <message>
+        <source>Stale: %1. They were made from something that has changed since.</source>
+        <translation>Desfasados: %1. Se hicieron de algo que ha cambiado desde entonces.</translation>
+    </message>
+    <message>
+        <source>Make the model anew</source>
+        <translation>Rehacer el modelo</translation>
+    </message>
+    <message>
+        <source>There are no anatomical images: without them nothing can be outlined. Open them on the left.</source>
+        <translation>No hay imágenes anatómicas: sin ellas no se puede delimitar nada. Ábralas a la izquierda.</translation>
+    </message>
+    <message>
+        <source>The elastography has not been inverted: File, Elastography waves (Ctrl+W) makes the stiffness of it.</source>
+        <translation>La elastografía no se ha invertido: Archivo, Ondas de elastografía (Ctrl+W) obtiene de ella la rigidez.</translation>
+    </message>
+    <message>
+        <source>The liver is not outlined yet.</source>
+        <translation>El hígado aún no está delimitado.</translation>
+    </message>
+    <message>
+        <source>Outline it in Segment</source>
+        <translation>Delimitarlo en Segmentar</translation>
+    </message>
+    <message>
+        <source>There is no model yet.</source>
+        <translation>Aún no hay modelo.</translation>
+    </message>
+    <message>
+        <source>There is no model yet. Without elastography its stiffness is the atlas&apos;s.</source>
+        <translation>Aún no hay modelo. Sin elastografía, su rigidez es la del atlas.</translation>
+    </message>
+    <message>
+        <source>Build the model</source>
+        <translation>Construir el modelo</translation>
+    </message>
+    <message>
+        <source>The model is there.</source>
+        <translation>El modelo está hecho.</translation>
+    </message>
+    <message>
+        <source>Rehearse</source>
+        <translation>Ensayar</translation>
+    </message>
+    <message>
+        <source>Building the model</source>
+        <translation>Construyendo el modelo</translation>
     </message>
 </context>
 <context>
@@ -4343,10 +4546,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
         <translation>Abriendo %1</translation>
     </message>
     <message>
-        <source>Looking for images</source>
-        <translation>Buscando imágenes</translation>
-    </message>
-    <message>
         <source>Opening the demo patient</source>
         <translation>Abriendo el paciente de demostración</translation>
     </message>
@@ -4465,34 +4664,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
     <message>
         <source>Something else is still under way. Wait for it, or cancel it first.</source>
         <translation>Hay otra operación en curso. Espere a que termine o cancélela antes.</translation>
-    </message>
-    <message>
-        <source>%1 %2 (%3 × %4 × %5)</source>
-        <translation>%1 %2 (%3 × %4 × %5)</translation>
-    </message>
-    <message>
-        <source>No anatomical images were found in %1.</source>
-        <translation>No se han encontrado imágenes anatómicas en %1.</translation>
-    </message>
-    <message>
-        <source>Which images show the anatomy?</source>
-        <translation>¿Qué imágenes muestran la anatomía?</translation>
-    </message>
-    <message>
-        <source>The study holds several series:</source>
-        <translation>El estudio contiene varias series:</translation>
-    </message>
-    <message>
-        <source>Keep the case as</source>
-        <translation>Guardar el caso como</translation>
-    </message>
-    <message>
-        <source>Cases (*.glisson)</source>
-        <translation>Casos (*.glisson)</translation>
-    </message>
-    <message>
-        <source>Importing</source>
-        <translation>Importando</translation>
     </message>
     <message>
         <source>Outlining the liver</source>
@@ -5788,6 +5959,386 @@ supuestas</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::SegmentPanel</name>
+    <message>
+        <source>Segment</source>
+        <translation>Segmentar</translation>
+    </message>
+    <message>
+        <source>Outline the liver, its vessels and its tumours.</source>
+        <translation>Delimitar el hígado, sus vasos y sus tumores.</translation>
+    </message>
+    <message>
+        <source>Needs a case: open one, or import images.</source>
+        <translation>Necesita un caso: abra uno o importe imágenes.</translation>
+    </message>
+    <message>
+        <source>Needs anatomical images: import them in Study.</source>
+        <translation>Necesita imágenes anatómicas: impórtelas en Estudio.</translation>
+    </message>
+    <message>
+        <source>Nothing changed.</source>
+        <translation>No ha cambiado nada.</translation>
+    </message>
+    <message>
+        <source>Reading the structures</source>
+        <translation>Leyendo las estructuras</translation>
+    </message>
+    <message>
+        <source>Another name...</source>
+        <translation>Otro nombre...</translation>
+    </message>
+    <message>
+        <source>Name of the structure</source>
+        <translation>Nombre de la estructura</translation>
+    </message>
+    <message>
+        <source>Letters, digits and hyphens:</source>
+        <translation>Letras, cifras y guiones:</translation>
+    </message>
+    <message>
+        <source>Choose a structure first, or add one.</source>
+        <translation>Elija primero una estructura o añada una.</translation>
+    </message>
+    <message>
+        <source>Click into the structure first, in any slice.</source>
+        <translation>Pulse primero dentro de la estructura, en cualquier corte.</translation>
+    </message>
+    <message>
+        <source>Replaces the outline by the tissue around the points</source>
+        <translation>Sustituye el contorno por el tejido alrededor de los puntos</translation>
+    </message>
+    <message>
+        <source>Click into the tissue, away from large vessels. Points so far: %1</source>
+        <translation>Pulse en el tejido, lejos de los grandes vasos. Puntos hasta ahora: %1</translation>
+    </message>
+    <message>
+        <source>Click on the piece that is to stay; all others go.</source>
+        <translation>Pulse en el trozo que debe quedar; los demás se quitan.</translation>
+    </message>
+    <message>
+        <source>Choose a tool to draw in the slices. Without one, clicks move the crosshair.</source>
+        <translation>Elija una herramienta para dibujar en los cortes. Sin ella, los clics mueven la cruz.</translation>
+    </message>
+    <message>
+        <source>Growing: %1</source>
+        <translation>Crecimiento: %1</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Estructuras</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Estructura</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>The chosen one is drawn on. The box shows or hides it.</source>
+        <translation>Se dibuja sobre la elegida. La casilla la muestra o la oculta.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>A new, empty structure</source>
+        <translation>Una estructura nueva y vacía</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renombrar</translation>
+    </message>
+    <message>
+        <source>Another name, and with it another colour, for the chosen structure</source>
+        <translation>Otro nombre, y con él otro color, para la estructura elegida</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Takes the chosen structure out of the case; Ctrl+Z brings it back</source>
+        <translation>Quita del caso la estructura elegida; Ctrl+Z la recupera</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Herramientas</translation>
+    </message>
+    <message>
+        <source>Crosshair</source>
+        <translation>Cruz</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pincel</translation>
+    </message>
+    <message>
+        <source>Eraser</source>
+        <translation>Goma</translation>
+    </message>
+    <message>
+        <source>Smart brush</source>
+        <translation>Pincel selectivo</translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Tijeras</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Crecer</translation>
+    </message>
+    <message>
+        <source>Pick piece</source>
+        <translation>Elegir trozo</translation>
+    </message>
+    <message>
+        <source>Clicks move the crosshair</source>
+        <translation>Los clics mueven la cruz</translation>
+    </message>
+    <message>
+        <source>Drag to add. Ctrl: erase instead. Shift+wheel: radius in mm</source>
+        <translation>Arrastre para añadir. Ctrl: borrar. Mayús+rueda: radio en mm</translation>
+    </message>
+    <message>
+        <source>Drag to take away. Ctrl: add instead. Shift+wheel: radius in mm</source>
+        <translation>Arrastre para quitar. Ctrl: añadir. Mayús+rueda: radio en mm</translation>
+    </message>
+    <message>
+        <source>Adds only where the grey values are like those under the click</source>
+        <translation>Añade solo donde los grises se parecen a los del punto pulsado</translation>
+    </message>
+    <message>
+        <source>Draw around something, and cut away what is inside or outside</source>
+        <translation>Rodee algo y corte lo que queda dentro o fuera</translation>
+    </message>
+    <message>
+        <source>Click points into the tissue, then let the structure grow over what looks alike</source>
+        <translation>Marque puntos en el tejido y deje que la estructura crezca sobre lo que se le parece</translation>
+    </message>
+    <message>
+        <source>Click on the piece that is to stay; all others go</source>
+        <translation>Pulse en el trozo que debe quedar; los demás se quitan</translation>
+    </message>
+    <message>
+        <source>%1 (key %2)</source>
+        <translation>%1 (tecla %2)</translation>
+    </message>
+    <message>
+        <source>Radius (Shift+wheel)</source>
+        <translation>Radio (Mayús+rueda)</translation>
+    </message>
+    <message>
+        <source>Radius of the brush in mm</source>
+        <translation>Radio del pincel en mm</translation>
+    </message>
+    <message>
+        <source>Disc in this slice</source>
+        <translation>Disco en este corte</translation>
+    </message>
+    <message>
+        <source>Ball through the slices</source>
+        <translation>Bola a través de los cortes</translation>
+    </message>
+    <message>
+        <source>Whether the brush reaches into the neighbouring slices</source>
+        <translation>Si el pincel alcanza los cortes vecinos</translation>
+    </message>
+    <message>
+        <source>Tolerance (standard deviations)</source>
+        <translation>Tolerancia (desviaciones típicas)</translation>
+    </message>
+    <message>
+        <source>How far a grey value may be from that under the click, in standard deviations around it</source>
+        <translation>Cuánto puede apartarse un gris del que hay bajo el clic, en desviaciones típicas</translation>
+    </message>
+    <message>
+        <source>Cut away what is inside</source>
+        <translation>Cortar lo que queda dentro</translation>
+    </message>
+    <message>
+        <source>Cut away what is outside</source>
+        <translation>Cortar lo que queda fuera</translation>
+    </message>
+    <message>
+        <source>In this slice only</source>
+        <translation>Solo en este corte</translation>
+    </message>
+    <message>
+        <source>Through all slices</source>
+        <translation>A través de todos los cortes</translation>
+    </message>
+    <message>
+        <source>Forget the points</source>
+        <translation>Olvidar los puntos</translation>
+    </message>
+    <message>
+        <source>The whole structure</source>
+        <translation>La estructura entera</translation>
+    </message>
+    <message>
+        <source>Fill between slices</source>
+        <translation>Rellenar entre cortes</translation>
+    </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Rellenar huecos</translation>
+    </message>
+    <message>
+        <source>Keep the largest</source>
+        <translation>Conservar el mayor</translation>
+    </message>
+    <message>
+        <source>Remove pieces below</source>
+        <translation>Quitar trozos de menos de</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Suavizar</translation>
+    </message>
+    <message>
+        <source>Grow by</source>
+        <translation>Ampliar en</translation>
+    </message>
+    <message>
+        <source>Shrink by</source>
+        <translation>Reducir en</translation>
+    </message>
+    <message>
+        <source>Fills the slices between drawn ones by their shapes</source>
+        <translation>Rellena los cortes entre los dibujados según sus formas</translation>
+    </message>
+    <message>
+        <source>Fills what is enclosed on all sides</source>
+        <translation>Rellena lo que está cerrado por todos lados</translation>
+    </message>
+    <message>
+        <source>Keeps the largest piece and drops the others</source>
+        <translation>Conserva el trozo mayor y quita los demás</translation>
+    </message>
+    <message>
+        <source>Drops pieces of less than this volume in ml</source>
+        <translation>Quita los trozos de menos de este volumen en ml</translation>
+    </message>
+    <message>
+        <source>Rounds what is smaller than about this many mm</source>
+        <translation>Redondea lo que mide menos de unos tantos mm</translation>
+    </message>
+    <message>
+        <source>Adds a margin of this many mm all around</source>
+        <translation>Añade alrededor un margen de estos mm</translation>
+    </message>
+    <message>
+        <source>Takes a margin of this many mm away all around</source>
+        <translation>Quita alrededor un margen de estos mm</translation>
+    </message>
+    <message>
+        <source>Transverse</source>
+        <translation>Transversal</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronal</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagital</translation>
+    </message>
+    <message>
+        <source>The slices that were drawn in</source>
+        <translation>Los cortes en los que se dibujó</translation>
+    </message>
+    <message>
+        <source>Least volume in ml</source>
+        <translation>Volumen mínimo en ml</translation>
+    </message>
+    <message>
+        <source>Radius of smoothing in mm</source>
+        <translation>Radio del suavizado en mm</translation>
+    </message>
+    <message>
+        <source>Margin in mm</source>
+        <translation>Margen en mm</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::SeriesTable</name>
+    <message>
+        <source>Series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>Size and spacing</source>
+        <translation>Tamaño y espaciado</translation>
+    </message>
+    <message>
+        <source>Use as</source>
+        <translation>Usar como</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Observaciones</translation>
+    </message>
+    <message>
+        <source>Anatomy</source>
+        <translation>Anatomía</translation>
+    </message>
+    <message>
+        <source>Stiffness (kPa)</source>
+        <translation>Rigidez (kPa)</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Confianza</translation>
+    </message>
+    <message>
+        <source>MRE magnitude</source>
+        <translation>Magnitud de ERM</translation>
+    </message>
+    <message>
+        <source>MRE phase</source>
+        <translation>Fase de ERM</translation>
+    </message>
+    <message>
+        <source>MRE waves</source>
+        <translation>Ondas de ERM</translation>
+    </message>
+    <message>
+        <source>Segmentation</source>
+        <translation>Segmentación</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Omitir</translation>
+    </message>
+    <message>
+        <source>Without a description</source>
+        <translation>Sin descripción</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3
+%4 × %5 × %6 mm</source>
+        <translation>%1 × %2 × %3
+%4 × %5 × %6 mm</translation>
+    </message>
+    <message>
+        <source>%1 volumes</source>
+        <translation>%1 volúmenes</translation>
+    </message>
+    <message>
+        <source>Use %1 as</source>
+        <translation>Usar %1 como</translation>
+    </message>
+    <message>
+        <source>What this series is for. The proposal is read from its header.</source>
+        <translation>Para qué es esta serie. La propuesta se lee de su cabecera.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::SettingsWindow</name>
     <message>
         <source>Settings - Glisson</source>
@@ -5866,6 +6417,21 @@ supuestas</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::SliceTools</name>
+    <message>
+        <source>Choose a structure first, or add one.</source>
+        <translation>Elija primero una estructura o añada una.</translation>
+    </message>
+    <message>
+        <source>One moment: the last change is being worked off.</source>
+        <translation>Un momento: se está aplicando el último cambio.</translation>
+    </message>
+    <message>
+        <source>This slice is turned: drawing needs one along the image&apos;s own slices.</source>
+        <translation>Este corte está girado: para dibujar hace falta uno alineado con los cortes de la imagen.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::SolvingLight</name>
     <message>
         <source>How far the equations are from balance; what solving and drawing took</source>
@@ -5906,6 +6472,93 @@ supuestas</translation>
     <message>
         <source>Cells turned inside out: %1. Use less force.</source>
         <translation>Celdas invertidas: %1. Use menos fuerza.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::StudyPage</name>
+    <message>
+        <source>Study</source>
+        <translation>Estudio</translation>
+    </message>
+    <message>
+        <source>Find images, say what each series is for, and see what the case holds.</source>
+        <translation>Buscar imágenes, decir para qué es cada serie y ver qué contiene el caso.</translation>
+    </message>
+    <message>
+        <source>Looking for images</source>
+        <translation>Buscando imágenes</translation>
+    </message>
+    <message>
+        <source>Something else is still under way. Wait for it, or cancel it first.</source>
+        <translation>Hay otra operación en curso. Espere a que termine o cancélela antes.</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>Look in a folder...</source>
+        <translation>Buscar en una carpeta...</translation>
+    </message>
+    <message>
+        <source>A folder, a DICOMDIR or one file; dropping it on the window does the same</source>
+        <translation>Una carpeta, un DICOMDIR o un archivo; soltarlo en la ventana hace lo mismo</translation>
+    </message>
+    <message>
+        <source>Patients&apos; names are not shown: they are not read from the images. The images are never written to.</source>
+        <translation>Los nombres de los pacientes no se muestran: no se leen de las imágenes. Las imágenes nunca se modifican.</translation>
+    </message>
+    <message>
+        <source>Keep the case as</source>
+        <translation>Guardar el caso como</translation>
+    </message>
+    <message>
+        <source>Make a case</source>
+        <translation>Crear un caso</translation>
+    </message>
+    <message>
+        <source>Add to the open case</source>
+        <translation>Añadir al caso abierto</translation>
+    </message>
+    <message>
+        <source>Drop a folder of DICOM images, a DICOMDIR, or a NIfTI, NRRD or MHA file here.</source>
+        <translation>Suelte aquí una carpeta de imágenes DICOM, un DICOMDIR o un archivo NIfTI, NRRD o MHA.</translation>
+    </message>
+    <message>
+        <source>%1: series found: %2</source>
+        <translation>%1: series encontradas: %2</translation>
+    </message>
+    <message>
+        <source>; files left out: %1</source>
+        <translation>; archivos omitidos: %1</translation>
+    </message>
+    <message>
+        <source>Give at least one series a role first.</source>
+        <translation>Dé primero una función a al menos una serie.</translation>
+    </message>
+    <message>
+        <source>There is something of that name already: choose another.</source>
+        <translation>Ya existe algo con ese nombre: elija otro.</translation>
+    </message>
+    <message>
+        <source>Copies the chosen series into a new case</source>
+        <translation>Copia las series elegidas en un caso nuevo</translation>
+    </message>
+    <message>
+        <source>No case is open.</source>
+        <translation>No hay ningún caso abierto.</translation>
+    </message>
+    <message>
+        <source>Series of the same role are replaced; Ctrl+Z brings them back</source>
+        <translation>Las series de la misma función se sustituyen; Ctrl+Z las recupera</translation>
+    </message>
+    <message>
+        <source>Open a folder of images</source>
+        <translation>Abrir una carpeta de imágenes</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>Importando</translation>
     </message>
 </context>
 <context>

@@ -3542,6 +3542,110 @@
         <source>Open an experiment to make one; it holds report.json, report.html and model.json.</source>
         <translation>Ouvrez une expérience pour en créer un ; il contient report.json, report.html et model.json.</translation>
     </message>
+    <message>
+        <source>Two series are to be the {0}: {1} is the second.</source>
+        <translation>Deux séries doivent être {0} : {1} est la seconde.</translation>
+    </message>
+    <message>
+        <source>Leave one of them out, or give it another role.</source>
+        <translation>Écartez l&apos;une d&apos;elles ou donnez-lui un autre rôle.</translation>
+    </message>
+    <message>
+        <source>No series is chosen: give at least one of them a role.</source>
+        <translation>Aucune série n&apos;est choisie : donnez un rôle à au moins une d&apos;elles.</translation>
+    </message>
+    <message>
+        <source>There is nothing of this structure at that place.</source>
+        <translation>Il n&apos;y a rien de cette structure à cet endroit.</translation>
+    </message>
+    <message>
+        <source>Fill between slices of {0}</source>
+        <translation>Remplir entre les coupes de {0}</translation>
+    </message>
+    <message>
+        <source>Fill holes of {0}</source>
+        <translation>Combler les trous de {0}</translation>
+    </message>
+    <message>
+        <source>Keep the largest piece of {0}</source>
+        <translation>Garder le plus grand morceau de {0}</translation>
+    </message>
+    <message>
+        <source>Remove small pieces of {0}</source>
+        <translation>Supprimer les petits morceaux de {0}</translation>
+    </message>
+    <message>
+        <source>Smooth {0}</source>
+        <translation>Lisser {0}</translation>
+    </message>
+    <message>
+        <source>Margin around {0}</source>
+        <translation>Marge autour de {0}</translation>
+    </message>
+    <message>
+        <source>Shrink {0}</source>
+        <translation>Rétrécir {0}</translation>
+    </message>
+    <message>
+        <source>Keep one piece of {0}</source>
+        <translation>Garder un morceau de {0}</translation>
+    </message>
+    <message>
+        <source>Smart brush on {0}</source>
+        <translation>Pinceau sélectif sur {0}</translation>
+    </message>
+    <message>
+        <source>Brush on {0}</source>
+        <translation>Pinceau sur {0}</translation>
+    </message>
+    <message>
+        <source>Eraser on {0}</source>
+        <translation>Gomme sur {0}</translation>
+    </message>
+    <message>
+        <source>Scissors on {0}</source>
+        <translation>Ciseaux sur {0}</translation>
+    </message>
+    <message>
+        <source>New structure {0}</source>
+        <translation>Nouvelle structure {0}</translation>
+    </message>
+    <message>
+        <source>Rename {0}</source>
+        <translation>Renommer {0}</translation>
+    </message>
+    <message>
+        <source>Remove {0}</source>
+        <translation>Supprimer {0}</translation>
+    </message>
+    <message>
+        <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
+        <translation>Les structures ont changé depuis la création du modèle, et {0} repères se trouvent maintenant en dehors : ils sont écartés. Refaites le modèle.</translation>
+    </message>
+    <message>
+        <source>The model cannot be used. Build it anew.</source>
+        <translation>Le modèle ne peut pas être utilisé. Refaites-le.</translation>
+    </message>
+    <message>
+        <source>Place the tool</source>
+        <translation>Placer l&apos;outil</translation>
+    </message>
+    <message>
+        <source>Take the tool away</source>
+        <translation>Retirer l&apos;outil</translation>
+    </message>
+    <message>
+        <source>Move the tool</source>
+        <translation>Déplacer l&apos;outil</translation>
+    </message>
+    <message>
+        <source>Change the force</source>
+        <translation>Changer la force</translation>
+    </message>
+    <message>
+        <source>No images were found in {0}.</source>
+        <translation>Aucune image n&apos;a été trouvée dans {0}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -3628,6 +3732,105 @@
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
         <translation>Recale chaque image par les algorithmes ci-dessus et les juge par SIRGn : jusqu&apos;à une seconde environ par image</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::CaseOverview</name>
+    <message>
+        <source>The open case</source>
+        <translation>Le cas ouvert</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Quoi</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>Créé par</translation>
+    </message>
+    <message>
+        <source>What comes next</source>
+        <translation>La suite</translation>
+    </message>
+    <message>
+        <source>up to date</source>
+        <translation>à jour</translation>
+    </message>
+    <message>
+        <source>⚠ stale</source>
+        <translation>⚠ périmé</translation>
+    </message>
+    <message>
+        <source>⚠ changed by another program</source>
+        <translation>⚠ modifié par un autre programme</translation>
+    </message>
+    <message>
+        <source>⚠ file is gone</source>
+        <translation>⚠ fichier disparu</translation>
+    </message>
+    <message>
+        <source>Something that it was made from has changed since.</source>
+        <translation>Quelque chose dont il a été tiré a changé depuis.</translation>
+    </message>
+    <message>
+        <source>No case is open. Open images, choose what each series is for, and make a case of them.</source>
+        <translation>Aucun cas n&apos;est ouvert. Ouvrez des images, choisissez à quoi sert chaque série et créez-en un cas.</translation>
+    </message>
+    <message>
+        <source>Everything is up to date.</source>
+        <translation>Tout est à jour.</translation>
+    </message>
+    <message>
+        <source>Stale: %1. They were made from something that has changed since.</source>
+        <translation>Périmés : %1. Ils ont été tirés de quelque chose qui a changé depuis.</translation>
+    </message>
+    <message>
+        <source>Make the model anew</source>
+        <translation>Refaire le modèle</translation>
+    </message>
+    <message>
+        <source>There are no anatomical images: without them nothing can be outlined. Open them on the left.</source>
+        <translation>Il n&apos;y a pas d&apos;images anatomiques : sans elles, rien ne peut être délimité. Ouvrez-les à gauche.</translation>
+    </message>
+    <message>
+        <source>The elastography has not been inverted: File, Elastography waves (Ctrl+W) makes the stiffness of it.</source>
+        <translation>L&apos;élastographie n&apos;a pas été inversée : Fichier, Ondes d&apos;élastographie (Ctrl+W) en tire la rigidité.</translation>
+    </message>
+    <message>
+        <source>The liver is not outlined yet.</source>
+        <translation>Le foie n&apos;est pas encore délimité.</translation>
+    </message>
+    <message>
+        <source>Outline it in Segment</source>
+        <translation>La délimiter dans Segmenter</translation>
+    </message>
+    <message>
+        <source>There is no model yet.</source>
+        <translation>Il n&apos;y a pas encore de modèle.</translation>
+    </message>
+    <message>
+        <source>There is no model yet. Without elastography its stiffness is the atlas&apos;s.</source>
+        <translation>Il n&apos;y a pas encore de modèle. Sans élastographie, sa rigidité est celle de l&apos;atlas.</translation>
+    </message>
+    <message>
+        <source>Build the model</source>
+        <translation>Construire le modèle</translation>
+    </message>
+    <message>
+        <source>The model is there.</source>
+        <translation>Le modèle est là.</translation>
+    </message>
+    <message>
+        <source>Rehearse</source>
+        <translation>Répéter</translation>
+    </message>
+    <message>
+        <source>Building the model</source>
+        <translation>Construction du modèle</translation>
     </message>
 </context>
 <context>
@@ -4343,10 +4546,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
         <translation>Ouverture de&#xa0;%1</translation>
     </message>
     <message>
-        <source>Looking for images</source>
-        <translation>Recherche d’images</translation>
-    </message>
-    <message>
         <source>Opening the demo patient</source>
         <translation>Ouverture du patient de démonstration</translation>
     </message>
@@ -4465,34 +4664,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
     <message>
         <source>Something else is still under way. Wait for it, or cancel it first.</source>
         <translation>Une autre opération est en cours. Attendez-la, ou annulez-la d’abord.</translation>
-    </message>
-    <message>
-        <source>%1 %2 (%3 × %4 × %5)</source>
-        <translation>%1&#xa0;%2 (%3 ×&#xa0;%4 ×&#xa0;%5)</translation>
-    </message>
-    <message>
-        <source>No anatomical images were found in %1.</source>
-        <translation>Aucune image anatomique n’a été trouvée dans&#xa0;%1.</translation>
-    </message>
-    <message>
-        <source>Which images show the anatomy?</source>
-        <translation>Quelles images montrent l’anatomie&#xa0;?</translation>
-    </message>
-    <message>
-        <source>The study holds several series:</source>
-        <translation>L’étude contient plusieurs séries&#xa0;:</translation>
-    </message>
-    <message>
-        <source>Keep the case as</source>
-        <translation>Conserver le cas sous</translation>
-    </message>
-    <message>
-        <source>Cases (*.glisson)</source>
-        <translation>Cas (*.glisson)</translation>
-    </message>
-    <message>
-        <source>Importing</source>
-        <translation>Importation</translation>
     </message>
     <message>
         <source>Outlining the liver</source>
@@ -4710,7 +4881,7 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
     </message>
     <message>
         <source>Opening %1</source>
-        <translation>Ouverture de %1</translation>
+        <translation>Ouverture de&#xa0;%1</translation>
     </message>
     <message>
         <source>Held</source>
@@ -5788,6 +5959,386 @@ supposés</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::SegmentPanel</name>
+    <message>
+        <source>Segment</source>
+        <translation>Segmenter</translation>
+    </message>
+    <message>
+        <source>Outline the liver, its vessels and its tumours.</source>
+        <translation>Délimiter le foie, ses vaisseaux et ses tumeurs.</translation>
+    </message>
+    <message>
+        <source>Needs a case: open one, or import images.</source>
+        <translation>Il faut un cas : ouvrez-en un ou importez des images.</translation>
+    </message>
+    <message>
+        <source>Needs anatomical images: import them in Study.</source>
+        <translation>Il faut des images anatomiques : importez-les dans Étude.</translation>
+    </message>
+    <message>
+        <source>Nothing changed.</source>
+        <translation>Rien n&apos;a changé.</translation>
+    </message>
+    <message>
+        <source>Reading the structures</source>
+        <translation>Lecture des structures</translation>
+    </message>
+    <message>
+        <source>Another name...</source>
+        <translation>Autre nom...</translation>
+    </message>
+    <message>
+        <source>Name of the structure</source>
+        <translation>Nom de la structure</translation>
+    </message>
+    <message>
+        <source>Letters, digits and hyphens:</source>
+        <translation>Lettres, chiffres et traits d&apos;union :</translation>
+    </message>
+    <message>
+        <source>Choose a structure first, or add one.</source>
+        <translation>Choisissez d&apos;abord une structure, ou ajoutez-en une.</translation>
+    </message>
+    <message>
+        <source>Click into the structure first, in any slice.</source>
+        <translation>Cliquez d&apos;abord dans la structure, sur n&apos;importe quelle coupe.</translation>
+    </message>
+    <message>
+        <source>Replaces the outline by the tissue around the points</source>
+        <translation>Remplace le contour par le tissu autour des points</translation>
+    </message>
+    <message>
+        <source>Click into the tissue, away from large vessels. Points so far: %1</source>
+        <translation>Cliquez dans le tissu, loin des gros vaisseaux. Points jusqu&apos;ici : %1</translation>
+    </message>
+    <message>
+        <source>Click on the piece that is to stay; all others go.</source>
+        <translation>Cliquez sur le morceau à garder ; tous les autres disparaissent.</translation>
+    </message>
+    <message>
+        <source>Choose a tool to draw in the slices. Without one, clicks move the crosshair.</source>
+        <translation>Choisissez un outil pour dessiner dans les coupes. Sans outil, les clics déplacent le réticule.</translation>
+    </message>
+    <message>
+        <source>Growing: %1</source>
+        <translation>Croissance : %1</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Structures</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Structure</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>The chosen one is drawn on. The box shows or hides it.</source>
+        <translation>On dessine sur celle qui est choisie. La case l&apos;affiche ou la masque.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>A new, empty structure</source>
+        <translation>Une nouvelle structure, vide</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Another name, and with it another colour, for the chosen structure</source>
+        <translation>Un autre nom, et avec lui une autre couleur, pour la structure choisie</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Takes the chosen structure out of the case; Ctrl+Z brings it back</source>
+        <translation>Retire la structure choisie du cas ; Ctrl+Z la ramène</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>Crosshair</source>
+        <translation>Réticule</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinceau</translation>
+    </message>
+    <message>
+        <source>Eraser</source>
+        <translation>Gomme</translation>
+    </message>
+    <message>
+        <source>Smart brush</source>
+        <translation>Pinceau sélectif</translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Ciseaux</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Croissance</translation>
+    </message>
+    <message>
+        <source>Pick piece</source>
+        <translation>Choisir un morceau</translation>
+    </message>
+    <message>
+        <source>Clicks move the crosshair</source>
+        <translation>Les clics déplacent le réticule</translation>
+    </message>
+    <message>
+        <source>Drag to add. Ctrl: erase instead. Shift+wheel: radius in mm</source>
+        <translation>Glisser pour ajouter. Ctrl : effacer. Maj+molette : rayon en mm</translation>
+    </message>
+    <message>
+        <source>Drag to take away. Ctrl: add instead. Shift+wheel: radius in mm</source>
+        <translation>Glisser pour enlever. Ctrl : ajouter. Maj+molette : rayon en mm</translation>
+    </message>
+    <message>
+        <source>Adds only where the grey values are like those under the click</source>
+        <translation>N&apos;ajoute que là où les niveaux de gris ressemblent à ceux sous le clic</translation>
+    </message>
+    <message>
+        <source>Draw around something, and cut away what is inside or outside</source>
+        <translation>Entourer quelque chose et enlever ce qui est à l&apos;intérieur ou à l&apos;extérieur</translation>
+    </message>
+    <message>
+        <source>Click points into the tissue, then let the structure grow over what looks alike</source>
+        <translation>Placez des points dans le tissu, puis laissez la structure s&apos;étendre sur ce qui lui ressemble</translation>
+    </message>
+    <message>
+        <source>Click on the piece that is to stay; all others go</source>
+        <translation>Cliquez sur le morceau à garder ; tous les autres disparaissent</translation>
+    </message>
+    <message>
+        <source>%1 (key %2)</source>
+        <translation>%1 (touche %2)</translation>
+    </message>
+    <message>
+        <source>Radius (Shift+wheel)</source>
+        <translation>Rayon (Maj+molette)</translation>
+    </message>
+    <message>
+        <source>Radius of the brush in mm</source>
+        <translation>Rayon du pinceau en mm</translation>
+    </message>
+    <message>
+        <source>Disc in this slice</source>
+        <translation>Disque dans cette coupe</translation>
+    </message>
+    <message>
+        <source>Ball through the slices</source>
+        <translation>Boule à travers les coupes</translation>
+    </message>
+    <message>
+        <source>Whether the brush reaches into the neighbouring slices</source>
+        <translation>Si le pinceau atteint les coupes voisines</translation>
+    </message>
+    <message>
+        <source>Tolerance (standard deviations)</source>
+        <translation>Tolérance (écarts-types)</translation>
+    </message>
+    <message>
+        <source>How far a grey value may be from that under the click, in standard deviations around it</source>
+        <translation>Écart permis d&apos;un niveau de gris à celui sous le clic, en écarts-types autour de lui</translation>
+    </message>
+    <message>
+        <source>Cut away what is inside</source>
+        <translation>Enlever ce qui est à l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>Cut away what is outside</source>
+        <translation>Enlever ce qui est à l&apos;extérieur</translation>
+    </message>
+    <message>
+        <source>In this slice only</source>
+        <translation>Dans cette coupe seulement</translation>
+    </message>
+    <message>
+        <source>Through all slices</source>
+        <translation>À travers toutes les coupes</translation>
+    </message>
+    <message>
+        <source>Forget the points</source>
+        <translation>Oublier les points</translation>
+    </message>
+    <message>
+        <source>The whole structure</source>
+        <translation>La structure entière</translation>
+    </message>
+    <message>
+        <source>Fill between slices</source>
+        <translation>Remplir entre les coupes</translation>
+    </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Combler les trous</translation>
+    </message>
+    <message>
+        <source>Keep the largest</source>
+        <translation>Garder le plus grand</translation>
+    </message>
+    <message>
+        <source>Remove pieces below</source>
+        <translation>Supprimer les morceaux sous</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Lisser</translation>
+    </message>
+    <message>
+        <source>Grow by</source>
+        <translation>Élargir de</translation>
+    </message>
+    <message>
+        <source>Shrink by</source>
+        <translation>Rétrécir de</translation>
+    </message>
+    <message>
+        <source>Fills the slices between drawn ones by their shapes</source>
+        <translation>Remplit les coupes entre celles dessinées d&apos;après leurs formes</translation>
+    </message>
+    <message>
+        <source>Fills what is enclosed on all sides</source>
+        <translation>Comble ce qui est entièrement entouré</translation>
+    </message>
+    <message>
+        <source>Keeps the largest piece and drops the others</source>
+        <translation>Garde le plus grand morceau et supprime les autres</translation>
+    </message>
+    <message>
+        <source>Drops pieces of less than this volume in ml</source>
+        <translation>Supprime les morceaux de volume inférieur à celui-ci, en ml</translation>
+    </message>
+    <message>
+        <source>Rounds what is smaller than about this many mm</source>
+        <translation>Arrondit ce qui est plus petit qu&apos;environ ce nombre de mm</translation>
+    </message>
+    <message>
+        <source>Adds a margin of this many mm all around</source>
+        <translation>Ajoute tout autour une marge de ce nombre de mm</translation>
+    </message>
+    <message>
+        <source>Takes a margin of this many mm away all around</source>
+        <translation>Enlève tout autour une marge de ce nombre de mm</translation>
+    </message>
+    <message>
+        <source>Transverse</source>
+        <translation>Transversale</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronale</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittale</translation>
+    </message>
+    <message>
+        <source>The slices that were drawn in</source>
+        <translation>Les coupes dans lesquelles on a dessiné</translation>
+    </message>
+    <message>
+        <source>Least volume in ml</source>
+        <translation>Volume minimal en ml</translation>
+    </message>
+    <message>
+        <source>Radius of smoothing in mm</source>
+        <translation>Rayon du lissage en mm</translation>
+    </message>
+    <message>
+        <source>Margin in mm</source>
+        <translation>Marge en mm</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::SeriesTable</name>
+    <message>
+        <source>Series</source>
+        <translation>Série</translation>
+    </message>
+    <message>
+        <source>Size and spacing</source>
+        <translation>Taille et espacement</translation>
+    </message>
+    <message>
+        <source>Use as</source>
+        <translation>Utiliser comme</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>Anatomy</source>
+        <translation>Anatomie</translation>
+    </message>
+    <message>
+        <source>Stiffness (kPa)</source>
+        <translation>Rigidité (kPa)</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Confiance</translation>
+    </message>
+    <message>
+        <source>MRE magnitude</source>
+        <translation>Magnitude ERM</translation>
+    </message>
+    <message>
+        <source>MRE phase</source>
+        <translation>Phase ERM</translation>
+    </message>
+    <message>
+        <source>MRE waves</source>
+        <translation>Ondes ERM</translation>
+    </message>
+    <message>
+        <source>Segmentation</source>
+        <translation>Segmentation</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Écarter</translation>
+    </message>
+    <message>
+        <source>Without a description</source>
+        <translation>Sans description</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3
+%4 × %5 × %6 mm</source>
+        <translation>%1 × %2 × %3
+%4 × %5 × %6 mm</translation>
+    </message>
+    <message>
+        <source>%1 volumes</source>
+        <translation>%1 volumes</translation>
+    </message>
+    <message>
+        <source>Use %1 as</source>
+        <translation>Utiliser %1 comme</translation>
+    </message>
+    <message>
+        <source>What this series is for. The proposal is read from its header.</source>
+        <translation>À quoi sert cette série. La proposition est lue dans son en-tête.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::SettingsWindow</name>
     <message>
         <source>Settings - Glisson</source>
@@ -5866,6 +6417,21 @@ supposés</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::SliceTools</name>
+    <message>
+        <source>Choose a structure first, or add one.</source>
+        <translation>Choisissez d&apos;abord une structure, ou ajoutez-en une.</translation>
+    </message>
+    <message>
+        <source>One moment: the last change is being worked off.</source>
+        <translation>Un instant : la dernière modification est en cours.</translation>
+    </message>
+    <message>
+        <source>This slice is turned: drawing needs one along the image&apos;s own slices.</source>
+        <translation>Cette coupe est tournée : pour dessiner, il en faut une alignée sur les coupes de l&apos;image.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::SolvingLight</name>
     <message>
         <source>How far the equations are from balance; what solving and drawing took</source>
@@ -5906,6 +6472,93 @@ supposés</translation>
     <message>
         <source>Cells turned inside out: %1. Use less force.</source>
         <translation>Cellules retournées : %1. Réduisez la force.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::StudyPage</name>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+    <message>
+        <source>Find images, say what each series is for, and see what the case holds.</source>
+        <translation>Trouver des images, dire à quoi sert chaque série et voir ce que contient le cas.</translation>
+    </message>
+    <message>
+        <source>Looking for images</source>
+        <translation>Recherche d’images</translation>
+    </message>
+    <message>
+        <source>Something else is still under way. Wait for it, or cancel it first.</source>
+        <translation>Une autre opération est en cours. Attendez-la, ou annulez-la d’abord.</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Look in a folder...</source>
+        <translation>Chercher dans un dossier...</translation>
+    </message>
+    <message>
+        <source>A folder, a DICOMDIR or one file; dropping it on the window does the same</source>
+        <translation>Un dossier, un DICOMDIR ou un fichier ; le déposer sur la fenêtre fait de même</translation>
+    </message>
+    <message>
+        <source>Patients&apos; names are not shown: they are not read from the images. The images are never written to.</source>
+        <translation>Les noms des patients ne sont pas affichés : ils ne sont pas lus dans les images. Les images ne sont jamais modifiées.</translation>
+    </message>
+    <message>
+        <source>Keep the case as</source>
+        <translation>Conserver le cas sous</translation>
+    </message>
+    <message>
+        <source>Make a case</source>
+        <translation>Créer un cas</translation>
+    </message>
+    <message>
+        <source>Add to the open case</source>
+        <translation>Ajouter au cas ouvert</translation>
+    </message>
+    <message>
+        <source>Drop a folder of DICOM images, a DICOMDIR, or a NIfTI, NRRD or MHA file here.</source>
+        <translation>Déposez ici un dossier d&apos;images DICOM, un DICOMDIR ou un fichier NIfTI, NRRD ou MHA.</translation>
+    </message>
+    <message>
+        <source>%1: series found: %2</source>
+        <translation>%1 : séries trouvées : %2</translation>
+    </message>
+    <message>
+        <source>; files left out: %1</source>
+        <translation>; fichiers écartés : %1</translation>
+    </message>
+    <message>
+        <source>Give at least one series a role first.</source>
+        <translation>Donnez d&apos;abord un rôle à au moins une série.</translation>
+    </message>
+    <message>
+        <source>There is something of that name already: choose another.</source>
+        <translation>Il existe déjà quelque chose de ce nom : choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>Copies the chosen series into a new case</source>
+        <translation>Copie les séries choisies dans un nouveau cas</translation>
+    </message>
+    <message>
+        <source>No case is open.</source>
+        <translation>Aucun cas n&apos;est ouvert.</translation>
+    </message>
+    <message>
+        <source>Series of the same role are replaced; Ctrl+Z brings them back</source>
+        <translation>Les séries du même rôle sont remplacées ; Ctrl+Z les ramène</translation>
+    </message>
+    <message>
+        <source>Open a folder of images</source>
+        <translation>Ouvrir un dossier d’images</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>Importation</translation>
     </message>
 </context>
 <context>

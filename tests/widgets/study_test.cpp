@@ -4,8 +4,6 @@
 // The study is simulated: two series of an ellipsoid of 290 ml in a body, one of them dark.
 
 #include <QComboBox>
-#include <QFileDialog>
-#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
@@ -22,6 +20,7 @@
 #include "imaging/dicom_write.h"
 #include "main_window.h"
 #include "run_test.h"
+#include "study/study_page.h"
 
 namespace glisson::widgets {
 namespace {
@@ -63,21 +62,6 @@ void write_series(const fs::path& folder, const std::string& name, int number, c
   if (!written) qFatal("%s", written.error().message().c_str());
 }
 
-// Does `answer` to the next dialog of that kind; the tests' own event loop is inside the dialog then.
-template <typename Dialog, typename Answer>
-void when_asked(QObject* context, Answer answer) {
-  auto* timer = new QTimer(context);
-  timer->setInterval(30);
-  QObject::connect(timer, &QTimer::timeout, context, [timer, answer] {
-    auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
-    if (dialog == nullptr) return;
-    timer->stop();
-    timer->deleteLater();
-    answer(*dialog);
-  });
-  timer->start();
-}
-
 class StudyTest : public QObject {
   Q_OBJECT
 
@@ -97,37 +81,44 @@ class StudyTest : public QObject {
     QVERIFY(!drag({QUrl::fromLocalFile("/a"), QUrl::fromLocalFile("/b")}));
   }
 
-  void leaves_no_case_behind_when_the_person_changes_their_mind() {
-    QSignalSpy finished(&window_->work(), &BackgroundWork::finished);
-    when_asked<QInputDialog>(this, [](QInputDialog& dialog) { dialog.reject(); });
+  void lists_what_was_dropped_with_pictures_and_proposes_roles() {
+    auto* page = window_->findChild<StudyPage*>();
+    QSignalSpy listed(page, &StudyPage::listed);
     drop_study();
-    QVERIFY(finished.wait(patience_ms));
-    QTest::qWait(100);
+    QVERIFY(listed.wait(patience_ms));
+    QCOMPARE(window_->workspace(), "study");
+    auto* series = window_->findChild<SeriesTable*>("series");
+    QCOMPARE(series->topLevelItemCount(), 2);
+    QCOMPARE(series->chosen(), 1);  // two could be the anatomy: one is proposed
+    bright_ = series->topLevelItem(0)->text(0).contains("bright") ? 0 : 1;
+    QVERIFY(series->topLevelItem(bright_)->text(1).contains("44"));
+    // The middle of the ellipsoid is bright in the picture that comes.
+    QTRY_VERIFY_WITH_TIMEOUT(qGray(series->topLevelItem(bright_)->icon(0).pixmap(92, 92).toImage().pixel(40, 46)) > 120,
+                             patience_ms);
     QVERIFY(!fs::exists(case_folder()));
-    QVERIFY(!next_step()->isVisible());
+  }
+
+  void says_why_nothing_can_be_made_of_it_yet() {
+    for (const int k : {0, 1}) choice(k)->setCurrentIndex(choice(k)->count() - 1);
+    QVERIFY(!make()->isEnabled());
+    QVERIFY(make()->toolTip().contains("role"));
   }
 
   void imports_the_series_that_the_person_chooses() {
-    when_asked<QInputDialog>(this, [this](QInputDialog& dialog) {
-      auto* choice = dialog.findChild<QComboBox*>();
-      offered_ = choice->count();
-      for (int n = 0; n < choice->count(); ++n) {
-        if (choice->itemText(n).contains("bright")) choice->setCurrentIndex(n);
-      }
-      dialog.accept();
-    });
-    when_asked<QFileDialog>(this, [this](QFileDialog& dialog) {
-      dialog.findChild<QLineEdit*>()->setText(QString::fromStdString(case_folder().string()));
-      QMetaObject::invokeMethod(&dialog, "accept");
-    });
-    drop_study();
-    QTRY_VERIFY_WITH_TIMEOUT(next_step()->isVisible(), patience_ms);
-    QCOMPARE(offered_, 2);
+    choice(bright_)->setFocus();
+    QTest::keyClick(choice(bright_), Qt::Key_Home);  // the anatomy
+    auto* keep_as = window_->findChild<QLineEdit*>("keep_as");
+    keep_as->selectAll();
+    QTest::keyClicks(keep_as, QString::fromStdString(case_folder().string()));
+    QVERIFY(make()->isEnabled());
+    QTest::mouseClick(make(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->workspace() == "segment" && next_step()->isVisible(), patience_ms);
     QVERIFY(fs::exists(case_folder() / "case.json"));
     const imaging::Volume bright = ellipsoid_in_a_body(150);
     const SliceView& slice = window_->views().slice(SliceDirection::transverse);
     QVERIFY((slice.crosshair_mm() - bright.grid.position_mm(22, 20, 15)).norm() < 30);
     QVERIFY(next_step()->text().contains("Outline"));
+    window_->go_to("rehearse");
   }
 
   void outlines_the_liver_from_the_crosshair() {
@@ -164,6 +155,8 @@ class StudyTest : public QObject {
   void shuts_down_cleanly() { window_.reset(); }
 
  private:
+  QComboBox* choice(int series) { return window_->findChild<QComboBox*>(QString("role_%1").arg(series)); }
+  QPushButton* make() { return window_->findChild<StudyPage*>()->findChild<QPushButton*>("make_case"); }
   [[nodiscard]] fs::path study() const { return folder_.path() / "study"; }
   [[nodiscard]] fs::path case_folder() const { return folder_.path() / "dropped.glisson"; }
   QPushButton* next_step() { return window_->findChild<QWidget*>("next_step")->findChild<QPushButton*>(); }
@@ -188,7 +181,7 @@ class StudyTest : public QObject {
 
   TemporaryFolder folder_;
   std::unique_ptr<MainWindow> window_;
-  int offered_ = 0;
+  int bright_ = 0;
 };
 
 }  // namespace

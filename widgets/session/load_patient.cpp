@@ -6,6 +6,7 @@
 #include "casefile/import.h"
 #include "casefile/model.h"
 #include "casefile/structures.h"
+#include "mechanics/simulation.h"
 #include "study/demo.h"
 
 namespace glisson::widgets {
@@ -24,6 +25,20 @@ PatientStructure structure_of(const casefile::StructureSurface& read) {
   return {read.name, std::make_shared<geometry::Surface>(read.surface), units::ml_from_mm3(std::abs(volume_mm3))};
 }
 
+// Landmarks are those of the structures as they are outlined now, the mesh is that of the model: after an edit some may
+// lie outside of it.
+void leave_out_lost_landmarks(rehearsal::RehearsalSetup& setup, Patient& patient) {
+  const auto is_lost = [&](const mechanics::Landmark& landmark) {
+    return !mechanics::locate_landmarks(setup.mesh, {landmark}, setup.landmark_tolerance_mm);
+  };
+  if (mechanics::locate_landmarks(setup.mesh, setup.landmarks, setup.landmark_tolerance_mm)) return;
+  const auto lost = std::erase_if(setup.landmarks, is_lost);
+  patient.remarks.push_back(
+      {GLISSON_TEXT("The structures have changed since the model was built, and {0} landmarks now "
+                    "lie outside of it: they are left out. Build the model anew."),
+       {std::to_string(lost)}});
+}
+
 // The smooth surfaces, the liver's among them, ride in the model.
 Result<void> prepare_rehearsal(const casefile::Case& from, Patient& patient, const Progress& progress) {
   auto model = casefile::read_model(from);
@@ -36,6 +51,7 @@ Result<void> prepare_rehearsal(const casefile::Case& from, Patient& patient, con
   patient.evidence = model->evidence;
   rehearsal::RehearsalSetup setup = casefile::rehearsal_setup(*std::move(model));
   for (const PatientStructure& structure : patient.structures) setup.structures.push_back(*structure.surface);
+  leave_out_lost_landmarks(setup, patient);
   patient.rehearsal_setup = std::make_shared<rehearsal::RehearsalSetup>(setup);
   auto rehearsal = rehearsal::StaticRehearsal::create(std::move(setup), progress);
   if (!rehearsal) return failure(rehearsal.error());
@@ -48,6 +64,7 @@ Result<void> show_outlines(const casefile::Case& from, Patient& patient) {
   const auto structures = casefile::read_structures(from);
   if (!structures) return failure(structures.error());
   for (const segmentation::Structure& structure : *structures) {
+    if (segmentation::voxel_count(structure.mask) == 0) continue;  // begun, and nothing drawn yet
     auto outline = casefile::smooth_outline(structure);
     if (!outline) return failure(outline.error());
     patient.structures.push_back({structure.name, std::make_shared<geometry::Surface>(*std::move(outline)),
@@ -79,25 +96,38 @@ Result<Patient> load_patient(const fs::path& case_folder, const Progress& progre
   patient.stiffness = *stiffness;
   if (progress.cancelled()) return cancelled();
   progress.report(0.2, GLISSON_TEXT("Preparing the model"));
-  const auto prepared = opened->find("meshes/model") != nullptr
-                            ? prepare_rehearsal(*opened, patient, progress.part(0.2, 1))
-                            : show_outlines(*opened, patient);
-  if (!prepared) return failure(prepared.error());
+  if (opened->find("meshes/model") != nullptr) {
+    const Patient before = patient;
+    const auto prepared = prepare_rehearsal(*opened, patient, progress.part(0.2, 1));
+    if (prepared) return patient;
+    if (prepared.error().code == "cancelled") return failure(prepared.error());
+    // A model that cannot be used any more keeps nobody from the case.
+    patient = before;
+    patient.remarks.push_back({prepared.error().text, prepared.error().arguments});
+    patient.remarks.push_back({GLISSON_TEXT("The model cannot be used. Build it anew."), {}});
+  }
+  if (auto shown = show_outlines(*opened, patient); !shown) return failure(shown.error());
   return patient;
 }
 
-Result<Patient> import_patient(const imaging::Study& study, const std::string& anatomy_uid, const fs::path& case_folder,
-                               const Progress& progress) {
-  casefile::ImportChoice choice;
-  if (!anatomy_uid.empty()) choice.anatomy_uid = anatomy_uid;
-  const auto made = casefile::new_case_from(study, case_folder, choice, progress.part(0, 0.8));
-  if (!made) return failure(made.error());
+Result<Patient> import_patient(const imaging::Study& study, const std::vector<casefile::SeriesRole>& roles,
+                               const fs::path& case_folder, const Progress& progress) {
+  std::error_code ignored;
+  const bool there = fs::exists(case_folder / "case.json", ignored);
+  auto patient = there ? casefile::Case::open(case_folder) : casefile::Case::create(case_folder);
+  if (!patient) return failure(patient.error());
+  const auto imported = casefile::import_series_as(*patient, study, roles, progress.part(0, 0.8));
+  if (!imported) {
+    if (!there) fs::remove_all(case_folder, ignored);  // nothing was there before: Case::create saw to it
+    return failure(imported.error());
+  }
   return load_patient(case_folder, progress.part(0.8, 1));
 }
 
 NextStep next_step(const fs::path& case_folder) {
   const auto opened = casefile::Case::open(case_folder);
   if (!opened || opened->find("meshes/model") != nullptr) return NextStep::none;
+  if (opened->find("volumes/anatomy") == nullptr) return NextStep::none;
   return opened->find("labels/liver") != nullptr ? NextStep::build_model : NextStep::outline_liver;
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "casefile/import.h"
 #include "imaging/study.h"
 #include "session/patient.h"
 
@@ -15,8 +16,8 @@ enum class OpenedThing { case_folder, study };
 // Reads the case and, where it has a model, prepares the rehearsal (factorises, with the atlas twin).
 Result<Patient> load_patient(const std::filesystem::path& case_folder, const Progress& progress);
 
-// Makes a new case from the chosen series of a study (empty: the only anatomy there is) and loads it.
-Result<Patient> import_patient(const imaging::Study& study, const std::string& anatomy_uid,
+// Takes these series of a study, each in its role, into a case, which is made where it is not there yet; loads it.
+Result<Patient> import_patient(const imaging::Study& study, const std::vector<casefile::SeriesRole>& roles,
                                const std::filesystem::path& case_folder, const Progress& progress);
 
 // What a case still lacks before a retraction can be rehearsed.

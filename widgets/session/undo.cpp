@@ -96,9 +96,11 @@ void Undo::redo() { go(Way::forth); }
 
 void Undo::go(Way way) {
   if (!history_ || held_up_) return;
+  ++moving_;
   queue([this, history = history_, way]() -> std::function<void()> {
     const auto outcome = way == Way::back ? history->undo() : history->redo();
     return [this, outcome, way] {
+      --moving_;
       if (!outcome) {
         if (outcome.error().code != "history-nothing-left") Q_EMIT failed(outcome.error());
         return;

@@ -65,6 +65,8 @@ class Undo : public QObject {
   [[nodiscard]] QAction* redo_action() const { return redo_action_; }
   // Whether anything waits to be written or undone.
   [[nodiscard]] bool busy() const { return waiting_ > 0; }
+  // Whether an undo or redo is under way: what is shown may be about to change.
+  [[nodiscard]] bool moving() const { return moving_ > 0; }
   void name_actions();             // in the language of now
   void set_held_up(bool held_up);  // by long work on the case
   void wait();                     // until all is written; its outcomes come when the event loop turns
@@ -88,6 +90,7 @@ class Undo : public QObject {
   QAction* undo_action_;
   QAction* redo_action_;
   int waiting_ = 0;
+  int moving_ = 0;
   bool held_up_ = false;
 };
 

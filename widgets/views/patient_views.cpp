@@ -163,14 +163,16 @@ void PatientViews::reword() {
 }
 
 void PatientViews::set_workspace_scene(std::optional<WorkspaceScene> scene) {
-  const bool was_at_rest = at_rest();
+  const auto mode = [this] { return workspace_ ? workspace_->patient : WorkspaceScene::Patient::as_rehearsed; };
+  const bool was_at_rest = at_rest(), was_hidden = mode() == WorkspaceScene::Patient::hidden;
   const auto cuts_before = workspace_ ? std::exchange(workspace_->cuts, {}) : std::vector<scene::CutLine>();
   workspace_ = std::move(scene);
   // Slices cost most, and most changes leave them as they are.
   const auto& cuts = workspace_ ? workspace_->cuts : std::vector<scene::CutLine>();
   const bool same_cuts = std::equal(cuts.begin(), cuts.end(), cuts_before.begin(), cuts_before.end(),
                                     [](const auto& a, const auto& b) { return a.surface == b.surface; });
-  if (!same_cuts || was_at_rest != at_rest()) rebuild_slices();
+  const bool is_hidden = mode() == WorkspaceScene::Patient::hidden;
+  if (!same_cuts || was_at_rest != at_rest() || was_hidden != is_hidden) rebuild_slices();
   rebuild_space();
 }
 
@@ -218,7 +220,9 @@ void PatientViews::rebuild_space() {
 
 scene::Scene PatientViews::space_scene(Bodies bodies) const {
   scene::Scene scene;
-  const bool in_space = !workspace_ || workspace_->patient != WorkspaceScene::Patient::at_rest_in_slices_only;
+  const auto mode = workspace_ ? workspace_->patient : WorkspaceScene::Patient::as_rehearsed;
+  const bool in_space =
+      mode != WorkspaceScene::Patient::at_rest_in_slices_only && mode != WorkspaceScene::Patient::hidden;
   for (std::size_t k = 0; in_space && k < patient_.structures.size(); ++k) {
     if (hidden_.count(patient_.structures[k].name) != 0) continue;
     if (bodies != Bodies::patient) scene.surfaces.push_back(item(k, atlas_body_, bodies));
@@ -256,7 +260,8 @@ void PatientViews::rebuild_slices() {
     content.map = scene::ColourMap::viridis;
     content.legend_title = tr("Shear stiffness (kPa)").toStdString();
   }
-  for (std::size_t k = 0; k < patient_.structures.size(); ++k) {
+  const bool in_slices = !workspace_ || workspace_->patient != WorkspaceScene::Patient::hidden;
+  for (std::size_t k = 0; in_slices && k < patient_.structures.size(); ++k) {
     const PatientStructure& structure = patient_.structures[k];
     if (hidden_.count(structure.name) != 0) continue;
     const scene::Colour colour = scene::appearance_of(structure.name).colour;

@@ -26,7 +26,7 @@ struct ToolInView {
 
 // What a workspace shows in the views besides the patient, or in its place, as long as it is at work.
 struct WorkspaceScene {
-  enum class Patient { as_rehearsed, at_rest, at_rest_in_slices_only };
+  enum class Patient { as_rehearsed, at_rest, at_rest_in_slices_only, hidden };
   Patient patient = Patient::as_rehearsed;
   std::vector<scene::SurfaceItem> surfaces;  // in space
   std::vector<scene::LandmarkItem> marks;    // in space

@@ -67,6 +67,13 @@ void SliceView::set_crosshair(const Eigen::Vector3d& position_mm) {
   view().set_camera(camera);
   tell_position();
   redraw();
+  Q_EMIT slice_moved();
+}
+
+Eigen::Vector3d SliceView::place_at(const QPointF& position) const {
+  const QPointF at = device_position(position);
+  const Eigen::Vector3d place_mm = view().position_in_focal_plane(at.x(), at.y());
+  return place_mm + normal() * normal().dot(crosshair_mm_ - place_mm);
 }
 
 void SliceView::set_window(double center, double width) {
@@ -145,10 +152,7 @@ void SliceView::resizeEvent(QResizeEvent* event) {
 
 void SliceView::point_at(const QPointF& position) {
   if (!content_.volume) return;
-  const QPointF at = device_position(position);
-  Eigen::Vector3d target_mm = view().position_in_focal_plane(at.x(), at.y());
-  target_mm += normal() * normal().dot(crosshair_mm_ - target_mm);
-  target_mm = target_mm.cwiseMax(box_.min_mm).cwiseMin(box_.max_mm);
+  const Eigen::Vector3d target_mm = place_at(position).cwiseMax(box_.min_mm).cwiseMin(box_.max_mm);
   set_crosshair(target_mm);
   Q_EMIT crosshair_moved(target_mm);
 }

@@ -40,10 +40,15 @@ class SliceView : public RenderWidget {
   void set_window(double center, double width);
   // The whole slice in view.
   void fit();
+  // The place of the slice under a position in the widget.
+  [[nodiscard]] Eigen::Vector3d place_at(const QPointF& position) const;
+  // Across the slice.
+  [[nodiscard]] Eigen::Vector3d normal() const;
 
  Q_SIGNALS:
   void crosshair_moved(const Eigen::Vector3d& position_mm);
   void window_changed(double center, double width);
+  void slice_moved();  // by whatever moved it
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;
@@ -53,7 +58,6 @@ class SliceView : public RenderWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  [[nodiscard]] Eigen::Vector3d normal() const;
   void point_at(const QPointF& position);
   void step(int slices);
   void tell_position();

@@ -39,6 +39,8 @@ struct Bench {
   // Changes the case on a worker thread and shows the patient that comes of it, or says what went wrong. What it did
   // to the case is one step of undo, under its title.
   std::function<void(const QString& title, std::function<Result<Patient>(const Progress&)>)> change;
+  // The same for another case than the open one: no step of undo.
+  std::function<void(const QString& title, std::function<Result<Patient>(const Progress&)>)> open;
   std::function<void(const Error&)> tell_error;
   std::function<void(const QString&)> tell_status;
   std::function<void(const QString& workspace_id)> go_to;

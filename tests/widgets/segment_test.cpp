@@ -1,0 +1,260 @@
+// The Segment workspace, driven as a person drives it: strokes with the mouse in a slice, keys for tools, undo.
+
+#include <QMenu>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTreeWidget>
+#include <QtTest>
+
+#include "base/files.h"
+#include "main_window.h"
+#include "run_test.h"
+#include "segment/segment_panel.h"
+#include "small_case.h"
+
+namespace glisson::widgets {
+namespace {
+
+constexpr int patience_ms = 20000;
+
+class SegmentTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    folder_ = test::small_case(temporary_.path());
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1600, 1000);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    window_->open_path(folder_);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->work().busy() && !window_->findChild<QWidget*>("tool_brush")->isVisible(),
+                             patience_ms);
+    window_->go_to("segment");
+    panel_ = window_->findChild<SegmentPanel*>();
+    settle();
+    QCOMPARE(panel_->editor().structures().size(), std::size_t(1));
+    start_ = test::voxels_of(folder_, "liver");
+  }
+
+  void lists_the_structures_with_their_volumes() {
+    QCOMPARE(child<QTreeWidget>("segment_structures")->topLevelItemCount(), 1);
+    QCOMPARE(child<QTreeWidget>("segment_structures")->topLevelItem(0)->text(0), "Liver");
+    QVERIFY(child<QTreeWidget>("segment_structures")->topLevelItem(0)->text(1).toDouble() > 5);
+  }
+
+  void a_key_takes_the_brush_and_a_stroke_draws_and_is_saved() {
+    key(Qt::Key_B);
+    QVERIFY(child<QPushButton>("tool_brush")->isChecked());
+    stroke({0, 16}, {9, 16});
+    const std::size_t drawn = test::voxels_of(folder_, "liver");
+    QVERIFY(drawn > start_ + 20);
+    QVERIFY(window_->undo().undo_action()->text().contains("Brush on liver"));
+    // A disc stays in the slice that it was drawn in.
+    const imaging::Mask& mask = *panel_->editor().structures().front().mask;
+    const int layer = segmentation::layer_at(mask.grid, 2, transverse().crosshair_mm());
+    std::size_t elsewhere = 0;
+    const imaging::Mask before = test::ball_mask(12);
+    for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+      if (mask.values[voxel] == before.values[voxel]) continue;
+      if (static_cast<int>(voxel / (64U * 56U)) != layer) ++elsewhere;
+    }
+    QCOMPARE(elsewhere, std::size_t(0));
+  }
+
+  void undo_takes_the_stroke_back_and_redo_draws_it_again() {
+    const std::size_t drawn = test::voxels_of(folder_, "liver");
+    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+    settle();
+    QCOMPARE(test::voxels_of(folder_, "liver"), start_);
+    QCOMPARE(segmentation::voxel_count(*panel_->editor().structures().front().mask), start_);
+    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    settle();
+    QCOMPARE(test::voxels_of(folder_, "liver"), drawn);
+    window_->undo().undo();
+    settle();
+  }
+
+  void the_eraser_takes_away_and_the_wheel_changes_its_radius() {
+    key(Qt::Key_E);
+    const double before_mm = panel_->tools().options().radius_mm;
+    QWheelEvent larger(at({0, 0}), transverse().mapToGlobal(at({0, 0})), {}, {0, 240}, Qt::NoButton, Qt::ShiftModifier,
+                       Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&transverse(), &larger);
+    QVERIFY(panel_->tools().options().radius_mm > 1.2 * before_mm);
+    stroke({0, 0}, {4, 0});
+    QVERIFY(test::voxels_of(folder_, "liver") < start_ - 20);
+    undo();
+  }
+
+  void the_smart_brush_keeps_to_the_tissue() {
+    key(Qt::Key_M);
+    // Along the edge of the bright ball of 16 mm: the brush reaches beyond it, the tissue does not.
+    stroke({13, 0}, {15, 0});
+    const imaging::Mask& mask = *panel_->editor().structures().front().mask;
+    const imaging::Mask bright = test::ball_mask(16);
+    std::size_t outside = 0;
+    for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+      outside += mask.values[voxel] != 0 && bright.values[voxel] == 0 ? 1U : 0U;
+    }
+    QCOMPARE(outside, std::size_t(0));
+    QVERIFY(segmentation::voxel_count(mask) > start_);
+    undo();
+  }
+
+  void scissors_cut_through_all_slices() {
+    key(Qt::Key_S);
+    const std::vector<QPointF> around{{0, -20}, {20, -20}, {20, 20}, {0, 20}};
+    press(around.front());
+    for (const QPointF& corner : around) move(corner);
+    release(around.back());
+    settle();
+    const auto left = static_cast<double>(test::voxels_of(folder_, "liver")) / static_cast<double>(start_);
+    QVERIFY2(left > 0.4 && left < 0.6, qPrintable(QString::number(left)));
+    undo();
+  }
+
+  void a_structure_is_added_drawn_filled_between_slices_and_renamed() {
+    auto* add = child<QPushButton>("add_structure");
+    Q_EMIT add->menu()->aboutToShow();
+    add->menu()->findChild<QAction*>("tumour")->trigger();
+    settle();
+    QCOMPARE(panel_->editor().active_structure()->name, std::string("tumour-1"));
+    key(Qt::Key_B);
+    stroke({-8, 0}, {-6, 0});
+    const Eigen::Vector3d middle = transverse().crosshair_mm();
+    window_->views().set_crosshair(middle + Eigen::Vector3d(0, 0, 12));
+    stroke({-8, 0}, {-6, 0});
+    window_->views().set_crosshair(middle);
+    const std::size_t in_two = test::voxels_of(folder_, "tumour-1");
+    key(Qt::Key_F);
+    settle();
+    const std::size_t filled = test::voxels_of(folder_, "tumour-1");
+    QVERIFY(filled > 2 * in_two && filled < 3 * in_two);  // three more slices between the two
+
+    auto* rename = child<QPushButton>("rename_structure");
+    Q_EMIT rename->menu()->aboutToShow();
+    rename->menu()->findChild<QAction*>("cyst")->trigger();
+    settle();
+    QCOMPARE(test::voxels_of(folder_, "cyst-1"), filled);
+    QCOMPARE(test::voxels_of(folder_, "tumour-1"), std::size_t(0));
+    for (int n = 0; n < 5; ++n) undo();
+    QCOMPARE(panel_->editor().structures().size(), std::size_t(1));
+    QCOMPARE(test::voxels_of(folder_, "liver"), start_);
+  }
+
+  void filters_change_the_whole_structure() {
+    key(Qt::Key_Plus);
+    settle();
+    const std::size_t grown = test::voxels_of(folder_, "liver");
+    QVERIFY(grown > start_);
+    key(Qt::Key_Minus);
+    settle();
+    QVERIFY(test::voxels_of(folder_, "liver") < grown);
+    undo();
+    undo();
+    key(Qt::Key_H);  // nothing to fill: no step
+    settle();
+    QVERIFY(!window_->undo().undo_action()->isEnabled());
+  }
+
+  void a_stroke_over_a_tenth_of_a_second_of_events_never_stalls() {
+    key(Qt::Key_B);
+    press({-10, -10});
+    QElapsedTimer clock;
+    qint64 longest_ms = 0;
+    for (int n = 0; n < 40; ++n) {
+      clock.restart();
+      move({-10 + 0.5 * n, -10});
+      QCoreApplication::processEvents();
+      longest_ms = std::max(longest_ms, clock.elapsed());
+    }
+    release({10, -10});
+    settle();
+    qInfo("longest event while drawing: %lld ms", longest_ms);
+    undo();
+  }
+
+  void what_was_drawn_is_what_others_show_afterwards() {
+    key(Qt::Key_B);
+    stroke({0, 16}, {9, 16});
+    const double before_ml = panel_->editor().structures().front().volume_ml;
+    window_->go_to("rehearse");
+    settle();
+    QVERIFY(!child<QPushButton>("tool_brush")->isVisible());
+    window_->go_to("segment");
+    settle();
+    QCOMPARE(panel_->editor().structures().front().volume_ml, before_ml);
+  }
+
+  void cleanupTestCase() { window_.reset(); }
+
+ private:
+  template <typename Widget>
+  Widget* child(const char* name) {
+    return window_->findChild<Widget*>(name);
+  }
+  SliceView& transverse() { return window_->views().slice(SliceDirection::transverse); }
+  // A place of the transverse slice, mm to the patient's left and to the back of the ball's middle, in the widget.
+  QPointF at(const QPointF& place_mm) {
+    SliceView& view = transverse();
+    const Eigen::Vector3d wanted = test::small_middle_mm() + Eigen::Vector3d(place_mm.x(), place_mm.y(), 0);
+    const QPointF a(0, 0), b(100, 0), c(0, 100);
+    const Eigen::Vector3d origin = view.place_at(a), x = view.place_at(b) - origin, y = view.place_at(c) - origin;
+    return {100 * (wanted - origin).dot(x) / x.squaredNorm(), 100 * (wanted - origin).dot(y) / y.squaredNorm()};
+  }
+  void press(const QPointF& place_mm) {
+    QTest::mousePress(&transverse(), Qt::LeftButton, Qt::NoModifier, at(place_mm).toPoint());
+  }
+  void move(const QPointF& place_mm) {
+    const QPointF here = at(place_mm);
+    QMouseEvent moved(QEvent::MouseMove, here, transverse().mapToGlobal(here), Qt::NoButton, Qt::LeftButton,
+                      Qt::NoModifier);
+    QApplication::sendEvent(&transverse(), &moved);
+  }
+  void release(const QPointF& place_mm) {
+    QTest::mouseRelease(&transverse(), Qt::LeftButton, Qt::NoModifier, at(place_mm).toPoint());
+  }
+  void stroke(const QPointF& from_mm, const QPointF& to_mm) {
+    press(from_mm);
+    move(0.5 * (from_mm + to_mm));
+    move(to_mm);
+    release(to_mm);
+    settle();
+  }
+  // A button lets its key be seen pressed before it acts.
+  void key(Qt::Key which) {
+    for (QAbstractButton* button : panel_->findChildren<QAbstractButton*>()) {
+      if (button->shortcut() != QKeySequence(which)) continue;
+      QSignalSpy clicked(button, &QAbstractButton::clicked);
+      QTest::keyClick(window_.get(), which);
+      QVERIFY(clicked.wait(patience_ms));
+      return;
+    }
+    QFAIL("no such key");
+  }
+  void undo() {
+    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+    settle();
+  }
+  void settle() {
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->undo().busy(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->work().busy(), patience_ms);
+    if (panel_ != nullptr && panel_->isVisible()) QTRY_VERIFY_WITH_TIMEOUT(panel_->editor().can_edit(), patience_ms);
+  }
+
+  TemporaryFolder temporary_;
+  std::filesystem::path folder_;
+  std::size_t start_ = 0;
+  std::unique_ptr<MainWindow> window_;
+  SegmentPanel* panel_ = nullptr;
+};
+
+}  // namespace
+}  // namespace glisson::widgets
+
+int main(int argc, char** argv) { return glisson::widgets::run_test<glisson::widgets::SegmentTest>(argc, argv); }
+
+#include "segment_test.moc"

@@ -1,0 +1,92 @@
+#pragma once
+// The Segment workspace: which structures there are, the tools that draw them in the slices, and filters for one whole.
+
+#include <array>
+#include <QAbstractButton>
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTreeWidget>
+
+#include "panels/number_slider.h"
+#include "segment/slice_tools.h"
+#include "workspaces/workspace.h"
+
+namespace glisson::widgets {
+
+class SegmentPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  static Workspace workspace(const Bench& bench);
+
+  explicit SegmentPanel(const Bench& bench, QWidget* parent = nullptr);
+
+  void show_patient(const Patient& patient);
+  [[nodiscard]] StructureEditor& editor() { return editor_; }
+  [[nodiscard]] SliceTools& tools() { return tools_; }
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  enum OptionPage { no_options, brush_options, cut_options, seed_options };
+  enum Filter { fill_between, fill_holes, keep_largest, drop_small, smooth, grow_margin, shrink_margin };
+
+  QWidget* make_list();
+  QWidget* make_tools();
+  QWidget* make_options();
+  QWidget* make_filters();
+  void connect_parts();
+  void word();
+  void list_structures();
+  void list_names(QMenu& menu, const std::function<void(const std::string&)>& chosen);
+  void name_otherwise(const std::function<void(const std::string&)>& chosen);
+  void choose_tool(Tool tool);
+  void show_space();
+  void show_state();
+  void grow();
+  void read_patient_again();
+  void filter(QAbstractButton* button, const char* what, const std::function<StructureEditor::Edit()>& edit);
+
+  Bench bench_;
+  StructureEditor editor_;
+  SliceOverlay overlay_;
+  SliceTools tools_;
+  Patient patient_;
+  bool to_open_ = false;    // the patient has not been read here yet
+  bool has_drawn_ = false;  // so that the others see it when this one is left
+
+  QLabel* list_title_ = nullptr;
+  QTreeWidget* list_ = nullptr;
+  QPushButton* add_ = nullptr;
+  QPushButton* rename_ = nullptr;
+  QPushButton* remove_ = nullptr;
+  QLabel* tools_title_ = nullptr;
+  QButtonGroup* tool_buttons_ = nullptr;
+  QStackedWidget* options_ = nullptr;
+  QLabel* option_hint_ = nullptr;
+  QLabel* radius_title_ = nullptr;
+  NumberSlider* radius_ = nullptr;
+  QComboBox* shape_ = nullptr;
+  QWidget* likeness_row_ = nullptr;
+  QLabel* likeness_title_ = nullptr;
+  NumberSlider* likeness_ = nullptr;
+  QComboBox* cut_side_ = nullptr;
+  QComboBox* cut_depth_ = nullptr;
+  QLabel* seeds_text_ = nullptr;
+  QPushButton* grow_ = nullptr;
+  QPushButton* forget_seeds_ = nullptr;
+  QLabel* filters_title_ = nullptr;
+  QComboBox* fill_along_ = nullptr;
+  std::array<QPushButton*, 7> filters_{};
+  NumberBox* least_ml_ = nullptr;
+  NumberBox* smooth_mm_ = nullptr;
+  NumberBox* margin_mm_ = nullptr;
+};
+
+}  // namespace glisson::widgets

@@ -1,0 +1,159 @@
+#include "segment/slice_overlay.h"
+
+#include <algorithm>
+
+#include "scene/anatomy.h"
+
+namespace glisson::widgets {
+namespace {
+
+constexpr std::uint8_t faint = 46, strong = 96;  // how much a fill covers, of 255: others, and the one being drawn
+
+segmentation::IndexBox whole(const imaging::Grid& grid) {
+  return {{0, 0, 0}, {grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1}};
+}
+
+std::array<std::uint8_t, 4> cell_colour(const std::string& name, bool active) {
+  const scene::Colour colour = scene::appearance_of(name).colour;
+  const auto byte = [](double share) { return static_cast<std::uint8_t>(std::clamp(255 * share, 0.0, 255.0)); };
+  return {byte(colour.red), byte(colour.green), byte(colour.blue), active ? strong : faint};
+}
+
+}  // namespace
+
+SliceOverlay::SliceOverlay(LinkedViews& views, const StructureEditor& editor, QObject* parent)
+    : QObject(parent), views_(views), editor_(editor) {
+  for (std::size_t k = 0; k < shown_.size(); ++k) {
+    shown_[k].view = views_.slices()[k];
+    connect(shown_[k].view, &SliceView::slice_moved, this, [this, k] {
+      if (on_) refresh(shown_[k]);
+    });
+  }
+  connect(&editor_, &StructureEditor::opened, this, [this] { refresh(); });
+  connect(&editor_, &StructureEditor::listed, this, [this] { refresh(); });
+  connect(&editor_, &StructureEditor::changed, this, &SliceOverlay::refresh_part);
+}
+
+void SliceOverlay::set_on(bool on) {
+  on_ = on;
+  if (!on) {
+    for (Shown& shown : shown_) shown.sketch.clear();
+  }
+  refresh();
+}
+
+void SliceOverlay::refresh() {
+  for (Shown& shown : shown_) refresh(shown);
+}
+
+void SliceOverlay::set_sketch(SliceView* view, std::vector<scene::DrawnLines> lines) {
+  for (Shown& shown : shown_) {
+    if (shown.view != view || (shown.sketch.empty() && lines.empty())) continue;
+    shown.sketch = std::move(lines);
+    hand_over(shown);
+    return;
+  }
+}
+
+std::optional<SliceOverlay::Layer> SliceOverlay::layer_of(const SliceView& view, const imaging::Grid& grid) const {
+  const Eigen::Vector3d normal = view.normal();
+  const int axis = segmentation::axis_along(grid, normal);
+  constexpr double nearly_along = 0.996;  // about 5 degrees off
+  if (std::abs(grid.direction.col(axis).dot(normal)) < nearly_along) return std::nullopt;
+  return Layer{axis, segmentation::layer_at(grid, axis, view.crosshair_mm())};
+}
+
+void SliceOverlay::refresh(Shown& shown) {
+  shown.outlines.assign(editor_.structures().size(), {});
+  shown.cells = {};
+  shown.layer.reset();
+  const imaging::Volume* anatomy = editor_.anatomy();
+  if (on_ && anatomy != nullptr) shown.layer = layer_of(*shown.view, anatomy->grid);
+  if (shown.layer) {
+    const imaging::Grid& grid = anatomy->grid;
+    const auto n = static_cast<std::size_t>(shown.layer->axis);
+    if (shown.layer->index >= 0 && shown.layer->index < grid.size[n]) {
+      Eigen::Vector3d corner = Eigen::Vector3d::Zero();
+      corner[shown.layer->axis] = shown.layer->index;
+      shown.cells.layer = grid;
+      shown.cells.layer.size[n] = 1;
+      // In the plane that is looked at, which may lie up to half a voxel beside the layer's middle.
+      const Eigen::Vector3d normal = shown.view->normal(), middle_mm = grid.position_mm(corner);
+      shown.cells.layer.origin_mm = middle_mm + normal * normal.dot(shown.view->crosshair_mm() - middle_mm);
+      shown.cells.colours.assign(shown.cells.layer.voxels(), {0, 0, 0, 0});
+      colour_cells(shown, whole(grid));
+    }
+    for (std::size_t k = 0; k < shown.outlines.size(); ++k) outline(shown, k);
+  }
+  hand_over(shown);
+}
+
+void SliceOverlay::refresh_part(int structure, const segmentation::IndexBox& box) {
+  if (!on_ || editor_.anatomy() == nullptr) return;
+  const auto drawn = static_cast<std::size_t>(structure);
+  const imaging::Mask& mask = *editor_.structures()[drawn].mask;
+  for (Shown& shown : shown_) {
+    if (!shown.layer || drawn >= shown.outlines.size()) continue;
+    const auto n = static_cast<std::size_t>(shown.layer->axis);
+    const bool touched = box.empty() || (box.first[n] <= shown.layer->index && shown.layer->index <= box.last[n]);
+    if (!touched) continue;
+    colour_cells(shown, box.empty() ? whole(mask.grid) : box);
+    outline(shown, drawn);
+    hand_over(shown);
+  }
+}
+
+void SliceOverlay::colour_cells(Shown& shown, const segmentation::IndexBox& box) {
+  if (shown.cells.colours.empty()) return;
+  const imaging::Grid& grid = editor_.anatomy()->grid;
+  const auto n = static_cast<std::size_t>(shown.layer->axis);
+  struct Filled {
+    const imaging::Mask* mask;
+    std::array<std::uint8_t, 4> colour;
+  };
+  std::vector<Filled> filled;  // what comes later lies on top: what is inside the liver, and the one being drawn
+  for (std::size_t k = 0; k < editor_.structures().size(); ++k) {
+    const EditedStructure& structure = editor_.structures()[k];
+    const bool active = static_cast<int>(k) == editor_.active();
+    if (!structure.shown || !imaging::same_grid(structure.mask->grid, grid)) continue;
+    filled.push_back({structure.mask.get(), cell_colour(structure.name, active)});
+  }
+  segmentation::IndexBox part = box;
+  part.first[n] = part.last[n] = shown.layer->index;
+  for (int k = part.first[2]; k <= part.last[2]; ++k) {
+    for (int j = part.first[1]; j <= part.last[1]; ++j) {
+      for (int i = part.first[0]; i <= part.last[0]; ++i) {
+        std::array<std::uint8_t, 4> colour{0, 0, 0, 0};
+        const std::size_t voxel = grid.offset(i, j, k);
+        for (const Filled& one : filled) {
+          if (one.mask->values[voxel] != 0) colour = one.colour;
+        }
+        shown.cells.colours[shown.cells.layer.offset(n == 0 ? 0 : i, n == 1 ? 0 : j, n == 2 ? 0 : k)] = colour;
+      }
+    }
+  }
+}
+
+void SliceOverlay::outline(Shown& shown, std::size_t structure) {
+  const EditedStructure& drawn = editor_.structures()[structure];
+  const bool active = static_cast<int>(structure) == editor_.active();
+  scene::DrawnLines lines{{}, scene::appearance_of(drawn.name).colour, active ? 2.2 : 1.3};
+  if (drawn.shown) {
+    if (const auto layer = layer_of(*shown.view, drawn.mask->grid)) {
+      lines.ends_mm = scene::outline_in_layer(*drawn.mask, layer->axis, layer->index);
+      const Eigen::Vector3d normal = shown.view->normal();
+      for (Eigen::Vector3d& end_mm : lines.ends_mm) end_mm += normal * normal.dot(shown.view->crosshair_mm() - end_mm);
+    }
+  }
+  shown.outlines[structure] = std::move(lines);
+}
+
+void SliceOverlay::hand_over(const Shown& shown) {
+  std::vector<scene::DrawnLines> lines = shown.outlines;
+  lines.insert(lines.end(), shown.sketch.begin(), shown.sketch.end());
+  shown.view->view().set_drawn_lines(on_ ? lines : std::vector<scene::DrawnLines>());
+  shown.view->view().set_drawn_cells(on_ && !shown.cells.colours.empty() ? std::optional(shown.cells) : std::nullopt);
+  shown.view->redraw();
+}
+
+}  // namespace glisson::widgets

@@ -1,0 +1,50 @@
+#pragma once
+// The structures in the slices while they are drawn: each one's outline, filled faintly, and what a tool sketches.
+// Only what changed is made anew: the layers that a stroke touched, in the views that show them.
+
+#include <array>
+#include <vector>
+
+#include "segment/structure_editor.h"
+#include "views/linked_views.h"
+
+namespace glisson::widgets {
+
+class SliceOverlay : public QObject {
+  Q_OBJECT
+
+ public:
+  SliceOverlay(LinkedViews& views, const StructureEditor& editor, QObject* parent = nullptr);
+
+  void set_on(bool on);
+  void refresh();
+  // Lines of a tool over one view, or none.
+  void set_sketch(SliceView* view, std::vector<scene::DrawnLines> lines);
+  // The layer of the image that a view shows; absent where it is turned and shows none.
+  struct Layer {
+    int axis = 2;
+    int index = 0;
+  };
+  [[nodiscard]] std::optional<Layer> layer_of(const SliceView& view, const imaging::Grid& grid) const;
+
+ private:
+  struct Shown {
+    SliceView* view = nullptr;
+    std::optional<Layer> layer;
+    scene::DrawnCells cells;
+    std::vector<scene::DrawnLines> outlines;  // one a structure
+    std::vector<scene::DrawnLines> sketch;
+  };
+  void refresh(Shown& shown);
+  void refresh_part(int structure, const segmentation::IndexBox& box);
+  void colour_cells(Shown& shown, const segmentation::IndexBox& box);
+  void outline(Shown& shown, std::size_t structure);
+  void hand_over(const Shown& shown);
+
+  LinkedViews& views_;
+  const StructureEditor& editor_;
+  std::array<Shown, 3> shown_;
+  bool on_ = false;
+};
+
+}  // namespace glisson::widgets

@@ -1,0 +1,222 @@
+#include "segment/slice_tools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <numbers>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "scene/anatomy.h"
+
+namespace glisson::widgets {
+namespace {
+
+constexpr scene::Colour pencil{1.0, 0.93, 0.35};
+constexpr std::size_t least_outline = 3;
+
+void add_circle(std::vector<Eigen::Vector3d>& ends_mm, const Eigen::Vector3d& center_mm, const Eigen::Vector3d& normal,
+                double radius_mm) {
+  constexpr int pieces = 48;
+  const Eigen::Vector3d across = normal.unitOrthogonal(), along = normal.cross(across);
+  const auto on_circle = [&](int k) -> Eigen::Vector3d {
+    const double angle = 2 * std::numbers::pi * k / pieces;
+    return center_mm + radius_mm * (std::cos(angle) * across + std::sin(angle) * along);
+  };
+  for (int k = 0; k < pieces; ++k) {
+    ends_mm.push_back(on_circle(k));
+    ends_mm.push_back(on_circle(k + 1));
+  }
+}
+
+}  // namespace
+
+SliceTools::SliceTools(LinkedViews& views, StructureEditor& editor, SliceOverlay& overlay, QObject* parent)
+    : QObject(parent), views_(views), editor_(editor), overlay_(overlay) {
+  for (SliceView* view : views_.slices()) view->installEventFilter(this);
+}
+
+void SliceTools::set_tool(Tool tool) {
+  if (drawing_in_ != nullptr) release(drawing_in_);
+  tool_ = tool;
+  for (SliceView* view : views_.slices()) {
+    overlay_.set_sketch(view, {});
+    view->setMouseTracking(tool != Tool::none);
+    view->setCursor(tool == Tool::none ? Qt::ArrowCursor : Qt::CrossCursor);
+    if (tool == Tool::seeds) sketch(view, {});
+  }
+}
+
+void SliceTools::clear_seeds() {
+  seeds_mm_.clear();
+  Q_EMIT seeds_changed();
+  if (tool_ != Tool::seeds) return;
+  for (SliceView* view : views_.slices()) sketch(view, {});
+}
+
+bool SliceTools::is_brush() const {
+  return tool_ == Tool::brush || tool_ == Tool::eraser || tool_ == Tool::smart_brush;
+}
+
+bool SliceTools::eventFilter(QObject* watched, QEvent* event) {
+  auto* view = qobject_cast<SliceView*>(watched);
+  if (view == nullptr || tool_ == Tool::none) return false;
+  switch (event->type()) {
+    case QEvent::MouseButtonPress: {
+      const auto* mouse = static_cast<QMouseEvent*>(event);
+      const bool ours = mouse->button() == Qt::LeftButton && (mouse->modifiers() & Qt::ShiftModifier) == 0;
+      return ours && press(view, mouse->position(), (mouse->modifiers() & Qt::ControlModifier) != 0);
+    }
+    case QEvent::MouseMove: {
+      const auto* mouse = static_cast<QMouseEvent*>(event);
+      if (drawing_in_ == view) drag(view, mouse->position());
+      sketch(view, mouse->position());
+      return drawing_in_ == view;
+    }
+    case QEvent::MouseButtonRelease:
+      if (drawing_in_ != view || static_cast<QMouseEvent*>(event)->button() != Qt::LeftButton) return false;
+      release(view);
+      return true;
+    case QEvent::Leave:
+      if (drawing_in_ != view && tool_ != Tool::seeds) overlay_.set_sketch(view, {});
+      return false;
+    case QEvent::Wheel: {
+      const auto* wheel = static_cast<QWheelEvent*>(event);
+      if ((wheel->modifiers() & Qt::ShiftModifier) == 0 || !is_brush()) return false;
+      // Some systems turn the wheel across under Shift.
+      const int units = wheel->angleDelta().y() != 0 ? wheel->angleDelta().y() : wheel->angleDelta().x();
+      options_.radius_mm = std::clamp(options_.radius_mm * std::pow(1.0012, units), least_radius_mm, most_radius_mm);
+      Q_EMIT radius_changed(options_.radius_mm);
+      sketch(view, wheel->position());
+      return true;
+    }
+    default: return false;
+  }
+}
+
+bool SliceTools::press(SliceView* view, const QPointF& at, bool opposite) {
+  const Eigen::Vector3d place_mm = view->place_at(at);
+  if (tool_ == Tool::seeds) {
+    seeds_mm_.push_back(place_mm);
+    Q_EMIT seeds_changed();
+    for (SliceView* each : views_.slices()) sketch(each, {});
+    return true;
+  }
+  const EditedStructure* active = editor_.active_structure();
+  if (active == nullptr) {
+    Q_EMIT refused(tr("Choose a structure first, or add one."));
+    return true;
+  }
+  if (!editor_.can_edit()) {
+    Q_EMIT refused(tr("One moment: the last change is being worked off."));
+    return true;
+  }
+  if (!overlay_.layer_of(*view, active->mask->grid)) {
+    Q_EMIT refused(tr("This slice is turned: drawing needs one along the image's own slices."));
+    return true;
+  }
+  if (tool_ == Tool::piece) {
+    editor_.apply(GLISSON_TEXT("Keep one piece of {0}"),
+                  [place_mm](imaging::Mask mask) { return segmentation::keep_piece_at(std::move(mask), place_mm); });
+    return true;
+  }
+  drawing_in_ = view;
+  if (tool_ == Tool::scissors) {
+    outline_mm_ = {place_mm};
+    return true;
+  }
+  only_.reset();
+  if (tool_ == Tool::smart_brush && editor_.anatomy() != nullptr) {
+    segmentation::LikenessOptions likeness;
+    likeness.spread = options_.likeness;
+    only_ = segmentation::grey_range_at(*editor_.anatomy(), place_mm, likeness);
+    if (!only_) {
+      drawing_in_ = nullptr;
+      return true;
+    }
+  }
+  const bool erases = (tool_ == Tool::eraser) != opposite;
+  paint_ = erases ? segmentation::Paint::take_away : segmentation::Paint::add;
+  last_mm_ = place_mm;
+  dab(view, place_mm);
+  return true;
+}
+
+void SliceTools::drag(SliceView* view, const QPointF& at) {
+  const Eigen::Vector3d place_mm = view->place_at(at);
+  if (tool_ == Tool::scissors) {
+    outline_mm_.push_back(place_mm);
+  } else if (is_brush()) {
+    dab(view, place_mm);
+  }
+}
+
+void SliceTools::dab(SliceView* view, const Eigen::Vector3d& to_mm) {
+  segmentation::Dab dab{last_mm_, to_mm, options_.radius_mm, std::nullopt};
+  if (options_.shape == ToolOptions::Shape::disc) {
+    if (const auto layer = overlay_.layer_of(*view, editor_.active_structure()->mask->grid))
+      dab.layer_axis = layer->axis;
+  }
+  editor_.draw(dab, paint_, only_);
+  last_mm_ = to_mm;
+}
+
+void SliceTools::release(SliceView* view) {
+  drawing_in_ = nullptr;
+  if (tool_ == Tool::scissors) return cut(view);
+  editor_.end_stroke(only_                                ? GLISSON_TEXT("Smart brush on {0}")
+                     : paint_ == segmentation::Paint::add ? GLISSON_TEXT("Brush on {0}")
+                                                          : GLISSON_TEXT("Eraser on {0}"));
+}
+
+void SliceTools::cut(SliceView* view) {
+  segmentation::Outline outline{outline_mm_, view->normal()};
+  outline_mm_.clear();
+  overlay_.set_sketch(view, {});
+  if (outline.points_mm.size() < least_outline || editor_.active_structure() == nullptr) return;
+  if (options_.depth == ToolOptions::Depth::this_slice) {
+    const auto layer = overlay_.layer_of(*view, editor_.active_structure()->mask->grid);
+    if (layer) outline.only = segmentation::Outline::Layer{layer->axis, layer->index};
+  }
+  editor_.apply(GLISSON_TEXT("Scissors on {0}"),
+                [outline, side = options_.cut](imaging::Mask mask) -> Result<imaging::Mask> {
+                  return segmentation::cut(std::move(mask), outline, side);
+                });
+}
+
+void SliceTools::sketch(SliceView* view, const QPointF& at) {
+  std::vector<scene::DrawnLines> lines;
+  if (is_brush() && editor_.active_structure() != nullptr) {
+    const scene::Colour colour =
+        tool_ == Tool::eraser ? pencil : scene::appearance_of(editor_.active_structure()->name).colour;
+    scene::DrawnLines circle{{}, colour, 1.4};
+    add_circle(circle.ends_mm, view->place_at(at), view->normal(), options_.radius_mm);
+    lines.push_back(std::move(circle));
+  }
+  if (tool_ == Tool::scissors && outline_mm_.size() > 1) {
+    scene::DrawnLines path{{}, pencil, 1.8};
+    for (std::size_t k = 0; k < outline_mm_.size(); ++k) {
+      path.ends_mm.push_back(outline_mm_[k]);
+      path.ends_mm.push_back(outline_mm_[(k + 1) % outline_mm_.size()]);
+    }
+    lines.push_back(std::move(path));
+  }
+  if (tool_ == Tool::seeds) {
+    constexpr double near_mm = 3, arm_mm = 3.5;
+    scene::DrawnLines crosses{{}, pencil, 2.0};
+    const Eigen::Vector3d normal = view->normal(), across = normal.unitOrthogonal(), along = normal.cross(across);
+    for (const Eigen::Vector3d& seed_mm : seeds_mm_) {
+      const double off_mm = normal.dot(seed_mm - view->crosshair_mm());
+      if (std::abs(off_mm) > near_mm) continue;
+      const Eigen::Vector3d here_mm = seed_mm - off_mm * normal;
+      for (const Eigen::Vector3d& arm : {across, along}) {
+        crosses.ends_mm.push_back(here_mm - arm_mm * arm);
+        crosses.ends_mm.push_back(here_mm + arm_mm * arm);
+      }
+    }
+    if (!crosses.ends_mm.empty()) lines.push_back(std::move(crosses));
+  }
+  overlay_.set_sketch(view, std::move(lines));
+}
+
+}  // namespace glisson::widgets

@@ -1,0 +1,70 @@
+#pragma once
+// The tools that draw in the slices: left button to use one, Ctrl and left for its opposite, Shift and wheel for the
+// brush's radius. Whatever a tool has no use for goes on to the slice: crosshair, zoom, brightness.
+
+#include <QObject>
+#include <QPointF>
+#include <vector>
+
+#include "segment/slice_overlay.h"
+#include "segmentation/edit.h"
+
+namespace glisson::widgets {
+
+enum class Tool { none, brush, eraser, smart_brush, scissors, seeds, piece };
+
+struct ToolOptions {
+  enum class Shape { disc, ball };
+  enum class Depth { this_slice, all_slices };
+  double radius_mm = 6;
+  Shape shape = Shape::disc;
+  double likeness = 2.5;  // spreads around the grey value under the click
+  segmentation::CutSide cut = segmentation::CutSide::inside;
+  Depth depth = Depth::all_slices;
+};
+
+inline constexpr double least_radius_mm = 0.5, most_radius_mm = 60;
+
+class SliceTools : public QObject {
+  Q_OBJECT
+
+ public:
+  SliceTools(LinkedViews& views, StructureEditor& editor, SliceOverlay& overlay, QObject* parent = nullptr);
+
+  void set_tool(Tool tool);
+  [[nodiscard]] Tool tool() const { return tool_; }
+  [[nodiscard]] ToolOptions& options() { return options_; }
+  [[nodiscard]] const std::vector<Eigen::Vector3d>& seeds_mm() const { return seeds_mm_; }
+  void clear_seeds();
+
+ Q_SIGNALS:
+  void radius_changed(double radius_mm);  // by the wheel
+  void seeds_changed();
+  void refused(const QString& why);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  bool press(SliceView* view, const QPointF& at, bool opposite);
+  void drag(SliceView* view, const QPointF& at);
+  void release(SliceView* view);
+  void dab(SliceView* view, const Eigen::Vector3d& to_mm);
+  void cut(SliceView* view);
+  void sketch(SliceView* view, const QPointF& at);
+  [[nodiscard]] bool is_brush() const;
+
+  LinkedViews& views_;
+  StructureEditor& editor_;
+  SliceOverlay& overlay_;
+  Tool tool_ = Tool::none;
+  ToolOptions options_;
+  SliceView* drawing_in_ = nullptr;
+  segmentation::Paint paint_ = segmentation::Paint::add;
+  std::optional<segmentation::GreyRange> only_;
+  Eigen::Vector3d last_mm_{0, 0, 0};
+  std::vector<Eigen::Vector3d> outline_mm_;
+  std::vector<Eigen::Vector3d> seeds_mm_;
+};
+
+}  // namespace glisson::widgets

@@ -1,0 +1,191 @@
+#include "study/study_page.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QSplitter>
+#include <QStandardPaths>
+
+#include "session/load_patient.h"
+#include "words/told.h"
+#include "words/worded.h"
+
+namespace glisson::widgets {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path path_of(const QString& text) { return fs::path(text.toStdU16String()); }
+QString text_of(const fs::path& path) { return QString::fromStdU16String(path.u16string()); }
+
+}  // namespace
+
+Workspace StudyPage::workspace(const Bench& bench) {
+  auto* page = new StudyPage(bench);
+  return {.id = "study",
+          .name = [] { return tr("Study"); },
+          .about = [] { return tr("Find images, say what each series is for, and see what the case holds."); },
+          .widget = page,
+          .place = Workspace::Place::whole_window,
+          .show_patient = [page](const Patient& patient) { page->show_patient(patient); }};
+}
+
+StudyPage::StudyPage(const Bench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+  setObjectName("panel");
+  setAttribute(Qt::WA_StyledBackground);
+  auto* images = new QWidget;
+  auto* column = new QVBoxLayout(images);
+  column->setContentsMargins(14, 14, 14, 14);
+  column->setSpacing(8);
+  auto* top = new QHBoxLayout;
+  title_ = new QLabel;
+  title_->setObjectName("heading");
+  top->addWidget(title_, 1);
+  open_ = new QPushButton;
+  open_->setObjectName("browse");
+  top->addWidget(open_);
+  column->addLayout(top);
+  found_ = new QLabel;
+  found_->setWordWrap(true);
+  column->addWidget(found_);
+  series_ = new SeriesTable;
+  column->addWidget(series_, 1);
+  column->addStretch();  // where there is no table yet
+  privacy_ = new QLabel;
+  privacy_->setObjectName("faint");
+  privacy_->setWordWrap(true);
+  column->addWidget(privacy_);
+  auto* keep = new QHBoxLayout;
+  keep_title_ = new QLabel;
+  keep->addWidget(keep_title_);
+  keep_as_ = new QLineEdit;
+  keep_as_->setObjectName("keep_as");
+  keep->addWidget(keep_as_, 1);
+  make_ = new QPushButton;
+  make_->setObjectName("make_case");
+  keep->addWidget(make_);
+  add_ = new QPushButton;
+  add_->setObjectName("add_to_case");
+  keep->addWidget(add_);
+  column->addLayout(keep);
+
+  overview_ = new CaseOverview(bench);
+  auto* across = new QSplitter(Qt::Horizontal);
+  across->addWidget(images);
+  across->addWidget(overview_);
+  across->setChildrenCollapsible(false);
+  across->setSizes({1000, 600});
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(across);
+
+  connect(open_, &QPushButton::clicked, this, &StudyPage::choose_folder);
+  connect(series_, &SeriesTable::roles_changed, this, &StudyPage::show_state);
+  connect(keep_as_, &QLineEdit::textChanged, this, &StudyPage::show_state);
+  connect(make_, &QPushButton::clicked, this, [this] { import_into(path_of(keep_as_->text())); });
+  connect(add_, &QPushButton::clicked, this, [this] { import_into(case_); });
+  connect(&bench_.undo, &Undo::settled, this, [this] {
+    if (isVisible()) overview_->show_case(case_);
+  });
+  worded(this, [this] { word(); });
+}
+
+void StudyPage::browse(const fs::path& path) {
+  const bool begun =
+      bench_.work.start(tr("Looking for images"), [this, path](const Progress& progress) -> BackgroundWork::Then {
+        auto study = std::make_shared<Result<imaging::Study>>(imaging::scan(path, progress));
+        return [this, path, study] {
+          if (!*study) {
+            bench_.tell_error(study->error());
+            return;
+          }
+          if ((*study)->series.empty()) {
+            bench_.tell_error(
+                Error{"study-no-images", GLISSON_TEXT("No images were found in {0}."), {path.string()}, {}, path});
+            return;
+          }
+          browsed_ = path;
+          series_->show_study(std::make_shared<const imaging::Study>(*std::move(*study)));
+          keep_as_->setText(QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+                                .filePath(text_of(path.stem()) + ".glisson"));
+          show_state();
+          Q_EMIT listed();
+        };
+      });
+  if (!begun) bench_.tell_status(tr("Something else is still under way. Wait for it, or cancel it first."));
+}
+
+void StudyPage::show_patient(const Patient& patient) {
+  case_ = patient.folder;
+  if (isVisible()) overview_->show_case(case_);
+  show_state();
+  if (importing_into_.empty() || importing_into_ != case_) return;
+  importing_into_.clear();
+  if (patient.anatomy != nullptr && patient.structures.empty()) bench_.go_to("segment");
+}
+
+void StudyPage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  overview_->show_case(case_);
+}
+
+void StudyPage::word() {
+  title_->setText(tr("Images"));
+  open_->setText(tr("Look in a folder..."));
+  open_->setToolTip(tr("A folder, a DICOMDIR or one file; dropping it on the window does the same"));
+  privacy_->setText(
+      tr("Patients' names are not shown: they are not read from the images. The images are never written to."));
+  keep_title_->setText(tr("Keep the case as"));
+  keep_as_->setAccessibleName(keep_title_->text());
+  make_->setText(tr("Make a case"));
+  add_->setText(tr("Add to the open case"));
+  show_state();
+}
+
+void StudyPage::show_state() {
+  const imaging::Study* study = series_->study();
+  if (study == nullptr) {
+    found_->setText(tr("Drop a folder of DICOM images, a DICOMDIR, or a NIfTI, NRRD or MHA file here."));
+  } else {
+    QString found = tr("%1: series found: %2").arg(text_of(browsed_)).arg(study->series.size());
+    if (!study->skipped.empty()) found += tr("; files left out: %1").arg(study->skipped.size());
+    found_->setText(found);
+    QStringList skipped;
+    constexpr std::size_t most = 20;
+    for (std::size_t k = 0; k < std::min(most, study->skipped.size()); ++k) {
+      skipped << text_of(study->skipped[k].path.filename()) + ": " + told(study->skipped[k].reason);
+    }
+    found_->setToolTip(skipped.join("\n"));
+  }
+  const bool chosen = study != nullptr && series_->chosen() > 0;
+  const fs::path wanted = path_of(keep_as_->text());
+  std::error_code ignored;
+  const bool taken = fs::exists(wanted, ignored);
+  make_->setEnabled(chosen && !wanted.empty() && !taken);
+  make_->setToolTip(!chosen ? tr("Give at least one series a role first.")
+                    : taken ? tr("There is something of that name already: choose another.")
+                            : tr("Copies the chosen series into a new case"));
+  add_->setEnabled(chosen && !case_.empty());
+  add_->setToolTip(case_.empty() ? tr("No case is open.")
+                   : !chosen     ? tr("Give at least one series a role first.")
+                                 : tr("Series of the same role are replaced; Ctrl+Z brings them back"));
+  series_->setVisible(study != nullptr);
+}
+
+void StudyPage::choose_folder() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a folder of images"));
+  if (!folder.isEmpty()) browse(path_of(folder));
+}
+
+void StudyPage::import_into(const fs::path& folder) {
+  importing_into_ = folder;
+  const auto import = [study = *series_->study(), roles = series_->roles(), folder](const Progress& progress) {
+    return import_patient(study, roles, folder, progress);
+  };
+  if (folder == case_) {
+    bench_.change(tr("Importing"), import);
+  } else {
+    bench_.open(tr("Importing"), import);
+  }
+}
+
+}  // namespace glisson::widgets

@@ -1,0 +1,54 @@
+#pragma once
+// The Study workspace: the images found under a folder, what each series is for, and the case that is made of them;
+// beside it what the open case holds. Patients' names are not read from the images at all.
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include "study/case_overview.h"
+#include "study/series_table.h"
+
+namespace glisson::widgets {
+
+class StudyPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  static Workspace workspace(const Bench& bench);
+
+  explicit StudyPage(const Bench& bench, QWidget* parent = nullptr);
+
+  // Looks for images there, on a worker, and lists them.
+  void browse(const std::filesystem::path& path);
+  void show_patient(const Patient& patient);
+
+ Q_SIGNALS:
+  void listed();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void word();
+  void show_state();
+  void choose_folder();
+  void import_into(const std::filesystem::path& folder);
+
+  Bench bench_;
+  std::filesystem::path browsed_;
+  std::filesystem::path case_;
+  std::filesystem::path importing_into_;  // until the patient of it is shown
+  QLabel* title_ = nullptr;
+  QLabel* found_ = nullptr;
+  QPushButton* open_ = nullptr;
+  SeriesTable* series_ = nullptr;
+  QLabel* privacy_ = nullptr;
+  QLabel* keep_title_ = nullptr;
+  QLineEdit* keep_as_ = nullptr;
+  QPushButton* make_ = nullptr;
+  QPushButton* add_ = nullptr;
+  CaseOverview* overview_ = nullptr;
+};
+
+}  // namespace glisson::widgets
