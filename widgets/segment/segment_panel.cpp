@@ -1,5 +1,6 @@
 #include "segment/segment_panel.h"
 
+#include <QHideEvent>
 #include <QInputDialog>
 #include <QScrollArea>
 #include <QShortcut>
@@ -178,6 +179,7 @@ void SegmentPanel::showEvent(QShowEvent* event) {
 
 void SegmentPanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
+  if (event->spontaneous() || !window()->isVisible()) return;  // minimised, or closed: nobody looks elsewhere
   choose_tool(Tool::none);
   overlay_.set_on(false);
   bench_.patient_views.set_workspace_scene(std::nullopt);
