@@ -22,8 +22,8 @@
 #include "evidence/evidence_view.h"
 #include "help/shortcuts_window.h"
 #include "help/tour_stops.h"
-#include "register/register_page.h"
 #include "model/model_panel.h"
+#include "register/register_page.h"
 #include "report/report_view.h"
 #include "resect/resect_panel.h"
 #include "segment/segment_panel.h"
@@ -540,7 +540,21 @@ void MainWindow::start_tour() {
   std::set<QString> there;
   for (const Workspace& workspace : workspaces_) there.insert(workspace.id);
   diary_.note("The tour begins.");
-  tour_->start(tour_stops(there, {{"rehearse", [this] { rehearse_panel_->hoist_segment_vi(); }}}));
+  const auto press = [this](const char* button) {
+    return [this, button] {
+      auto* found = findChild<QAbstractButton*>(button);
+      if (found != nullptr && !work_.busy()) found->click();
+    };
+  };
+  const auto example_sequence = [this] {
+    auto* page = findChild<RegisterPage*>();
+    if (page != nullptr && !page->has_sequence() && !work_.busy())
+      page->open_example(own_folder() / "example-sequence");
+  };
+  tour_->start(tour_stops(there, {{"rehearse", [this] { rehearse_panel_->hoist_segment_vi(); }},
+                                  {"resect", press("cut_through_crosshair")},
+                                  {"register", example_sequence},
+                                  {"evidence", press("evidence_example")}}));
 }
 
 void MainWindow::show_diary() {
