@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QSplitter>
 #include <QVBoxLayout>
 
 #include "base/files.h"
@@ -49,24 +50,38 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   QLabel* look_title = heading(this);
   inner->addWidget(look_title);
   inner->addWidget(make_look_group());
+  // Who watches the numbers makes the table taller, who watches the curves the plot.
+  auto* answers = new QSplitter(Qt::Vertical);
+  answers->setChildrenCollapsible(false);
+  auto* landmarks = new QWidget;
+  auto* landmarks_column = new QVBoxLayout(landmarks);
+  landmarks_column->setContentsMargins(0, 0, 0, 4);
   auto* landmarks_row = new QHBoxLayout;
   QLabel* landmarks_title = heading(this);
   landmarks_row->addWidget(landmarks_title, 1);
   auto* save = new QPushButton(this);
   save->setObjectName("save_landmarks");
   landmarks_row->addWidget(save);
-  inner->addLayout(landmarks_row);
+  landmarks_column->addLayout(landmarks_row);
   summary_ = new QLabel(this);
   summary_->setObjectName("summary");
   summary_->setWordWrap(true);
-  inner->addWidget(summary_);
+  landmarks_column->addWidget(summary_);
   table_ = new LandmarkTable(this);
   table_->setMinimumHeight(96);
-  inner->addWidget(table_, 3);
+  landmarks_column->addWidget(table_, 1);
+  answers->addWidget(landmarks);
+  auto* over_time = new QWidget;
+  auto* time_column = new QVBoxLayout(over_time);
+  time_column->setContentsMargins(0, 4, 0, 0);
   QLabel* time_title = heading(this);
-  inner->addWidget(time_title);
+  time_column->addWidget(time_title);
   track_ = new TrackControls(rehearsal, this);
-  inner->addWidget(track_, 2);
+  time_column->addWidget(track_, 1);
+  answers->addWidget(over_time);
+  answers->setStretchFactor(0, 1);
+  answers->setSizes({1000, 1});  // the plot as small as it can be read
+  inner->addWidget(answers, 1);
   column->addWidget(controls_, 1);
   column->addStretch(0);
 

@@ -18,7 +18,7 @@ TrackPlot::TrackPlot(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   plot_ = new QCustomPlot(this);
-  plot_->setMinimumHeight(150);
+  plot_->setMinimumHeight(124);
   plot_->yAxis2->setVisible(true);
   plot_->xAxis->setNumberPrecision(4);
   QFont small = plot_->font();
