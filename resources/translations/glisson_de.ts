@@ -3832,6 +3832,66 @@
         <source>Building the model</source>
         <translation>Modell wird erstellt</translation>
     </message>
+    <message>
+        <source>import</source>
+        <translation>Import</translation>
+    </message>
+    <message>
+        <source>outlining</source>
+        <translation>Umreißen</translation>
+    </message>
+    <message>
+        <source>meshing</source>
+        <translation>Vernetzung</translation>
+    </message>
+    <message>
+        <source>giving stiffness</source>
+        <translation>Steifigkeit zuweisen</translation>
+    </message>
+    <message>
+        <source>inversion of waves</source>
+        <translation>Inversion der Wellen</translation>
+    </message>
+    <message>
+        <source>Outline: %1</source>
+        <translation>Umriss: %1</translation>
+    </message>
+    <message>
+        <source>Surface: %1</source>
+        <translation>Oberfläche: %1</translation>
+    </message>
+    <message>
+        <source>Tetrahedra of the liver</source>
+        <translation>Tetraeder der Leber</translation>
+    </message>
+    <message>
+        <source>Model: stiffness of each cell</source>
+        <translation>Modell: Steifigkeit jeder Zelle</translation>
+    </message>
+    <message>
+        <source>Images: anatomy</source>
+        <translation>Bilder: Anatomie</translation>
+    </message>
+    <message>
+        <source>Map: stiffness (kPa)</source>
+        <translation>Karte: Steifigkeit (kPa)</translation>
+    </message>
+    <message>
+        <source>Map: confidence</source>
+        <translation>Karte: Vertrauen</translation>
+    </message>
+    <message>
+        <source>MRE magnitude</source>
+        <translation>MRE-Magnitude</translation>
+    </message>
+    <message>
+        <source>MRE phase</source>
+        <translation>MRE-Phase</translation>
+    </message>
+    <message>
+        <source>MRE waves</source>
+        <translation>MRE-Wellen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>

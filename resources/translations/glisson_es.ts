@@ -3832,6 +3832,66 @@
         <source>Building the model</source>
         <translation>Construyendo el modelo</translation>
     </message>
+    <message>
+        <source>import</source>
+        <translation>importación</translation>
+    </message>
+    <message>
+        <source>outlining</source>
+        <translation>delimitación</translation>
+    </message>
+    <message>
+        <source>meshing</source>
+        <translation>mallado</translation>
+    </message>
+    <message>
+        <source>giving stiffness</source>
+        <translation>asignación de rigidez</translation>
+    </message>
+    <message>
+        <source>inversion of waves</source>
+        <translation>inversión de las ondas</translation>
+    </message>
+    <message>
+        <source>Outline: %1</source>
+        <translation>Contorno: %1</translation>
+    </message>
+    <message>
+        <source>Surface: %1</source>
+        <translation>Superficie: %1</translation>
+    </message>
+    <message>
+        <source>Tetrahedra of the liver</source>
+        <translation>Tetraedros del hígado</translation>
+    </message>
+    <message>
+        <source>Model: stiffness of each cell</source>
+        <translation>Modelo: rigidez de cada celda</translation>
+    </message>
+    <message>
+        <source>Images: anatomy</source>
+        <translation>Imágenes: anatomía</translation>
+    </message>
+    <message>
+        <source>Map: stiffness (kPa)</source>
+        <translation>Mapa: rigidez (kPa)</translation>
+    </message>
+    <message>
+        <source>Map: confidence</source>
+        <translation>Mapa: confianza</translation>
+    </message>
+    <message>
+        <source>MRE magnitude</source>
+        <translation>Magnitud de ERM</translation>
+    </message>
+    <message>
+        <source>MRE phase</source>
+        <translation>Fase de ERM</translation>
+    </message>
+    <message>
+        <source>MRE waves</source>
+        <translation>Ondas de ERM</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>

@@ -3832,6 +3832,66 @@
         <source>Building the model</source>
         <translation>Construction du modèle</translation>
     </message>
+    <message>
+        <source>import</source>
+        <translation>import</translation>
+    </message>
+    <message>
+        <source>outlining</source>
+        <translation>délimitation</translation>
+    </message>
+    <message>
+        <source>meshing</source>
+        <translation>maillage</translation>
+    </message>
+    <message>
+        <source>giving stiffness</source>
+        <translation>attribution de la rigidité</translation>
+    </message>
+    <message>
+        <source>inversion of waves</source>
+        <translation>inversion des ondes</translation>
+    </message>
+    <message>
+        <source>Outline: %1</source>
+        <translation>Contour : %1</translation>
+    </message>
+    <message>
+        <source>Surface: %1</source>
+        <translation>Surface : %1</translation>
+    </message>
+    <message>
+        <source>Tetrahedra of the liver</source>
+        <translation>Tétraèdres du foie</translation>
+    </message>
+    <message>
+        <source>Model: stiffness of each cell</source>
+        <translation>Modèle : rigidité de chaque cellule</translation>
+    </message>
+    <message>
+        <source>Images: anatomy</source>
+        <translation>Images : anatomie</translation>
+    </message>
+    <message>
+        <source>Map: stiffness (kPa)</source>
+        <translation>Carte : rigidité (kPa)</translation>
+    </message>
+    <message>
+        <source>Map: confidence</source>
+        <translation>Carte : confiance</translation>
+    </message>
+    <message>
+        <source>MRE magnitude</source>
+        <translation>Magnitude ERM</translation>
+    </message>
+    <message>
+        <source>MRE phase</source>
+        <translation>Phase ERM</translation>
+    </message>
+    <message>
+        <source>MRE waves</source>
+        <translation>Ondes ERM</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>

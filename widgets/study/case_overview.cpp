@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QtConcurrentRun>
 
+#include "casefile/model_upkeep.h"
 #include "session/load_patient.h"
 #include "words/told.h"
 #include "words/worded.h"
@@ -90,15 +91,15 @@ void CaseOverview::list() {
   int stale = 0, stale_model = 0;
   for (const EntryState& state : entries_) {
     auto* row = new QTreeWidgetItem(table_);
-    row->setText(0, QString::fromStdString(state.entry.id));
-    row->setToolTip(0, QString::fromStdString(state.entry.when_utc));
+    row->setText(0, entry_name(state.entry.id));
+    row->setToolTip(0, QString::fromStdString(state.entry.id + ", " + state.entry.when_utc));
     switch (state.freshness) {
       case Freshness::current: row->setText(1, tr("up to date")); break;
       case Freshness::stale: row->setText(1, tr("⚠ stale")); break;
       case Freshness::changed_outside: row->setText(1, tr("⚠ changed by another program")); break;
       case Freshness::missing: row->setText(1, tr("⚠ file is gone")); break;
     }
-    row->setText(2, QString::fromStdString(state.entry.made.by));
+    row->setText(2, stage_name(state.entry.made.by));
     const bool is_stale = state.freshness == Freshness::stale;
     if (is_stale) row->setToolTip(1, tr("Something that it was made from has changed since."));
     stale += is_stale ? 1 : 0;
@@ -169,9 +170,43 @@ void CaseOverview::add_step(const QString& words, const QString& button, const s
   missing_->addWidget(line);
 }
 
+// With the stiffness that it has, where there is a model.
 void CaseOverview::recompute() {
-  bench_.change(tr("Building the model"),
-                [folder = folder_](const Progress& progress) { return build_model(folder, progress); });
+  bench_.change(tr("Building the model"), [folder = folder_](const Progress& progress) -> Result<Patient> {
+    auto opened = casefile::Case::open(folder);
+    if (!opened) return failure(opened.error());
+    const casefile::Upkeep upkeep{std::nullopt, casefile::stiffness_choice_of(*opened)};
+    if (auto made = casefile::bring_model_up_to_date(*opened, upkeep, progress.part(0, 0.7)); !made) {
+      return failure(made.error());
+    }
+    return load_patient(folder, progress.part(0.7, 1));
+  });
+}
+
+QString CaseOverview::entry_name(const std::string& id) {
+  const std::size_t slash = id.find('/');
+  const std::string kind = id.substr(0, slash), name = slash == std::string::npos ? id : id.substr(slash + 1);
+  if (kind == "labels") return tr("Outline: %1").arg(structure_label(name));
+  if (kind == "surfaces") return tr("Surface: %1").arg(structure_label(name));
+  if (id == "meshes/liver") return tr("Tetrahedra of the liver");
+  if (id == "meshes/model") return tr("Model: stiffness of each cell");
+  if (id == "volumes/anatomy") return tr("Images: anatomy");
+  if (id == "volumes/stiffness") return tr("Map: stiffness (kPa)");
+  if (id == "volumes/confidence") return tr("Map: confidence");
+  const QString number = QString::fromStdString(name.substr(std::min(name.find('-'), name.size())));
+  if (id.starts_with("volumes/magnitude")) return tr("MRE magnitude") + number;
+  if (id.starts_with("volumes/phase")) return tr("MRE phase") + number;
+  if (id.starts_with("volumes/wave")) return tr("MRE waves") + number;
+  return QString::fromStdString(id);
+}
+
+QString CaseOverview::stage_name(const std::string& stage) {
+  if (stage == "import") return tr("import");
+  if (stage == "segment") return tr("outlining");
+  if (stage == "mesh") return tr("meshing");
+  if (stage == "stiffness") return tr("giving stiffness");
+  if (stage == "invert") return tr("inversion of waves");
+  return QString::fromStdString(stage);
 }
 
 }  // namespace glisson::widgets

@@ -29,6 +29,10 @@ class CaseOverview : public QWidget {
   // Reads the case on a worker (it compares contents) and lists it.
   void show_case(const std::filesystem::path& folder);
   [[nodiscard]] const std::vector<EntryState>& entries() const { return entries_; }
+  // "labels/portal-vein" as a person reads it.
+  [[nodiscard]] static QString entry_name(const std::string& id);
+  // "mesh" as a person reads it.
+  [[nodiscard]] static QString stage_name(const std::string& stage);
 
  private:
   void list();
