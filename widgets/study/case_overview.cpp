@@ -193,7 +193,7 @@ QString CaseOverview::entry_name(const std::string& id) {
   if (id == "volumes/anatomy") return tr("Images: anatomy");
   if (id == "volumes/stiffness") return tr("Map: stiffness (kPa)");
   if (id == "volumes/confidence") return tr("Map: confidence");
-  const QString number = QString::fromStdString(name.substr(std::min(name.find('-'), name.size())));
+  const QString number = QString::fromStdString(name.substr(std::min(name.find('-'), name.size()))).replace('-', ' ');
   if (id.starts_with("volumes/magnitude")) return tr("MRE magnitude") + number;
   if (id.starts_with("volumes/phase")) return tr("MRE phase") + number;
   if (id.starts_with("volumes/wave")) return tr("MRE waves") + number;
