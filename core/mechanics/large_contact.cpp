@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "mechanics/body_landscape.h"
+#include "mechanics/frame_landscape.h"
 #include "mechanics/pressing.h"
 #include "mechanics/stopwatch.h"
 
@@ -56,6 +57,53 @@ Result<LargeContact> find_equilibrium_in_contact(const Body& body, const std::ve
   const auto station = go_through(stations, rest_under, rested, progress.part(0.1, 1.0));
   if (!station) return failure(station.error());
   StaticResult state = state_of(body, materials, pressing->displacement_mm(), all, pressing->force_mN());
+  LargeContact contact =
+      outcome(*pressing, std::move(state), stations[*station - 1], rested, *station, stations.size(), options);
+  contact.report.solve_ms = contact.result.step_ms = 1e3 * watch.seconds();
+  return contact;
+}
+
+Result<LargeContact> find_equilibrium_in_contact(const MeshfreeModel& model, const AppliedLoads& loads,
+                                                 const std::vector<std::vector<HandTool>>& stations,
+                                                 const ContactOptions& options, const Progress& progress) {
+  GLISSON_ASSERT(!stations.empty());
+  const Stopwatch watch;
+  const MeshfreeBody& frames = model.body();
+  for (const HandTool& tool : stations.front()) {
+    const auto* grasp = std::get_if<Grasp>(&tool.what);
+    if (grasp == nullptr || std::holds_alternative<double>(grasp->drawn)) continue;
+    return failure(Error{"not-available",
+                         GLISSON_TEXT("By the meshfree engine a grasper pulls with a force; {0} has a displacement."),
+                         {tool.id},
+                         GLISSON_TEXT("Give it a pull, or take finite elements."),
+                         {}});
+  }
+  Eigen::VectorXd q_mm = Eigen::VectorXd::Zero(frames.basis->unknowns());
+  const std::vector<std::uint8_t> nothing_held(static_cast<std::size_t>(q_mm.size()), 0);
+  // The frames come to rest, and the places with them.
+  const auto settle = [&](const Landscape& of_places, double scale_mN, const Eigen::VectorXd&) -> Result<Descent> {
+    auto descent =
+        descend(FrameLandscape(frames, of_places), nothing_held, scale_mN, q_mm,
+                {residual_of_a_round, newton_steps_of_a_round, frames.body.options.memory_limit_bytes}, progress);
+    if (!descent) return descent;
+    q_mm = descent->u_mm;
+    descent->u_mm = frames.basis->displacement(q_mm);
+    return descent;
+  };
+  auto pressing = Pressing::create(frames.body, stations.front(), options, frames.basis->displacement(q_mm));
+  if (!pressing) return failure(std::move(pressing.error()));
+  AppliedLoads all = loads;
+  const auto rest_under = [&](const std::vector<HandTool>& tools) {
+    all = pressing->with_pulls(loads, tools);
+    const BodyLandscape alone(frames.body, frames.materials, all);
+    return pressing->rest_under(tools, {alone, alone.scale_mN(), settle});
+  };
+  bool rested = true;
+  const auto station = go_through(stations, rest_under, rested, progress);
+  if (!station) return failure(station.error());
+  const Eigen::VectorXd& u_mm = pressing->displacement_mm();
+  StaticResult state = state_of(frames.body, frames.materials, u_mm, all, pressing->force_mN());
+  state.held_reaction_mN = sum_of(frames.holding_force_mN(u_mm));
   LargeContact contact =
       outcome(*pressing, std::move(state), stations[*station - 1], rested, *station, stations.size(), options);
   contact.report.solve_ms = contact.result.step_ms = 1e3 * watch.seconds();

@@ -14,6 +14,7 @@
 
 #include "mechanics/contact.h"
 #include "mechanics/equilibrium.h"
+#include "mechanics/meshfree_model.h"
 
 namespace glisson::mechanics {
 
@@ -28,6 +29,11 @@ struct LargeContact {
 // which. Failures: those of find_equilibrium; "tool-invalid", "tool-touches-nothing".
 Result<LargeContact> find_equilibrium_in_contact(const Body& body, const std::vector<Material>& materials,
                                                  const AppliedLoads& loads,
+                                                 const std::vector<std::vector<HandTool>>& stations,
+                                                 const ContactOptions& options = {}, const Progress& progress = {});
+
+// The same over meshfree frames. Failure besides: "not-available" (a grasper whose displacement is given).
+Result<LargeContact> find_equilibrium_in_contact(const MeshfreeModel& model, const AppliedLoads& loads,
                                                  const std::vector<std::vector<HandTool>>& stations,
                                                  const ContactOptions& options = {}, const Progress& progress = {});
 

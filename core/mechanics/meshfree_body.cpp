@@ -21,13 +21,6 @@ void anchor_held(const Body& body, ShapeFunctions& shape);
 std::vector<double> springs_of_held(const Body& body, const Eigen::SparseMatrix<double>& stiffness);
 void add_springs(const std::vector<double>& springs, Eigen::SparseMatrix<double>& lower);
 
-Eigen::SparseMatrix<double> tangent_of_places(const MeshfreeBody& frames, const Eigen::VectorXd& u_mm, Tangent which,
-                                              double pressure_kPa) {
-  Eigen::SparseMatrix<double> lower = tangent_stiffness(frames.body, frames.materials, u_mm, which, pressure_kPa);
-  add_springs(frames.hold, lower);
-  return lower;
-}
-
 }  // namespace
 
 Result<MeshfreeBody> prepare_meshfree_body(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
@@ -69,11 +62,14 @@ Eigen::VectorXd MeshfreeBody::holding_force_mN(const Eigen::VectorXd& u_mm) cons
 }
 
 FrameOperator MeshfreeBody::tangent(const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa) const {
-  return over_frames(tangent_of_places(*this, u_mm, which, pressure_kPa));
+  Eigen::SparseMatrix<double> lower = tangent_stiffness(body, materials, u_mm, which, pressure_kPa);
+  add_springs(hold, lower);
+  return over_frames(lower);
 }
 
-FrameMatrix MeshfreeBody::assembled_tangent(const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa) const {
-  return reduced(both_triangles(tangent_of_places(*this, u_mm, which, pressure_kPa)), *basis, frames_meeting);
+FrameMatrix MeshfreeBody::assembled(Eigen::SparseMatrix<double> lower) const {
+  add_springs(hold, lower);
+  return reduced(both_triangles(lower), *basis, frames_meeting);
 }
 
 FrameOperator MeshfreeBody::over_frames(const Eigen::SparseMatrix<double>& lower) const {

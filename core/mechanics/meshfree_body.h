@@ -37,8 +37,8 @@ struct MeshfreeBody {
   [[nodiscard]] Eigen::VectorXd holding_force_mN(const Eigen::VectorXd& u_mm) const;
   // The tangent at u, with what holds and surrounds the body, the gas at `pressure_kPa`.
   [[nodiscard]] FrameOperator tangent(const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa = 0) const;
-  // Assembled, to be factorised, whatever the number of frames.
-  [[nodiscard]] FrameMatrix assembled_tangent(const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa) const;
+  // A tangent of the places (its lower triangle) and what holds, assembled whatever the number of frames.
+  [[nodiscard]] FrameMatrix assembled(Eigen::SparseMatrix<double> lower) const;
   // The same, in either form, of any symmetric matrix over the places.
   [[nodiscard]] FrameOperator over_frames(const Eigen::SparseMatrix<double>& lower) const;
 };

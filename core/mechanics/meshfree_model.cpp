@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <cmath>
 
+#include "mechanics/frame_landscape.h"
 #include "mechanics/frame_solver.h"
 #include "mechanics/load_vector.h"
 #include "mechanics/meshfree_body.h"
@@ -23,40 +24,6 @@ namespace {
 
 // Conjugate gradients go this far where they go without a factor; 200, the dissertation's limit, is for steps in time.
 constexpr int most_iterations = 5000;
-
-// One body under one load, as a function of the frames.
-class FrameBalance : public Landscape {
- public:
-  FrameBalance(const MeshfreeBody& frames, const AppliedLoads& loads, double part)
-      : frames_(frames), dead_mN_(frames.basis->reduce(part * loads.dead_mN)), gas_kPa_(part * loads.gas_kPa) {}
-
-  [[nodiscard]] double energy_uJ(const Eigen::VectorXd& q_mm) const override {
-    const Eigen::VectorXd u_mm = frames_.basis->displacement(q_mm);
-    return strain_energy_uJ(frames_.body, frames_.materials, u_mm) +
-           surroundings_energy_uJ(frames_.body, gas_kPa_, u_mm) - 0.5 * u_mm.dot(frames_.holding_force_mN(u_mm)) -
-           dead_mN_.dot(q_mm);
-  }
-  [[nodiscard]] Eigen::VectorXd force_mN(const Eigen::VectorXd& q_mm) const override {
-    const Eigen::VectorXd u_mm = frames_.basis->displacement(q_mm);
-    return dead_mN_ +
-           frames_.basis->reduce(surroundings_force_mN(frames_.body, gas_kPa_, u_mm) + frames_.holding_force_mN(u_mm) -
-                                 internal_force_mN(frames_.body, frames_.materials, u_mm));
-  }
-  [[nodiscard]] Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& q_mm, Tangent which) const override {
-    // Newton factorises: assembled, whatever the number of frames.
-    return positive_definite(frames_.assembled_tangent(frames_.basis->displacement(q_mm), which, gas_kPa_).lower());
-  }
-  [[nodiscard]] double energy_scale_uJ(const Eigen::VectorXd& q_mm) const override {
-    return std::abs(dead_mN_.dot(q_mm)) + std::abs(gas_kPa_) * geometry::volume_mm3(frames_.body.mesh);
-  }
-  // What the loads are over frames: at rest nothing else pushes but the gas.
-  [[nodiscard]] double scale_mN() const { return force_mN(Eigen::VectorXd::Zero(dead_mN_.size())).norm(); }
-
- private:
-  const MeshfreeBody& frames_;
-  Eigen::VectorXd dead_mN_;
-  double gas_kPa_;
-};
 
 struct CarriedLoad {
   Eigen::VectorXd q_mm;
@@ -130,6 +97,7 @@ Result<StaticResult> MeshfreeModel::solve(const AppliedLoads& loads, const Newto
   return result;
 }
 
+const MeshfreeBody& MeshfreeModel::body() const { return parts_->frames; }
 const geometry::TetMesh& MeshfreeModel::mesh() const { return parts_->frames.body.mesh; }
 const NodeLayout& MeshfreeModel::places() const { return parts_->frames.body.layout; }
 const ShapeFunctions& MeshfreeModel::shape_functions() const { return parts_->frames.shape; }
@@ -166,7 +134,8 @@ Result<CarriedLoad> carry(const MeshfreeBody& frames, const AppliedLoads& loads,
   for (int halvings = 0; carried.share < 1.0 && halvings <= options.max_halvings;) {
     progress.report(carried.share, GLISSON_TEXT("Looking for the equilibrium"));
     const double next = std::min(1.0, carried.share + part);
-    const FrameBalance balance(frames, loads, next);
+    const BodyLandscape of_places(frames.body, frames.materials, loads, next);
+    const FrameLandscape balance(frames, of_places);
     auto descent = descend(balance, nothing_held, balance.scale_mN(), carried.q_mm, descent_options, progress);
     if (!descent) return failure(std::move(descent.error()));
     carried.steps += descent->steps;

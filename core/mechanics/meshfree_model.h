@@ -40,6 +40,7 @@ class MeshfreeModel {
   [[nodiscard]] Result<StaticResult> solve(const AppliedLoads& loads, const NewtonOptions& options = {},
                                            const Progress& progress = {}) const;
 
+  [[nodiscard]] const MeshfreeBody& body() const;
   [[nodiscard]] const geometry::TetMesh& mesh() const;
   [[nodiscard]] const NodeLayout& places() const;
   [[nodiscard]] const ShapeFunctions& shape_functions() const;

@@ -51,7 +51,7 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
 
   const bool linear = is_linear(scenario), touched = !scenario.tools.empty();
   const auto compute = scenario.motion     ? (meshfree ? end_of_meshfree_motion : end_of_motion)
-                       : meshfree          ? meshfree_equilibrium
+                       : meshfree          ? (touched ? meshfree_contact_equilibrium : meshfree_equilibrium)
                        : touched && linear ? small_contact_equilibrium
                        : touched           ? large_contact_equilibrium
                        : linear            ? small_equilibrium
@@ -176,11 +176,11 @@ bool is_linear(const Scenario& scenario) {
 
 Result<void> check_tools(const Scenario& scenario) {
   if (scenario.tools.empty()) return {};
-  if (scenario.engine == Engine::fem) return {};
+  if (scenario.engine == Engine::fem || !scenario.motion) return {};
   return failure(Error{"not-available",
-                       GLISSON_TEXT("Tools in contact are there for finite elements, not for the meshfree engine."),
+                       GLISSON_TEXT("Tools in contact are not there for motion by the meshfree engine."),
                        {},
-                       GLISSON_TEXT("Elsewhere give a load."),
+                       GLISSON_TEXT("Take finite elements, or give a load."),
                        {}});
 }
 

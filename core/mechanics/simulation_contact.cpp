@@ -7,6 +7,7 @@
 #include "mechanics/contact.h"
 #include "mechanics/large_contact.h"
 #include "mechanics/large_deformation.h"
+#include "mechanics/meshfree_body.h"
 #include "mechanics/simulation_internal.h"
 #include "mechanics/stopwatch.h"
 
@@ -14,6 +15,7 @@ namespace glisson::mechanics {
 namespace {
 
 int steps_for(const std::vector<ToolInHand>& tools, double largest_move_mm);
+std::vector<std::vector<HandTool>> stations_of(const std::vector<ToolInHand>& tools);
 
 }  // namespace
 
@@ -62,14 +64,30 @@ Result<Answer> large_contact_equilibrium(const geometry::TetMesh& mesh, std::vec
   const auto& [body, materials, setup_s] = *prepared;
   const auto loads = applied_loads(body, scenario.loads, gas_on(materials));
   if (!loads) return failure(loads.error());
-  const int steps = steps_for(scenario.tools, 0.5 * thinnest_rod_mm(scenario.tools));
-  std::vector<std::vector<HandTool>> stations;
-  for (int step = 1; step <= steps; ++step) stations.push_back(tools_at(scenario.tools, double(step) / steps));
-  auto contact = find_equilibrium_in_contact(body, materials, *loads, stations, {}, progress);
+  auto contact = find_equilibrium_in_contact(body, materials, *loads, stations_of(scenario.tools), {}, progress);
   if (!contact) return failure(std::move(contact.error()));
   contact->result.setup_s = setup_s;
   auto landmarks_mm = displacement_at(body, contact->result, places);
   auto von_mises_kPa = von_mises_of_cells(body, materials, nodal_displacements(body, contact->result));
+  return Answer{std::move(contact->result), std::move(landmarks_mm), std::move(von_mises_kPa), {},
+                std::move(contact->tools),  contact->report};
+}
+
+// NOLINTNEXTLINE(performance-unnecessary-value-param): one signature for all engines
+Result<Answer> meshfree_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                            const Scenario& scenario, const Places& places, const Progress& progress) {
+  const auto model =
+      MeshfreeModel::create(mesh, youngs_kPa, scenario.supports, {scenario.material, scenario.strain_stiffening},
+                            options_of(scenario), scenario.meshfree, scenario.cuts, progress.part(0.0, 0.5));
+  if (!model) return failure(model.error());
+  const MeshfreeBody& frames = model->body();
+  const auto loads = applied_loads(frames.body, scenario.loads, gas_on(frames.materials));
+  if (!loads) return failure(loads.error());
+  auto contact = find_equilibrium_in_contact(*model, *loads, stations_of(scenario.tools), {}, progress.part(0.5, 1.0));
+  if (!contact) return failure(std::move(contact.error()));
+  contact->result.setup_s = model->cost().setup_s;
+  auto landmarks_mm = model->displacement_at(contact->result, places);
+  auto von_mises_kPa = model->von_mises_kPa(contact->result);
   return Answer{std::move(contact->result), std::move(landmarks_mm), std::move(von_mises_kPa), {},
                 std::move(contact->tools),  contact->report};
 }
@@ -118,6 +136,13 @@ int steps_for(const std::vector<ToolInHand>& tools, double largest_move_mm) {
     }
   }
   return std::max(1, static_cast<int>(std::ceil(farthest_mm / largest_move_mm)));
+}
+
+std::vector<std::vector<HandTool>> stations_of(const std::vector<ToolInHand>& tools) {
+  const int steps = steps_for(tools, 0.5 * thinnest_rod_mm(tools));
+  std::vector<std::vector<HandTool>> stations;
+  for (int step = 1; step <= steps; ++step) stations.push_back(tools_at(tools, double(step) / steps));
+  return stations;
 }
 
 }  // namespace

@@ -42,6 +42,8 @@ Result<Answer> small_contact_equilibrium(const geometry::TetMesh& mesh, std::vec
                                          const Scenario& scenario, const Places& places, const Progress& progress);
 Result<Answer> large_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
                                          const Scenario& scenario, const Places& places, const Progress& progress);
+Result<Answer> meshfree_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                            const Scenario& scenario, const Places& places, const Progress& progress);
 
 // From rest, under loads that are there from the first moment.
 Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa, const Scenario& scenario,

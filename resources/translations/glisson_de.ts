@@ -3179,10 +3179,6 @@
         <translation>{0} muss &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; oder {&quot;rods&quot;: [...]} sein.</translation>
     </message>
     <message>
-        <source>Elsewhere give a load.</source>
-        <translation>Geben Sie sonst eine Last an.</translation>
-    </message>
-    <message>
         <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments, tools or the meshfree engine.</source>
         <translation>Direkt aus Daten gibt es Gleichgewichte mit finiten Elementen: ohne Bewegung, Kapsel, Bänder, Werkzeuge oder das netzfreie Verfahren.</translation>
     </message>
@@ -3519,10 +3515,6 @@
         <translation>Drücken Sie in die Oberfläche hinein, oder nehmen Sie die Fasszange.</translation>
     </message>
     <message>
-        <source>Tools in contact are there for finite elements, not for the meshfree engine.</source>
-        <translation>Werkzeuge in Kontakt gibt es für finite Elemente, nicht für das netzfreie Verfahren.</translation>
-    </message>
-    <message>
         <source>Tool {0} would move by {1} mm a step, past a surface that it should meet.</source>
         <translation>Das Werkzeug {0} würde sich in einem Schritt um {1} mm bewegen, an einer Oberfläche vorbei, auf die es treffen sollte.</translation>
     </message>
@@ -3645,6 +3637,22 @@
     <message>
         <source>No images were found in {0}.</source>
         <translation>In {0} wurden keine Bilder gefunden.</translation>
+    </message>
+    <message>
+        <source>By the meshfree engine a grasper pulls with a force; {0} has a displacement.</source>
+        <translation>Mit dem netzfreien Verfahren zieht eine Fasszange mit einer Kraft; {0} hat eine Verschiebung.</translation>
+    </message>
+    <message>
+        <source>Give it a pull, or take finite elements.</source>
+        <translation>Geben Sie ihr einen Zug, oder nehmen Sie finite Elemente.</translation>
+    </message>
+    <message>
+        <source>Tools in contact are not there for motion by the meshfree engine.</source>
+        <translation>Werkzeuge in Kontakt gibt es nicht für die Bewegung mit dem netzfreien Verfahren.</translation>
+    </message>
+    <message>
+        <source>Take finite elements, or give a load.</source>
+        <translation>Nehmen Sie finite Elemente, oder geben Sie eine Last an.</translation>
     </message>
 </context>
 <context>

@@ -3179,10 +3179,6 @@
         <translation>{0} debe ser &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; o {&quot;rods&quot;: [...]}.</translation>
     </message>
     <message>
-        <source>Elsewhere give a load.</source>
-        <translation>En los demás casos indique una carga.</translation>
-    </message>
-    <message>
         <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments, tools or the meshfree engine.</source>
         <translation>Directamente a partir de datos hay equilibrios por elementos finitos: sin movimiento, cápsula, ligamentos, instrumentos ni motor sin malla.</translation>
     </message>
@@ -3519,10 +3515,6 @@
         <translation>Empuje hacia la superficie, o tome la pinza.</translation>
     </message>
     <message>
-        <source>Tools in contact are there for finite elements, not for the meshfree engine.</source>
-        <translation>Los instrumentos en contacto existen para los elementos finitos, no para el motor sin malla.</translation>
-    </message>
-    <message>
         <source>Tool {0} would move by {1} mm a step, past a surface that it should meet.</source>
         <translation>El instrumento {0} se movería {1} mm en un paso y pasaría de largo una superficie que debería tocar.</translation>
     </message>
@@ -3645,6 +3637,22 @@
     <message>
         <source>No images were found in {0}.</source>
         <translation>No se encontraron imágenes en {0}.</translation>
+    </message>
+    <message>
+        <source>By the meshfree engine a grasper pulls with a force; {0} has a displacement.</source>
+        <translation>Con el motor sin malla una pinza tira con una fuerza; {0} tiene un desplazamiento.</translation>
+    </message>
+    <message>
+        <source>Give it a pull, or take finite elements.</source>
+        <translation>Dele una tracción, o tome los elementos finitos.</translation>
+    </message>
+    <message>
+        <source>Tools in contact are not there for motion by the meshfree engine.</source>
+        <translation>Los instrumentos en contacto no existen para el movimiento con el motor sin malla.</translation>
+    </message>
+    <message>
+        <source>Take finite elements, or give a load.</source>
+        <translation>Tome los elementos finitos, o indique una carga.</translation>
     </message>
 </context>
 <context>

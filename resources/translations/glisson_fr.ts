@@ -3179,10 +3179,6 @@
         <translation>{0} doit être &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; ou {&quot;rods&quot;: [...]}.</translation>
     </message>
     <message>
-        <source>Elsewhere give a load.</source>
-        <translation>Ailleurs, donnez une charge.</translation>
-    </message>
-    <message>
         <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments, tools or the meshfree engine.</source>
         <translation>Directement à partir de données, il y a des équilibres par éléments finis&#xa0;: sans mouvement, capsule, ligaments, outils ni moteur sans maillage.</translation>
     </message>
@@ -3519,10 +3515,6 @@
         <translation>Poussez dans la surface, ou prenez la pince.</translation>
     </message>
     <message>
-        <source>Tools in contact are there for finite elements, not for the meshfree engine.</source>
-        <translation>Les outils en contact existent pour les éléments finis, non pour le moteur sans maillage.</translation>
-    </message>
-    <message>
         <source>Tool {0} would move by {1} mm a step, past a surface that it should meet.</source>
         <translation>L’outil {0} avancerait de {1} mm en un pas et passerait à travers une surface qu’il devrait rencontrer.</translation>
     </message>
@@ -3645,6 +3637,22 @@
     <message>
         <source>No images were found in {0}.</source>
         <translation>Aucune image n&apos;a été trouvée dans {0}.</translation>
+    </message>
+    <message>
+        <source>By the meshfree engine a grasper pulls with a force; {0} has a displacement.</source>
+        <translation>Avec le moteur sans maillage, une pince tire avec une force&#xa0;; {0} a un déplacement.</translation>
+    </message>
+    <message>
+        <source>Give it a pull, or take finite elements.</source>
+        <translation>Donnez-lui une traction, ou prenez les éléments finis.</translation>
+    </message>
+    <message>
+        <source>Tools in contact are not there for motion by the meshfree engine.</source>
+        <translation>Les outils en contact n’existent pas pour le mouvement avec le moteur sans maillage.</translation>
+    </message>
+    <message>
+        <source>Take finite elements, or give a load.</source>
+        <translation>Prenez les éléments finis, ou donnez une charge.</translation>
     </message>
 </context>
 <context>

@@ -193,7 +193,10 @@ TEST_F(Simulating, ToolsInContactPushAsTheScenarioSays) {
   EXPECT_LE(touched.contact->penetration_mm, 0.1);
   EXPECT_LT((touched.result.held_reaction_mN + touched.tools[0].force_mN + touched.tools[1].force_mN).norm(), 1.0);
   scenario.engine = Engine::meshfree;
-  EXPECT_THAT(refusal(), HasSubstr("not-available: Tools in contact"));
+  EXPECT_THAT(refusal(), HasSubstr("not-available: By the meshfree engine a grasper pulls"));
+  scenario.motion = Motion{0.1, 20, 0.0, 0.02};
+  EXPECT_THAT(refusal(), HasSubstr("not-available: Tools in contact are not there for motion"));
+  scenario.motion.reset();
   scenario.engine = Engine::fem;
   scenario.material = MaterialLaw::neo_hookean;
   const auto far = simulate(mesh, scenario).value();
@@ -201,6 +204,27 @@ TEST_F(Simulating, ToolsInContactPushAsTheScenarioSays) {
   EXPECT_NEAR(far.tools[0].force_mN.z(), -100, 0.5);
   EXPECT_GT(far.tools[1].force_mN.x(), 0);
   EXPECT_LE(far.contact->penetration_mm, 0.1);
+}
+
+TEST_F(Simulating, ToolsPressOnMeshfreeBodiesNearlyAsOnCells) {
+  // A probe pushed by 100 mN sinks in by nearly as much; frames are the stiffer, since a few cannot follow its dent.
+  scenario.loads = {};
+  scenario.tools = {{"probe", RigidToolInHand{palpation_probe(8), {15, 15, 50}, {0, 0, -1}, 0, 100.0}}};
+  scenario.meshfree.nodes = 20;
+  for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::neo_hookean}) {
+    scenario.material = law;
+    scenario.engine = Engine::fem;
+    const auto cells = simulate(mesh, scenario).value();
+    scenario.engine = Engine::meshfree;
+    const auto frames = simulate(mesh, scenario).value();
+    ASSERT_TRUE(frames.result.may_be_used()) << frames.result.why_stopped;
+    EXPECT_NEAR(frames.tools[0].force_mN.z(), -100, 0.5);
+    EXPECT_LE(frames.contact->penetration_mm, 0.1);
+    EXPECT_LT((frames.result.held_reaction_mN + frames.tools[0].force_mN).norm(), 1.0);
+    // Both ways begin 12 mm above the top.
+    EXPECT_LT(frames.tools[0].advance_mm, cells.tools[0].advance_mm + 0.1);
+    EXPECT_GT(frames.tools[0].advance_mm - 12, 0.6 * (cells.tools[0].advance_mm - 12));
+  }
 }
 
 TEST_F(Simulating, ToolsMoveWithTheBody) {

@@ -212,7 +212,7 @@ void LiveRehearsal::solve_for(const ToolInHand& tool) {
 
 void LiveRehearsal::show_answer(const rehearsal::PlacedTool& placed, const ToolInHand& tool) {
   frame_ = placed.answer(tool.pull_N());
-  // No strain reaches 1 where the bound does not, and then no cell can turn inside out.
+  // Where no strain reaches 1, no cell can turn inside out.
   inverted_cells_ = frame_->largest_strain < 1 ? 0
                                                : widgets::inverted_cells(body_->patient().mesh(),
                                                                          placed.patient_displacement_mm(tool.pull_N()));
