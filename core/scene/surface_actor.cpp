@@ -13,6 +13,11 @@
 #include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <map>
+#include <set>
 
 namespace glisson::scene {
 namespace {
@@ -128,6 +133,38 @@ void SurfaceActor::set_transparency(Transparency transparency) {
   if (GlassActor::SafeDownCast(actor_) != nullptr) actor_->SetForceOpaque(transparency == Transparency::quick);
 }
 
+// Surfaces with few triangles, and those whose triangles carry values, stay as they are.
+void SurfaceActor::set_detail(Detail detail) {
+  constexpr std::size_t few = 4000;
+  const bool has_cell_values = mesh_->GetCellData()->GetScalars() != nullptr;
+  if (surface_.triangles.size() <= few || has_cell_values) return;
+  if (detail == Detail::coarse && coarse_mapper_ == nullptr) make_coarse();
+  actor_->SetMapper(detail == Detail::coarse ? coarse_mapper_.GetPointer() : mapper_.GetPointer());
+}
+
+void SurfaceActor::make_coarse() {
+  // Cubes whose faces the surface fills with about a twelfth of its triangles, two a square.
+  double area_mm2 = 0;
+  for (const auto& triangle : surface_.triangles) {
+    const auto at = [&](std::size_t k) { return surface_.points_mm[static_cast<std::size_t>(triangle[k])]; };
+    area_mm2 += 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm();
+  }
+  const double wanted = std::max(2000.0, static_cast<double>(surface_.triangles.size()) / 12);
+  vtkNew<vtkCellArray> triangles;
+  for (const auto& triangle : clustered_triangles(surface_, std::sqrt(2 * area_mm2 / wanted))) {
+    triangles->InsertNextCell({triangle[0], triangle[1], triangle[2]});
+  }
+  coarse_mesh_->ShallowCopy(mesh_);
+  coarse_mesh_->SetPolys(triangles);
+  coarse_mapper_ = vtkSmartPointer<vtkPolyDataMapper>::New();
+  coarse_mapper_->SetInputData(coarse_mesh_);
+  coarse_mapper_->SetLookupTable(mapper_->GetLookupTable());
+  coarse_mapper_->SetScalarVisibility(mapper_->GetScalarVisibility());
+  coarse_mapper_->SetScalarMode(mapper_->GetScalarMode());
+  coarse_mapper_->SetInterpolateScalarsBeforeMapping(mapper_->GetInterpolateScalarsBeforeMapping());
+  coarse_mapper_->SetUseLookupTableScalarRange(mapper_->GetUseLookupTableScalarRange());
+}
+
 void SurfaceActor::move(const std::vector<Eigen::Vector3d>& points_mm) {
   GLISSON_ASSERT(points_mm.size() == surface_.points_mm.size());
   surface_.points_mm = points_mm;
@@ -146,6 +183,7 @@ void SurfaceActor::move(const std::vector<Eigen::Vector3d>& points_mm) {
   points_->Modified();
   normals_->Modified();
   mesh_->Modified();
+  coarse_mesh_->Modified();
 }
 
 void SurfaceActor::recolour(const std::vector<double>& values) {
@@ -155,6 +193,7 @@ void SurfaceActor::recolour(const std::vector<double>& values) {
   }
   values_->Modified();
   mesh_->Modified();
+  coarse_mesh_->Modified();
 }
 
 void SurfaceActor::colour_by(const Colouring& colouring) {
@@ -191,6 +230,25 @@ void SurfaceActor::shade_as_light() {
   actor_->GetProperty()->BackfaceCullingOn();
   actor_->ForceOpaqueOn();
   actor_->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, light_shader, false);
+}
+
+std::vector<std::array<int, 3>> clustered_triangles(const geometry::Surface& surface, double edge_mm) {
+  std::map<std::array<int, 3>, int> first_in_cube;
+  std::vector<int> stands_for(surface.points_mm.size());
+  for (std::size_t p = 0; p < stands_for.size(); ++p) {
+    const Eigen::Vector3d cube = (surface.points_mm[p] / edge_mm).array().floor();
+    const std::array<int, 3> key{static_cast<int>(cube.x()), static_cast<int>(cube.y()), static_cast<int>(cube.z())};
+    stands_for[p] = first_in_cube.try_emplace(key, static_cast<int>(p)).first->second;
+  }
+  std::set<std::array<int, 3>> triangles;
+  for (const auto& triangle : surface.triangles) {
+    std::array<int, 3> now{};
+    for (std::size_t k = 0; k < 3; ++k) now[k] = stands_for[static_cast<std::size_t>(triangle[k])];
+    if (now[0] == now[1] || now[1] == now[2] || now[2] == now[0]) continue;
+    std::rotate(now.begin(), std::min_element(now.begin(), now.end()), now.end());  // so that equal ones look equal
+    triangles.insert(now);
+  }
+  return {triangles.begin(), triangles.end()};
 }
 
 std::vector<double> values_to_colour(const geometry::Field& field) {

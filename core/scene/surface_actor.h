@@ -9,6 +9,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <array>
 #include <Eigen/Core>
 #include <vector>
 
@@ -27,6 +28,7 @@ class SurfaceActor {
   void move(const std::vector<Eigen::Vector3d>& points_mm);
   void recolour(const std::vector<double>& values);
   void set_transparency(Transparency transparency);
+  void set_detail(Detail detail);
   void set_shown(bool shown) { actor_->SetVisibility(shown ? 1 : 0); }
 
   [[nodiscard]] bool shown() const { return actor_->GetVisibility() != 0; }
@@ -35,6 +37,7 @@ class SurfaceActor {
 
  private:
   void colour_by(const Colouring& colouring);
+  void make_coarse();
   void shade_as_glass();
   void shade_as_light();
 
@@ -45,8 +48,15 @@ class SurfaceActor {
   vtkNew<vtkFloatArray> values_;
   vtkNew<vtkPolyData> mesh_;
   vtkNew<vtkPolyDataMapper> mapper_;
+  // The same points with fewer triangles; made when it is first asked for.
+  vtkNew<vtkPolyData> coarse_mesh_;
+  vtkSmartPointer<vtkPolyDataMapper> coarse_mapper_;
   vtkSmartPointer<vtkActor> actor_;
 };
+
+// The surface's triangles between one point of each cube of that edge; those that shrink to a line or a point are left
+// out.
+[[nodiscard]] std::vector<std::array<int, 3>> clustered_triangles(const geometry::Surface& surface, double edge_mm);
 
 // One value an item: the field itself, or the length of each of its vectors.
 [[nodiscard]] std::vector<double> values_to_colour(const geometry::Field& field);

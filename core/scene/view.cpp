@@ -162,6 +162,10 @@ void View::set_pixel_scale(double pixel_scale) {
 
 void View::set_transparency(Transparency transparency) { parts_->transparency = transparency; }
 
+void View::set_detail(Detail detail) {
+  for (const auto& [surface, actor] : parts_->surfaces) actor->set_detail(detail);
+}
+
 void View::set_camera(const Camera& camera) {
   parts_->frame.camera = camera;
   parts_->framed = true;
@@ -169,7 +173,7 @@ void View::set_camera(const Camera& camera) {
 
 const Camera& View::camera() const { return parts_->frame.camera; }
 
-void View::prepare_frame(int width, int height) {
+void View::prepare_frame(int width, int height, int shrink) {
   Parts& parts = *parts_;
   parts.frame.width = std::max(width, 1);
   parts.frame.height = std::max(height, 1);
@@ -181,10 +185,13 @@ void View::prepare_frame(int width, int height) {
     slice->lift_lines(-parts.frame.camera.sight * 0.002 * parts.frame.camera.visible_height_mm);
   }
   parts.drawing.lift(-parts.frame.camera.sight * 0.002 * parts.frame.camera.visible_height_mm);
-  lay_out(parts.overlay, parts.frame,
+  Frame drawn = parts.frame;
+  drawn.width = std::max(drawn.width / shrink, 1);
+  drawn.height = std::max(drawn.height / shrink, 1);
+  lay_out(parts.overlay, drawn,
           {parts.scene.furniture, parts.legends, parts.scene.landmarks, parts.scene.arrows, parts.scene.crosshair,
            parts.lines, parts.scene.background},
-          parts.pixel_scale);
+          parts.pixel_scale / shrink);
 }
 
 std::optional<View::Pick> View::pick(double x, double y) const {

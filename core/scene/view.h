@@ -23,6 +23,9 @@ enum class Visibility { shown, hidden };
 // over what is solid, several times faster, and is hard to tell from it for one clear organ that comes last.
 enum class Transparency { exact, quick };
 
+// While the camera moves, a slow renderer is helped by fewer triangles: points that lie within a few mm become one.
+enum class Detail { full, coarse };
+
 class View {
  public:
   // The renderer must outlive the view and belong to a render window before the first frame.
@@ -62,11 +65,14 @@ class View {
   // How many device pixels one pixel of line width or text stands for (2 on a high-resolution screen).
   void set_pixel_scale(double pixel_scale);
   void set_transparency(Transparency transparency);
+  void set_detail(Detail detail);
   void set_camera(const Camera& camera);
   [[nodiscard]] const Camera& camera() const;
 
-  // Call before each frame, with the size of the picture in device pixels: places letters, scale bar and legends.
-  void prepare_frame(int width, int height);
+  // Call before each frame, with the size of the picture in device pixels: places letters, scale bar and legends. With
+  // `shrink` 2 it is drawn at half that size each way and enlarged by whoever shows it; everything else that is said
+  // in pixels stays in those of the picture.
+  void prepare_frame(int width, int height, int shrink = 1);
 
   struct Pick {
     SurfaceId surface;
