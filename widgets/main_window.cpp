@@ -31,6 +31,7 @@
 #include "settings/settings.h"
 #include "settings/settings_window.h"
 #include "study/study_page.h"
+#include "views/measure_list.h"
 #include "views/wave_view.h"
 #include "words/language_menu.h"
 #include "words/told.h"
@@ -219,9 +220,10 @@ void MainWindow::open_demo_then(std::function<void()> once_shown) {
 }
 
 void MainWindow::show_patient(const Patient& patient) {
+  if (patient.folder != patient_.folder || patient.name != patient_.name) measure_->clear();
   patient_ = patient;
   welcome_->hide();
-  views_->show();
+  viewing_->show();
   notice_->hide();
   if (!patient.remarks.empty()) {
     show_notice([remarks = patient.remarks] {
@@ -232,6 +234,7 @@ void MainWindow::show_patient(const Patient& patient) {
   }
   origin_->setVisible(!patient.origin.empty());
   study_panel_->show_patient(patient);
+  view_bar_->show_patient(patient);
   patient_views_->show_patient(patient);
   rehearsal_.set_body(patient.rehearsal, patient.rehearsal_setup);
   rehearsal_undo_.begin();
@@ -278,6 +281,8 @@ void MainWindow::make_menus() {
   QAction* quit = file->addAction({}, QKeySequence::Quit, this, &QWidget::close);
   QMenu* edit = menuBar()->addMenu(QString());
   edit->addActions({undo_.undo_action(), undo_.redo_action()});
+  QMenu* view_menu = menuBar()->addMenu(QString());
+  view_bar_->fill(*view_menu);
   go_menu_ = menuBar()->addMenu(QString());
   menuBar()->addMenu(new LanguageMenu(this));
   QMenu* help = menuBar()->addMenu(QString());
@@ -304,6 +309,7 @@ void MainWindow::make_menus() {
     show_waves_->setText(tr("Elastography &waves..."));
     quit->setText(tr("&Quit"));
     edit->setTitle(tr("&Edit"));
+    view_menu->setTitle(tr("&View"));
     undo_.name_actions();
     go_menu_->setTitle(tr("&Go"));
     help->setTitle(tr("&Help"));
@@ -353,8 +359,19 @@ QWidget* MainWindow::make_centre() {
   column->setSpacing(0);
 
   views_ = new LinkedViews;
-  views_->hide();
-  column->addWidget(views_, 1);
+  auto* measure = new MeasureTool(*views_, this);
+  view_bar_ = new ViewBar(*views_, *measure);
+  auto* viewing = new QWidget;
+  auto* viewed = new QVBoxLayout(viewing);
+  viewed->setContentsMargins(0, 0, 0, 0);
+  viewed->setSpacing(0);
+  viewed->addWidget(view_bar_);
+  viewed->addWidget(views_, 1);
+  viewed->addWidget(new MeasureList(*measure, *views_));
+  viewing_ = viewing;
+  measure_ = measure;
+  viewing_->hide();
+  column->addWidget(viewing_, 1);
 
   welcome_ = new WelcomePage;
   connect(welcome_, &WelcomePage::demo_wanted, this, &MainWindow::open_demo);
@@ -487,6 +504,9 @@ void MainWindow::connect_parts() {
   connect(rehearse_panel_, &RehearsePanel::at_work, patient_views_, &PatientViews::set_tool_movable);
   connect(rehearse_panel_, &RehearsePanel::failed, this, &MainWindow::show_error);
   connect(rehearse_panel_, &RehearsePanel::said, status_, &QLabel::setText);
+  connect(views_, &LinkedViews::picture_not_saved, this, [this](const QString& file) {
+    show_notice([file] { return tr("The picture could not be written to %1.").arg(file); });
+  });
   rehearse_panel_->track().set_camera([this] { return views_->space().grabFramebuffer(); });
   connect(&rehearsal_, &LiveRehearsal::frame_changed, this, &MainWindow::show_frame);
   connect(&rehearsal_, &LiveRehearsal::placed, this,

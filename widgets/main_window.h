@@ -28,6 +28,7 @@
 #include "session/undo.h"
 #include "views/linked_views.h"
 #include "views/patient_views.h"
+#include "views/view_bar.h"
 #include "words/told.h"
 #include "work/background_work.h"
 #include "workspaces/workspace_bar.h"
@@ -119,6 +120,9 @@ class MainWindow : public QMainWindow {
   RehearsalUndo rehearsal_undo_{rehearsal_, undo_};
   BackgroundWork work_;
   LinkedViews* views_ = nullptr;
+  MeasureTool* measure_ = nullptr;
+  ViewBar* view_bar_ = nullptr;
+  QWidget* viewing_ = nullptr;  // the views with what belongs to them
   PatientViews* patient_views_ = nullptr;
   StudyPanel* study_panel_ = nullptr;
   StudyPage* study_page_ = nullptr;

@@ -4571,12 +4571,6 @@ mm</translation>
         <translation>Sagittal</translation>
     </message>
     <message>
-        <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
-Ctrl+wheel: zoom. Shift+drag: shift.</source>
-        <translation>Klick: Fadenkreuz. Rechts ziehen: Helligkeit und Kontrast. Rad: nächste Schicht.
-Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
-    </message>
-    <message>
         <source>Drag: turn. Shift+drag: shift. Wheel: zoom. Click: crosshair there.</source>
         <translation>Ziehen: Drehen. Umschalt+Ziehen: Verschieben. Rad: Zoom. Klick: Fadenkreuz dorthin.</translation>
     </message>
@@ -4603,6 +4597,20 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
     <message>
         <source>Atlas</source>
         <translation>Atlas</translation>
+    </message>
+    <message>
+        <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
+Ctrl+wheel: zoom. Shift+drag: shift. Ctrl+drag: turn. Knobs of the crosshair: tilt the other slices.</source>
+        <translation>Klick: Fadenkreuz. Rechts ziehen: Helligkeit und Kontrast. Rad: nächste Schicht.
+Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fadenkreuz: die anderen Schichten kippen.</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
     </message>
 </context>
 <context>
@@ -4823,6 +4831,10 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
         <source>&amp;Edit</source>
         <translation>&amp;Bearbeiten</translation>
     </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
@@ -4853,6 +4865,33 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben.</translation>
     <message>
         <source>No page holds these words.</source>
         <translation>Keine Seite enthält diese Wörter.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::MeasureList</name>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Volume: %1</source>
+        <translation>Volumen: %1</translation>
+    </message>
+    <message>
+        <source>Takes this measurement away</source>
+        <translation>Nimmt diese Messung weg</translation>
     </message>
 </context>
 <context>
@@ -7050,6 +7089,119 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::ViewBar</name>
+    <message>
+        <source>Measure a &amp;distance</source>
+        <translation>A&amp;bstand messen</translation>
+    </message>
+    <message>
+        <source>A distance in mm: click its two ends, or press Enter at the crosshair; Escape gives up</source>
+        <translation>Ein Abstand in mm: Klicken Sie auf seine beiden Enden, oder drücken Sie die Eingabetaste am Fadenkreuz; Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Measure an &amp;angle</source>
+        <translation>&amp;Winkel messen</translation>
+    </message>
+    <message>
+        <source>An angle in degrees: click one side, the vertex, the other side</source>
+        <translation>Ein Winkel in Grad: Klicken Sie auf einen Schenkel, den Scheitel, den anderen Schenkel</translation>
+    </message>
+    <message>
+        <source>Measure a &amp;ball</source>
+        <translation>&amp;Kugel messen</translation>
+    </message>
+    <message>
+        <source>A ball&apos;s volume in ml: click its centre, then a point of its surface</source>
+        <translation>Das Volumen einer Kugel in ml: Klicken Sie auf ihren Mittelpunkt, dann auf einen Punkt ihrer Oberfläche</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Lists the volume of a structure, in ml</source>
+        <translation>Nimmt das Volumen einer Struktur in die Liste auf, in ml</translation>
+    </message>
+    <message>
+        <source>&amp;Volume of</source>
+        <translation>&amp;Volumen von</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Abdomen</source>
+        <translation>Abdomen</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Brightness and contrast of the slices. The presets are for CT; MR has no fixed scale.
+By hand: drag with the right button</source>
+        <translation>Helligkeit und Kontrast der Schichten. Die Voreinstellungen gelten für CT; MR hat keine feste Skala.
+Von Hand: mit der rechten Taste ziehen</translation>
+    </message>
+    <message>
+        <source>Brightness and contrast</source>
+        <translation>Helligkeit und Kontrast</translation>
+    </message>
+    <message>
+        <source>&amp;Next brightness and contrast</source>
+        <translation>&amp;Nächste Helligkeit und Kontrast</translation>
+    </message>
+    <message>
+        <source>Surgeon&apos;s &amp;side</source>
+        <translation>&amp;Seite des Chirurgen</translation>
+    </message>
+    <message>
+        <source>Turns the three slices to where the surgeon stands. By hand: drag the knobs of the crosshair, or Ctrl and drag</source>
+        <translation>Dreht die drei Schichten dorthin, wo der Chirurg steht. Von Hand: an den Knöpfen des Fadenkreuzes ziehen, oder Strg und ziehen</translation>
+    </message>
+    <message>
+        <source>S&amp;traight</source>
+        <translation>Gera&amp;de</translation>
+    </message>
+    <message>
+        <source>The slices along the body again</source>
+        <translation>Die Schichten wieder entlang des Körpers</translation>
+    </message>
+    <message>
+        <source>&amp;Four views</source>
+        <translation>&amp;Vier Ansichten</translation>
+    </message>
+    <message>
+        <source>3D &amp;large</source>
+        <translation>3D &amp;groß</translation>
+    </message>
+    <message>
+        <source>T&amp;hree slices side by side</source>
+        <translation>&amp;Drei Schichten nebeneinander</translation>
+    </message>
+    <message>
+        <source>&amp;One view: the one in use</source>
+        <translation>&amp;Eine Ansicht: die benutzte</translation>
+    </message>
+    <message>
+        <source>Save the &amp;picture of the view in use...</source>
+        <translation>&amp;Bild der benutzten Ansicht speichern …</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::ViewFrame</name>
     <message>
         <source>Show all four views</source>
@@ -7058,6 +7210,10 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     <message>
         <source>Fill the window with this view</source>
         <translation>Fenster mit dieser Ansicht füllen</translation>
+    </message>
+    <message>
+        <source>Save the picture of this view</source>
+        <translation>Das Bild dieser Ansicht speichern</translation>
     </message>
 </context>
 <context>

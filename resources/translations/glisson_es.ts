@@ -4573,12 +4573,6 @@ mm</translation>
         <translation>Sagital</translation>
     </message>
     <message>
-        <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
-Ctrl+wheel: zoom. Shift+drag: shift.</source>
-        <translation>Clic: cruz. Arrastrar con el botón derecho: brillo y contraste. Rueda: corte siguiente.
-Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
-    </message>
-    <message>
         <source>Drag: turn. Shift+drag: shift. Wheel: zoom. Click: crosshair there.</source>
         <translation>Arrastrar: girar. Mayús+arrastrar: desplazar. Rueda: zoom. Clic: cruz en ese lugar.</translation>
     </message>
@@ -4605,6 +4599,20 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
     <message>
         <source>Atlas</source>
         <translation>Atlas</translation>
+    </message>
+    <message>
+        <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
+Ctrl+wheel: zoom. Shift+drag: shift. Ctrl+drag: turn. Knobs of the crosshair: tilt the other slices.</source>
+        <translation>Clic: cruz. Arrastrar con el derecho: brillo y contraste. Rueda: corte siguiente.
+Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Botones de la cruz: inclinar los otros cortes.</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Guardar la imagen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Imágenes (*.png)</translation>
     </message>
 </context>
 <context>
@@ -4825,6 +4833,10 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
         <source>&amp;Edit</source>
         <translation>&amp;Editar</translation>
     </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
@@ -4855,6 +4867,33 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar.</translation>
     <message>
         <source>No page holds these words.</source>
         <translation>Ninguna página contiene estas palabras.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::MeasureList</name>
+    <message>
+        <source>Measurements</source>
+        <translation>Medidas</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Bola</translation>
+    </message>
+    <message>
+        <source>Volume: %1</source>
+        <translation>Volumen: %1</translation>
+    </message>
+    <message>
+        <source>Takes this measurement away</source>
+        <translation>Quita esta medida</translation>
     </message>
 </context>
 <context>
@@ -7053,6 +7092,119 @@ Módulo de Young %2 kPa (media)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::ViewBar</name>
+    <message>
+        <source>Measure a &amp;distance</source>
+        <translation>Medir una &amp;distancia</translation>
+    </message>
+    <message>
+        <source>A distance in mm: click its two ends, or press Enter at the crosshair; Escape gives up</source>
+        <translation>Una distancia en mm: haga clic en sus dos extremos, o pulse Intro en la cruz; Esc la cancela</translation>
+    </message>
+    <message>
+        <source>Measure an &amp;angle</source>
+        <translation>Medir un &amp;ángulo</translation>
+    </message>
+    <message>
+        <source>An angle in degrees: click one side, the vertex, the other side</source>
+        <translation>Un ángulo en grados: haga clic en un lado, el vértice y el otro lado</translation>
+    </message>
+    <message>
+        <source>Measure a &amp;ball</source>
+        <translation>Medir una &amp;bola</translation>
+    </message>
+    <message>
+        <source>A ball&apos;s volume in ml: click its centre, then a point of its surface</source>
+        <translation>El volumen de una bola en ml: haga clic en su centro y después en un punto de su superficie</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Lists the volume of a structure, in ml</source>
+        <translation>Añade a la lista el volumen de una estructura, en ml</translation>
+    </message>
+    <message>
+        <source>&amp;Volume of</source>
+        <translation>&amp;Volumen de</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>Abdomen</source>
+        <translation>Abdomen</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Hígado</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Pulmón</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Hueso</translation>
+    </message>
+    <message>
+        <source>Brightness and contrast of the slices. The presets are for CT; MR has no fixed scale.
+By hand: drag with the right button</source>
+        <translation>Brillo y contraste de los cortes. Los ajustes son para TC; la RM no tiene escala fija.
+A mano: arrastre con el botón derecho</translation>
+    </message>
+    <message>
+        <source>Brightness and contrast</source>
+        <translation>Brillo y contraste</translation>
+    </message>
+    <message>
+        <source>&amp;Next brightness and contrast</source>
+        <translation>&amp;Siguiente brillo y contraste</translation>
+    </message>
+    <message>
+        <source>Surgeon&apos;s &amp;side</source>
+        <translation>&amp;Lado del cirujano</translation>
+    </message>
+    <message>
+        <source>Turns the three slices to where the surgeon stands. By hand: drag the knobs of the crosshair, or Ctrl and drag</source>
+        <translation>Gira los tres cortes hacia donde está el cirujano. A mano: arrastre los botones de la cruz, o Ctrl y arrastrar</translation>
+    </message>
+    <message>
+        <source>S&amp;traight</source>
+        <translation>&amp;Recto</translation>
+    </message>
+    <message>
+        <source>The slices along the body again</source>
+        <translation>Los cortes de nuevo a lo largo del cuerpo</translation>
+    </message>
+    <message>
+        <source>&amp;Four views</source>
+        <translation>&amp;Cuatro vistas</translation>
+    </message>
+    <message>
+        <source>3D &amp;large</source>
+        <translation>3D &amp;grande</translation>
+    </message>
+    <message>
+        <source>T&amp;hree slices side by side</source>
+        <translation>&amp;Tres cortes lado a lado</translation>
+    </message>
+    <message>
+        <source>&amp;One view: the one in use</source>
+        <translation>&amp;Una vista: la que se usa</translation>
+    </message>
+    <message>
+        <source>Save the &amp;picture of the view in use...</source>
+        <translation>Guardar la &amp;imagen de la vista en uso…</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::ViewFrame</name>
     <message>
         <source>Show all four views</source>
@@ -7061,6 +7213,10 @@ Módulo de Young %2 kPa (media)</translation>
     <message>
         <source>Fill the window with this view</source>
         <translation>Llenar la ventana con esta vista</translation>
+    </message>
+    <message>
+        <source>Save the picture of this view</source>
+        <translation>Guardar la imagen de esta vista</translation>
     </message>
 </context>
 <context>

@@ -4573,12 +4573,6 @@ mm</translation>
         <translation>Sagittale</translation>
     </message>
     <message>
-        <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
-Ctrl+wheel: zoom. Shift+drag: shift.</source>
-        <translation>Clic&#xa0;: réticule. Glisser à droite&#xa0;: luminosité et contraste. Molette&#xa0;: coupe suivante.
-Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
-    </message>
-    <message>
         <source>Drag: turn. Shift+drag: shift. Wheel: zoom. Click: crosshair there.</source>
         <translation>Glisser&#xa0;: tourner. Maj+glisser&#xa0;: décaler. Molette&#xa0;: zoom. Clic&#xa0;: réticule à cet endroit.</translation>
     </message>
@@ -4605,6 +4599,20 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
     <message>
         <source>Atlas</source>
         <translation>Atlas</translation>
+    </message>
+    <message>
+        <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
+Ctrl+wheel: zoom. Shift+drag: shift. Ctrl+drag: turn. Knobs of the crosshair: tilt the other slices.</source>
+        <translation>Clic : réticule. Glisser à droite : luminosité et contraste. Molette : coupe suivante.
+Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Boutons du réticule : incliner les autres coupes.</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Enregistrer l’image</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Images (*.png)</translation>
     </message>
 </context>
 <context>
@@ -4825,6 +4833,10 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
         <source>&amp;Edit</source>
         <translation>&amp;Édition</translation>
     </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
@@ -4855,6 +4867,33 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: décaler.</translation>
     <message>
         <source>No page holds these words.</source>
         <translation>Aucune page ne contient ces mots.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::MeasureList</name>
+    <message>
+        <source>Measurements</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Boule</translation>
+    </message>
+    <message>
+        <source>Volume: %1</source>
+        <translation>Volume : %1</translation>
+    </message>
+    <message>
+        <source>Takes this measurement away</source>
+        <translation>Retire cette mesure</translation>
     </message>
 </context>
 <context>
@@ -7053,6 +7092,119 @@ Module de Young&#xa0;%2 kPa (moyenne)</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::ViewBar</name>
+    <message>
+        <source>Measure a &amp;distance</source>
+        <translation>Mesurer une &amp;distance</translation>
+    </message>
+    <message>
+        <source>A distance in mm: click its two ends, or press Enter at the crosshair; Escape gives up</source>
+        <translation>Une distance en mm : cliquez sur ses deux extrémités, ou appuyez sur Entrée au réticule ; Échap annule</translation>
+    </message>
+    <message>
+        <source>Measure an &amp;angle</source>
+        <translation>Mesurer un &amp;angle</translation>
+    </message>
+    <message>
+        <source>An angle in degrees: click one side, the vertex, the other side</source>
+        <translation>Un angle en degrés : cliquez sur un côté, le sommet, l’autre côté</translation>
+    </message>
+    <message>
+        <source>Measure a &amp;ball</source>
+        <translation>Mesurer une &amp;boule</translation>
+    </message>
+    <message>
+        <source>A ball&apos;s volume in ml: click its centre, then a point of its surface</source>
+        <translation>Le volume d’une boule en ml : cliquez sur son centre, puis sur un point de sa surface</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Lists the volume of a structure, in ml</source>
+        <translation>Ajoute à la liste le volume d’une structure, en ml</translation>
+    </message>
+    <message>
+        <source>&amp;Volume of</source>
+        <translation>&amp;Volume de</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Abdomen</source>
+        <translation>Abdomen</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Foie</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Poumon</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Os</translation>
+    </message>
+    <message>
+        <source>Brightness and contrast of the slices. The presets are for CT; MR has no fixed scale.
+By hand: drag with the right button</source>
+        <translation>Luminosité et contraste des coupes. Les préréglages sont pour le scanner ; l’IRM n’a pas d’échelle fixe.
+À la main : glissez avec le bouton droit</translation>
+    </message>
+    <message>
+        <source>Brightness and contrast</source>
+        <translation>Luminosité et contraste</translation>
+    </message>
+    <message>
+        <source>&amp;Next brightness and contrast</source>
+        <translation>Luminosité et contraste &amp;suivants</translation>
+    </message>
+    <message>
+        <source>Surgeon&apos;s &amp;side</source>
+        <translation>Côté du &amp;chirurgien</translation>
+    </message>
+    <message>
+        <source>Turns the three slices to where the surgeon stands. By hand: drag the knobs of the crosshair, or Ctrl and drag</source>
+        <translation>Tourne les trois coupes vers là où se tient le chirurgien. À la main : glissez les boutons du réticule, ou Ctrl et glisser</translation>
+    </message>
+    <message>
+        <source>S&amp;traight</source>
+        <translation>D&amp;roit</translation>
+    </message>
+    <message>
+        <source>The slices along the body again</source>
+        <translation>Les coupes de nouveau le long du corps</translation>
+    </message>
+    <message>
+        <source>&amp;Four views</source>
+        <translation>&amp;Quatre vues</translation>
+    </message>
+    <message>
+        <source>3D &amp;large</source>
+        <translation>3D en &amp;grand</translation>
+    </message>
+    <message>
+        <source>T&amp;hree slices side by side</source>
+        <translation>&amp;Trois coupes côte à côte</translation>
+    </message>
+    <message>
+        <source>&amp;One view: the one in use</source>
+        <translation>&amp;Une vue : celle utilisée</translation>
+    </message>
+    <message>
+        <source>Save the &amp;picture of the view in use...</source>
+        <translation>Enregistrer l’&amp;image de la vue utilisée…</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::ViewFrame</name>
     <message>
         <source>Show all four views</source>
@@ -7061,6 +7213,10 @@ Module de Young&#xa0;%2 kPa (moyenne)</translation>
     <message>
         <source>Fill the window with this view</source>
         <translation>Remplir la fenêtre avec cette vue</translation>
+    </message>
+    <message>
+        <source>Save the picture of this view</source>
+        <translation>Enregistrer l’image de cette vue</translation>
     </message>
 </context>
 <context>

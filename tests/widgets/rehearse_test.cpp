@@ -95,7 +95,7 @@ class RehearseTest : public QObject {
     QCOMPARE(moments.size(), std::size_t{3});
     QVERIFY(moments[2].time_s > moments[1].time_s);
     // By keys on the slider, back to the beginning.
-    auto* time = child<QSlider>("time");
+    auto* time = child<QSlider>("track_time");
     time->setFocus();
     QTest::keyClick(time, Qt::Key_Home);
     QCOMPARE(rehearsal().shown_moment(), std::optional<std::size_t>(0));
@@ -105,10 +105,14 @@ class RehearseTest : public QObject {
     QVERIFY(!rehearsal().shown_moment());
     QVERIFY(rehearsal().frame()->patient.surface_mm == shapes[2]);
     // Play runs through it in its own time and ends with now.
-    QTest::mouseClick(child<QPushButton>("play"), Qt::LeftButton);
-    QTRY_VERIFY(rehearsal().shown_moment().has_value());
+    bool played = false;
+    const auto watching = connect(&rehearsal(), &LiveRehearsal::frame_changed, this,
+                                  [&] { played = played || rehearsal().shown_moment().has_value(); });
+    QTest::mouseClick(child<QPushButton>("play_track"), Qt::LeftButton);
+    QTRY_VERIFY(played);
+    disconnect(watching);
     QTRY_VERIFY_WITH_TIMEOUT(!rehearsal().shown_moment(), patience_ms);
-    QVERIFY(!child<QPushButton>("play")->isChecked());
+    QVERIFY(!child<QPushButton>("play_track")->isChecked());
   }
 
   void films_what_the_view_shows() {

@@ -30,10 +30,10 @@ TrackControls::TrackControls(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   freeze_->setObjectName("freeze");
   freeze_->setCheckable(true);
   play_ = new QPushButton(this);
-  play_->setObjectName("play");
+  play_->setObjectName("play_track");
   play_->setCheckable(true);
   time_ = new QSlider(Qt::Horizontal, this);
-  time_->setObjectName("time");
+  time_->setObjectName("track_time");
   clock_ = new QLabel(this);
   clock_->setObjectName("track_clock");
   row->addWidget(freeze_);
@@ -46,7 +46,7 @@ TrackControls::TrackControls(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   auto* files = new QHBoxLayout;
   files->setSpacing(6);
   movie_button_ = new QPushButton(this);
-  movie_button_->setObjectName("movie");
+  movie_button_->setObjectName("track_movie");
   table_ = new QPushButton(this);
   table_->setObjectName("save_track");
   clear_ = new QPushButton(this);

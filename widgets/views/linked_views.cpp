@@ -1,6 +1,9 @@
 #include "views/linked_views.h"
 
 #include <algorithm>
+#include <QFileDialog>
+
+#include "session/patient.h"
 
 #include "words/worded.h"
 
@@ -33,6 +36,11 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
       }
       Q_EMIT crosshair_moved(position_mm);
     });
+    connect(slice, &SliceView::axes_turned, this, [this, slice](const Eigen::Matrix3d& axes) {
+      for (SliceView* other : slices_) {
+        if (other != slice) other->set_axes(axes);
+      }
+    });
     connect(slice, &SliceView::window_changed, this, [this, slice](double center, double width) {
       for (SliceView* other : slices_) {
         if (other != slice) other->set_window(center, width);
@@ -55,7 +63,7 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
     for (const std::size_t slice : {0, 2, 3}) {
       frames_[slice]->setToolTip(
           tr("Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.\n"
-             "Ctrl+wheel: zoom. Shift+drag: shift."));
+             "Ctrl+wheel: zoom. Shift+drag: shift. Ctrl+drag: turn. Knobs of the crosshair: tilt the other slices."));
     }
     frames_[1]->setToolTip(tr("Drag: turn. Shift+drag: shift. Wheel: zoom. Click: crosshair there."));
     sides[0]->setText(tr("Surgeon"));
@@ -65,11 +73,53 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
     for (QToolButton* side : sides) side->setToolTip(tr("Look from here, everything in view"));
   });
   for (ViewFrame* frame : frames_) {
+    const auto index = static_cast<std::size_t>(std::find(frames_.begin(), frames_.end(), frame) - frames_.begin());
+    connect(frame, &ViewFrame::picture_requested, this, [this, index] { save_picture(index); });
     connect(frame, &ViewFrame::maximise_requested, this, [this, frame] { toggle_maximised(frame); });
   }
 }
 
+void LinkedViews::set_window(double center, double width) {
+  for (SliceView* slice : slices_) slice->set_window(center, width);
+}
+
+void LinkedViews::set_usual_window() {
+  if (!volume_) return;
+  const GreyWindow window = usual_window(*volume_);
+  set_window(window.center, window.width);
+}
+
+bool LinkedViews::shows_hounsfield_units() const { return volume_ && volume_->unit == "HU"; }  // a unit, not translated
+
+void LinkedViews::set_axes(const Eigen::Matrix3d& axes) {
+  for (SliceView* slice : slices_) slice->set_axes(axes);
+}
+
+void LinkedViews::turn_to_surgeon() {
+  const scene::Camera surgeon = scene::look_from(scene::PatientView::surgeon, {{0, 0, 0}, {1, 1, 1}}, 1);
+  Eigen::Matrix3d axes;
+  axes << surgeon.sight.cross(surgeon.up), surgeon.sight, surgeon.up;
+  for (SliceView* slice : slices_) slice->set_roll_deg(0);
+  set_axes(axes);
+}
+
+void LinkedViews::straighten() {
+  for (SliceView* slice : slices_) slice->set_roll_deg(0);
+  set_axes(Eigen::Matrix3d::Identity());
+}
+
+void LinkedViews::save_view_in_use() { save_picture(static_cast<std::size_t>(frame_in_use())); }
+
+void LinkedViews::save_picture(std::size_t frame) {
+  const std::array<RenderWidget*, 5> views{slices_[0], space_, slices_[1], slices_[2], twin_};
+  const QImage picture = views[frame]->grabFramebuffer();  // as it is now, before a dialog lies over it
+  static constexpr const char* proposed = "view.png";
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save the picture"), proposed, tr("Pictures (*.png)"));
+  if (!file.isEmpty() && !picture.save(file)) Q_EMIT picture_not_saved(file);
+}
+
 void LinkedViews::show_slices(const SliceContent& content) {
+  volume_ = content.volume;
   for (SliceView* slice : slices_) slice->show_content(content);
 }
 

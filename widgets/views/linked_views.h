@@ -31,6 +31,19 @@ class LinkedViews : public QWidget {
   [[nodiscard]] const Eigen::Vector3d& crosshair_mm() const { return slices_[0]->crosshair_mm(); }
   void redraw();
 
+  void set_window(double center, double width);
+  void set_usual_window();  // from the volume's own values
+  [[nodiscard]] bool shows_hounsfield_units() const;
+
+  // The slices' normals; see SliceView::set_axes.
+  void set_axes(const Eigen::Matrix3d& axes);
+  // The coronal slice across the surgeon's line of sight (scene/camera.h), the others upright and level to it.
+  void turn_to_surgeon();
+  void straighten();
+
+  // Asks where to, for the view that was used last.
+  void save_view_in_use();
+
   // One: the view that was used last.
   void set_layout(ViewLayout layout);
   [[nodiscard]] ViewLayout view_layout() const { return layout_; }
@@ -40,9 +53,11 @@ class LinkedViews : public QWidget {
  Q_SIGNALS:
   void crosshair_moved(const Eigen::Vector3d& position_mm);
   void layout_changed();
+  void picture_not_saved(const QString& file);
 
  private:
   void toggle_maximised(ViewFrame* frame);
+  void save_picture(std::size_t frame);
   void arrange(const std::vector<std::array<int, 5>>& places, const std::vector<int>& row_stretches,
                const std::vector<int>& column_stretches);
   [[nodiscard]] int frame_in_use() const;
@@ -56,6 +71,7 @@ class LinkedViews : public QWidget {
   ViewLayout before_one_ = ViewLayout::square;
   ViewLayout before_twins_ = ViewLayout::square;
   int last_used_ = 1;
+  std::shared_ptr<const imaging::Volume> volume_;  // in the slices
 };
 
 }  // namespace glisson::widgets

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
+#include <numbers>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
@@ -10,6 +11,7 @@ namespace glisson::widgets {
 namespace {
 
 constexpr int wheel_units_per_slice = 120;
+constexpr double roll_step_deg = 5;
 constexpr double least_visible_mm = 10;
 constexpr double most_visible_mm = 2000;
 
@@ -26,24 +28,65 @@ SliceView::SliceView(SliceDirection direction, QWidget* parent) : RenderWidget(p
 
 Eigen::Vector3d SliceView::normal() const {
   switch (direction_) {
-    case SliceDirection::transverse: return Eigen::Vector3d::UnitZ();
-    case SliceDirection::coronal: return Eigen::Vector3d::UnitY();
-    case SliceDirection::sagittal: return Eigen::Vector3d::UnitX();
+    case SliceDirection::transverse: return axes_.col(2);
+    case SliceDirection::coronal: return axes_.col(1);
+    case SliceDirection::sagittal: return axes_.col(0);
   }
-  return Eigen::Vector3d::UnitZ();
+  return axes_.col(2);
+}
+
+// Where the reader looks from when nothing is turned, taken along with the axes.
+scene::Camera SliceView::straight_camera() const {
+  scene::Camera camera = scene::look_at_slice({0, 0, 0}, axes_.transpose() * normal(), 100);
+  camera.sight = axes_ * camera.sight;
+  camera.up = axes_ * camera.up;
+  return camera;
+}
+
+// The crosshair stays where it is in the picture.
+void SliceView::aim() {
+  scene::Camera camera = view().camera();
+  const Eigen::Vector3d from_focus_mm = crosshair_mm_ - camera.focus_mm;
+  const double right_mm = from_focus_mm.dot(camera.sight.cross(camera.up));
+  const double up_mm = from_focus_mm.dot(camera.up);
+  const scene::Camera straight = straight_camera();
+  camera.sight = straight.sight;
+  camera.up = Eigen::AngleAxisd(-roll_deg_ * std::numbers::pi / 180, camera.sight) * straight.up;
+  camera.focus_mm = crosshair_mm_ - right_mm * camera.sight.cross(camera.up) - up_mm * camera.up;
+  view().set_camera(camera);
+}
+
+void SliceView::set_axes(const Eigen::Matrix3d& axes) {
+  axes_ = axes;
+  if (!content_.volume) return;
+  view().turn_slice(0, normal());
+  aim();
+  set_crosshair(crosshair_mm_);
+}
+
+void SliceView::set_roll_deg(double roll_deg) {
+  roll_deg_ = std::remainder(roll_deg, 360);
+  if (!content_.volume) return;
+  aim();
+  set_crosshair(crosshair_mm_);
 }
 
 void SliceView::show_content(const SliceContent& content) {
   const bool same_volume = content.volume == content_.volume;
+  const SliceContent before = content_;
   content_ = content;
+  if (same_volume) {  // the person's own window is kept
+    content_.window_center = before.window_center;
+    content_.window_width = before.window_width;
+  }
   scene::Scene scene;
   if (content.volume) {
     scene::SliceItem slice;
     slice.volume = content.volume;
     slice.center_mm = crosshair_mm_;
     slice.normal = normal();
-    slice.window_center = content.window_center;
-    slice.window_width = content.window_width;
+    slice.window_center = content_.window_center;
+    slice.window_width = content_.window_width;
     slice.map = content.map;
     // One legend for the three views is enough.
     if (direction_ == SliceDirection::transverse) slice.legend_title = content.legend_title;
@@ -61,10 +104,10 @@ void SliceView::set_crosshair(const Eigen::Vector3d& position_mm) {
   const double shift_mm = normal().dot(position_mm - crosshair_mm_);
   crosshair_mm_ = position_mm;
   if (content_.volume) view().move_slice(0, position_mm);
-  view().set_crosshair(scene::CrosshairItem{position_mm, axis_colours});
   scene::Camera camera = view().camera();
   camera.focus_mm += shift_mm * normal();
   view().set_camera(camera);
+  show_crosshair();
   tell_position();
   redraw();
   Q_EMIT slice_moved();
@@ -74,6 +117,49 @@ Eigen::Vector3d SliceView::place_at(const QPointF& position) const {
   const QPointF at = device_position(position);
   const Eigen::Vector3d place_mm = view().position_in_focal_plane(at.x(), at.y());
   return place_mm + normal() * normal().dot(crosshair_mm_ - place_mm);
+}
+
+void SliceView::show_crosshair() {
+  view().set_crosshair(
+      scene::CrosshairItem{crosshair_mm_, axis_colours, axes_, hovered_ ? knob_reach_px() * devicePixelRatioF() : 0});
+}
+
+double SliceView::knob_reach_px() const { return 0.34 * std::min(width(), height()); }
+
+bool SliceView::on_knob(const QPointF& position) const {
+  if (!content_.volume) return false;
+  constexpr double reach_px = 9;
+  const Eigen::Vector2d center = view().pixel_of(crosshair_mm_) / devicePixelRatioF();
+  const Eigen::Vector2d away = Eigen::Vector2d(position.x(), position.y()) - center;
+  const scene::Camera& camera = view().camera();
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const Eigen::Vector3d along = axes_.col(k).cross(camera.sight);
+    if (along.norm() < 0.5) continue;
+    Eigen::Vector2d way(along.dot(camera.sight.cross(camera.up)), -along.dot(camera.up));
+    way *= knob_reach_px() / way.norm();
+    if (std::min((away - way).norm(), (away + way).norm()) <= reach_px) return true;
+  }
+  return false;
+}
+
+// Clockwise, as the widget's y goes down.
+double SliceView::angle_about_crosshair_rad(const QPointF& position) const {
+  const Eigen::Vector2d center = view().pixel_of(crosshair_mm_) / devicePixelRatioF();
+  return std::atan2(position.y() - center.y(), position.x() - center.x());
+}
+
+void SliceView::enterEvent(QEnterEvent* event) {
+  RenderWidget::enterEvent(event);
+  hovered_ = true;
+  show_crosshair();
+  redraw();
+}
+
+void SliceView::leaveEvent(QEvent* event) {
+  RenderWidget::leaveEvent(event);
+  hovered_ = false;
+  show_crosshair();
+  redraw();
 }
 
 void SliceView::set_window(double center, double width) {
@@ -87,7 +173,9 @@ void SliceView::fit() {
   if (!content_.volume) return;
   Eigen::Vector3d center_mm = box_.center_mm();
   center_mm += normal() * normal().dot(crosshair_mm_ - center_mm);
-  scene::Camera camera = scene::look_at_slice(center_mm, normal(), 100);
+  scene::Camera camera = straight_camera();
+  camera.up = Eigen::AngleAxisd(-roll_deg_ * std::numbers::pi / 180, camera.sight) * camera.up;
+  camera.focus_mm = center_mm;
   const Eigen::Vector3d extent_mm = box_.max_mm - box_.min_mm;
   const Eigen::Vector3d right = camera.sight.cross(camera.up).cwiseAbs();
   const double aspect = static_cast<double>(std::max(1, width())) / std::max(1, height());
@@ -99,12 +187,25 @@ void SliceView::fit() {
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
   last_ = event->position();
-  if (event->button() == Qt::LeftButton && (event->modifiers() & Qt::ShiftModifier) == 0) point_at(event->position());
+  held_ = Held::nothing;
+  if (event->button() != Qt::LeftButton || (event->modifiers() & Qt::ShiftModifier) != 0) return;
+  if ((event->modifiers() & Qt::ControlModifier) != 0) {
+    held_ = Held::picture;
+  } else if (on_knob(event->position())) {
+    held_ = Held::knob;
+  } else {
+    held_ = Held::crosshair;
+    point_at(event->position());
+  }
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
-  if (event->buttons() == Qt::NoButton) return;
-  const QPointF moved = event->position() - last_;
+  if (event->buttons() == Qt::NoButton) {
+    setCursor(on_knob(event->position()) ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    return;
+  }
+  const QPointF before = last_;
+  const QPointF moved = event->position() - before;
   last_ = event->position();
   const bool shifts = (event->buttons() & Qt::MiddleButton) != 0 || (event->modifiers() & Qt::ShiftModifier) != 0;
   if (shifts) {
@@ -116,23 +217,41 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     const double center = content_.window_center + 0.004 * width * moved.y();
     set_window(center, width);
     Q_EMIT window_changed(center, width);
-  } else if ((event->buttons() & Qt::LeftButton) != 0) {
+  } else if (held_ == Held::crosshair) {
     point_at(event->position());
+  } else if (held_ == Held::knob || held_ == Held::picture) {
+    const double turn_rad = std::remainder(
+        angle_about_crosshair_rad(event->position()) - angle_about_crosshair_rad(before), 2 * std::numbers::pi);
+    const double turn_deg = turn_rad * 180 / std::numbers::pi;
+    if (held_ == Held::picture) {
+      set_roll_deg(roll_deg_ + turn_deg);
+      return;
+    }
+    // The other two slices turn about this one's line of sight; this picture stays as it is.
+    const Eigen::Matrix3d turned = Eigen::AngleAxisd(turn_rad, view().camera().sight).toRotationMatrix() * axes_;
+    roll_deg_ = std::remainder(roll_deg_ + turn_deg, 360);
+    set_axes(turned);
+    Q_EMIT axes_turned(turned);
   }
 }
+
+void SliceView::mouseReleaseEvent(QMouseEvent* /*event*/) { held_ = Held::nothing; }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
   const int units = event->angleDelta().y();
   if ((event->modifiers() & Qt::ControlModifier) != 0) {
-    scene::Camera camera = view().camera();
-    camera.visible_height_mm =
-        std::clamp(camera.visible_height_mm * std::pow(0.999, units), least_visible_mm, most_visible_mm);
-    view().set_camera(camera);
-    fitted_ = true;
-    redraw();
+    zoom(std::pow(0.999, units));
     return;
   }
   step(units / wheel_units_per_slice != 0 ? units / wheel_units_per_slice : (units > 0 ? 1 : -1));
+}
+
+void SliceView::zoom(double factor) {
+  scene::Camera camera = view().camera();
+  camera.visible_height_mm = std::clamp(camera.visible_height_mm * factor, least_visible_mm, most_visible_mm);
+  view().set_camera(camera);
+  fitted_ = true;
+  redraw();
 }
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
@@ -141,6 +260,15 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Down: step(-1); break;
     case Qt::Key_PageUp: step(5); break;
     case Qt::Key_PageDown: step(-5); break;
+    case Qt::Key_Plus: zoom(0.9); break;
+    case Qt::Key_Minus: zoom(1 / 0.9); break;
+    case Qt::Key_BracketLeft: set_roll_deg(roll_deg_ - roll_step_deg); break;
+    case Qt::Key_BracketRight: set_roll_deg(roll_deg_ + roll_step_deg); break;
+    case Qt::Key_Home:
+      fitted_ = false;
+      set_roll_deg(0);
+      fit();
+      break;
     default: RenderWidget::keyPressEvent(event);
   }
 }
@@ -169,12 +297,14 @@ void SliceView::step(int slices) {
   Q_EMIT crosshair_moved(target_mm);
 }
 
-// "L 12.4 mm": how far the slice stands from the scanner's centre, in the patient's directions.
+// "L 12.4 mm": how far the slice stands from the scanner's centre, in the patient's directions; "L 12.4 mm  ∠ 20°"
+// where it is tilted out of them.
 void SliceView::tell_position() {
   constexpr std::array<const char*, 3> towards{"L", "P", "H"};
   constexpr std::array<const char*, 3> away{"R", "A", "F"};
   Eigen::Index axis = 0;
-  normal().maxCoeff(&axis);
+  const double straightness = std::min(1.0, normal().cwiseAbs().maxCoeff(&axis));
+  const double tilt_deg = std::acos(straightness) * 180 / std::numbers::pi;
   const double along_mm = crosshair_mm_[axis];
   const auto k = static_cast<std::size_t>(axis);
   furniture_.subtitle = content_.volume ? QString("%1 %2 mm")
@@ -182,6 +312,9 @@ void SliceView::tell_position() {
                                               .arg(std::abs(along_mm), 0, 'f', 1)
                                               .toStdString()
                                         : "";
+  if (content_.volume && tilt_deg > 0.5) {
+    furniture_.subtitle += QString::fromUtf8("  ∠ %1°").arg(tilt_deg, 0, 'f', 0).toStdString();
+  }
   view().set_furniture(furniture_);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
@@ -11,17 +12,69 @@ namespace {
 constexpr double degrees_per_pixel = 0.4;
 constexpr double click_slack_px = 4;
 constexpr double grip_reach_px = 14;
+constexpr double slow_frame_ms = 16;  // drawing takes half of a thirtieth of a second; the other half is the window's
+constexpr int calm_after_ms = 250;
 // From the whole body down to a small vessel.
 constexpr double least_visible_mm = 5;
 constexpr double most_visible_mm = 3000;
 
 }  // namespace
 
-SpaceView::SpaceView(QWidget* parent) : RenderWidget(parent) { setObjectName("space_view"); }
+SpaceView::SpaceView(QWidget* parent) : RenderWidget(parent) {
+  setObjectName("space_view");
+  calm_.setSingleShot(true);
+  calm_.setInterval(calm_after_ms);
+  connect(&calm_, &QTimer::timeout, this, [this] {
+    coarse_ = false;
+    view().set_detail(scene::Detail::full);
+    redraw();
+  });
+}
+
+// While something moves, pictures come often rather than fine, where a fine one takes too long.
+void SpaceView::hurry() {
+  if (!coarse_ && full_frame_ms_ > slow_frame_ms) {
+    coarse_ = true;
+    view().set_detail(scene::Detail::coarse);
+  }
+  if (coarse_) calm_.start();
+}
+
+void SpaceView::paintGL() {
+  RenderWidget::paintGL();
+  if (!coarse_) full_frame_ms_ = last_frame_ms();
+}
+
+int SpaceView::shrink() const {
+  constexpr int many_pixels = 250000;
+  return coarse_ && device_width() * device_height() > many_pixels ? 2 : 1;
+}
+
+void SpaceView::keyPressEvent(QKeyEvent* event) {
+  constexpr double step_deg = 5;
+  const auto turn = [this](double right_deg, double up_deg) {
+    view().set_camera(scene::turned(view().camera(), right_deg, up_deg));
+    camera_moved_by_hand();
+  };
+  switch (event->key()) {
+    case Qt::Key_Left: turn(-step_deg, 0); break;
+    case Qt::Key_Right: turn(step_deg, 0); break;
+    case Qt::Key_Up: turn(0, step_deg); break;
+    case Qt::Key_Down: turn(0, -step_deg); break;
+    case Qt::Key_Plus:
+    case Qt::Key_Minus:
+      zoom(event->key() == Qt::Key_Plus ? 0.9 : 1 / 0.9);
+      camera_moved_by_hand();
+      break;
+    case Qt::Key_Home: frame_all(); break;
+    default: RenderWidget::keyPressEvent(event);
+  }
+}
 
 void SpaceView::follow(const scene::Camera& camera) {
   keeps_all_in_view_ = false;
   view().set_camera(camera);
+  hurry();
   redraw();
 }
 
@@ -57,6 +110,7 @@ void SpaceView::look_from(scene::PatientView side) {
 void SpaceView::show_scene(const scene::Scene& scene) {
   scene_ = scene;
   if (auto shown = view().show(scene); !shown) return;
+  if (coarse_) view().set_detail(scene::Detail::coarse);
   redraw();
 }
 
@@ -72,6 +126,7 @@ void SpaceView::resizeEvent(QResizeEvent* event) {
 
 void SpaceView::camera_moved_by_hand() {
   keeps_all_in_view_ = false;
+  hurry();
   redraw();
   Q_EMIT camera_changed();
 }

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <QPointF>
+#include <QTimer>
 
 #include "vtk/render_widget.h"
 
@@ -45,6 +46,9 @@ class SpaceView : public RenderWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void paintGL() override;
+  [[nodiscard]] int shrink() const override;
 
  private:
   enum class Grip { none, touch, free_end };
@@ -52,11 +56,16 @@ class SpaceView : public RenderWidget {
   [[nodiscard]] Grip grip_at(const QPointF& position) const;
   void drag_grip(const QPointF& position);
   void zoom(double factor);
+  void hurry();
   void camera_moved_by_hand();
 
   scene::Scene scene_;
   QPointF pressed_at_;
   QPointF last_;
+  // Full detail again once nothing has moved for a moment.
+  QTimer calm_;
+  double full_frame_ms_ = 0;
+  bool coarse_ = false;
   bool dragged_ = false;
   std::optional<Grips> grips_;
   Grips at_press_;  // tissue yields under a drag; measured from where it is then, the force would run away

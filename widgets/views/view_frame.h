@@ -22,6 +22,7 @@ class ViewFrame : public QFrame {
 
  Q_SIGNALS:
   void maximise_requested();
+  void picture_requested();
 
  protected:
   void mouseDoubleClickEvent(QMouseEvent* event) override;
@@ -30,6 +31,7 @@ class ViewFrame : public QFrame {
   QHBoxLayout* header_;
   QLabel* name_;
   bool maximised_ = false;
+  QToolButton* picture_;
   QToolButton* maximise_;
 };
 

@@ -6,6 +6,7 @@
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
+#include <algorithm>
 #include <chrono>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
@@ -87,9 +88,11 @@ void RenderWidget::paintGL() {
   state->Reset();
   state->Push();
   state->vtkglDepthFunc(GL_LEQUAL);
-  vtk_->window->SetSize(width, height);
+  const int drawn_width = std::max(width / shrink(), 1);
+  const int drawn_height = std::max(height / shrink(), 1);
+  vtk_->window->SetSize(drawn_width, drawn_height);
   view_->set_pixel_scale(devicePixelRatioF());  // another one when the window moves to another screen
-  view_->prepare_frame(width, height);
+  view_->prepare_frame(width, height, shrink());
   vtk_->window->Render();
 
   QOpenGLExtraFunctions* gl = context()->extraFunctions();
@@ -97,7 +100,8 @@ void RenderWidget::paintGL() {
   vtk_->window->GetDisplayFramebuffer()->ActivateReadBuffer(0);
   gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
   gl->glDisable(GL_SCISSOR_TEST);
-  gl->glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl->glBlitFramebuffer(0, 0, drawn_width, drawn_height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                        shrink() > 1 ? GL_LINEAR : GL_NEAREST);
   gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
   // Qt composes by alpha, and a frame is opaque whatever was blended in it.
   gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);

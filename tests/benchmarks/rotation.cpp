@@ -1,0 +1,102 @@
+// How many frames a second the window draws while a hand turns the patient in space, all of it at 1600 x 1000:
+//
+//   xvfb-run -a -s "-screen 0 1600x1000x24" bench_rotation [CASE]
+//
+// CASE is a case with a model; without one the demo patient is made, which takes minutes. The mouse is moved by Qt's
+// own events, and each frame is drawn and put on the screen before the next move.
+
+#include <sys/resource.h>
+#include <chrono>
+#include <cstdio>
+#include <QApplication>
+#include <QMouseEvent>
+#include <QSettings>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+
+#include "main_window.h"
+#include "theme.h"
+#include "words/language.h"
+
+namespace {
+
+double cpu_s() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return static_cast<double>(used.ru_utime.tv_sec) + 1e-6 * static_cast<double>(used.ru_utime.tv_usec);
+}
+
+void send_mouse(QWidget& widget, QEvent::Type type, const QPointF& at, Qt::MouseButtons buttons) {
+  const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+  QMouseEvent event(type, at, widget.mapToGlobal(at), button, buttons, Qt::NoModifier);
+  QCoreApplication::sendEvent(&widget, &event);
+}
+
+void measure(glisson::widgets::MainWindow& window, const char* what) {
+  using Clock = std::chrono::steady_clock;
+  glisson::widgets::SpaceView& space = window.views().space();
+  const QPointF middle = QPointF(space.rect().center()) + QPointF(0.3 * space.width(), -0.3 * space.height());
+  constexpr int frames = 90;
+  const auto turn = [&](int count) {
+    send_mouse(space, QEvent::MouseButtonPress, middle, Qt::LeftButton);
+    for (int k = 1; k <= count; ++k) {
+      send_mouse(space, QEvent::MouseMove, middle + QPointF(4.0 * (k % 60), k % 20), Qt::LeftButton);
+      space.repaint();
+    }
+    send_mouse(space, QEvent::MouseButtonRelease, middle, Qt::NoButton);
+  };
+  turn(5);
+  double drawing_ms = 0;
+  const auto start = Clock::now();
+  const double cpu_before = cpu_s();
+  send_mouse(space, QEvent::MouseButtonPress, middle, Qt::LeftButton);
+  for (int k = 1; k <= frames; ++k) {
+    send_mouse(space, QEvent::MouseMove, middle + QPointF(4.0 * (k % 60), k % 20), Qt::LeftButton);
+    space.repaint();
+    drawing_ms += space.last_frame_ms();
+  }
+  send_mouse(space, QEvent::MouseButtonRelease, middle, Qt::NoButton);
+  const double wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+  std::printf("%-28s %4d x %-4d  %6.1f frames/s  %6.1f ms drawing  %6.1f ms CPU a frame\n", what, space.width(),
+              space.height(), frames / wall_s, drawing_ms / frames, 1e3 * (cpu_s() - cpu_before) / frames);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace glisson::widgets;
+  QSurfaceFormat format;
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  QSurfaceFormat::setDefaultFormat(format);
+  QApplication application(argc, argv);
+  const QTemporaryDir own;
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, own.path());
+  choose_language("en");
+  apply_theme(Theme::dark);
+  const glisson::Progress progress;
+  auto patient = argc > 1 ? load_patient(argv[1], progress) : load_demo(own.path().toStdString(), progress);
+  if (!patient) {
+    std::fprintf(stderr, "%s\n", patient.error().message().c_str());
+    return 1;
+  }
+  std::size_t triangles = 0;
+  for (const PatientStructure& structure : patient->structures) triangles += structure.surface->triangles.size();
+  std::printf("%zu triangles\n", triangles);
+  MainWindow window;
+  window.resize(1600, 1000);
+  window.show();
+  window.show_patient(*patient);
+  QApplication::processEvents();
+  measure(window, "four views");
+  window.views().set_layout(ViewLayout::space_large);
+  QApplication::processEvents();
+  measure(window, "3D large");
+  for (QWidget* panel : window.findChildren<QWidget*>("panel")) panel->hide();
+  window.views().space().setFocus();
+  window.views().set_layout(ViewLayout::one);
+  QApplication::processEvents();
+  measure(window, "3D alone");
+  return 0;
+}

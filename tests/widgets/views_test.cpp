@@ -1,0 +1,273 @@
+// The tools of the views under the hand: measuring, grey values, turned slices, layouts, by mouse and by keys.
+//
+// The volume is 40 x 32 x 32 voxels of 4 mm, its grey a slope along x, in Hounsfield units or in none.
+
+#include <QComboBox>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QtTest>
+
+#include "block_patient.h"
+#include "main_window.h"
+#include "run_test.h"
+#include "support/shapes.h"
+#include "views/measure_list.h"
+
+namespace glisson::widgets {
+namespace {
+
+std::shared_ptr<imaging::Volume> slope(const std::string& unit) {
+  auto volume = std::make_shared<imaging::Volume>();
+  volume->grid.size = {40, 32, 32};
+  volume->grid.spacing_mm = {4, 4, 4};
+  volume->grid.origin_mm = {-20, -24, -24};
+  volume->unit = unit;
+  volume->values.resize(volume->grid.voxels());
+  for (std::size_t k = 0; k < volume->values.size(); ++k) volume->values[k] = static_cast<float>(k % 40);
+  return volume;
+}
+
+class ViewsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1500, 950);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+  }
+
+  void init() {
+    static int patients = 0;
+    Patient patient = block_patient({3, 2, 2}, {{"hilum", {8, 40, 40}}}, {});
+    patient.name = "Block " + std::to_string(++patients);  // another patient: nothing is left of the one before
+    patient.anatomy = slope("HU");
+    window_->show_patient(patient);
+    views().set_layout(ViewLayout::square);
+    views().straighten();
+    views().set_crosshair({60, 40, 40});
+    window_->activateWindow();
+    slice().setFocus();
+    QTest::qWait(50);
+  }
+
+  void measures_a_distance_in_a_slice_by_two_clicks() {
+    key(Qt::Key_D);
+    click_at({40, 20, 40});
+    click_at({70, 60, 40});
+    QCOMPARE(list().rowCount(), 1);
+    QVERIFY(list().isVisible());
+    // 30 and 40 mm across: 50 mm, within what a pixel spans each way.
+    const double value_mm = value(0, " mm");
+    QVERIFY2(std::abs(value_mm - 50) < 2 * slice().view().camera().visible_height_mm / slice().height(),
+             qPrintable(list().item(0, 1)->text()));
+    // The crosshair was not moved by these clicks.
+    QVERIFY((slice().crosshair_mm() - Eigen::Vector3d(60, 40, 40)).norm() < 1e-9);
+  }
+
+  void measures_an_angle_and_a_ball_by_keys_at_the_crosshair() {
+    const auto point = [this](const Eigen::Vector3d& at_mm) {
+      views().set_crosshair(at_mm);
+      QTest::keyClick(&slice(), Qt::Key_Return);
+    };
+    key(Qt::Key_A);
+    point({80, 40, 40});
+    point({60, 40, 40});
+    point({60, 60, 60});
+    key(Qt::Key_B);
+    point({60, 40, 40});
+    point({60, 40, 50});
+    QCOMPARE(list().rowCount(), 2);
+    QVERIFY(std::abs(value(0, "°") - 90) < 0.05);
+    QVERIFY(std::abs(value(1, " ml") - 4.19) < 0.05);  // 4/3 pi 1 cm^3
+    // Escape gives up one that was begun; Delete takes a finished one away.
+    key(Qt::Key_D);
+    point({60, 40, 40});
+    QTest::keyClick(&slice(), Qt::Key_Escape);
+    QCOMPARE(list().rowCount(), 2);
+    list().setFocus();
+    list().selectRow(0);
+    QTest::keyClick(&list(), Qt::Key_Delete);
+    QCOMPARE(list().rowCount(), 1);
+    QVERIFY(list().item(0, 0)->text().contains("Ball"));
+  }
+
+  void a_point_is_dragged_elsewhere() {
+    key(Qt::Key_D);
+    click_at({40, 20, 40});
+    click_at({70, 60, 40});
+    drag(pixel_of({70, 60, 40}), pixel_of({70, 20, 40}));
+    QVERIFY(std::abs(value(0, " mm") - 30) < 2);
+  }
+
+  void lists_the_volume_of_a_structure() {
+    auto* menu = child<QToolButton>("measure_structure")->menu();
+    menu->actions().front()->trigger();
+    QCOMPARE(list().rowCount(), 1);
+    QCOMPARE(list().item(0, 1)->text(), "768.0 ml");
+  }
+
+  void grey_values_have_presets_where_they_are_hounsfield_units() {
+    auto* choice = child<QComboBox>("grey_window");
+    choice->setFocus();
+    QTest::keyClick(choice, Qt::Key_Down);
+    QCOMPARE(choice->currentText(), "Abdomen");
+    for (SliceView* each : views().slices()) {
+      QCOMPARE(each->window_center(), 40.0);
+      QCOMPARE(each->window_width(), 400.0);
+    }
+    // By key, on to the next; what a person chose outlives a change of what is shown.
+    key(Qt::Key_W);
+    QCOMPARE(choice->currentText(), "Liver");
+    window_->findChild<StudyPanel*>();
+    Q_EMIT window_->findChild<StudyPanel*>()->structure_shown("liver", false);
+    QCOMPARE(slice().window_width(), 160.0);
+    // A drag with the right button: wider to the right.
+    QTest::mousePress(&slice(), Qt::RightButton, Qt::NoModifier, {60, 60});
+    move_pressed({120, 60}, Qt::RightButton);
+    QTest::mouseRelease(&slice(), Qt::RightButton, Qt::NoModifier, {120, 60});
+    QVERIFY(slice().window_width() > 200);
+    // Without units there is the automatic window alone.
+    Patient other = block_patient({3, 2, 2}, {}, {});
+    other.name = "MR";
+    other.anatomy = slope("");
+    window_->show_patient(other);
+    key(Qt::Key_W);
+    QCOMPARE(choice->currentText(), "Automatic");
+  }
+
+  void knobs_tilt_the_other_slices_and_letters_follow() {
+    // The knobs of the coronal slice turn the transverse and the sagittal one about the line of sight.
+    SliceView& coronal = views().slice(SliceDirection::coronal);
+    const scene::Camera before = coronal.view().camera();
+    const QPointF center = pixel_in(coronal, {60, 40, 40});
+    const double reach = 0.34 * std::min(coronal.width(), coronal.height());
+    QTest::mouseMove(&coronal, QPoint(20, 20));
+    const double quarter = EIGEN_PI / 6;
+    const QPointF from = center + QPointF(reach, 0);
+    const QPointF to = center + reach * QPointF(std::cos(quarter), std::sin(quarter));
+    drag_in(coronal, from.toPoint(), to.toPoint());
+    SliceView& transverse = views().slice(SliceDirection::transverse);
+    const double tilt_deg = std::acos(std::abs(transverse.normal().z())) * 180 / EIGEN_PI;
+    QVERIFY2(std::abs(tilt_deg - 30) < 2, qPrintable(QString::number(tilt_deg)));
+    QVERIFY(std::abs(transverse.normal().y()) < 1e-9);
+    QVERIFY((coronal.normal() - Eigen::Vector3d::UnitY()).norm() < 1e-9);
+    // This picture stayed; the line on the screen went with the hand: clockwise, the patient's left end down.
+    QVERIFY((coronal.view().camera().up - before.up).norm() < 1e-9);
+    const Eigen::Vector3d along = transverse.normal().cross(coronal.view().camera().sight).normalized();
+    QVERIFY(along.x() * along.z() < 0);
+    // All three stand at right angles to each other.
+    QVERIFY((transverse.axes().transpose() * transverse.axes() - Eigen::Matrix3d::Identity()).norm() < 1e-9);
+    child<QAction>("straight")->trigger();
+    QVERIFY((transverse.normal() - Eigen::Vector3d::UnitZ()).norm() < 1e-12);
+  }
+
+  void turns_to_the_surgeons_side_and_back() {
+    key(Qt::Key_R);
+    const scene::Camera surgeon = scene::look_from(scene::PatientView::surgeon, {{0, 0, 0}, {1, 1, 1}}, 1);
+    const scene::Camera coronal = views().slice(SliceDirection::coronal).view().camera();
+    QVERIFY((coronal.sight - surgeon.sight).norm() < 1e-9);
+    QVERIFY((coronal.up - surgeon.up).norm() < 1e-9);
+    QTest::qWait(50);
+    QVERIFY(views().slice(SliceDirection::coronal).grabFramebuffer().width() > 0);
+    key(Qt::Key_0);
+    QVERIFY((views().slice(SliceDirection::coronal).normal() - Eigen::Vector3d::UnitY()).norm() < 1e-12);
+  }
+
+  void a_picture_turns_in_its_plane_by_mouse_and_by_keys() {
+    QTest::keyClick(&slice(), Qt::Key_BracketRight);
+    QCOMPARE(slice().roll_deg(), 5.0);
+    QTest::keyClick(&slice(), Qt::Key_Home);
+    QCOMPARE(slice().roll_deg(), 0.0);
+    const QPointF center = pixel_in(slice(), {60, 40, 40});
+    QTest::mousePress(&slice(), Qt::LeftButton, Qt::ControlModifier, (center + QPointF(80, 0)).toPoint());
+    move_pressed((center + QPointF(0, 80)).toPoint(), Qt::LeftButton, Qt::ControlModifier);
+    QTest::mouseRelease(&slice(), Qt::LeftButton, Qt::ControlModifier, (center + QPointF(0, 80)).toPoint());
+    QVERIFY(std::abs(slice().roll_deg() - 90) < 2);
+    // The slice itself did not move, and what was under the crosshair still is.
+    QVERIFY((slice().normal() - Eigen::Vector3d::UnitZ()).norm() < 1e-12);
+    QVERIFY((pixel_in(slice(), {60, 40, 40}) - center).manhattanLength() < 1e-6);
+  }
+
+  void layouts_are_changed_by_keys() {
+    QTest::keyClick(window_.get(), Qt::Key_F6);
+    QCOMPARE(views().view_layout(), ViewLayout::space_large);
+    QTRY_VERIFY(views().space().width() > 2 * slice().width());
+    QTest::keyClick(window_.get(), Qt::Key_F7);
+    QVERIFY(!views().space().isVisible());
+    QVERIFY(views().slice(SliceDirection::sagittal).isVisible());
+    QTest::keyClick(window_.get(), Qt::Key_F5);
+    views().space().setFocus();
+    QTest::keyClick(window_.get(), Qt::Key_F8);
+    QVERIFY(views().space().isVisible());
+    QVERIFY(!slice().isVisible());
+    QVERIFY(child<QAction>("layout_one")->isChecked());
+  }
+
+  void the_patient_turns_by_keys() {
+    SpaceView& space = views().space();
+    const Eigen::Vector3d before = space.view().camera().sight;
+    space.setFocus();
+    QTest::keyClick(&space, Qt::Key_Left);
+    const double turned_deg = std::acos(before.dot(space.view().camera().sight)) * 180 / EIGEN_PI;
+    QVERIFY(turned_deg > 2 && turned_deg < 6);
+    QTest::keyClick(&space, Qt::Key_Home);
+    QVERIFY((space.view().camera().sight - before).norm() < 1e-9);
+  }
+
+  void cleanupTestCase() { window_.reset(); }
+
+ private:
+  LinkedViews& views() { return window_->views(); }
+  SliceView& slice() { return views().slice(SliceDirection::transverse); }
+  MeasureList& list() { return *window_->findChild<MeasureList*>(); }
+
+  template <typename Object>
+  Object* child(const char* name) {
+    auto* found = window_->findChild<Object*>(name);
+    if (found == nullptr) qFatal("the window has no %s", name);
+    return found;
+  }
+
+  void key(Qt::Key letter) { QTest::keyClick(window_.get(), letter, Qt::ControlModifier | Qt::ShiftModifier); }
+
+  double value(int row, const QString& unit) {
+    const QString text = list().item(row, 1)->text();
+    return text.endsWith(unit) ? text.chopped(unit.size()).toDouble() : -1;
+  }
+
+  static QPointF pixel_in(const SliceView& view, const Eigen::Vector3d& place_mm) {
+    const Eigen::Vector2d at = view.view().pixel_of(place_mm) / view.devicePixelRatioF();
+    return {at.x(), at.y()};
+  }
+  QPoint pixel_of(const Eigen::Vector3d& place_mm) { return pixel_in(slice(), place_mm).toPoint(); }
+
+  void click_at(const Eigen::Vector3d& place_mm) {
+    QTest::mouseClick(&slice(), Qt::LeftButton, Qt::NoModifier, pixel_of(place_mm));
+  }
+
+  // QTest's moves carry no modifiers.
+  void move_pressed(const QPoint& to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QMouseEvent event(QEvent::MouseMove, to, slice().mapToGlobal(QPointF(to)), Qt::NoButton, button, modifiers);
+    QCoreApplication::sendEvent(&slice(), &event);
+  }
+
+  static void drag_in(QWidget& view, const QPoint& from, const QPoint& to) {
+    QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, from);
+    for (int step = 1; step <= 6; ++step) QTest::mouseMove(&view, from + (to - from) * step / 6, 10);
+    QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, to);
+  }
+  void drag(const QPoint& from, const QPoint& to) { drag_in(slice(), from, to); }
+
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace
+}  // namespace glisson::widgets
+
+int main(int argc, char** argv) { return glisson::widgets::run_test<glisson::widgets::ViewsTest>(argc, argv); }
+
+#include "views_test.moc"

@@ -1,0 +1,189 @@
+#include "views/view_bar.h"
+
+#include <array>
+#include <QHBoxLayout>
+#include <QStandardItemModel>
+#include <QToolButton>
+
+#include "words/told.h"
+#include "words/worded.h"
+
+namespace glisson::widgets {
+namespace {
+
+// In Hounsfield units, as radiology departments set them; the first is found from the volume itself.
+constexpr int automatic = 0;
+struct Preset {
+  double center;
+  double width;
+};
+constexpr std::array<Preset, 5> presets{{{0, 0}, {40, 400}, {60, 160}, {-600, 1500}, {400, 1800}}};
+
+}  // namespace
+
+ViewBar::ViewBar(LinkedViews& views, MeasureTool& measure, QWidget* parent)
+    : QWidget(parent), views_(views), measure_(measure) {
+  setObjectName("view_bar");
+  setAttribute(Qt::WA_StyledBackground);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 2, 4, 2);
+  row->setSpacing(2);
+
+  for (const auto& [kind, name, icon, key] :
+       {std::tuple(MeasureKind::distance, "measure_distance", ":/icons/distance.svg", "Ctrl+Shift+D"),
+        std::tuple(MeasureKind::angle, "measure_angle", ":/icons/angle.svg", "Ctrl+Shift+A"),
+        std::tuple(MeasureKind::ball, "measure_ball", ":/icons/ball.svg", "Ctrl+Shift+B")}) {
+    QAction* action = add_action(name, icon, QKeySequence(key), {});
+    action->setCheckable(true);
+    connect(action, &QAction::triggered, this,
+            [this, kind = kind](bool on) { measure_.begin(on ? std::optional(kind) : std::nullopt); });
+    measuring_.push_back(action);
+    add_button(action, name);
+  }
+  connect(&measure_, &MeasureTool::kind_changed, this, [this] {
+    for (std::size_t k = 0; k < measuring_.size(); ++k) {
+      measuring_[k]->setChecked(measure_.kind() == static_cast<MeasureKind>(k));
+    }
+  });
+  volumes_ = new QMenu(this);
+  auto* volumes_button = new QToolButton(this);
+  volumes_button->setObjectName("measure_structure");
+  volumes_button->setMenu(volumes_);
+  volumes_button->setPopupMode(QToolButton::InstantPopup);
+  row->addWidget(volumes_button);
+
+  row->addSpacing(10);
+  window_ = new QComboBox(this);
+  window_->setObjectName("grey_window");
+  for (std::size_t k = 0; k < presets.size(); ++k) window_->addItem({});
+  row->addWidget(window_);
+  connect(window_, &QComboBox::activated, this, &ViewBar::choose_window);
+  next_window_ = add_action("next_window", "", QKeySequence("Ctrl+Shift+W"), [this] {
+    const int count = views_.shows_hounsfield_units() ? static_cast<int>(presets.size()) : 1;
+    window_->setCurrentIndex((window_->currentIndex() + 1) % count);
+    choose_window(window_->currentIndex());
+  });
+
+  row->addSpacing(10);
+  surgeon_ = add_action("surgeons_side", "", QKeySequence("Ctrl+Shift+R"), [this] { views_.turn_to_surgeon(); });
+  straight_ = add_action("straight", "", QKeySequence("Ctrl+Shift+0"), [this] { views_.straighten(); });
+  add_button(surgeon_, "surgeons_side");
+  add_button(straight_, "straight");
+
+  row->addStretch();
+  auto* group = new QActionGroup(this);
+  for (const auto& [layout, name, icon, key] :
+       {std::tuple(ViewLayout::square, "layout_square", ":/icons/layout-square.svg", Qt::Key_F5),
+        std::tuple(ViewLayout::space_large, "layout_space", ":/icons/layout-space.svg", Qt::Key_F6),
+        std::tuple(ViewLayout::slices_in_a_row, "layout_row", ":/icons/layout-row.svg", Qt::Key_F7),
+        std::tuple(ViewLayout::one, "layout_one", ":/icons/layout-one.svg", Qt::Key_F8)}) {
+    QAction* action = add_action(name, icon, QKeySequence(key), {});
+    action->setCheckable(true);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, layout = layout] { views_.set_layout(layout); });
+    layouts_.push_back(action);
+    add_button(action, name);
+  }
+  group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+  const auto show_layout = [this] {
+    for (std::size_t k = 0; k < layouts_.size(); ++k) {
+      layouts_[k]->setChecked(views_.view_layout() == static_cast<ViewLayout>(k));
+    }
+  };
+  connect(&views_, &LinkedViews::layout_changed, this, show_layout);
+  show_layout();
+  save_ = add_action("save_view", "", QKeySequence("Ctrl+Shift+S"), [this] { views_.save_view_in_use(); });
+
+  worded(this, [=, this] {
+    measuring_[0]->setText(tr("Measure a &distance"));
+    measuring_[0]->setToolTip(
+        tr("A distance in mm: click its two ends, or press Enter at the crosshair; Escape gives up"));
+    measuring_[1]->setText(tr("Measure an &angle"));
+    measuring_[1]->setToolTip(tr("An angle in degrees: click one side, the vertex, the other side"));
+    measuring_[2]->setText(tr("Measure a &ball"));
+    measuring_[2]->setToolTip(tr("A ball's volume in ml: click its centre, then a point of its surface"));
+    volumes_button->setText(tr("Volume"));
+    volumes_button->setToolTip(tr("Lists the volume of a structure, in ml"));
+    volumes_->setTitle(tr("&Volume of"));
+    window_->setItemText(automatic, tr("Automatic"));
+    window_->setItemText(1, tr("Abdomen"));
+    window_->setItemText(2, tr("Liver"));
+    window_->setItemText(3, tr("Lung"));
+    window_->setItemText(4, tr("Bone"));
+    window_->setToolTip(
+        tr("Brightness and contrast of the slices. The presets are for CT; MR has no fixed scale.\n"
+           "By hand: drag with the right button"));
+    window_->setAccessibleName(tr("Brightness and contrast"));
+    next_window_->setText(tr("&Next brightness and contrast"));
+    surgeon_->setText(tr("Surgeon's &side"));
+    surgeon_->setToolTip(
+        tr("Turns the three slices to where the surgeon stands. By hand: drag the knobs of the crosshair, "
+           "or Ctrl and drag"));
+    straight_->setText(tr("S&traight"));
+    straight_->setToolTip(tr("The slices along the body again"));
+    layouts_[0]->setText(tr("&Four views"));
+    layouts_[1]->setText(tr("3D &large"));
+    layouts_[2]->setText(tr("T&hree slices side by side"));
+    layouts_[3]->setText(tr("&One view: the one in use"));
+    save_->setText(tr("Save the &picture of the view in use..."));
+    for (QAction* action : actions()) {
+      const QString key = action->shortcut().toString(QKeySequence::NativeText);
+      QString tip = action->toolTip();
+      if (tip.isEmpty() || tip == action->text()) tip = QString(action->text()).remove('&');
+      if (!tip.contains(key)) action->setToolTip(tr("%1 (%2)").arg(tip, key));
+    }
+  });
+}
+
+QAction* ViewBar::add_action(const char* name, const char* icon, const QKeySequence& key, std::function<void()> act) {
+  auto* action = new QAction(QIcon(icon), {}, this);
+  action->setObjectName(name);
+  action->setShortcut(key);
+  addAction(action);
+  if (act) connect(action, &QAction::triggered, this, [act = std::move(act)] { act(); });
+  return action;
+}
+
+void ViewBar::add_button(QAction* action, const char* name) {
+  auto* button = new QToolButton(this);
+  button->setObjectName(QString(name) + "_button");
+  button->setDefaultAction(action);
+  button->setAutoRaise(true);
+  if (action->icon().isNull()) button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  static_cast<QHBoxLayout*>(layout())->addWidget(button);
+}
+
+void ViewBar::show_patient(const Patient& patient) {
+  structures_ = patient.structures;
+  volumes_->clear();
+  for (const PatientStructure& structure : structures_) {
+    volumes_->addAction(structure_label(structure.name), this, [this, structure] {
+      measure_.add({MeasureKind::structure, {}, structure.name, structure.volume_ml});
+    });
+  }
+  volumes_->setEnabled(!structures_.empty());
+  window_->setCurrentIndex(automatic);
+  const bool hounsfield = patient.anatomy && patient.anatomy->unit == "HU";  // a unit, not translated
+  auto* items = qobject_cast<QStandardItemModel*>(window_->model());
+  for (int k = 1; k < window_->count(); ++k) items->item(k)->setEnabled(hounsfield);
+}
+
+void ViewBar::choose_window(int preset) {
+  if (preset == automatic) {
+    views_.set_usual_window();
+  } else {
+    const Preset& chosen = presets.at(static_cast<std::size_t>(preset));
+    views_.set_window(chosen.center, chosen.width);
+  }
+}
+
+void ViewBar::fill(QMenu& menu) {
+  for (QAction* action : layouts_) menu.addAction(action);
+  menu.addSeparator();
+  for (QAction* action : measuring_) menu.addAction(action);
+  menu.addMenu(volumes_);
+  menu.addSeparator();
+  for (QAction* action : {next_window_, surgeon_, straight_, save_}) menu.addAction(action);
+}
+
+}  // namespace glisson::widgets

@@ -1,0 +1,43 @@
+#pragma once
+// The row above the views: measuring, grey values, turned slices and layouts, each by button, menu and key.
+
+#include <QActionGroup>
+#include <QComboBox>
+#include <QMenu>
+#include <QWidget>
+
+#include "session/patient.h"
+#include "views/measure_tool.h"
+
+namespace glisson::widgets {
+
+class ViewBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  ViewBar(LinkedViews& views, MeasureTool& measure, QWidget* parent = nullptr);
+
+  // Its structures' volumes can be listed.
+  void show_patient(const Patient& patient);
+  // All of the row as a menu, which also tells the keys.
+  void fill(QMenu& menu);
+
+ private:
+  QAction* add_action(const char* name, const char* icon, const QKeySequence& key, std::function<void()> act);
+  void add_button(QAction* action, const char* name);
+  void choose_window(int preset);
+
+  LinkedViews& views_;
+  MeasureTool& measure_;
+  std::vector<QAction*> measuring_;  // in the order of MeasureKind
+  std::vector<QAction*> layouts_;    // in the order of ViewLayout
+  QAction* surgeon_;
+  QAction* straight_;
+  QAction* next_window_;
+  QAction* save_;
+  QMenu* volumes_;
+  QComboBox* window_;
+  std::vector<PatientStructure> structures_;
+};
+
+}  // namespace glisson::widgets
