@@ -100,6 +100,25 @@ LeftOut leave_out(const ForwardModel& model, const Fit& fit, const Folds& folds)
   });
 }
 
+double share_of(const Eigen::VectorXd& expected, const Eigen::VectorXd& residual, const Eigen::VectorXd& noise,
+                const std::vector<Eigen::Index>& rows) {
+  constexpr double most = 1.5;
+  double along = 0, square = 0, left = 0;
+  for (const Eigen::Index row : rows) {
+    if (!std::isfinite(residual[row])) continue;
+    const double e = expected[row] / noise[row], r = residual[row] / noise[row];
+    along += e * r;
+    square += e * e;
+    left += r * r;
+  }
+  if (square == 0) return 0;
+  const double share = std::clamp(along / square, 0.0, most);
+  const auto n = static_cast<double>(rows.size());
+  const double variance = std::max(1.0, left / n);
+  const double gain = 2 * share * along - share * share * square;
+  return gain / variance > std::log(n) ? share : 0.0;
+}
+
 Result<LeftOut> leave_out_with_refits(const ForwardModel& model, const Fit& fit, const Folds& folds,
                                       const Progress& progress) {
   if (parameter_count(fit.settings) == 0) return leave_out(model, fit, folds);

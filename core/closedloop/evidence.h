@@ -43,6 +43,11 @@ struct LeftOut {
 };
 [[nodiscard]] LeftOut leave_out(const ForwardModel& model, const Fit& fit, const Folds& folds);
 
+// How much of an error of this shape the residual shows over these rows: a share from none to one and a half of it, for
+// its size is known roughly; none where BIC says that it does not pay.
+[[nodiscard]] double share_of(const Eigen::VectorXd& expected, const Eigen::VectorXd& residual,
+                              const Eigen::VectorXd& noise, const std::vector<Eigen::Index>& rows);
+
 // The same with a new fit for each trial.
 Result<LeftOut> leave_out_with_refits(const ForwardModel& model, const Fit& fit, const Folds& folds,
                                       const Progress& progress = {});

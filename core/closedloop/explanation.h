@@ -85,7 +85,10 @@ struct Explanation {
   std::optional<NextMeasurement> next;
   std::vector<std::string> notes;  // for a person: what is undetermined, what was left out and why
   Eigen::VectorXd predicted_before;
-  Eigen::VectorXd predicted_after;  // without the smooth correction
+  // The share of SystematicUncertainty::expected that the measurements show after all effects, and that is taken off
+  // the better model's predictions; 0 where they do not show it.
+  double mesh_error_share = 0;
+  Eigen::VectorXd predicted_after;  // with that, without the smooth correction
 };
 
 }  // namespace glisson::closedloop

@@ -120,6 +120,7 @@ std::string model_text(const Explanation& explanation, const ForwardModel& model
     one["sentence"] = effect.sentence;
     json["effects"].push_back(std::move(one));
   }
+  if (explanation.mesh_error_share != 0) json["mesh_error_share"] = explanation.mesh_error_share;
   if (const auto& smooth = explanation.smooth_correction) {
     Json rows = Json::array();
     for (Eigen::Index row = 0; row < smooth->features.rows(); ++row) rows.push_back(numbers(smooth->features.row(row)));
@@ -165,6 +166,7 @@ Result<BetterModel> read_model(const std::filesystem::path& file, const ForwardM
                    {file.filename().string(), kind_of(experiment)});
     BetterModel better;
     for (const Json& effect : document->at("effects")) better.settings.push_back(setting_from(effect, model));
+    better.mesh_error_share = document->value("mesh_error_share", 0.0);
     if (document->contains("smooth_correction"))
       better.smooth_correction = smooth_from(document->at("smooth_correction"), model.observations());
     return better;
@@ -178,6 +180,10 @@ Result<BetterModel> read_model(const std::filesystem::path& file, const ForwardM
 
 Result<Eigen::VectorXd> predict_with(const ForwardModel& model, const BetterModel& better) {
   auto predicted = model.predict(better.settings);
+  if (predicted && better.mesh_error_share != 0) {
+    const Eigen::VectorXd expected = model.systematic_uncertainty().expected;
+    if (expected.size() == predicted->size()) *predicted += better.mesh_error_share * expected;
+  }
   if (predicted && better.smooth_correction) *predicted += correction(*better.smooth_correction, model.observations());
   return predicted;
 }

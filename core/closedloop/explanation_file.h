@@ -16,6 +16,7 @@ namespace glisson::closedloop {
 struct BetterModel {
   Settings settings;
   std::optional<SmoothCorrection> smooth_correction;
+  double mesh_error_share = 0;  // Explanation::mesh_error_share
 };
 
 [[nodiscard]] std::string name_of(Verdict verdict);  // "nothing-missing", "explained", "unexplained"

@@ -306,6 +306,7 @@ SystematicUncertainty PalpationModel::systematic_uncertainty() const {
         }
       }
     }
+    uncertainty_.expected = uncertainty_.directions.leftCols(loads).rowwise().sum();
     uncertainty_.indistinct = uncertainty_.directions.leftCols(loads).norm() /
                               std::sqrt(static_cast<double>(observations_.rows())) / experiment_.noise_mm;
   });

@@ -40,6 +40,7 @@ class Search {
   // How far what is left exceeds the noise: root mean square, in units of the noise; compared with `indistinct`.
   [[nodiscard]] double excess(const Candidate& candidate) const;
   [[nodiscard]] double indistinct() const { return systematic_.indistinct; }
+  [[nodiscard]] const SystematicUncertainty& systematic() const { return systematic_; }
 
   [[nodiscard]] double bic_of(const Candidate& candidate) const;
   [[nodiscard]] const Folds& folds() const { return folds_; }

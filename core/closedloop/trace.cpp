@@ -28,8 +28,10 @@ class Tracing {
   Result<std::vector<Candidate>> in_place_of(const Candidate& chosen, std::size_t which,
                                              const std::vector<Candidate>& singles) const;
   Result<void> describe_effects(const Candidate& declared, const Candidate& chosen);
+  [[nodiscard]] Eigen::VectorXd with_mesh_error_off(Eigen::VectorXd left_out, const Eigen::VectorXd& fitted) const;
   void describe_parameters(const Candidate& chosen, std::vector<FoundEffect>& effects);
   [[nodiscard]] bool comes_before(const std::string& kind, const std::string& other) const;
+  void take_off_mesh_error(const Candidate& chosen);
   void rank(const Candidate& declared, const std::vector<Candidate>& singles);
   void decide(const Candidate& declared, Candidate& chosen);
   void find_next_measurement(const Candidate& chosen);
@@ -78,6 +80,7 @@ Result<Explanation> Tracing::run() {
   progress_.report(0.95, GLISSON_TEXT("weighing the evidence"));
   rank(*declared, singles);
   decide(*declared, chosen);
+  take_off_mesh_error(chosen);
   if (auto described = describe_effects(*declared, chosen); !described) return failure(std::move(described.error()));
   find_next_measurement(chosen);
   if (!search_.folds().any())
@@ -222,6 +225,33 @@ void Tracing::decide(const Candidate& declared, Candidate& chosen) {
   e.after = error_figures(all(), e.predicted_after);
 }
 
+// The mesh's own error is no effect and is never named; but what of it the measurements show need not spoil what the
+// better model predicts. The error before stays that of the declared model as it was solved.
+void Tracing::take_off_mesh_error(const Candidate& chosen) {
+  Explanation& e = explanation_;
+  const Eigen::VectorXd& expected = search_.systematic().expected;
+  if (expected.size() == 0 || e.smooth_correction) return;
+  e.mesh_error_share = share_of(expected, all().measured - chosen.fit.predicted, all().noise, all_rows(all()));
+  if (e.mesh_error_share == 0) return;
+  e.predicted_after += e.mesh_error_share * expected;
+  e.after = error_figures(all(), e.predicted_after);
+  e.notes.push_back(fmt::format(
+      "A finer mesh would change the prediction; {:.0f} % of what it would change shows in the measurements "
+      "and is taken off what the better model predicts.",
+      100 * e.mesh_error_share));
+}
+
+// Trials left out know no more of it than the others show.
+Eigen::VectorXd Tracing::with_mesh_error_off(Eigen::VectorXd left_out, const Eigen::VectorXd& fitted) const {
+  if (explanation_.mesh_error_share == 0) return left_out;
+  const Eigen::VectorXd& expected = search_.systematic().expected;
+  for (const Folds::Fold& fold : search_.folds().trials()) {
+    const double share = share_of(expected, all().measured - fitted, all().noise, fold.kept.rows());
+    for (const Eigen::Index row : fold.left_out.rows()) left_out[row] += share * expected[row];
+  }
+  return left_out;
+}
+
 Result<void> Tracing::describe_effects(const Candidate& declared, const Candidate& chosen) {
   Explanation& e = explanation_;
   if (!search_.folds().any() && chosen.fit.settings.empty()) return {};
@@ -229,7 +259,8 @@ Result<void> Tracing::describe_effects(const Candidate& declared, const Candidat
   if (search_.folds().any()) {
     auto refitted = leave_out_with_refits(model_, chosen.fit, search_.folds(), progress_);
     if (!refitted && progress_.cancelled()) return failure(std::move(refitted.error()));
-    e.held_out = held_out_error(all(), refitted ? refitted->predicted : chosen.left_out.predicted);
+    e.held_out = held_out_error(
+        all(), with_mesh_error_off(refitted ? refitted->predicted : chosen.left_out.predicted, chosen.fit.predicted));
     held_out_rms = e.held_out->rms;
   }
   std::vector<FoundEffect> effects;

@@ -15,6 +15,9 @@ struct SystematicUncertainty {
   // Rows of one group are off together: by shared[row] times one number of variance 1. Both empty, or a row each.
   Eigen::VectorXd shared;
   std::vector<int> group;  // 0 and up
+  // How far the prediction is off if the error goes on as a finer solve began, of the declared model; empty where
+  // nobody looked.
+  Eigen::VectorXd expected;
   // What changes the prediction by less than this (root mean square over rows, in units of the noise) cannot be told
   // from the prediction's own error, whatever its shape.
   double indistinct = 0;

@@ -103,7 +103,7 @@ TEST(Whitening, IsASquareRootOfTheInverseCovariance) {
   const std::vector<int> group{0, 0, 0, 1, 1, 1, 2, 2, 2, 0, 1, 2};
   const Eigen::VectorXd residual = Eigen::VectorXd::Random(12);
   const std::vector<Eigen::Index> rows{0, 2, 3, 5, 7, 8, 11};
-  const Eigen::VectorXd white = Whitening(noise, {directions, shared, group}, rows).whiten(residual);
+  const Eigen::VectorXd white = Whitening(noise, {directions, shared, group, {}}, rows).whiten(residual);
   Eigen::MatrixXd systematic = Eigen::MatrixXd::Zero(12, 5);
   systematic.leftCols(2) = directions;
   for (Eigen::Index row = 0; row < 12; ++row) systematic(row, 2 + group[static_cast<std::size_t>(row)]) = shared[row];
