@@ -1,6 +1,5 @@
 #include "panels/solving_light.h"
 
-#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include "theme.h"
@@ -13,15 +12,12 @@ SolvingLight::SolvingLight(const LiveRehearsal& rehearsal, QWidget* parent) : QW
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);
-  auto* row = new QHBoxLayout;
   sign_ = new QLabel(this);
   sign_->setObjectName("solving_sign");
   figures_ = new QLabel(this);
   figures_->setObjectName("faint");
-  row->addWidget(sign_);
-  row->addStretch();
-  row->addWidget(figures_);
-  column->addLayout(row);
+  column->addWidget(sign_);
+  column->addWidget(figures_);
   trouble_ = new QLabel(this);
   trouble_->setObjectName("solving_trouble");
   trouble_->setWordWrap(true);

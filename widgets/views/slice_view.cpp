@@ -297,7 +297,7 @@ void SliceView::step(int slices) {
   Q_EMIT crosshair_moved(target_mm);
 }
 
-// "L 12.4 mm": how far the slice stands from the scanner's centre, in the patient's directions; "L 12.4 mm  ∠ 20°"
+// "L 12.4 mm": how far the slice stands from the scanner's centre, in the patient's directions; "L 12.4 mm (20°)"
 // where it is tilted out of them.
 void SliceView::tell_position() {
   constexpr std::array<const char*, 3> towards{"L", "P", "H"};
@@ -313,7 +313,7 @@ void SliceView::tell_position() {
                                               .toStdString()
                                         : "";
   if (content_.volume && tilt_deg > 0.5) {
-    furniture_.subtitle += QString::fromUtf8("  ∠ %1°").arg(tilt_deg, 0, 'f', 0).toStdString();
+    furniture_.subtitle += QString::fromUtf8(" (%1°)").arg(tilt_deg, 0, 'f', 0).toStdString();
   }
   view().set_furniture(furniture_);
 }
