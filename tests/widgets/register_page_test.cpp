@@ -50,6 +50,39 @@ class RegisterPageTest : public QObject {
     keep_picture("register_welcome");
   }
 
+  void makes_an_example_by_a_click_and_finds_it_again() {
+    auto* make = child<RegisterWelcome>("register_welcome")->findChild<QPushButton*>("primary");
+    click(make);
+    QTRY_VERIFY_WITH_TIMEOUT(page_->has_sequence(), 120000);
+    QTRY_VERIFY(!work_.busy());
+    QCOMPARE(child<QLabel>("frame_number")->text(), QString("Frame 1 of 40"));
+    QVERIFY(child<QLabel>("origin")->isVisible());
+    // The second time it is there already.
+    page_ = std::make_unique<RegisterPage>(work_);
+    page_->show();
+    click(child<RegisterWelcome>("register_welcome")->findChild<QPushButton*>("primary"));
+    QTRY_VERIFY_WITH_TIMEOUT(page_->has_sequence(), 120000);
+    QCOMPARE(child<Timeline>("timeline")->frames(), 40);
+  }
+
+  void a_sequence_without_a_camera_is_judged_but_not_drawn() {
+    const fs::path folder = folder_.path() / "blind";
+    fs::copy(file_.parent_path(), folder);
+    auto document = read_text_file(folder / "sequence.json").value();
+    const auto from = document.find("\"camera\"");
+    const auto to = document.find("\"registered\"");
+    QVERIFY(from < to && to != std::string::npos);
+    document.erase(from, to - from);
+    QVERIFY(write_text_file(folder / "sequence.json", document).has_value());
+    page_->open(folder / "sequence.json");
+    QTRY_VERIFY_WITH_TIMEOUT(page_->has_sequence(), 10000);
+    QTRY_VERIFY(!work_.busy());
+    judge(SequenceMethod::given, std::nullopt);
+    QVERIFY(child<HeatVideo>("first_video")->seen().empty());
+    QVERIFY(child<HeatVideo>("first_video")->accessibleDescription().contains("no camera"));
+    QVERIFY(number(child<FiguresTable>("figures"), FiguresTable::tre, 0) > 0);
+  }
+
   void refuses_what_is_no_sequence_with_a_sentence() {
     const fs::path file = folder_.path() / "no.json";
     QVERIFY(write_text_file(file, "{\"frames\": 3}").has_value());
