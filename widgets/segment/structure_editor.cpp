@@ -151,7 +151,7 @@ void StructureEditor::end_stroke(const std::string& what) {
   Q_EMIT listed();
 }
 
-void StructureEditor::apply(const std::string& what, Edit edit) {
+void StructureEditor::apply(const std::string& what, const Edit& edit) {
   if (!can_edit()) return;
   const std::string name = structures_[static_cast<std::size_t>(active_)].name;
   const auto before = std::make_shared<const imaging::Mask>(*structures_[static_cast<std::size_t>(active_)].mask);
@@ -232,7 +232,7 @@ void StructureEditor::remove() {
 }
 
 void StructureEditor::change_entries(const std::string& what, const std::vector<std::string>& touches,
-                                     std::function<Result<void>()> change, std::function<void()> then) {
+                                     std::function<Result<void>()> change, const std::function<void()>& then) {
   const std::string about = touches.front().substr(id_of("").size());
   set_working(1);
   undo_.change({what, {about}}, touches, std::move(change), [this, then, opening = opening_](const Result<void>& done) {

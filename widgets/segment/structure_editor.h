@@ -51,7 +51,7 @@ class StructureEditor : public QObject {
 
   // A filter of the whole active structure, on a worker.
   using Edit = std::function<Result<imaging::Mask>(imaging::Mask)>;
-  void apply(const std::string& what, Edit edit);
+  void apply(const std::string& what, const Edit& edit);
 
   void add(const std::string& name);
   void rename(const std::string& name);  // the active one
@@ -69,7 +69,7 @@ class StructureEditor : public QObject {
  private:
   void reread(const QStringList& ids);
   void change_entries(const std::string& what, const std::vector<std::string>& touches,
-                      std::function<Result<void>()> change, std::function<void()> then);
+                      std::function<Result<void>()> change, const std::function<void()>& then);
   void follow(int structure);  // the surface is made anew
   void set_working(int more);
   [[nodiscard]] int find(const std::string& name) const;
