@@ -224,7 +224,7 @@ void LiveRehearsal::show_answer(const rehearsal::PlacedTool& placed, const ToolI
 void LiveRehearsal::post_tool() {
   auto hand = hand_tool(tools_.back(), session_id(numbers_.back()));
   if (!hand) {
-    refuse(std::move(hand.error()));
+    refuse(hand.error());
     return;
   }
   session_->post(rehearsal::HoldTool{*std::move(hand)});
@@ -235,7 +235,7 @@ void LiveRehearsal::post_tool() {
 void LiveRehearsal::look_for_contact() {
   if (auto error = session_->error()) {
     session_timer_.stop();
-    refuse(*std::move(error));
+    refuse(*error);
     return;
   }
   const auto frame = session_->latest();
@@ -309,7 +309,7 @@ void LiveRehearsal::set_solving(Solving solving) {
   Q_EMIT solving_changed();
 }
 
-void LiveRehearsal::refuse(Error error) {
+void LiveRehearsal::refuse(const Error& error) {
   refusal_ = error;
   set_solving(Solving::refused);
   Q_EMIT frame_changed();

@@ -90,7 +90,7 @@ class LiveRehearsal : public QObject {
   void post_tool();
   void record(std::shared_ptr<const rehearsal::SessionFrame> contact);
   void set_solving(Solving solving);
-  void refuse(Error error);
+  void refuse(const Error& error);
   void start_anew();
   void change_tool(const std::function<void(ToolInHand&)>& change);
 
