@@ -11,7 +11,8 @@ enum class Theme { dark, light };
 // Style, palette and style sheet of the whole application; may be called again at any time.
 void apply_theme(Theme theme);
 
-// A colour of resources/themes/*.colours in the theme of now, for what a style sheet cannot reach. Asked for when drawing.
+// A colour of resources/themes/*.colours in the theme of now, for what a style sheet cannot reach. Asked for when
+// drawing.
 [[nodiscard]] QColor theme_colour(const char* name);
 
 // What was chosen the last time, dark at first; keep_theme() keeps a choice and applies it.

@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "base/sentence.h"
 #include "base/result.h"
+#include "base/sentence.h"
 #include "geometry/surface.h"
 
 namespace glisson::quality {

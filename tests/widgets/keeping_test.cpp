@@ -6,12 +6,12 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <set>
 #include <QComboBox>
 #include <QPlainTextEdit>
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QtTest>
+#include <set>
 
 #include "base/files.h"
 #include "diary/diary_window.h"

@@ -1,0 +1,87 @@
+// The tour, as a person takes it: by its buttons, through every workspace, on the demo patient. At each stop the window
+// is drawn and held against its baseline, and what its event loop stood still is printed.
+
+#include <QDir>
+#include <QImage>
+#include <QtTest>
+#include <set>
+
+#include "main_window.h"
+#include "run_test.h"
+#include "support/tour_picture.h"
+
+namespace glisson::widgets {
+namespace {
+
+constexpr int patience_ms = 240'000;
+
+class TourTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void begins_on_the_demo_patient() {
+    window_ = std::make_unique<MainWindow>();
+    window_->setFixedSize(1600, 1000);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    QVERIFY(!window_->tour().isVisible());
+    window_->findChild<QAction*>("take_tour")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(window_->tour().isVisible(), patience_ms);
+    QVERIFY(window_->tour().stops() >= 2);
+  }
+
+  void shows_every_workspace() {
+    std::set<QString> seen;
+    for (int stop = 0; stop < window_->tour().stops(); ++stop) {
+      QCOMPARE(window_->tour().stop(), stop);
+      window_->stalls().forget();
+      settle();
+      const QString workspace = window_->workspace();
+      seen.insert(workspace);
+      qInfo("%s: the window stood still for %.0f ms at most", qPrintable(workspace), window_->stalls().longest_ms());
+      const test::PictureVerdict verdict = test::held_against_baseline(shown(), "tour-" + workspace);
+      if (!verdict.alike) pictures_that_differ_ << verdict.words;
+      QTest::mouseClick(window_->findChild<QPushButton*>("tour_next"), Qt::LeftButton);
+    }
+    QCOMPARE(static_cast<int>(seen.size()), window_->tour().stops());
+    QVERIFY(!window_->tour().isVisible());  // the last button ends it
+    QVERIFY2(pictures_that_differ_.isEmpty(), qPrintable(pictures_that_differ_.join('\n')));
+  }
+
+  void goes_back_and_ends_by_keys() {
+    window_->take_tour();  // at once: the patient is open
+    QVERIFY(window_->tour().isVisible());
+    auto* next = window_->findChild<QPushButton*>("tour_next");
+    auto* back = window_->findChild<QPushButton*>("tour_back");
+    QVERIFY(!back->isEnabled());
+    const QString first = window_->workspace();
+    QTest::keyClick(next, Qt::Key_Space);
+    QVERIFY(window_->workspace() != first);
+    QTest::keyClick(back, Qt::Key_Space);
+    QCOMPARE(window_->workspace(), first);
+    QTest::keyClick(window_->findChild<QPushButton*>("tour_end"), Qt::Key_Space);
+    QVERIFY(!window_->tour().isVisible());
+  }
+
+  void shuts_down_cleanly() { window_.reset(); }
+
+ private:
+  // Until nothing is computed any more and what was computed is drawn.
+  void settle() {
+    QTest::qWait(400);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->work().busy(), patience_ms);
+    QTest::qWait(600);
+  }
+
+  QImage shown() { return window_->grab().toImage().convertToFormat(QImage::Format_RGB888); }
+
+  std::unique_ptr<MainWindow> window_;
+  QStringList pictures_that_differ_;
+};
+
+}  // namespace
+}  // namespace glisson::widgets
+
+int main(int argc, char** argv) { return glisson::widgets::run_test<glisson::widgets::TourTest>(argc, argv); }
+
+#include "tour_test.moc"
