@@ -1,7 +1,9 @@
 // The manual that ships, in its window: found by F1, searched by words.
 
+#include <QImage>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QRegularExpression>
 #include <QTextBrowser>
 #include <QtTest>
 
@@ -52,6 +54,23 @@ class ManualTest : public QObject {
     }
     words()->clear();
     QCOMPARE(titles()->count(), all);
+  }
+
+  void shows_its_pictures_and_no_other_files() {
+    int pictures = 0;
+    for (int row = 0; row < titles()->count(); ++row) {
+      titles()->setCurrentRow(row);
+      auto links = QRegularExpression("!\\[[^\\]]*\\]\\(([^)]*)\\)").globalMatch(text()->toMarkdown());
+      for (; links.hasNext(); ++pictures) {
+        const QString name = links.next().captured(1);
+        const auto picture = text()->loadResource(QTextDocument::ImageResource, QUrl(name)).value<QImage>();
+        QVERIFY2(!picture.isNull(), qPrintable(name));
+        QVERIFY(picture.width() <= text()->viewport()->width());
+      }
+    }
+    QVERIFY(pictures >= 9);
+    for (const char* elsewhere : {"../icons/open.svg", "file:///etc/hostname", "https://example.org/x.png"})
+      QVERIFY(!text()->loadResource(QTextDocument::ImageResource, QUrl(elsewhere)).isValid());
   }
 
   void says_when_no_page_holds_them() {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <QHBoxLayout>
+#include <QImage>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QTextBrowser>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include "base/files.h"
@@ -13,6 +15,8 @@
 namespace glisson::widgets {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr int page_margin_px = 24;
 
 std::vector<fs::path> page_files(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -28,6 +32,22 @@ bool holds_all(const QString& text, const QStringList& words) {
   return std::all_of(words.begin(), words.end(),
                      [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
 }
+
+// A page with its pictures, as wide as the page is at most; they come from the manual's folder and nowhere else.
+class PageText : public QTextBrowser {
+ public:
+  explicit PageText(const fs::path& folder) : folder_(QString::fromStdU16String(folder.u16string())) {}
+
+  QVariant loadResource(int type, const QUrl& name) override {
+    if (type != QTextDocument::ImageResource || !name.isRelative() || name.path().contains("..")) return {};
+    const QImage picture(folder_ + '/' + name.path());
+    const int room = viewport()->width() - 2 * page_margin_px;
+    return picture.width() > room ? picture.scaledToWidth(room, Qt::SmoothTransformation) : picture;
+  }
+
+ private:
+  QString folder_;
+};
 
 }  // namespace
 
@@ -46,10 +66,10 @@ ManualWindow::ManualWindow(const fs::path& folder, QWidget* parent) : QWidget(pa
   titles_->setObjectName("manual_titles");
   titles_->setSpacing(3);
   titles_->setWordWrap(true);
-  text_ = new QTextBrowser;
+  text_ = new PageText(folder);
   text_->setObjectName("manual_text");
   text_->setOpenLinks(false);  // it opens nothing that is not its own
-  text_->document()->setDocumentMargin(24);
+  text_->document()->setDocumentMargin(page_margin_px);
 
   auto* left = new QVBoxLayout;
   left->addWidget(words_);
