@@ -154,9 +154,9 @@ class LanguageTest : public QObject {
     window_->open_path(empty.path().toStdString());
     QVERIFY(finished.wait(20000));
     const auto* notice = window_->findChild<QLabel*>("notice_text");
-    QTRY_VERIFY(notice->text().startsWith("No anatomical images"));
+    QTRY_VERIFY(notice->text().startsWith("No images were found in"));
     choose("de");
-    QCOMPARE(notice->text(), QString("In %1 wurden keine anatomischen Bilder gefunden.").arg(empty.path()));
+    QCOMPARE(notice->text(), QString("In %1 wurden keine Bilder gefunden.").arg(empty.path()));
     choose("en");
   }
 

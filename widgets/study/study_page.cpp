@@ -6,6 +6,7 @@
 #include <QStandardPaths>
 
 #include "session/load_patient.h"
+#include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -13,9 +14,6 @@ namespace glisson::widgets {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path path_of(const QString& text) { return fs::path(text.toStdU16String()); }
-QString text_of(const fs::path& path) { return QString::fromStdU16String(path.u16string()); }
 
 }  // namespace
 
@@ -90,28 +88,26 @@ StudyPage::StudyPage(const Bench& bench, QWidget* parent) : QWidget(parent), ben
 }
 
 void StudyPage::browse(const fs::path& path) {
-  const bool begun =
-      bench_.work.start(tr("Looking for images"), [this, path](const Progress& progress) -> BackgroundWork::Then {
-        auto study = std::make_shared<Result<imaging::Study>>(imaging::scan(path, progress));
-        return [this, path, study] {
-          if (!*study) {
-            bench_.tell_error(study->error());
-            return;
-          }
-          if ((*study)->series.empty()) {
-            bench_.tell_error(
-                Error{"study-no-images", GLISSON_TEXT("No images were found in {0}."), {path.string()}, {}, path});
-            return;
-          }
-          browsed_ = path;
-          series_->show_study(std::make_shared<const imaging::Study>(*std::move(*study)));
-          keep_as_->setText(QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
-                                .filePath(text_of(path.stem()) + ".glisson"));
-          show_state();
-          Q_EMIT listed();
-        };
-      });
-  if (!begun) bench_.tell_status(tr("Something else is still under way. Wait for it, or cancel it first."));
+  bench_.work.start(tr("Looking for images"), [this, path](const Progress& progress) -> BackgroundWork::Then {
+    auto study = std::make_shared<Result<imaging::Study>>(imaging::scan(path, progress));
+    return [this, path, study] {
+      if (!*study) {
+        bench_.tell_error(study->error());
+        return;
+      }
+      if ((*study)->series.empty()) {
+        bench_.tell_error(
+            Error{"study-no-images", GLISSON_TEXT("No images were found in {0}."), {path.string()}, {}, {}});
+        return;
+      }
+      browsed_ = path;
+      series_->show_study(std::make_shared<const imaging::Study>(*std::move(*study)));
+      keep_as_->setText(QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+                            .filePath(text_of(path.stem()) + ".glisson"));
+      show_state();
+      Q_EMIT listed();
+    };
+  });
 }
 
 void StudyPage::show_patient(const Patient& patient) {

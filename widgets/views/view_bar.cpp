@@ -105,6 +105,7 @@ ViewBar::ViewBar(LinkedViews& views, MeasureTool& measure, QWidget* parent)
     volumes_button->setText(tr("Volume"));
     volumes_button->setToolTip(tr("Lists the volume of a structure, in ml"));
     volumes_->setTitle(tr("&Volume of"));
+    list_volumes();
     window_->setItemText(automatic, tr("Automatic"));
     window_->setItemText(1, tr("Abdomen"));
     window_->setItemText(2, tr("Liver"));
@@ -155,6 +156,14 @@ void ViewBar::add_button(QAction* action, const char* name) {
 
 void ViewBar::show_patient(const Patient& patient) {
   structures_ = patient.structures;
+  list_volumes();
+  window_->setCurrentIndex(automatic);
+  const bool hounsfield = patient.anatomy && patient.anatomy->unit == "HU";  // a unit, not translated
+  auto* items = qobject_cast<QStandardItemModel*>(window_->model());
+  for (int k = 1; k < window_->count(); ++k) items->item(k)->setEnabled(hounsfield);
+}
+
+void ViewBar::list_volumes() {
   volumes_->clear();
   for (const PatientStructure& structure : structures_) {
     volumes_->addAction(structure_label(structure.name), this, [this, structure] {
@@ -162,10 +171,6 @@ void ViewBar::show_patient(const Patient& patient) {
     });
   }
   volumes_->setEnabled(!structures_.empty());
-  window_->setCurrentIndex(automatic);
-  const bool hounsfield = patient.anatomy && patient.anatomy->unit == "HU";  // a unit, not translated
-  auto* items = qobject_cast<QStandardItemModel*>(window_->model());
-  for (int k = 1; k < window_->count(); ++k) items->item(k)->setEnabled(hounsfield);
 }
 
 void ViewBar::choose_window(int preset) {

@@ -25,6 +25,7 @@ class ViewBar : public QWidget {
  private:
   QAction* add_action(const char* name, const char* icon, const QKeySequence& key, std::function<void()> act);
   void add_button(QAction* action, const char* name);
+  void list_volumes();
   void choose_window(int preset);
 
   LinkedViews& views_;
