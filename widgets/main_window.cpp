@@ -12,7 +12,6 @@
 #include <QOpenGLFunctions>
 #include <QSplitter>
 #include <QStackedLayout>
-#include <QStandardPaths>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
@@ -34,6 +33,7 @@
 #include "views/measure_list.h"
 #include "views/wave_view.h"
 #include "words/language_menu.h"
+#include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -41,12 +41,6 @@ namespace glisson::widgets {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path path_of(const QString& text) { return fs::path(text.toStdU16String()); }
-QString text_of(const fs::path& path) { return QString::fromStdU16String(path.u16string()); }
-
-// What this program keeps for itself on this computer.
-fs::path own_folder() { return path_of(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)); }
 
 QString diary_file() {
   std::error_code problem;
@@ -63,14 +57,6 @@ QString drawn_by(QOpenGLWidget& widget) {
   return QString::fromUtf8(name);
 }
 
-// "about 2 min left", once there is something to go by.
-QString time_left(double fraction, qint64 elapsed_ms) {
-  if (fraction < 0.05 || elapsed_ms < 3000) return {};
-  const int left_s = static_cast<int>(std::ceil(static_cast<double>(elapsed_ms) / 1000 * (1 - fraction) / fraction));
-  return left_s < 60 ? MainWindow::tr("about %1 s left").arg(left_s)
-                     : MainWindow::tr("about %1 min left").arg((left_s + 30) / 60);
-}
-
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file()), open_work_(own_folder() / "open") {
@@ -82,7 +68,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file
   left_column->setContentsMargins(0, 0, 0, 0);
   left_column->setSpacing(0);
   left_column->addWidget(study_panel_, 1);
-  left_column->addWidget(make_next_step());
+  next_step_ = new NextStepBox;
+  left_column->addWidget(next_step_);
   panels_ = new QStackedWidget;
   auto* across = new QSplitter(Qt::Horizontal);
   across->addWidget(left);
@@ -99,14 +86,16 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(0);
   rows->addWidget(bar_);
-  rows->addWidget(make_messages());
+  notices_ = new Notices;
+  rows->addWidget(notices_);
   rows->addWidget(pages_, 1);
   tour_ = new TourCard;
   rows->addWidget(tour_);
   setCentralWidget(whole);
   patient_views_ = new PatientViews(*views_, this);
   make_menus();
-  make_status_bar();
+  status_ = new StatusLine(work_);
+  setStatusBar(status_);
   make_workspaces();
   connect_parts();
   go_to("rehearse");
@@ -114,6 +103,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file
   diary_.note("The window is made.");
   worded(this, [this] {
     word_patient();
+    show_figures();
     patient_views_->reword();
   });
 }
@@ -134,10 +124,7 @@ void MainWindow::make_workspaces() {
                        rehearse_panel_->set_ready(patient.rehearsal != nullptr);
                        rehearse_panel_->show_evidence(patient.evidence);
                      },
-                 .missing =
-                     [](const Patient& patient) {
-                       return patient.rehearsal ? QString() : tr("Needs a model of the liver: build it first.");
-                     }});
+                 .missing = model_missing});
   add_workspace(ResectPanel::workspace(bench()));
   add_workspace(RegisterPage::workspace(bench()));
   QWidget* platforms = PlatformView::shipped();
@@ -149,9 +136,9 @@ void MainWindow::make_workspaces() {
                  .show_patient =
                      [view = qobject_cast<PlatformView*>(platforms)](const Patient& patient) {
                        if (view == nullptr || patient.name.empty()) return;
-                       const bool outlined = !patient.structures.empty() && patient.structures.front().name == "liver";
-                       view->show_case(QString::fromStdString(patient.name),
-                                       outlined ? patient.structures.front().volume_ml : 0, patient.mean_youngs_kPa);
+                       const PatientStructure* liver = patient.liver();
+                       view->show_case(QString::fromStdString(patient.name), liver != nullptr ? liver->volume_ml : 0,
+                                       patient.mean_youngs_kPa);
                      }});
   add_workspace(EvidenceView::workspace(bench()));
   add_workspace(ReportView::workspace(bench(), [view = qobject_cast<PlatformView*>(platforms)] {
@@ -188,7 +175,7 @@ Bench MainWindow::bench() {
           .change = [this](const QString& title, auto loader) { change(title, std::move(loader)); },
           .open = [this](const QString& title, auto loader) { load(title, std::move(loader)); },
           .tell_error = [this](const Error& error) { show_error(error); },
-          .tell_status = [this](const QString& text) { status_->setText(text); },
+          .tell_status = [this](const QString& text) { status_->say(text); },
           .go_to = [this](const QString& workspace_id) { go_to(workspace_id); }};
 }
 
@@ -205,7 +192,7 @@ void MainWindow::open_path(const fs::path& opened) {
 }
 
 void MainWindow::open_demo_then(std::function<void()> once_shown) {
-  const fs::path folder = path_of(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)) / "demo";
+  const fs::path folder = own_folder() / "demo";
   load(
       tr("Opening the demo patient"),
       [folder](const Progress& progress) -> Result<Patient> {
@@ -224,15 +211,15 @@ void MainWindow::show_patient(const Patient& patient) {
   patient_ = patient;
   welcome_->hide();
   viewing_->show();
-  notice_->hide();
+  notices_->close_notice();
+  notices_->show_origin(patient.origin);
   if (!patient.remarks.empty()) {
-    show_notice([remarks = patient.remarks] {
+    notices_->say([remarks = patient.remarks] {
       QStringList sentences;
       for (const Sentence& remark : remarks) sentences << told(remark);
       return sentences.join(" ");
     });
   }
-  origin_->setVisible(!patient.origin.empty());
   study_panel_->show_patient(patient);
   view_bar_->show_patient(patient);
   patient_views_->show_patient(patient);
@@ -243,8 +230,7 @@ void MainWindow::show_patient(const Patient& patient) {
   bar_->show_patient(patient);
   save_picture_->setEnabled(true);
   show_waves_->setEnabled(!patient.folder.empty() && WaveView::has_waves(patient.folder));
-  next_ = patient.folder.empty() ? NextStep::none : next_step(patient.folder);
-  next_step_->setVisible(next_ != NextStep::none);
+  next_step_->show_case(patient.folder);
   word_patient();
   if (!patient.folder.empty()) remember_case(patient.folder);
   keep_open_work();
@@ -252,13 +238,7 @@ void MainWindow::show_patient(const Patient& patient) {
 }
 
 void MainWindow::word_patient() {
-  origin_->setText(told(patient_.origin));
   setWindowTitle(patient_.name.empty() ? tr("Glisson") : tr("%1 - Glisson").arg(patient_label(patient_.name)));
-  next_step_text_->setText(next_ == NextStep::outline_liver
-                               ? tr("Next: put the crosshair inside the liver, away from large vessels.")
-                               : tr("Next: build the model of the liver from its outline and stiffness."));
-  next_step_button_->setText(next_ == NextStep::outline_liver ? tr("Outline the liver from here")
-                                                              : tr("Build the model"));
 }
 
 void MainWindow::make_menus() {
@@ -318,40 +298,6 @@ void MainWindow::make_menus() {
   });
 }
 
-QWidget* MainWindow::make_messages() {
-  auto* messages = new QWidget;
-  auto* column = new QVBoxLayout(messages);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-
-  notice_ = new QWidget;
-  notice_->setObjectName("notice");
-  notice_->setAttribute(Qt::WA_StyledBackground);
-  auto* row = new QHBoxLayout(notice_);
-  row->setContentsMargins(12, 8, 8, 8);
-  notice_text_ = new QLabel;
-  notice_text_->setObjectName("notice_text");
-  notice_text_->setWordWrap(true);
-  notice_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  row->addWidget(notice_text_, 1);
-  auto* dismiss = new QPushButton;
-  row->addWidget(dismiss);
-  connect(dismiss, &QPushButton::clicked, notice_, &QWidget::hide);
-  notice_->hide();
-  column->addWidget(notice_);
-
-  origin_ = new QLabel;
-  origin_->setObjectName("origin");
-  origin_->setWordWrap(true);
-  origin_->hide();
-  column->addWidget(origin_);
-  worded(messages, [=, this] {
-    dismiss->setText(tr("Close"));
-    if (notice_words_) notice_text_->setText(notice_words_());
-  });
-  return messages;
-}
-
 QWidget* MainWindow::make_centre() {
   auto* centre = new QWidget;
   auto* column = new QVBoxLayout(centre);
@@ -383,85 +329,29 @@ QWidget* MainWindow::make_centre() {
   return centre;
 }
 
-QWidget* MainWindow::make_next_step() {
-  next_step_ = new QWidget;
-  next_step_->setObjectName("next_step");
-  auto* column = new QVBoxLayout(next_step_);
-  column->setContentsMargins(14, 10, 14, 14);
-  next_step_text_ = new QLabel;
-  next_step_text_->setWordWrap(true);
-  column->addWidget(next_step_text_);
-  next_step_button_ = new QPushButton;
-  next_step_button_->setObjectName("primary");
-  column->addWidget(next_step_button_);
-  connect(next_step_button_, &QPushButton::clicked, this, &MainWindow::take_next_step);
-  next_step_->hide();
-  return next_step_;
-}
-
-void MainWindow::make_status_bar() {
-  status_ = new QLabel;
-  status_->setIndent(10);
-  figures_ = new QLabel;
-  figures_->setObjectName("figures");
-  progress_ = new QProgressBar;
-  progress_->setRange(0, 1000);
-  progress_->setTextVisible(false);
-  progress_->setFixedWidth(220);
-  progress_->hide();
-  cancel_ = new QPushButton;
-  cancel_->setObjectName("cancel");
-  cancel_->hide();
-  auto* standing = new QLabel;
-  standing->setObjectName("faint");
-  standing->setContentsMargins(0, 0, 8, 0);
-  statusBar()->addWidget(status_, 1);
-  statusBar()->addPermanentWidget(progress_);
-  statusBar()->addPermanentWidget(cancel_);
-  statusBar()->addPermanentWidget(figures_);
-  statusBar()->addPermanentWidget(standing);
-  statusBar()->setSizeGripEnabled(false);
-  worded(this, [=, this] {
-    cancel_->setText(tr("Cancel"));
-    standing->setText(tr("Not a medical device"));
-    status_->clear();  // it told of a moment
-    show_figures();
-  });
-}
-
 void MainWindow::connect_parts() {
-  connect(&work_, &BackgroundWork::started, this, [this](const QString& title) {
-    work_time_.start();
-    diary_.note("Long work began.");
-    status_->setText(title);
-    progress_->setValue(0);
-    progress_->show();
-    cancel_->setEnabled(true);
-    cancel_->show();
+  connect(&work_, &BackgroundWork::started, this, [this] { diary_.note("Long work began."); });
+  connect(&work_, &BackgroundWork::progressed, this, [this](double fraction, const QString& stage) {
+    if (!stage.isEmpty()) welcome_->show_stage(tr("%1 (%2 %)").arg(told_stage(stage)).arg(100 * fraction, 0, 'f', 0));
   });
-  connect(&work_, &BackgroundWork::progressed, this, &MainWindow::show_progress);
   connect(&work_, &BackgroundWork::finished, this, [this] {
-    status_->clear();
     welcome_->show_stage({});
-    progress_->hide();
-    cancel_->hide();
-    diary_.note("Long work ended.", static_cast<double>(work_time_.elapsed()));
+    diary_.note("Long work ended.", status_->work_ms());
+  });
+  connect(&work_, &BackgroundWork::refused, this, [this] {
+    notices_->say([] { return tr("Something else is still under way. Wait for it, or cancel it first."); });
   });
   connect(&work_, &BackgroundWork::broke, this, [this](const QString& what) {
     diary_.note_defect();
-    show_notice([what] { return tr("A defect in Glisson stopped this: %1").arg(what); });
+    notices_->say([what] { return tr("A defect in Glisson stopped this: %1").arg(what); });
   });
   connect(tour_, &TourCard::arrived, this, &MainWindow::go_to);
   connect(&stalls_, &StallWatch::stood_still, this, [this](double ms) { diary_.note_stall(ms); });
-  connect(cancel_, &QPushButton::clicked, this, [this] {
-    cancel_->setEnabled(false);
-    work_.cancel();
-  });
-
+  connect(next_step_, &NextStepBox::wanted, this, &MainWindow::take_next_step);
   connect(&work_, &BackgroundWork::started, this, [this] { undo_.set_held_up(true); });
   connect(&work_, &BackgroundWork::finished, this, [this] { undo_.set_held_up(false); });
   connect(&undo_, &Undo::failed, this, &MainWindow::show_error);
-  connect(&undo_, &Undo::moved, this, [this](const QString& what) { status_->setText(what); });
+  connect(&undo_, &Undo::moved, this, [this](const QString& what) { status_->say(what); });
   connect(&undo_, &Undo::entries_moved, this, &MainWindow::show_moved_entries);
   connect(bar_, &WorkspaceBar::chosen, this, [this](int index) {
     const Workspace& workspace = workspaces_.at(static_cast<std::size_t>(index));
@@ -481,7 +371,7 @@ void MainWindow::connect_parts() {
   connect(rehearse_panel_, &RehearsePanel::landmark_chosen, patient_views_, &PatientViews::set_marked_landmark);
   connect(rehearse_panel_, &RehearsePanel::placing_changed, this, [this](bool placing) {
     views_->space().setCursor(placing ? Qt::CrossCursor : Qt::ArrowCursor);
-    status_->setText(placing ? tr("Click on the liver where the tool is to touch it.") : QString());
+    status_->say(placing ? tr("Click on the liver where the tool is to touch it.") : QString());
   });
   const auto place_tool = [this](const std::optional<PatientViews::PlaceOnLiver>& place) {
     if (place) rehearse_panel_->place_at(place->at_rest_mm, place->outward);
@@ -503,23 +393,14 @@ void MainWindow::connect_parts() {
           [this, place_tool] { place_tool(patient_views_->nearest_on_liver(views_->crosshair_mm())); });
   connect(rehearse_panel_, &RehearsePanel::at_work, patient_views_, &PatientViews::set_tool_movable);
   connect(rehearse_panel_, &RehearsePanel::failed, this, &MainWindow::show_error);
-  connect(rehearse_panel_, &RehearsePanel::said, status_, &QLabel::setText);
+  connect(rehearse_panel_, &RehearsePanel::said, status_, &StatusLine::say);
   connect(views_, &LinkedViews::picture_not_saved, this, [this](const QString& file) {
-    show_notice([file] { return tr("The picture could not be written to %1.").arg(file); });
+    notices_->say([file] { return tr("The picture could not be written to %1.").arg(file); });
   });
   rehearse_panel_->track().set_camera([this] { return views_->space().grabFramebuffer(); });
   connect(&rehearsal_, &LiveRehearsal::frame_changed, this, &MainWindow::show_frame);
   connect(&rehearsal_, &LiveRehearsal::placed, this,
-          [this](double solve_ms) { status_->setText(tr("Tool placed in %1 ms.").arg(solve_ms, 0, 'f', 0)); });
-}
-
-void MainWindow::show_progress(double fraction, const QString& stage) {
-  progress_->setValue(static_cast<int>(1000 * fraction));
-  const QString left = time_left(fraction, work_time_.elapsed());
-  if (!stage.isEmpty()) {
-    status_->setText(left.isEmpty() ? told_stage(stage) : tr("%1, %2").arg(told_stage(stage), left));
-    welcome_->show_stage(tr("%1 (%2 %)").arg(told_stage(stage)).arg(100 * fraction, 0, 'f', 0));
-  }
+          [this](double solve_ms) { status_->say(tr("Tool placed in %1 ms.").arg(solve_ms, 0, 'f', 0)); });
 }
 
 void MainWindow::choose_case() {
@@ -537,7 +418,7 @@ void MainWindow::save_picture() {
   const QString file = QFileDialog::getSaveFileName(this, tr("Save the picture"), name, tr("Pictures (*.png)"));
   if (file.isEmpty()) return;
   if (!views_->space().grabFramebuffer().save(file))
-    show_notice([file] { return tr("The picture could not be written to %1.").arg(file); });
+    notices_->say([file] { return tr("The picture could not be written to %1.").arg(file); });
 }
 
 void MainWindow::show_manual() {
@@ -568,8 +449,7 @@ void MainWindow::start_tour() {
   };
   const auto example_sequence = [this] {
     auto* page = findChild<RegisterPage*>();
-    if (page != nullptr && !page->has_sequence() && !work_.busy())
-      page->open_example(own_folder() / "example-sequence");
+    if (page != nullptr && !page->has_sequence() && !work_.busy()) page->open_example();
   };
   tour_->start(tour_stops(there, {{"rehearse", [this] { rehearse_panel_->hoist_segment_vi(); }},
                                   {"resect", press("cut_through_crosshair")},
@@ -648,19 +528,17 @@ void MainWindow::about() {
 
 void MainWindow::load(const QString& title, std::function<Result<Patient>(const Progress&)> loader,
                       std::function<void()> once_shown) {
-  const bool begun = work_.start(
-      title, [this, loader = std::move(loader), once_shown = std::move(once_shown)](const Progress& progress) {
-        auto patient = std::make_shared<Result<Patient>>(loader(progress));
-        return BackgroundWork::Then([this, patient, once_shown] {
-          if (!*patient) {
-            show_error(patient->error());
-            return;
-          }
-          show_patient(**patient);
-          if (once_shown) once_shown();
-        });
-      });
-  if (!begun) show_notice([] { return tr("Something else is still under way. Wait for it, or cancel it first."); });
+  work_.start(title, [this, loader = std::move(loader), once_shown = std::move(once_shown)](const Progress& progress) {
+    auto patient = std::make_shared<Result<Patient>>(loader(progress));
+    return BackgroundWork::Then([this, patient, once_shown] {
+      if (!*patient) {
+        show_error(patient->error());
+        return;
+      }
+      show_patient(**patient);
+      if (once_shown) once_shown();
+    });
+  });
 }
 
 void MainWindow::change(const QString& title, std::function<Result<Patient>(const Progress&)> loader) {
@@ -685,9 +563,9 @@ void MainWindow::show_moved_entries(const QStringList& ids) {
        [folder = patient_.folder](const Progress& progress) { return load_patient(folder, progress); });
 }
 
-void MainWindow::take_next_step() {
+void MainWindow::take_next_step(NextStep step) {
   const fs::path folder = patient_.folder;
-  if (next_step(folder) == NextStep::outline_liver) {
+  if (step == NextStep::outline_liver) {
     change(tr("Outlining the liver"), [folder, inside_mm = views_->crosshair_mm()](const Progress& progress) {
       return outline_liver(folder, inside_mm, progress);
     });
@@ -699,16 +577,10 @@ void MainWindow::take_next_step() {
 void MainWindow::show_error(const Error& error) {
   diary_.note(error);
   if (error.code == "cancelled") {
-    status_->setText(tr("Cancelled."));
+    status_->say(tr("Cancelled."));
     return;
   }
-  show_notice([error] { return told(error); });
-}
-
-void MainWindow::show_notice(std::function<QString()> words) {
-  notice_words_ = std::move(words);
-  notice_text_->setText(notice_words_());
-  notice_->show();
+  notices_->say([error] { return told(error); });
 }
 
 void MainWindow::show_frame() {
@@ -720,10 +592,10 @@ void MainWindow::show_frame() {
 
 void MainWindow::show_figures() {
   const auto& frame = rehearsal_.frame();
-  figures_->setText(frame ? tr("Relative residual %1, answered in %2 ms")
-                                .arg(frame->relative_residual, 0, 'e', 0)
-                                .arg(frame->answer_ms, 0, 'f', 1)
-                          : QString());
+  status_->show_figures(frame ? tr("Relative residual %1, answered in %2 ms")
+                                    .arg(frame->relative_residual, 0, 'e', 0)
+                                    .arg(frame->answer_ms, 0, 'f', 1)
+                              : QString());
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

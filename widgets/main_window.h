@@ -4,11 +4,7 @@
 
 #include <filesystem>
 #include <functional>
-#include <QElapsedTimer>
-#include <QLabel>
 #include <QMainWindow>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QStackedWidget>
 #include <vector>
 
@@ -16,8 +12,11 @@
 #include "diary/stall_watch.h"
 #include "help/manual_window.h"
 #include "help/tour.h"
+#include "panels/next_step_box.h"
+#include "panels/notices.h"
 #include "panels/platform_view.h"
 #include "panels/rehearse_panel.h"
+#include "panels/status_line.h"
 #include "panels/study_panel.h"
 #include "panels/welcome_page.h"
 #include "session/live_rehearsal.h"
@@ -74,11 +73,7 @@ class MainWindow : public QMainWindow {
   void add_workspace(Workspace workspace);
   [[nodiscard]] Bench bench();
   void make_menus();
-  QWidget* make_messages();
   QWidget* make_centre();
-  QWidget* make_next_step();
-  void make_status_bar();
-  void show_progress(double fraction, const QString& stage);
   void connect_parts();
 
   void choose_case();
@@ -101,10 +96,8 @@ class MainWindow : public QMainWindow {
   // The same for work that changes the case: one step of undo.
   void change(const QString& title, std::function<Result<Patient>(const Progress&)> loader);
   void show_moved_entries(const QStringList& ids);
-  void take_next_step();
+  void take_next_step(NextStep step);
   void show_error(const Error& error);
-  // The words are asked for again when the language changes.
-  void show_notice(std::function<QString()> words);
   void show_frame();
   void show_figures();
   void word_patient();
@@ -114,7 +107,6 @@ class MainWindow : public QMainWindow {
   OpenWorkFile open_work_;
   std::optional<OpenWork> lost_work_;  // what a window before this one left open
   Patient patient_;
-  NextStep next_ = NextStep::none;
   LiveRehearsal rehearsal_;
   Undo undo_;
   RehearsalUndo rehearsal_undo_{rehearsal_, undo_};
@@ -134,19 +126,10 @@ class MainWindow : public QMainWindow {
   QStackedWidget* panels_ = nullptr;  // to the right of the views
   TourCard* tour_ = nullptr;
   QMenu* go_menu_ = nullptr;
-  QLabel* origin_ = nullptr;
-  QWidget* notice_ = nullptr;
-  QLabel* notice_text_ = nullptr;
-  std::function<QString()> notice_words_;
+  Notices* notices_ = nullptr;
   WelcomePage* welcome_ = nullptr;
-  QElapsedTimer work_time_;
-  QWidget* next_step_ = nullptr;
-  QLabel* next_step_text_ = nullptr;
-  QPushButton* next_step_button_ = nullptr;
-  QLabel* status_ = nullptr;
-  QLabel* figures_ = nullptr;
-  QProgressBar* progress_ = nullptr;
-  QPushButton* cancel_ = nullptr;
+  NextStepBox* next_step_ = nullptr;
+  StatusLine* status_ = nullptr;
   QAction* save_picture_ = nullptr;
   QAction* show_waves_ = nullptr;
 };

@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>Workspace</name>
+    <message>
+        <source>Needs a model of the liver: build it first.</source>
+        <translation>Braucht ein Modell der Leber: bauen Sie es zuerst.</translation>
+    </message>
+</context>
+<context>
     <name>effects</name>
     <message>
         <source>Stiffer or softer throughout</source>
@@ -4280,10 +4287,6 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnliche
         <translation>%1 wird erklärt</translation>
     </message>
     <message>
-        <source>Something else is still under way. Wait for it, or cancel it first.</source>
-        <translation>Etwas anderes läuft noch. Warten Sie darauf, oder brechen Sie es zuerst ab.</translation>
-    </message>
-    <message>
         <source>Open measurements first.</source>
         <translation>Öffnen Sie zuerst Messungen.</translation>
     </message>
@@ -4632,22 +4635,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fa
         <translation>%1 - Glisson</translation>
     </message>
     <message>
-        <source>Next: put the crosshair inside the liver, away from large vessels.</source>
-        <translation>Als Nächstes: Setzen Sie das Fadenkreuz in die Leber, fern von großen Gefäßen.</translation>
-    </message>
-    <message>
-        <source>Next: build the model of the liver from its outline and stiffness.</source>
-        <translation>Als Nächstes: Erstellen Sie das Modell der Leber aus ihrer Kontur und Steifigkeit.</translation>
-    </message>
-    <message>
-        <source>Outline the liver from here</source>
-        <translation>Leber von hier aus umreißen</translation>
-    </message>
-    <message>
-        <source>Build the model</source>
-        <translation>Modell erstellen</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
@@ -4678,18 +4665,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fa
     <message>
         <source>&amp;About Glisson</source>
         <translation>&amp;Über Glisson</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Not a medical device</source>
-        <translation>Kein Medizinprodukt</translation>
     </message>
     <message>
         <source>%1 (%2 %)</source>
@@ -4772,10 +4747,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fa
         <translation>Mit einem Werkzeug ziehen und sehen, was sich wie weit bewegt.</translation>
     </message>
     <message>
-        <source>Needs a model of the liver: build it first.</source>
-        <translation>Braucht ein Modell der Leber: Bauen Sie es zuerst.</translation>
-    </message>
-    <message>
         <source>Platform</source>
         <translation>Plattform</translation>
     </message>
@@ -4786,14 +4757,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fa
     <message>
         <source>&amp;Go</source>
         <translation>&amp;Gehe zu</translation>
-    </message>
-    <message>
-        <source>about %1 s left</source>
-        <translation>noch etwa %1 s</translation>
-    </message>
-    <message>
-        <source>about %1 min left</source>
-        <translation>noch etwa %1 min</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
@@ -4810,10 +4773,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fa
     <message>
         <source>&amp;Log and problems...</source>
         <translation>&amp;Protokoll und Probleme...</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -5091,6 +5050,32 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fa
     <message>
         <source>Young&apos;s modulus of a cell, kPa</source>
         <translation>Elastizitätsmodul einer Zelle, kPa</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::NextStepBox</name>
+    <message>
+        <source>Next: put the crosshair inside the liver, away from large vessels.</source>
+        <translation>Als Nächstes: Setzen Sie das Fadenkreuz in die Leber, fern von großen Gefäßen.</translation>
+    </message>
+    <message>
+        <source>Next: build the model of the liver from its outline and stiffness.</source>
+        <translation>Als Nächstes: Erstellen Sie das Modell der Leber aus ihrer Kontur und Steifigkeit.</translation>
+    </message>
+    <message>
+        <source>Outline the liver from here</source>
+        <translation>Leber von hier aus umreißen</translation>
+    </message>
+    <message>
+        <source>Build the model</source>
+        <translation>Modell erstellen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::Notices</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -5579,10 +5564,6 @@ figures</source>
         <translation>Sehen, wie gut eine Registrierung eines Videos ist, Stelle für Stelle.</translation>
     </message>
     <message>
-        <source>Something else is being computed. Wait for it, or cancel it, and try again.</source>
-        <translation>Es wird gerade etwas anderes berechnet. Warten Sie es ab oder brechen Sie es ab, und versuchen Sie es erneut.</translation>
-    </message>
-    <message>
         <source>Opening the sequence</source>
         <translation>Die Sequenz wird geöffnet</translation>
     </message>
@@ -5895,10 +5876,6 @@ figures</source>
         <translation>Einen Schnitt legen: was wegfällt, was bleibt, wie nah er an den Tumoren verläuft.</translation>
     </message>
     <message>
-        <source>Needs a model of the liver: build it first.</source>
-        <translation>Braucht ein Modell der Leber: bauen Sie es zuerst.</translation>
-    </message>
-    <message>
         <source>Apart</source>
         <translation>Abstand</translation>
     </message>
@@ -5973,10 +5950,6 @@ figures</source>
     <message>
         <source>The plan is in %1</source>
         <translation>Der Plan liegt in %1</translation>
-    </message>
-    <message>
-        <source>Something else is still under way. Wait for it, or cancel it first.</source>
-        <translation>Etwas anderes läuft noch. Warten Sie darauf, oder brechen Sie es zuerst ab.</translation>
     </message>
 </context>
 <context>
@@ -6579,6 +6552,29 @@ figures</source>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::StatusLine</name>
+    <message>
+        <source>about %1 s left</source>
+        <translation>noch etwa %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min left</source>
+        <translation>noch etwa %1 min</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Not a medical device</source>
+        <translation>Kein Medizinprodukt</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::StudyPage</name>
     <message>
         <source>Study</source>
@@ -6591,10 +6587,6 @@ figures</source>
     <message>
         <source>Looking for images</source>
         <translation>Bilder werden gesucht</translation>
-    </message>
-    <message>
-        <source>Something else is still under way. Wait for it, or cancel it first.</source>
-        <translation>Etwas anderes läuft noch. Warten Sie darauf, oder brechen Sie es zuerst ab.</translation>
     </message>
     <message>
         <source>Images</source>

@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
+    <name>Workspace</name>
+    <message>
+        <source>Needs a model of the liver: build it first.</source>
+        <translation>Necesita un modelo del hígado: constrúyalo primero.</translation>
+    </message>
+</context>
+<context>
     <name>effects</name>
     <message>
         <source>Stiffer or softer throughout</source>
@@ -4280,10 +4287,6 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
         <translation>Explicando %1</translation>
     </message>
     <message>
-        <source>Something else is still under way. Wait for it, or cancel it first.</source>
-        <translation>Hay otra operación en curso. Espere a que termine o cancélela antes.</translation>
-    </message>
-    <message>
         <source>Open measurements first.</source>
         <translation>Abra primero mediciones.</translation>
     </message>
@@ -4634,22 +4637,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Botones de
         <translation>%1 - Glisson</translation>
     </message>
     <message>
-        <source>Next: put the crosshair inside the liver, away from large vessels.</source>
-        <translation>A continuación: coloque la cruz dentro del hígado, lejos de los vasos grandes.</translation>
-    </message>
-    <message>
-        <source>Next: build the model of the liver from its outline and stiffness.</source>
-        <translation>A continuación: construya el modelo del hígado a partir de su contorno y su rigidez.</translation>
-    </message>
-    <message>
-        <source>Outline the liver from here</source>
-        <translation>Delimitar el hígado desde aquí</translation>
-    </message>
-    <message>
-        <source>Build the model</source>
-        <translation>Construir el modelo</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Archivo</translation>
     </message>
@@ -4680,18 +4667,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Botones de
     <message>
         <source>&amp;About Glisson</source>
         <translation>&amp;Acerca de Glisson</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Cerrar</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
-        <source>Not a medical device</source>
-        <translation>No es un producto sanitario</translation>
     </message>
     <message>
         <source>%1 (%2 %)</source>
@@ -4774,10 +4749,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Botones de
         <translation>Tirar con un instrumento y ver qué se mueve y cuánto.</translation>
     </message>
     <message>
-        <source>Needs a model of the liver: build it first.</source>
-        <translation>Hace falta un modelo del hígado: constrúyalo primero.</translation>
-    </message>
-    <message>
         <source>Platform</source>
         <translation>Plataforma</translation>
     </message>
@@ -4788,14 +4759,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Botones de
     <message>
         <source>&amp;Go</source>
         <translation>&amp;Ir</translation>
-    </message>
-    <message>
-        <source>about %1 s left</source>
-        <translation>quedan unos %1 s</translation>
-    </message>
-    <message>
-        <source>about %1 min left</source>
-        <translation>quedan unos %1 min</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
@@ -4812,10 +4775,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Botones de
     <message>
         <source>&amp;Log and problems...</source>
         <translation>&amp;Registro y problemas...</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -5093,6 +5052,32 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Botones de
     <message>
         <source>Young&apos;s modulus of a cell, kPa</source>
         <translation>módulo de Young de una celda, kPa</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::NextStepBox</name>
+    <message>
+        <source>Next: put the crosshair inside the liver, away from large vessels.</source>
+        <translation>A continuación: coloque la cruz dentro del hígado, lejos de los vasos grandes.</translation>
+    </message>
+    <message>
+        <source>Next: build the model of the liver from its outline and stiffness.</source>
+        <translation>A continuación: construya el modelo del hígado a partir de su contorno y su rigidez.</translation>
+    </message>
+    <message>
+        <source>Outline the liver from here</source>
+        <translation>Delimitar el hígado desde aquí</translation>
+    </message>
+    <message>
+        <source>Build the model</source>
+        <translation>Construir el modelo</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::Notices</name>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>
@@ -5582,10 +5567,6 @@ supuestas</translation>
         <translation>Ver qué tan bueno es el registro de un vídeo, lugar por lugar.</translation>
     </message>
     <message>
-        <source>Something else is being computed. Wait for it, or cancel it, and try again.</source>
-        <translation>Se está calculando otra cosa. Espere o cancélela e inténtelo de nuevo.</translation>
-    </message>
-    <message>
         <source>Opening the sequence</source>
         <translation>Abriendo la secuencia</translation>
     </message>
@@ -5898,10 +5879,6 @@ supuestas</translation>
         <translation>Trazar una sección: qué se va, qué queda, a qué distancia de los tumores pasa.</translation>
     </message>
     <message>
-        <source>Needs a model of the liver: build it first.</source>
-        <translation>Necesita un modelo del hígado: constrúyalo primero.</translation>
-    </message>
-    <message>
         <source>Apart</source>
         <translation>Separación</translation>
     </message>
@@ -5976,10 +5953,6 @@ supuestas</translation>
     <message>
         <source>The plan is in %1</source>
         <translation>El plan está en %1</translation>
-    </message>
-    <message>
-        <source>Something else is still under way. Wait for it, or cancel it first.</source>
-        <translation>Hay otra operación en curso. Espere a que termine o cancélela antes.</translation>
     </message>
 </context>
 <context>
@@ -6582,6 +6555,29 @@ supuestas</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::StatusLine</name>
+    <message>
+        <source>about %1 s left</source>
+        <translation>quedan unos %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min left</source>
+        <translation>quedan unos %1 min</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Not a medical device</source>
+        <translation>No es un producto sanitario</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::StudyPage</name>
     <message>
         <source>Study</source>
@@ -6594,10 +6590,6 @@ supuestas</translation>
     <message>
         <source>Looking for images</source>
         <translation>Buscando imágenes</translation>
-    </message>
-    <message>
-        <source>Something else is still under way. Wait for it, or cancel it first.</source>
-        <translation>Hay otra operación en curso. Espere a que termine o cancélela antes.</translation>
     </message>
     <message>
         <source>Images</source>

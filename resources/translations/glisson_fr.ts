@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
+    <name>Workspace</name>
+    <message>
+        <source>Needs a model of the liver: build it first.</source>
+        <translation>Il faut un modèle du foie : construisez-le d&apos;abord.</translation>
+    </message>
+</context>
+<context>
     <name>effects</name>
     <message>
         <source>Stiffer or softer throughout</source>
@@ -4280,10 +4287,6 @@ Pas de mesures sous la main ? Essayez l&apos;exemple : du silicone de rigidité 
         <translation>Explication de %1</translation>
     </message>
     <message>
-        <source>Something else is still under way. Wait for it, or cancel it first.</source>
-        <translation>Une autre opération est en cours. Attendez-la, ou annulez-la d’abord.</translation>
-    </message>
-    <message>
         <source>Open measurements first.</source>
         <translation>Ouvrez d&apos;abord des mesures.</translation>
     </message>
@@ -4634,22 +4637,6 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Boutons du
         <translation>%1 - Glisson</translation>
     </message>
     <message>
-        <source>Next: put the crosshair inside the liver, away from large vessels.</source>
-        <translation>Ensuite&#xa0;: placez le réticule dans le foie, loin des gros vaisseaux.</translation>
-    </message>
-    <message>
-        <source>Next: build the model of the liver from its outline and stiffness.</source>
-        <translation>Ensuite&#xa0;: construisez le modèle du foie à partir de son contour et de sa rigidité.</translation>
-    </message>
-    <message>
-        <source>Outline the liver from here</source>
-        <translation>Délimiter le foie à partir d’ici</translation>
-    </message>
-    <message>
-        <source>Build the model</source>
-        <translation>Construire le modèle</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Fichier</translation>
     </message>
@@ -4680,18 +4667,6 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Boutons du
     <message>
         <source>&amp;About Glisson</source>
         <translation>À &amp;propos de Glisson</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Not a medical device</source>
-        <translation>N’est pas un dispositif médical</translation>
     </message>
     <message>
         <source>%1 (%2 %)</source>
@@ -4774,10 +4749,6 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Boutons du
         <translation>Tirer avec un instrument et voir ce qui bouge, et de combien.</translation>
     </message>
     <message>
-        <source>Needs a model of the liver: build it first.</source>
-        <translation>Il faut un modèle du foie : construisez-le d&apos;abord.</translation>
-    </message>
-    <message>
         <source>Platform</source>
         <translation>Plateforme</translation>
     </message>
@@ -4788,14 +4759,6 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Boutons du
     <message>
         <source>&amp;Go</source>
         <translation>&amp;Aller</translation>
-    </message>
-    <message>
-        <source>about %1 s left</source>
-        <translation>encore %1 s environ</translation>
-    </message>
-    <message>
-        <source>about %1 min left</source>
-        <translation>encore %1 min environ</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
@@ -4812,10 +4775,6 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Boutons du
     <message>
         <source>&amp;Log and problems...</source>
         <translation>&amp;Journal et problèmes...</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -5093,6 +5052,32 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Boutons du
     <message>
         <source>Young&apos;s modulus of a cell, kPa</source>
         <translation>module d&apos;Young d&apos;une cellule, kPa</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::NextStepBox</name>
+    <message>
+        <source>Next: put the crosshair inside the liver, away from large vessels.</source>
+        <translation>Ensuite&#xa0;: placez le réticule dans le foie, loin des gros vaisseaux.</translation>
+    </message>
+    <message>
+        <source>Next: build the model of the liver from its outline and stiffness.</source>
+        <translation>Ensuite&#xa0;: construisez le modèle du foie à partir de son contour et de sa rigidité.</translation>
+    </message>
+    <message>
+        <source>Outline the liver from here</source>
+        <translation>Délimiter le foie à partir d’ici</translation>
+    </message>
+    <message>
+        <source>Build the model</source>
+        <translation>Construire le modèle</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::Notices</name>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
     </message>
 </context>
 <context>
@@ -5582,10 +5567,6 @@ supposés</translation>
         <translation>Voir ce que vaut le recalage d&apos;une vidéo, endroit par endroit.</translation>
     </message>
     <message>
-        <source>Something else is being computed. Wait for it, or cancel it, and try again.</source>
-        <translation>Un autre calcul est en cours. Attendez-le ou annulez-le, puis réessayez.</translation>
-    </message>
-    <message>
         <source>Opening the sequence</source>
         <translation>Ouverture de la séquence</translation>
     </message>
@@ -5898,10 +5879,6 @@ supposés</translation>
         <translation>Poser une section : ce qui part, ce qui reste, à quelle distance des tumeurs elle passe.</translation>
     </message>
     <message>
-        <source>Needs a model of the liver: build it first.</source>
-        <translation>Il faut un modèle du foie : construisez-le d&apos;abord.</translation>
-    </message>
-    <message>
         <source>Apart</source>
         <translation>Écart</translation>
     </message>
@@ -5976,10 +5953,6 @@ supposés</translation>
     <message>
         <source>The plan is in %1</source>
         <translation>Le plan est dans %1</translation>
-    </message>
-    <message>
-        <source>Something else is still under way. Wait for it, or cancel it first.</source>
-        <translation>Une autre opération est en cours. Attendez-la, ou annulez-la d’abord.</translation>
     </message>
 </context>
 <context>
@@ -6582,6 +6555,29 @@ supposés</translation>
     </message>
 </context>
 <context>
+    <name>glisson::widgets::StatusLine</name>
+    <message>
+        <source>about %1 s left</source>
+        <translation>encore %1 s environ</translation>
+    </message>
+    <message>
+        <source>about %1 min left</source>
+        <translation>encore %1 min environ</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Not a medical device</source>
+        <translation>N’est pas un dispositif médical</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
     <name>glisson::widgets::StudyPage</name>
     <message>
         <source>Study</source>
@@ -6594,10 +6590,6 @@ supposés</translation>
     <message>
         <source>Looking for images</source>
         <translation>Recherche d’images</translation>
-    </message>
-    <message>
-        <source>Something else is still under way. Wait for it, or cancel it first.</source>
-        <translation>Une autre opération est en cours. Attendez-la, ou annulez-la d’abord.</translation>
     </message>
     <message>
         <source>Images</source>

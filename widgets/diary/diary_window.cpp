@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -61,7 +62,7 @@ void DiaryWindow::save() {
       QFileDialog::getSaveFileName(this, tr("Save a report of the problem"), "glisson-report.txt",  // not translated
                                    tr("Text (*.txt)"));
   if (file.isEmpty()) return;
-  const auto written = write_text_file(file.toStdU16String(), problem_report(diary_, graphics_).toStdString());
+  const auto written = write_text_file(path_of(file), problem_report(diary_, graphics_).toStdString());
   if (!written) QMessageBox::warning(this, windowTitle(), told(written.error()));
 }
 

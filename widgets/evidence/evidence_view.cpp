@@ -8,8 +8,10 @@
 #include "base/files.h"
 #include "casefile/evidence.h"
 #include "evidence/effect_words.h"
+#include "panels/parts.h"
 #include "report/explanation_folder.h"
 #include "session/load_patient.h"
+#include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -17,15 +19,6 @@ namespace glisson::widgets {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path path_of(const QString& text) { return fs::path(text.toStdU16String()); }
-QString text_of(const fs::path& path) { return QString::fromStdU16String(path.u16string()); }
-
-QPushButton* button(const char* name, QWidget* parent) {
-  auto* made = new QPushButton(parent);
-  made->setObjectName(name);
-  return made;
-}
 
 QLabel* label(const char* name, QWidget* parent) {
   auto* made = new QLabel(parent);
@@ -84,17 +77,17 @@ QWidget* EvidenceView::make_panel() {
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(8);
   QLabel* measurements_title = label("heading", panel);
-  open_ = button("primary", panel);
-  example_ = button("evidence_example", panel);
-  open_report_ = button("evidence_open_report", panel);
+  open_ = named_button("primary", panel);
+  example_ = named_button("evidence_example", panel);
+  open_report_ = named_button("evidence_open_report", panel);
   opened_ = label("evidence_opened", panel);
   time_left_ = label("evidence_time_left", panel);
   QLabel* use_title = label("heading", panel);
-  accept_ = button("evidence_accept", panel);
-  take_back_ = button("evidence_take_back", panel);
+  accept_ = named_button("evidence_accept", panel);
+  take_back_ = named_button("evidence_take_back", panel);
   accepted_ = label("faint", panel);
   QLabel* others_title = label("heading", panel);
-  compare_ = button("evidence_compare", panel);
+  compare_ = named_button("evidence_compare", panel);
   comparison_ = new QTableWidget(0, 3, panel);
   comparison_->setObjectName("evidence_comparison");
   comparison_->verticalHeader()->hide();
@@ -106,7 +99,7 @@ QWidget* EvidenceView::make_panel() {
   comparison_->setShowGrid(false);
   comparison_->setAlternatingRowColors(true);
   comparison_->hide();
-  save_ = button("evidence_save", panel);
+  save_ = named_button("evidence_save", panel);
   for (QWidget* each :
        std::initializer_list<QWidget*>{measurements_title, open_, example_, open_report_, opened_, time_left_}) {
     column->addWidget(each);
@@ -195,10 +188,7 @@ void EvidenceView::explain(const fs::path& experiment) {
                                            show_report(to, shared);
                                          };
                                        });
-  if (!begun) {
-    bench_.tell_status(tr("Something else is still under way. Wait for it, or cancel it first."));
-    return;
-  }
+  if (!begun) return;
   explaining_ = true;
   since_.start();
   word_state();

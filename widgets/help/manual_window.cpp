@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "words/paths.h"
 #include "words/worded.h"
 
 namespace glisson::widgets {
@@ -36,7 +37,7 @@ bool holds_all(const QString& text, const QStringList& words) {
 // A page with its pictures, as wide as the page is at most; they come from the manual's folder and nowhere else.
 class PageText : public QTextBrowser {
  public:
-  explicit PageText(const fs::path& folder) : folder_(QString::fromStdU16String(folder.u16string())) {}
+  explicit PageText(const fs::path& folder) : folder_(text_of(folder)) {}
 
   QVariant loadResource(int type, const QUrl& name) override {
     if (type != QTextDocument::ImageResource || !name.isRelative() || name.path().contains("..")) return {};

@@ -4,13 +4,14 @@
 #include <QFormLayout>
 #include <QFutureWatcher>
 #include <QHBoxLayout>
-#include <QScrollArea>
 #include <QtConcurrentRun>
 #include <QVBoxLayout>
 
 #include "mechanics/scenario.h"
+#include "panels/parts.h"
 #include "session/load_patient.h"
 #include "views/wave_view.h"
+#include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -21,19 +22,6 @@ using casefile::StiffnessChoice;
 
 constexpr scene::Colour held_colour{0.95, 0.45, 0.20};
 constexpr scene::Colour springs_colour{0.30, 0.75, 0.95};
-
-QLabel* label(const char* name, QWidget* parent) {
-  auto* made = new QLabel(parent);
-  made->setObjectName(name);
-  made->setWordWrap(true);
-  return made;
-}
-
-QPushButton* button(const char* name, QWidget* parent) {
-  auto* made = new QPushButton(parent);
-  made->setObjectName(name);
-  return made;
-}
 
 // A little off the liver, so that neither hides the other.
 std::shared_ptr<const geometry::Surface> lifted(const geometry::Surface& patch) {
@@ -76,33 +64,17 @@ Reading read_case(const std::filesystem::path& folder) {
 }  // namespace
 
 ModelPanel::ModelPanel(Bench bench, QWidget* parent) : QWidget(parent), bench_(std::move(bench)) {
-  setObjectName("panel");
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(14, 14, 4, 14);
-  column->setSpacing(8);
-  auto* title = label("heading", this);
-  column->addWidget(title);
-  missing_ = label("faint", this);
-  column->addWidget(missing_);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  controls_ = new QWidget;
-  controls_->setObjectName("panel");
-  scroll->setWidget(controls_);
-  column->addWidget(scroll, 1);
-  auto* inner = new QVBoxLayout(controls_);
-  inner->setContentsMargins(0, 0, 10, 0);
-  inner->setSpacing(8);
-  state_told_ = label("model_state", controls_);
-  inner->addWidget(state_told_);
-  update_ = button("primary", controls_);
-  inner->addWidget(update_);
-  for (QWidget* each : {make_shown(), make_facts(), make_stiffness(), make_building()}) inner->addWidget(each);
-  notes_ = label("faint", controls_);
-  inner->addWidget(notes_);
-  inner->addStretch(1);
+  const auto [title, missing, controls, column] = lay_out_side_panel(this);
+  missing_ = missing;
+  controls_ = controls;
+  state_told_ = wrapped_label("model_state", controls_);
+  column->addWidget(state_told_);
+  update_ = named_button("primary", controls_);
+  column->addWidget(update_);
+  for (QWidget* each : {make_shown(), make_facts(), make_stiffness(), make_building()}) column->addWidget(each);
+  notes_ = wrapped_label("faint", controls_);
+  column->addWidget(notes_);
+  column->addStretch(1);
   connect(update_, &QPushButton::clicked, this, [this] { rebuild({}); });
   worded(this, [=, this] {
     title->setText(tr("Model"));
@@ -120,8 +92,8 @@ Workspace ModelPanel::workspace(Bench bench) {
           .show_patient = [panel](const Patient& patient) { panel->show_patient(patient); },
           .missing =
               [](const Patient& patient) {
-                const bool outlined = !patient.structures.empty() && patient.structures.front().name == "liver";
-                return outlined ? QString() : tr("Needs an outline of the liver: make it in Segment.");
+                return patient.liver() != nullptr ? QString()
+                                                  : tr("Needs an outline of the liver: make it in Segment.");
               }};
 }
 
@@ -129,7 +101,7 @@ QWidget* ModelPanel::make_shown() {
   auto* group = new QWidget;
   auto* column = new QVBoxLayout(group);
   column->setContentsMargins(0, 0, 0, 0);
-  auto* name = label("heading", group);
+  auto* name = heading(group);
   column->addWidget(name);
   auto* row = new QHBoxLayout;
   row->setSpacing(0);
@@ -139,7 +111,7 @@ QWidget* ModelPanel::make_shown() {
   constexpr std::array<const char*, 3> segments{"first", "middle", "last"};
   constexpr std::array<Shown, 3> meant{Shown::stiffness, Shown::supports, Shown::patient};
   for (std::size_t k = 0; k < choices.size(); ++k) {
-    choices[k] = button(names[k], group);
+    choices[k] = named_button(names[k], group);
     choices[k]->setCheckable(true);
     choices[k]->setProperty("segment", segments[k]);
     show_->addButton(choices[k], static_cast<int>(meant[k]));
@@ -147,7 +119,7 @@ QWidget* ModelPanel::make_shown() {
   }
   choices[0]->setChecked(true);
   column->addLayout(row);
-  supports_told_ = label("faint", group);
+  supports_told_ = wrapped_label("faint", group);
   column->addWidget(supports_told_);
   connect(show_, &QButtonGroup::idClicked, this, [this](int shown) {
     shown_ = static_cast<Shown>(shown);
@@ -168,11 +140,11 @@ QWidget* ModelPanel::make_facts() {
   auto* column = new QVBoxLayout(group);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
-  auto* name = label("heading", group);
+  auto* name = heading(group);
   column->addWidget(name);
-  cells_ = label("model_cells", group);
-  volume_ = label("model_volume", group);
-  quality_ = label("model_quality", group);
+  cells_ = wrapped_label("model_cells", group);
+  volume_ = wrapped_label("model_volume", group);
+  quality_ = wrapped_label("model_quality", group);
   for (QLabel* each : {cells_, volume_, quality_}) column->addWidget(each);
   dihedrals_ = new HistogramPlot(group);
   column->addWidget(dihedrals_);
@@ -185,9 +157,9 @@ QWidget* ModelPanel::make_stiffness() {
   auto* column = new QVBoxLayout(group);
   column->setContentsMargins(0, 6, 0, 0);
   column->setSpacing(6);
-  auto* name = label("heading", group);
+  auto* name = heading(group);
   column->addWidget(name);
-  stiffness_ = label("model_stiffness", group);
+  stiffness_ = wrapped_label("model_stiffness", group);
   column->addWidget(stiffness_);
   moduli_ = new HistogramPlot(group);
   column->addWidget(moduli_);
@@ -201,11 +173,11 @@ QWidget* ModelPanel::make_stiffness() {
   value_->setRange(0.1, 200);
   value_->setDecimals(1);
   value_->setValue(6);
-  give_ = button("model_give", group);
+  give_ = named_button("model_give", group);
   row->addWidget(value_);
   row->addWidget(give_, 1);
   column->addLayout(row);
-  waves_ = button("model_waves", group);
+  waves_ = named_button("model_waves", group);
   column->addWidget(waves_);
   connect(source_, &QComboBox::currentIndexChanged, this, &ModelPanel::word_state);
   connect(give_, &QPushButton::clicked, this, [this] { rebuild({}); });
@@ -228,7 +200,7 @@ QWidget* ModelPanel::make_building() {
   auto* group = new QWidget;
   auto* column = new QVBoxLayout(group);
   column->setContentsMargins(0, 6, 0, 0);
-  auto* name = label("heading", group);
+  auto* name = heading(group);
   column->addWidget(name);
   auto* row = new QHBoxLayout;
   target_ = new NumberBox(group);
@@ -238,7 +210,7 @@ QWidget* ModelPanel::make_building() {
   target_->setRange(500, 200000);
   target_->setSingleStep(5000);
   target_->setValue(meshing::MeshOptions{}.target_cells);
-  build_ = button("model_build", group);
+  build_ = named_button("model_build", group);
   row->addWidget(target_);
   row->addWidget(build_, 1);
   column->addLayout(row);
@@ -321,7 +293,7 @@ void ModelPanel::show_waves() {
   view->setWindowFlag(Qt::Window);
   view->setAttribute(Qt::WA_DeleteOnClose);
   connect(view, &WaveView::accepted, this, [this] {
-    bench_.change(tr("Opening %1").arg(QString::fromStdU16String(patient_.folder.filename().u16string())),
+    bench_.change(tr("Opening %1").arg(text_of(patient_.folder.filename())),
                   [folder = patient_.folder](const Progress& progress) { return load_patient(folder, progress); });
   });
   view->show();
@@ -374,7 +346,7 @@ void ModelPanel::show_scene() {
 }
 
 void ModelPanel::word_state() {
-  const bool outlined = !patient_.structures.empty() && patient_.structures.front().name == "liver";
+  const bool outlined = patient_.liver() != nullptr;
   missing_->setVisible(patient_.folder.empty() || !outlined);
   missing_->setText(patient_.folder.empty() ? tr("Needs a case: open one, or the demo patient.")
                                             : tr("Needs an outline of the liver: make it in Segment."));

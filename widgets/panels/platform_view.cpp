@@ -11,8 +11,10 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "panels/parts.h"
 #include "platform/device_file.h"
 #include "theme.h"
+#include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -24,12 +26,6 @@ using platform::PlatformAnswer;
 namespace {
 
 constexpr double dissertation_kPa = 12;  // where no case says
-
-QLabel* heading() {
-  auto* label = new QLabel;
-  label->setObjectName("heading");
-  return label;
-}
 
 QString number(double value, int digits = 3) { return QLocale().toString(value, 'g', digits); }
 QString whole(double value) { return QLocale().toString(value, 'f', 0); }
@@ -287,7 +283,7 @@ QWidget* PlatformView::make_answer() {
 void PlatformView::choose_devices() {
   const QString file = QFileDialog::getOpenFileName(this, tr("Add devices"), {}, tr("Device tables (*.json)"));
   if (file.isEmpty()) return;
-  auto devices = platform::read_devices(std::filesystem::path(file.toStdU16String()));
+  auto devices = platform::read_devices(path_of(file));
   if (devices) {
     add_devices(*std::move(devices));
   } else {

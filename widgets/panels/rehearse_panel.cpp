@@ -7,6 +7,8 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "panels/parts.h"
+#include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -14,12 +16,6 @@ namespace glisson::widgets {
 namespace {
 
 constexpr const char* proposed_file = "landmarks.csv";
-
-QLabel* heading(QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName("heading");
-  return label;
-}
 
 }  // namespace
 
@@ -30,13 +26,9 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   column->setSpacing(8);
   QLabel* title = heading(this);
   column->addWidget(title);
-  missing_ = new QLabel(this);
-  missing_->setObjectName("faint");
-  missing_->setWordWrap(true);
+  missing_ = wrapped_label("faint", this);
   column->addWidget(missing_);
-  evidence_text_ = new QLabel(this);
-  evidence_text_->setObjectName("evidence");
-  evidence_text_->setWordWrap(true);
+  evidence_text_ = wrapped_label("evidence", this);
   evidence_text_->hide();
   column->addWidget(evidence_text_);
   controls_ = new QWidget(this);
@@ -59,13 +51,10 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   auto* landmarks_row = new QHBoxLayout;
   QLabel* landmarks_title = heading(this);
   landmarks_row->addWidget(landmarks_title, 1);
-  auto* save = new QPushButton(this);
-  save->setObjectName("save_landmarks");
+  auto* save = named_button("save_landmarks", this);
   landmarks_row->addWidget(save);
   landmarks_column->addLayout(landmarks_row);
-  summary_ = new QLabel(this);
-  summary_->setObjectName("summary");
-  summary_->setWordWrap(true);
+  summary_ = wrapped_label("summary", this);
   landmarks_column->addWidget(summary_);
   table_ = new LandmarkTable(this);
   table_->setMinimumHeight(96);
@@ -225,7 +214,7 @@ void RehearsePanel::save_landmarks() {
   const QString file =
       QFileDialog::getSaveFileName(this, tr("Save the landmarks as a table"), proposed_file, tr("Tables (*.csv)"));
   if (file.isEmpty()) return;
-  if (auto written = write_text_file(file.toStdU16String(), landmark_csv(*rehearsal_.frame())); !written) {
+  if (auto written = write_text_file(path_of(file), landmark_csv(*rehearsal_.frame())); !written) {
     Q_EMIT failed(written.error());
   } else {
     Q_EMIT said(tr("Written: %1").arg(file));

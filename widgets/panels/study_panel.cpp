@@ -3,22 +3,13 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
+#include "panels/parts.h"
 #include "panels/swatch.h"
 #include "scene/anatomy.h"
 #include "words/told.h"
 #include "words/worded.h"
 
 namespace glisson::widgets {
-namespace {
-
-QLabel* heading(QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName("heading");
-  return label;
-}
-
-}  // namespace
-
 StudyPanel::StudyPanel(QWidget* parent) : QWidget(parent) {
   setObjectName("panel");
   auto* column = new QVBoxLayout(this);

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -125,12 +126,12 @@ void TrackControls::choose_movie() {
   }
   const QString file = QFileDialog::getSaveFileName(this, tr("Save a movie of the rehearsal"), proposed_movie,
                                                     tr("Movies (*.mp4);;Folder of pictures (*)"));
-  if (!file.isEmpty()) make_movie(file.toStdU16String());
+  if (!file.isEmpty()) make_movie(path_of(file));
 }
 
 void TrackControls::make_movie(const std::filesystem::path& file) {
   play_->setChecked(false);
-  movie_file_ = QString::fromStdU16String(file.u16string());
+  movie_file_ = text_of(file);
   movie_->begin(file);
 }
 
@@ -142,7 +143,7 @@ void TrackControls::save_table() {
   if (rehearsal_.frame()) {
     for (const auto& landmark : rehearsal_.frame()->patient.landmarks) ids.push_back(landmark.id);
   }
-  if (auto written = write_text_file(file.toStdU16String(), rehearsal_.track().csv(ids)); !written) {
+  if (auto written = write_text_file(path_of(file), rehearsal_.track().csv(ids)); !written) {
     Q_EMIT failed(written.error());
   } else {
     Q_EMIT said(tr("Written: %1").arg(file));

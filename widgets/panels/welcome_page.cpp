@@ -3,6 +3,7 @@
 #include <QIcon>
 
 #include "settings/settings.h"
+#include "words/paths.h"
 #include "words/worded.h"
 
 namespace glisson::widgets {
@@ -11,8 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_listed = 5;
-
-QString text_of(const fs::path& path) { return QString::fromStdU16String(path.u16string()); }
 
 QLabel* centred(const char* name) {
   auto* label = new QLabel;

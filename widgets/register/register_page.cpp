@@ -6,12 +6,13 @@
 #include <QKeyEvent>
 #include <QLocale>
 #include <QPointer>
-#include <QScrollArea>
 #include <QSignalBlocker>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
+#include "panels/parts.h"
+#include "settings/settings.h"
 #include "study/example_sequence.h"
+#include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -67,7 +68,6 @@ const Judged* RegisterPage::judged(int side) const {
 void RegisterPage::start(const QString& title, BackgroundWork::Work work) {
   say({});
   working_ = work_.start(title, std::move(work));
-  if (!working_) say([] { return tr("Something else is being computed. Wait for it, or cancel it, and try again."); });
 }
 
 void RegisterPage::open(const fs::path& file) {
@@ -81,9 +81,10 @@ void RegisterPage::open(const fs::path& file) {
   });
 }
 
-void RegisterPage::open_example(const fs::path& folder) {
+void RegisterPage::open_example() {
   start(tr("Making an example sequence"),
-        [page = QPointer(this), folder](const Progress& progress) -> BackgroundWork::Then {
+        [page = QPointer(this),
+         folder = own_folder() / "example-sequence"](const Progress& progress) -> BackgroundWork::Then {
           const fs::path file = folder / "sequence.json";
           const auto made = fs::exists(file) ? Result<fs::path>(file) : study::write_example_sequence(folder, progress);
           auto opened = made.and_then(read);
@@ -157,7 +158,6 @@ QWidget* RegisterPage::make_review() {
   across->setContentsMargins(0, 0, 0, 0);
   across->setSpacing(0);
   across->addWidget(make_pictures(), 1);
-  auto* scroll = new QScrollArea;
   auto* panel = new QWidget;
   panel->setObjectName("panel");
   auto* column = new QVBoxLayout(panel);
@@ -168,10 +168,7 @@ QWidget* RegisterPage::make_review() {
   column->addWidget(algorithms_);
   column->addSpacing(6);
   column->addWidget(reading_, 1);
-  scroll->setWidget(panel);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  QScrollArea* scroll = scrolled(panel);
   scroll->setFixedWidth(360);
   across->addWidget(scroll);
   return review;
@@ -227,10 +224,7 @@ QWidget* RegisterPage::make_pictures() {
 
 void RegisterPage::connect_parts() {
   connect(welcome_, &RegisterWelcome::file_wanted, this, &RegisterPage::choose_file);
-  connect(welcome_, &RegisterWelcome::example_wanted, this, [this] {
-    const QString place = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
-    open_example(fs::path(place.toStdU16String()) / "example-sequence");
-  });
+  connect(welcome_, &RegisterWelcome::example_wanted, this, &RegisterPage::open_example);
   connect(algorithms_, &AlgorithmChoice::computing_wanted, this, &RegisterPage::compute);
   connect(algorithms_, &AlgorithmChoice::cancel_wanted, &work_, &BackgroundWork::cancel);
   connect(algorithms_, &AlgorithmChoice::chosen, this, [this] {
@@ -265,7 +259,7 @@ void RegisterPage::connect_parts() {
 
 void RegisterPage::choose_file() {
   const QString file = QFileDialog::getOpenFileName(this, tr("Open a sequence"), {}, tr("Sequences (*.json)"));
-  if (!file.isEmpty()) open(fs::path(file.toStdU16String()));
+  if (!file.isEmpty()) open(path_of(file));
 }
 
 void RegisterPage::take(std::shared_ptr<const OpenedSequence> sequence) {
@@ -405,7 +399,7 @@ void RegisterPage::word() {
                                          : Work::to_do);
   if (has_sequence()) {
     file_->setText(tr("%1: %2 frames, %3 landmarks")
-                       .arg(QString::fromStdU16String(sequence_->file.parent_path().filename().u16string()))
+                       .arg(text_of(sequence_->file.parent_path().filename()))
                        .arg(sequence_->files.clouds.size())
                        .arg(sequence_->files.landmarks.size()));
     origin_->setText(told(sequence_->files.simulated));

@@ -36,7 +36,7 @@ class RegisterPage : public QWidget {
   // A sequence.json. On a worker thread, as everything here that takes time.
   void open(const std::filesystem::path& file);
   // The simulated sequence in `folder`, made there unless it is there already.
-  void open_example(const std::filesystem::path& folder);
+  void open_example();
   // Registers by the chosen algorithms what is not registered yet, and judges it.
   void compute();
 

@@ -7,6 +7,8 @@
 #include <QTextCursor>
 #include <QTextTable>
 
+#include "words/paths.h"
+
 namespace glisson::widgets {
 namespace {
 
@@ -89,7 +91,7 @@ class Writer {
 
   void operator()(const report::FigureRow& row) {
     for (const report::Figure& figure : row.figures) {
-      picture(QImage(QString::fromStdU16String(figure.png.u16string())), text(figure.caption),
+      picture(QImage(text_of(figure.png)), text(figure.caption),
               std::min(0.7 * page_width_px, page_width_px / static_cast<double>(row.figures.size()) - 6));
     }
   }

@@ -6,10 +6,12 @@
 #include <QPrinter>
 #include <QVBoxLayout>
 
+#include "panels/parts.h"
 #include "report/html.h"
 #include "report/page_document.h"
 #include "report/patient_page.h"
 #include "settings/settings.h"
+#include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -20,14 +22,6 @@ namespace fs = std::filesystem;
 
 // Proposed names say nothing of the patient.
 const QString html_name = "report.html", pdf_name = "report.pdf";
-
-fs::path path_of(const QString& text) { return fs::path(text.toStdU16String()); }
-
-QPushButton* button(const char* name, QWidget* parent) {
-  auto* made = new QPushButton(parent);
-  made->setObjectName(name);
-  return made;
-}
 
 std::optional<report::RehearsedRetraction> retraction_of(const LiveRehearsal& rehearsal) {
   const auto& frame = rehearsal.frame();
@@ -66,11 +60,11 @@ ReportView::ReportView(Bench bench, PlanOfNow plan, QWidget* parent)
   name_ = new QCheckBox(panel);
   name_->setObjectName("report_name");
   column->addWidget(name_);
-  refresh_ = button("report_refresh", panel);
+  refresh_ = named_button("report_refresh", panel);
   column->addWidget(refresh_);
   column->addSpacing(10);
-  html_ = button("report_html", panel);
-  pdf_ = button("primary", panel);
+  html_ = named_button("report_html", panel);
+  pdf_ = named_button("primary", panel);
   column->addWidget(pdf_);
   column->addWidget(html_);
   column->addStretch(1);

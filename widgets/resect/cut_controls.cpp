@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "panels/parts.h"
 #include "words/worded.h"
 
 namespace glisson::widgets {
@@ -17,12 +18,6 @@ NumberBox* number_box(double least, double most, double step, const char* name, 
   box->setSingleStep(step);
   box->setKeyboardTracking(false);
   return box;
-}
-
-QPushButton* button(const char* name, QWidget* parent) {
-  auto* made = new QPushButton(parent);
-  made->setObjectName(name);
-  return made;
 }
 
 }  // namespace
@@ -64,8 +59,8 @@ QWidget* CutControls::make_plane() {
   for (const Across across : {across_left, across_front, across_head}) across_->addItem({}, across);
   auto* across_name = new QLabel(group);
   form->addRow(across_name, across_);
-  through_crosshair_ = button("cut_through_crosshair", group);
-  by_clicks_ = button("cut_by_clicks", group);
+  through_crosshair_ = named_button("cut_through_crosshair", group);
+  by_clicks_ = named_button("cut_by_clicks", group);
   by_clicks_->setCheckable(true);
   auto* places = new QHBoxLayout;
   places->addWidget(through_crosshair_);
@@ -115,10 +110,10 @@ QWidget* CutControls::make_sheet() {
   auto* group = new QWidget;
   auto* column = new QVBoxLayout(group);
   column->setContentsMargins(0, 0, 0, 0);
-  draw_ = button("cut_draw", group);
+  draw_ = named_button("cut_draw", group);
   draw_->setCheckable(true);
-  drop_last_ = button("cut_drop_last", group);
-  clear_ = button("cut_clear", group);
+  drop_last_ = named_button("cut_drop_last", group);
+  clear_ = named_button("cut_clear", group);
   auto* row = new QHBoxLayout;
   for (QPushButton* each : {draw_, drop_last_, clear_}) row->addWidget(each);
   column->addLayout(row);

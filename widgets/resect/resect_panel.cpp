@@ -2,9 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <QHBoxLayout>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "panels/parts.h"
+#include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -17,51 +18,21 @@ using Removed = casefile::PlannedCut::Removed;
 constexpr scene::Colour cut_colour{0.20, 0.83, 0.85};
 constexpr int farthest_apart_mm = 80;
 
-QPushButton* button(const char* name, QWidget* parent) {
-  auto* made = new QPushButton(parent);
-  made->setObjectName(name);
-  return made;
-}
-
-QLabel* heading(QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName("heading");
-  return label;
-}
-
 std::filesystem::path folder_of_plan(const Patient& patient) { return patient.folder / "results" / "resection"; }
 
 }  // namespace
 
 ResectPanel::ResectPanel(Bench bench, QWidget* parent) : QWidget(parent), bench_(std::move(bench)) {
-  setObjectName("panel");
   live_ = new LiveResection(this);
   handles_ = new CutHandles(bench_.views, this);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(14, 14, 4, 14);
-  column->setSpacing(8);
-  QLabel* title = heading(this);
-  column->addWidget(title);
-  missing_ = new QLabel(this);
-  missing_->setObjectName("faint");
-  missing_->setWordWrap(true);
-  column->addWidget(missing_);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  controls_ = new QWidget;
-  controls_->setObjectName("panel");
-  scroll->setWidget(controls_);
-  column->addWidget(scroll, 1);
-  auto* inner = new QVBoxLayout(controls_);
-  inner->setContentsMargins(0, 0, 10, 0);
-  inner->setSpacing(8);
+  const auto [title, missing, controls, column] = lay_out_side_panel(this);
+  missing_ = missing;
+  controls_ = controls;
 
   cut_controls_ = new CutControls(controls_);
-  inner->addWidget(cut_controls_);
-  inner->addWidget(make_outcome());
-  inner->addStretch(1);
+  column->addWidget(cut_controls_);
+  column->addWidget(make_outcome());
+  column->addStretch(1);
 
   connect(cut_controls_, &CutControls::kind_chosen, this, &ResectPanel::cut_changed);
   connect(cut_controls_, &CutControls::drawing_changed, this, &ResectPanel::set_drawing);
@@ -111,10 +82,7 @@ Workspace ResectPanel::workspace(Bench bench) {
           .about = [] { return tr("Set a cut: what goes, what stays, how near the tumours it passes."); },
           .widget = panel,
           .show_patient = [panel](const Patient& patient) { panel->show_patient(patient); },
-          .missing =
-              [](const Patient& patient) {
-                return patient.rehearsal ? QString() : tr("Needs a model of the liver: build it first.");
-              }};
+          .missing = model_missing};
 }
 
 QWidget* ResectPanel::make_outcome() {
@@ -133,13 +101,13 @@ QWidget* ResectPanel::make_outcome() {
   row->addWidget(apart_name);
   row->addWidget(apart_, 1);
   column->addLayout(row);
-  other_part_ = button("other_part", group);
-  no_cut_ = button("no_cut", group);
+  other_part_ = named_button("other_part", group);
+  no_cut_ = named_button("no_cut", group);
   auto* choices = new QHBoxLayout;
   choices->addWidget(other_part_);
   choices->addWidget(no_cut_);
   column->addLayout(choices);
-  save_ = button("primary", group);
+  save_ = named_button("primary", group);
   column->addWidget(save_);
   connect(apart_, &QSlider::valueChanged, this, [this](int apart_mm) {
     pieces_.draw_apart(bench_.views.space().view(), apart_mm);
@@ -357,18 +325,16 @@ double ResectPanel::reach_mm() const {
 void ResectPanel::save() {
   const auto result = live_->result();
   if (!result || patient_.folder.empty()) return;
-  const bool begun =
-      bench_.work.start(tr("Saving the plan"), [this, result, folder = folder_of_plan(patient_)](const Progress&) {
-        auto written = std::make_shared<Result<void>>(casefile::write_resection(folder, result->cut, result->plan));
-        return BackgroundWork::Then([this, written, folder] {
-          if (!*written) {
-            bench_.tell_error(written->error());
-          } else {
-            bench_.tell_status(tr("The plan is in %1").arg(QString::fromStdU16String(folder.u16string())));
-          }
-        });
-      });
-  if (!begun) bench_.tell_status(tr("Something else is still under way. Wait for it, or cancel it first."));
+  bench_.work.start(tr("Saving the plan"), [this, result, folder = folder_of_plan(patient_)](const Progress&) {
+    auto written = std::make_shared<Result<void>>(casefile::write_resection(folder, result->cut, result->plan));
+    return BackgroundWork::Then([this, written, folder] {
+      if (!*written) {
+        bench_.tell_error(written->error());
+      } else {
+        bench_.tell_status(tr("The plan is in %1").arg(text_of(folder)));
+      }
+    });
+  });
 }
 
 }  // namespace glisson::widgets

@@ -2,12 +2,12 @@
 
 #include <QHideEvent>
 #include <QInputDialog>
-#include <QScrollArea>
 #include <QShortcut>
 #include <QVBoxLayout>
 
 #include "casefile/import.h"
 #include "casefile/structures.h"
+#include "panels/parts.h"
 #include "panels/swatch.h"
 #include "scene/anatomy.h"
 #include "session/load_patient.h"
@@ -63,14 +63,9 @@ SegmentPanel::SegmentPanel(const Bench& bench, QWidget* parent)
   column->addWidget(make_tools());
   column->addWidget(make_options());
   column->addWidget(make_filters());
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(inner);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
-  whole->addWidget(scroll);
+  whole->addWidget(scrolled(inner));
   connect_parts();
   worded(this, [this] { word(); });
   choose_tool(Tool::none);

@@ -4,18 +4,14 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
+#include "panels/parts.h"
+
 #include "segment/segment_panel.h"
 
 namespace glisson::widgets {
 namespace {
 
 constexpr int across = 3;  // buttons beside each other
-
-QLabel* heading() {
-  auto* label = new QLabel;
-  label->setObjectName("heading");
-  return label;
-}
 
 QWidget* page_of(QLayout* layout) {
   auto* page = new QWidget;

@@ -34,6 +34,11 @@ struct Patient {
   casefile::Evidence evidence;  // accepted of measurements: in the rehearsal, or said why not
   double mean_youngs_kPa = 0;   // of the model's cells
   double atlas_youngs_kPa = 0;  // of its atlas twin
+
+  // The outlined liver; null where there is none.
+  [[nodiscard]] const PatientStructure* liver() const {
+    return !structures.empty() && structures.front().name == "liver" ? &structures.front() : nullptr;
+  }
 };
 
 // A window of grey values that suits most of a volume: from its 1st to its 99th hundredth.

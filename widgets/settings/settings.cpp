@@ -1,9 +1,11 @@
 #include "settings/settings.h"
 
 #include <QSettings>
+#include <QStandardPaths>
 #include <QStringList>
 
 #include "base/parallel.h"
+#include "words/paths.h"
 
 namespace glisson::widgets {
 namespace {
@@ -19,6 +21,8 @@ QSettings settings() { return QSettings("glisson", "glisson"); }
 
 }  // namespace
 
+fs::path own_folder() { return path_of(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)); }
+
 bool names_shown_outside() { return settings().value(names_key, false).toBool(); }
 
 void show_names_outside(bool shown) { settings().setValue(names_key, shown); }
@@ -33,7 +37,7 @@ void keep_threads(int threads) {
 std::vector<fs::path> recent_cases() {
   std::vector<fs::path> there;
   for (const QString& folder : settings().value(recent_key).toStringList()) {
-    const fs::path path(folder.toStdU16String());
+    const fs::path path = path_of(folder);
     std::error_code problem;
     if (fs::exists(path / "case.json", problem)) there.push_back(path);
   }
@@ -41,7 +45,7 @@ std::vector<fs::path> recent_cases() {
 }
 
 void remember_case(const fs::path& folder) {
-  const QString text = QString::fromStdU16String(fs::absolute(folder).lexically_normal().u16string());
+  const QString text = text_of(fs::absolute(folder).lexically_normal());
   QStringList folders = settings().value(recent_key).toStringList();
   folders.removeAll(text);
   folders.prepend(text);

@@ -7,6 +7,9 @@
 
 namespace glisson::widgets {
 
+// What this program keeps for itself on this computer: demo patient, log, open work. It need not be there yet.
+[[nodiscard]] std::filesystem::path own_folder();
+
 // The patient's name in pictures, movies and reports that leave the window. Off until asked for.
 [[nodiscard]] bool names_shown_outside();
 void show_names_outside(bool shown);

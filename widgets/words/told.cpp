@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 
+#include "words/paths.h"
+
 namespace glisson::widgets {
 namespace {
 
@@ -36,7 +38,7 @@ QString told(const Sentence& sentence) {
 
 QString told(const Error& error) {
   QString text = told(Sentence{error.text, error.arguments});
-  if (!error.file.empty()) text += " (" + QString::fromStdU16String(error.file.u16string()) + ")";
+  if (!error.file.empty()) text += " (" + text_of(error.file) + ")";
   if (!error.hint.empty()) text += " " + told(Sentence{error.hint, error.arguments});
   return text;
 }

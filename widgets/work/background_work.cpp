@@ -18,7 +18,10 @@ BackgroundWork::~BackgroundWork() {
 }
 
 bool BackgroundWork::start(const QString& title, Work work) {
-  if (busy_) return false;
+  if (busy_) {
+    Q_EMIT refused();
+    return false;
+  }
   busy_ = true;
   stop_ = {};
   auto clock = std::make_shared<QElapsedTimer>();

@@ -28,7 +28,7 @@ class BackgroundWork : public QObject {
   explicit BackgroundWork(QObject* parent = nullptr) : QObject(parent) {}
   ~BackgroundWork() override;
 
-  // False, and nothing happens, while another piece is under way.
+  // False, and refused() is told, while another piece is under way.
   bool start(const QString& title, Work work);
   void cancel();
   [[nodiscard]] bool busy() const { return busy_; }
@@ -37,6 +37,7 @@ class BackgroundWork : public QObject {
   void started(const QString& title);
   void progressed(double fraction, const QString& stage);
   void finished();
+  void refused();
   void broke(const QString& what);  // a defect of ours: an exception came out of the work
 
  private:

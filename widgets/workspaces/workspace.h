@@ -28,6 +28,9 @@ struct Workspace {
   std::function<QString(const Patient&)> missing = [](const Patient&) { return QString(); };
 };
 
+// For Workspace::missing: what needs a model of the liver says this until there is one.
+[[nodiscard]] QString model_missing(const Patient& patient);
+
 // What workspaces share; the window owns it and outlives them.
 struct Bench {
   BackgroundWork& work;

@@ -1,0 +1,36 @@
+#include "panels/next_step_box.h"
+
+#include "panels/parts.h"
+#include "words/worded.h"
+
+namespace glisson::widgets {
+
+NextStepBox::NextStepBox(QWidget* parent) : QWidget(parent) {
+  setObjectName("next_step");
+  setAttribute(Qt::WA_StyledBackground);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(14, 10, 14, 14);
+  text_ = new QLabel;
+  text_->setWordWrap(true);
+  column->addWidget(text_);
+  button_ = named_button("primary");
+  column->addWidget(button_);
+  connect(button_, &QPushButton::clicked, this, [this] { Q_EMIT wanted(next_); });
+  hide();
+  worded(this, [this] { word(); });
+}
+
+void NextStepBox::show_case(const std::filesystem::path& folder) {
+  next_ = folder.empty() ? NextStep::none : next_step(folder);
+  setVisible(next_ != NextStep::none);
+  word();
+}
+
+void NextStepBox::word() {
+  const bool outline = next_ == NextStep::outline_liver;
+  text_->setText(outline ? tr("Next: put the crosshair inside the liver, away from large vessels.")
+                         : tr("Next: build the model of the liver from its outline and stiffness."));
+  button_->setText(outline ? tr("Outline the liver from here") : tr("Build the model"));
+}
+
+}  // namespace glisson::widgets

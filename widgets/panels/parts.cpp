@@ -1,0 +1,48 @@
+#include "panels/parts.h"
+
+namespace glisson::widgets {
+namespace {
+
+template <class Widget>
+Widget* named(const char* name, Widget* widget) {
+  widget->setObjectName(name);
+  return widget;
+}
+
+}  // namespace
+
+SidePanel lay_out_side_panel(QWidget* panel) {
+  panel->setObjectName("panel");
+  auto* column = new QVBoxLayout(panel);
+  column->setContentsMargins(14, 14, 4, 14);
+  column->setSpacing(8);
+  SidePanel made{heading(panel), wrapped_label("faint", panel), named("panel", new QWidget), nullptr};
+  column->addWidget(made.title);
+  column->addWidget(made.missing);
+  column->addWidget(scrolled(made.controls), 1);
+  made.column = new QVBoxLayout(made.controls);
+  made.column->setContentsMargins(0, 0, 10, 0);
+  made.column->setSpacing(8);
+  return made;
+}
+
+QLabel* heading(QWidget* parent) { return named("heading", new QLabel(parent)); }
+
+QLabel* wrapped_label(const char* name, QWidget* parent) {
+  auto* made = named(name, new QLabel(parent));
+  made->setWordWrap(true);
+  return made;
+}
+
+QPushButton* named_button(const char* name, QWidget* parent) { return named(name, new QPushButton(parent)); }
+
+QScrollArea* scrolled(QWidget* widget) {
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(widget);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  return scroll;
+}
+
+}  // namespace glisson::widgets

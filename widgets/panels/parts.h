@@ -1,0 +1,27 @@
+#pragma once
+// The small things that panels are made of. How they look stands in resources/themes/window.qss, by their object names.
+
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace glisson::widgets {
+
+[[nodiscard]] QLabel* heading(QWidget* parent = nullptr);
+// Breaks its lines where the panel ends.
+[[nodiscard]] QLabel* wrapped_label(const char* name, QWidget* parent = nullptr);
+[[nodiscard]] QPushButton* named_button(const char* name, QWidget* parent = nullptr);
+// Shows a widget as wide as there is room, and scrolls up and down when it is taller.
+[[nodiscard]] QScrollArea* scrolled(QWidget* widget);
+
+// A panel beside the views, top to bottom: its title, what it still needs, its controls, which scroll.
+struct SidePanel {
+  QLabel* title;
+  QLabel* missing;
+  QWidget* controls;
+  QVBoxLayout* column;  // of the controls
+};
+[[nodiscard]] SidePanel lay_out_side_panel(QWidget* panel);
+
+}  // namespace glisson::widgets

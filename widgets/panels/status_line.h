@@ -1,0 +1,38 @@
+#pragma once
+// The bottom line of the window: what was just done, long work with its time left and Cancel, the solver's figures.
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStatusBar>
+
+#include "work/background_work.h"
+
+namespace glisson::widgets {
+
+class StatusLine : public QStatusBar {
+  Q_OBJECT
+
+ public:
+  explicit StatusLine(BackgroundWork& work, QWidget* parent = nullptr);
+
+  void say(const QString& text) { text_->setText(text); }
+  void show_figures(const QString& figures) { figures_->setText(figures); }
+  // Since the work under way, or the last one, began.
+  [[nodiscard]] double work_ms() const { return static_cast<double>(since_.elapsed()); }
+
+ private:
+  void begin(const QString& title);
+  void show_progress(double fraction, const QString& stage);
+  void end();
+
+  BackgroundWork& work_;
+  QElapsedTimer since_;
+  QLabel* text_;
+  QLabel* figures_;
+  QProgressBar* progress_;
+  QPushButton* cancel_;
+};
+
+}  // namespace glisson::widgets
