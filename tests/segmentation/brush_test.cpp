@@ -9,6 +9,7 @@
 
 #include "segmentation/edit.h"
 #include "segmentation/structures.h"
+#include "slanted_grid.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -16,15 +17,6 @@ namespace {
 using Eigen::Vector3d;
 using imaging::Grid;
 using imaging::Mask;
-
-Grid slanted_grid() {
-  Grid grid;
-  grid.size = {30, 26, 18};
-  grid.spacing_mm = {1.0, 1.2, 2.5};
-  grid.direction = Eigen::AngleAxisd(0.5, Vector3d(1, 1, -1).normalized()).toRotationMatrix();
-  grid.origin_mm = {10, -20, 30};
-  return grid;
-}
 
 Mask empty_mask(const Grid& grid = slanted_grid()) { return {grid, std::vector<std::uint8_t>(grid.voxels(), 0)}; }
 

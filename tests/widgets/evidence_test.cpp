@@ -19,6 +19,7 @@
 #include "main_window.h"
 #include "modelled_case.h"
 #include "run_test.h"
+#include "shown.h"
 
 namespace glisson::widgets {
 namespace {
@@ -83,10 +84,7 @@ class EvidenceTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1500, 950);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_ = shown_window({1500, 950});
     window_->go_to("evidence");
     view_ = window_->findChild<EvidenceView*>();
     QVERIFY(view_->isVisible());
@@ -213,9 +211,7 @@ class EvidenceTest : public QObject {
  private:
   template <typename Widget>
   Widget* child(const char* name) {
-    auto* found = view_->findChild<Widget*>(name);
-    if (found == nullptr) qFatal("the view has no %s", name);
-    return found;
+    return child_of<Widget>(*view_, name);
   }
   void finish(const std::function<void()>& begin) {
     QSignalSpy finished(&window_->work(), &BackgroundWork::finished);

@@ -18,6 +18,7 @@
 #include "main_window.h"
 #include "panels/platform_view.h"
 #include "run_test.h"
+#include "shown.h"
 #include "support/shapes.h"
 #include "views/wave_view.h"
 #include "words/number_box.h"
@@ -83,10 +84,7 @@ class LanguageTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1400, 900);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_ = shown_window();
     window_->show_patient(named_block());
     QSignalSpy placed(&window_->rehearsal(), &LiveRehearsal::placed);
     QTest::mouseClick(window_->findChild<QPushButton*>("hoist"), Qt::LeftButton);

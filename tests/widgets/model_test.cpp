@@ -12,6 +12,7 @@
 #include "model/model_panel.h"
 #include "modelled_case.h"
 #include "run_test.h"
+#include "shown.h"
 
 namespace glisson::widgets {
 namespace {
@@ -25,10 +26,7 @@ class ModelTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1400, 950);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_ = shown_window({1400, 950});
     panel_ = window_->findChild<ModelPanel*>();
     window_->go_to("model");
     folder_ = test::modelled_case(fs::path(temporary_.path().toStdString()));
@@ -124,9 +122,7 @@ class ModelTest : public QObject {
  private:
   template <typename Widget>
   Widget* child(const char* name) {
-    auto* found = panel_->findChild<Widget*>(name);
-    if (found == nullptr) qFatal("the panel has no %s", name);
-    return found;
+    return child_of<Widget>(*panel_, name);
   }
   QPushButton* primary() { return child<QPushButton>("primary"); }
   void choose_source(int index) {

@@ -7,6 +7,7 @@
 #include "panels/platform_view.h"
 #include "platform/device_file.h"
 #include "run_test.h"
+#include "shown.h"
 
 namespace glisson::widgets {
 namespace {
@@ -152,9 +153,7 @@ class PlatformViewTest : public QObject {
  private:
   template <typename Widget>
   Widget* child(const char* name) {
-    auto* found = view_->findChild<Widget*>(name);
-    if (found == nullptr) qFatal("no %s", name);
-    return found;
+    return child_of<Widget>(*view_, name);
   }
   int row_of(const QString& id) {
     const auto* table = child<PlatformTable>("platforms");

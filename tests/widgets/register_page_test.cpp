@@ -11,6 +11,7 @@
 #include "base/files.h"
 #include "register/register_page.h"
 #include "run_test.h"
+#include "shown.h"
 #include "study/example_sequence.h"
 
 namespace glisson::widgets {
@@ -246,9 +247,7 @@ class RegisterPageTest : public QObject {
  private:
   template <typename Widget>
   Widget* child(const char* name) {
-    auto* found = page_->findChild<Widget*>(name);
-    if (found == nullptr) qFatal("no %s", name);
-    return found;
+    return child_of<Widget>(*page_, name);
   }
   QPushButton* compute_button() { return child<AlgorithmChoice>("algorithms")->findChild<QPushButton*>("primary"); }
   static void click(QWidget* widget) { QTest::mouseClick(widget, Qt::LeftButton); }

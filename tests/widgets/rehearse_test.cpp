@@ -14,6 +14,7 @@
 #include "block_patient.h"
 #include "main_window.h"
 #include "run_test.h"
+#include "shown.h"
 #include "support/shapes.h"
 #include "vision/frame.h"
 
@@ -26,12 +27,7 @@ class RehearseTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() {
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1400, 950);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-  }
+  void initTestCase() { window_ = shown_window({1400, 950}); }
 
   // Each begins with a probe in the middle of the free end, pushing with 1 N.
   void init() {
@@ -221,9 +217,7 @@ class RehearseTest : public QObject {
 
   template <typename Widget>
   Widget* child(const char* name) {
-    auto* found = window_->findChild<Widget*>(name);
-    if (found == nullptr) qFatal("the window has no %s", name);
-    return found;
+    return child_of<Widget>(*window_, name);
   }
 
   // A little from above and the front, so that the arrow's two ends are seen apart.

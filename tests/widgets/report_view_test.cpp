@@ -13,6 +13,7 @@
 #include "modelled_case.h"
 #include "report/report_view.h"
 #include "run_test.h"
+#include "shown.h"
 
 namespace glisson::widgets {
 namespace {
@@ -26,10 +27,7 @@ class ReportViewTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1400, 900);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_ = shown_window();
     view_ = window_->findChild<ReportView*>();
   }
 
@@ -102,9 +100,7 @@ class ReportViewTest : public QObject {
  private:
   template <typename Widget>
   Widget* child(const char* name) {
-    auto* found = view_->findChild<Widget*>(name);
-    if (found == nullptr) qFatal("the view has no %s", name);
-    return found;
+    return child_of<Widget>(*view_, name);
   }
   QString text() { return child<QTextBrowser>("paper")->toPlainText(); }
 

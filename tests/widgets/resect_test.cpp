@@ -15,6 +15,7 @@
 #include "main_window.h"
 #include "resect/resect_panel.h"
 #include "run_test.h"
+#include "shown.h"
 #include "support/shapes.h"
 
 namespace glisson::widgets {
@@ -41,10 +42,7 @@ class ResectTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1400, 900);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_ = shown_window();
     window_->show_patient(block_with_tumour());
     window_->go_to("resect");
     panel_ = window_->findChild<ResectPanel*>();
@@ -222,9 +220,7 @@ class ResectTest : public QObject {
  private:
   template <typename Widget>
   Widget* child(const char* name) {
-    auto* found = panel_->findChild<Widget*>(name);
-    if (found == nullptr) qFatal("the panel has no %s", name);
-    return found;
+    return child_of<Widget>(*panel_, name);
   }
   QPushButton* button_with(const QString& text) {
     for (auto* button : panel_->findChildren<QPushButton*>()) {

@@ -10,6 +10,7 @@
 #include "main_window.h"
 #include "run_test.h"
 #include "segment/segment_panel.h"
+#include "shown.h"
 #include "small_case.h"
 
 namespace glisson::widgets {
@@ -23,10 +24,7 @@ class SegmentTest : public QObject {
  private Q_SLOTS:
   void initTestCase() {
     folder_ = test::small_case(temporary_.path());
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1600, 1000);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_ = shown_window({1600, 1000});
     window_->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window_.get()));
     window_->open_path(folder_);
@@ -197,7 +195,7 @@ class SegmentTest : public QObject {
  private:
   template <typename Widget>
   Widget* child(const char* name) {
-    return window_->findChild<Widget*>(name);
+    return child_of<Widget>(*window_, name);
   }
   SliceView& transverse() { return window_->views().slice(SliceDirection::transverse); }
   // A place of the transverse slice, mm to the patient's left and to the back of the ball's middle, in the widget.

@@ -20,6 +20,7 @@
 #include "imaging/dicom_write.h"
 #include "main_window.h"
 #include "run_test.h"
+#include "shown.h"
 #include "study/study_page.h"
 
 namespace glisson::widgets {
@@ -69,10 +70,7 @@ class StudyTest : public QObject {
   void initTestCase() {
     write_series(study(), "T1 dark", 1, ellipsoid_in_a_body(40));
     write_series(study(), "T1 bright", 2, ellipsoid_in_a_body(150));
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1400, 900);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_ = shown_window();
   }
 
   void takes_only_one_folder_or_file_that_is_dropped() {

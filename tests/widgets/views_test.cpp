@@ -10,6 +10,7 @@
 #include "block_patient.h"
 #include "main_window.h"
 #include "run_test.h"
+#include "shown.h"
 #include "support/shapes.h"
 #include "views/measure_list.h"
 
@@ -32,10 +33,7 @@ class ViewsTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1500, 950);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_ = shown_window({1500, 950});
     window_->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window_.get()));
   }

@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "imaging/volume_file.h"
 #include "run_test.h"
+#include "shown.h"
 #include "support/wave_phantom.h"
 #include "views/map_picture.h"
 
@@ -117,9 +118,7 @@ class WaveViewTest : public QObject {
  private:
   template <typename Widget>
   Widget* child(const char* name) const {
-    auto* found = view_->findChild<Widget*>(name);
-    if (found == nullptr) qFatal("there is no %s", name);
-    return found;
+    return child_of<Widget>(*view_, name);
   }
 
   TemporaryFolder folder_;

@@ -14,6 +14,7 @@
 #include "main_window.h"
 #include "panels/platform_view.h"
 #include "run_test.h"
+#include "shown.h"
 #include "support/shapes.h"
 
 namespace glisson::widgets {
@@ -45,10 +46,7 @@ class WindowTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1400, 900);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_ = shown_window();
     window_->show_patient(simulated_block());
     QTest::qWait(300);
   }
@@ -239,9 +237,7 @@ class WindowTest : public QObject {
  private:
   template <typename Widget>
   Widget* child(const char* name) {
-    auto* found = window_->findChild<Widget*>(name);
-    if (found == nullptr) qFatal("the window has no %s", name);
-    return found;
+    return child_of<Widget>(*window_, name);
   }
 
   void type_force(const QString& newtons) {

@@ -20,13 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-QLabel* label(const char* name, QWidget* parent) {
-  auto* made = new QLabel(parent);
-  made->setObjectName(name);
-  made->setWordWrap(true);
-  return made;
-}
-
 // What a path that was chosen holds: the folder of a report, or an experiment.
 std::optional<fs::path> report_folder(const fs::path& path) {
   std::error_code ignored;
@@ -76,17 +69,17 @@ QWidget* EvidenceView::make_panel() {
   auto* column = new QVBoxLayout(panel);
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(8);
-  QLabel* measurements_title = label("heading", panel);
+  QLabel* measurements_title = heading(panel);
   open_ = named_button("primary", panel);
   example_ = named_button("evidence_example", panel);
   open_report_ = named_button("evidence_open_report", panel);
-  opened_ = label("evidence_opened", panel);
-  time_left_ = label("evidence_time_left", panel);
-  QLabel* use_title = label("heading", panel);
+  opened_ = wrapped_label("evidence_opened", panel);
+  time_left_ = wrapped_label("evidence_time_left", panel);
+  QLabel* use_title = heading(panel);
   accept_ = named_button("evidence_accept", panel);
   take_back_ = named_button("evidence_take_back", panel);
-  accepted_ = label("faint", panel);
-  QLabel* others_title = label("heading", panel);
+  accepted_ = wrapped_label("faint", panel);
+  QLabel* others_title = heading(panel);
   compare_ = named_button("evidence_compare", panel);
   comparison_ = new QTableWidget(0, 3, panel);
   comparison_->setObjectName("evidence_comparison");

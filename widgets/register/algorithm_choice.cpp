@@ -6,6 +6,7 @@
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
+#include "panels/parts.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -38,9 +39,8 @@ AlgorithmChoice::AlgorithmChoice(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(7);
-  auto* heading = new QLabel;
-  heading->setObjectName("heading");
-  column->addWidget(heading);
+  QLabel* title = heading();
+  column->addWidget(title);
   for (std::size_t side = 0; side < 2; ++side) {
     auto* box = new QComboBox;
     box->setObjectName(side == 0 ? "first_method" : "second_method");
@@ -68,7 +68,7 @@ AlgorithmChoice::AlgorithmChoice(QWidget* parent) : QWidget(parent) {
   connect(compute_, &QPushButton::clicked, this, &AlgorithmChoice::computing_wanted);
   connect(cancel_, &QPushButton::clicked, this, &AlgorithmChoice::cancel_wanted);
   worded(this, [=, this] {
-    heading->setText(tr("Algorithms"));
+    title->setText(tr("Algorithms"));
     methods_[0]->setAccessibleName(tr("First algorithm"));
     methods_[1]->setAccessibleName(tr("Second algorithm"));
     methods_[0]->setToolTip(tr("What the left picture shows"));

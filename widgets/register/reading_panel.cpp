@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "panels/parts.h"
 #include "words/worded.h"
 
 namespace glisson::widgets {
@@ -16,9 +17,8 @@ ReadingPanel::ReadingPanel(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(7);
-  auto* heading = new QLabel;
-  heading->setObjectName("heading");
-  column->addWidget(heading);
+  QLabel* title = heading();
+  column->addWidget(title);
   value_ = new QComboBox;
   value_->setObjectName("heat_value");
   for (const HeatValue value : {HeatValue::correlation, HeatValue::error, HeatValue::doubt})
@@ -31,7 +31,7 @@ ReadingPanel::ReadingPanel(QWidget* parent) : QWidget(parent) {
   column->addWidget(figures_);
   column->addStretch(1);
   worded(this, [=, this] {
-    heading->setText(tr("Reading"));
+    title->setText(tr("Reading"));
     value_->setAccessibleName(tr("What the colours show"));
     value_->setItemText(0, tr("Colours: SIRGn's correlation"));
     value_->setItemText(1, tr("Colours: error of the landmarks (mm)"));

@@ -9,6 +9,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "panels/parts.h"
 #include "plots/themed_plot.h"
 #include "words/worded.h"
 
@@ -100,15 +101,14 @@ QWidget* TriangleHistory::make_head() {
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(10);
-  auto* heading = new QLabel;
-  heading->setObjectName("heading");
-  row->addWidget(heading);
+  QLabel* title = heading();
+  row->addWidget(title);
   triangle_ = new QSpinBox;
   triangle_->setObjectName("triangle");
   triangle_->setRange(0, 0);
   triangle_->setKeyboardTracking(false);
   triangle_->setMinimumWidth(76);
-  heading->setBuddy(triangle_);
+  title->setBuddy(triangle_);
   row->addWidget(triangle_);
   said_ = new QLabel;
   said_->setObjectName("place");
@@ -120,7 +120,7 @@ QWidget* TriangleHistory::make_head() {
     Q_EMIT triangle_chosen(number > 0 ? std::optional(static_cast<std::size_t>(number - 1)) : std::nullopt);
   });
   worded(head, [=, this] {
-    heading->setText(tr("A triangle over the frames"));
+    title->setText(tr("A triangle over the frames"));
     triangle_->setAccessibleName(tr("Triangle"));
     triangle_->setSpecialValueText(tr("none"));
     triangle_->setToolTip(tr("The triangle of the left picture whose history is drawn; or click one in a picture"));

@@ -50,8 +50,7 @@ ReportView::ReportView(Bench bench, PlanOfNow plan, QWidget* parent)
   auto* column = new QVBoxLayout(panel);
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(8);
-  auto* title = new QLabel(panel);
-  title->setObjectName("heading");
+  QLabel* title = heading(panel);
   column->addWidget(title);
   state_ = new QLabel(panel);
   state_->setObjectName("report_state");

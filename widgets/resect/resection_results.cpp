@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
+#include "panels/parts.h"
 #include "panels/swatch.h"
 #include "resect/resection_scene.h"
 #include "theme.h"
@@ -89,13 +90,11 @@ ResectionResults::ResectionResults(QWidget* parent) : QWidget(parent) {
     volumes->addWidget(row == 0 ? specimen_ : remnant_, row, 1);
   }
   rows->addLayout(volumes);
-  auto* margins_title = new QLabel(answer_);
-  margins_title->setObjectName("heading");
+  QLabel* margins_title = heading(answer_);
   rows->addWidget(margins_title);
   margins_ = table("margins", 4, answer_);
   rows->addWidget(margins_);
-  auto* crossings_title = new QLabel(answer_);
-  crossings_title->setObjectName("heading");
+  QLabel* crossings_title = heading(answer_);
   rows->addWidget(crossings_title);
   crossings_ = table("crossings", 2, answer_);
   rows->addWidget(crossings_);

@@ -6,6 +6,7 @@
 #include <QtConcurrentRun>
 
 #include "casefile/model_upkeep.h"
+#include "panels/parts.h"
 #include "session/load_patient.h"
 #include "words/told.h"
 #include "words/worded.h"
@@ -33,8 +34,7 @@ CaseOverview::CaseOverview(const Bench& bench, QWidget* parent) : QWidget(parent
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(8);
-  title_ = new QLabel;
-  title_->setObjectName("heading");
+  title_ = heading();
   column->addWidget(title_);
   summary_ = new QLabel;
   summary_->setWordWrap(true);
@@ -53,8 +53,7 @@ CaseOverview::CaseOverview(const Bench& bench, QWidget* parent) : QWidget(parent
   recompute_->setObjectName("primary");
   connect(recompute_, &QPushButton::clicked, this, &CaseOverview::recompute);
   column->addWidget(recompute_);
-  missing_title_ = new QLabel;
-  missing_title_->setObjectName("heading");
+  missing_title_ = heading();
   column->addWidget(missing_title_);
   missing_ = new QVBoxLayout;
   missing_->setSpacing(6);

@@ -5,6 +5,7 @@
 #include <QSplitter>
 #include <QStandardPaths>
 
+#include "panels/parts.h"
 #include "session/load_patient.h"
 #include "words/paths.h"
 #include "words/told.h"
@@ -35,8 +36,7 @@ StudyPage::StudyPage(const Bench& bench, QWidget* parent) : QWidget(parent), ben
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(8);
   auto* top = new QHBoxLayout;
-  title_ = new QLabel;
-  title_->setObjectName("heading");
+  title_ = heading();
   top->addWidget(title_, 1);
   open_ = new QPushButton;
   open_->setObjectName("browse");
