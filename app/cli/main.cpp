@@ -99,7 +99,9 @@ class ProgressPrinter {
 void print_error(const Error& error, const CommonOptions& common) {
   const std::string message = error.message();
   const std::string hint = error.advice();
-  std::fputs(fmt::format("glisson-cli: {}{}{}\n", message, hint.empty() ? "" : " ", hint).c_str(), stderr);
+  const std::string file = error.file.filename().string();
+  const std::string where = message.find(file) == std::string::npos ? fmt::format(" ({})", error.file.string()) : "";
+  std::fputs(fmt::format("glisson-cli: {}{}{}{}\n", message, where, hint.empty() ? "" : " ", hint).c_str(), stderr);
   if (!common.json) return;
   Json document{{"code", error.code}, {"message", message}, {"hint", hint}, {"file", error.file.string()}};
   std::puts(Json{{"error", document}}.dump(2, ' ', false, Json::error_handler_t::replace).c_str());

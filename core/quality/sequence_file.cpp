@@ -69,8 +69,11 @@ Result<SequenceFiles> read_sequence(const fs::path& file) {
   }
   if (json.contains("camera")) {
     auto camera = vision::camera_from_json(json["camera"].dump());
-    if (!camera)
-      return invalid(file, GLISSON_TEXT("camera has no 3 x 3 matrix, or a distortion that is no list of numbers"));
+    if (!camera) {
+      return invalid(file,
+                     GLISSON_TEXT("camera has no 3 x 3 matrix with positive focal lengths, or a distortion that is no "
+                                  "list of numbers"));
+    }
     sequence.camera = std::move(*camera);
   }
   sequence.simulated = text_of(json, "simulated").value_or("");
@@ -127,6 +130,16 @@ Result<geometry::Surface> read_cloud(const fs::path& file) {
 
 namespace {
 
+constexpr std::string_view tracks_header = "landmark,frame,x_mm,y_mm,z_mm";
+
+Error no_tracks(const fs::path& file) {
+  return {"tracks-invalid",
+          GLISSON_TEXT("The first line of {0} is not {1}."),
+          {file.filename().string(), std::string(tracks_header)},
+          GLISSON_TEXT("Name the columns so, in this order, with commas between them."),
+          file};
+}
+
 Result<std::vector<LandmarkTrack>> read_tracks(const fs::path& file, std::size_t frames) {
   const auto text = read_text_file(file);
   if (!text) return failure(text.error());
@@ -138,7 +151,12 @@ Result<std::vector<LandmarkTrack>> read_tracks(const fs::path& file, std::size_t
     std::string_view line = std::string_view(*text).substr(begin, end - begin);
     begin = end + 1;
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    if (++line_number == 1 || line.empty()) continue;  // the header
+    if (++line_number == 1) {
+      if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+      if (line != tracks_header) return failure(no_tracks(file));
+      continue;
+    }
+    if (line.empty()) continue;
     const auto sighting = parse_sighting(line, frames);
     if (!sighting) {
       return failure(Error{"tracks-invalid",
@@ -151,6 +169,7 @@ Result<std::vector<LandmarkTrack>> read_tracks(const fs::path& file, std::size_t
     if (is_new) tracks.push_back({sighting->landmark, std::vector<std::optional<Eigen::Vector3d>>(frames)});
     tracks[found->second].positions_mm[sighting->frame] = sighting->position_mm;
   }
+  if (line_number == 0) return failure(no_tracks(file));
   return tracks;
 }
 

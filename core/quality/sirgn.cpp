@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "geometry/delaunay.h"
 #include "geometry/nearest.h"
+#include "geometry/surface.h"
 #include "quality/doubt_internal.h"
 #include "quality/warp_internal.h"
 
@@ -17,6 +18,8 @@ namespace {
 
 using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
+
+constexpr double farthest_from_cloud = 0.1;  // of a landmark from a frame's points, as a fraction of their reach
 
 // A frame's finite point pairs, asked which way its points went.
 class FrameMotion {
@@ -33,6 +36,10 @@ class FrameMotion {
   [[nodiscard]] Vector3d displacement_to_frame(const Vector3d& place_mm) const {
     return mean_displacement(*from_registered_, place_mm, -1);
   }
+  // How far a place lies from the frame's points, as a fraction of how far these reach (diagonal of their box).
+  [[nodiscard]] double distance_from_cloud(const Vector3d& place_mm) const {
+    return std::sqrt(from_cloud_->nearest(place_mm).squared_distance_mm2) / reach_mm_;
+  }
   [[nodiscard]] double distance_to_registered_mm(const Vector3d& place_mm) const {
     return std::sqrt(from_registered_->nearest(place_mm).squared_distance_mm2);
   }
@@ -42,6 +49,7 @@ class FrameMotion {
                                            double sign) const;
 
   Points cloud_mm_, registered_mm_;
+  double reach_mm_ = 0;
   std::optional<geometry::NearestPoint> from_cloud_, from_registered_;
 };
 
@@ -51,6 +59,7 @@ struct Landmarks {
   std::vector<std::vector<std::optional<Vector3d>>> seen_mm;    // [landmark][frame], in the frame
   std::vector<std::vector<std::optional<Vector3d>>> placed_mm;  // the same in the model's space
   Points on_model_mm;
+  int off_the_clouds = 0;  // left out
 };
 
 Result<void> check(const RegisteredSequence& sequence, const SirgnOptions& options);
@@ -85,6 +94,13 @@ Result<Quality> sirgn(const RegisteredSequence& sequence, const SirgnOptions& op
   quality.mesh.points_mm = landmarks.on_model_mm;
   quality.mesh.triangles = triangulate(landmarks.on_model_mm);
   if (landmarks.on_model_mm.size() < 4 || quality.mesh.triangles.empty()) {
+    if (landmarks.off_the_clouds > 0) {
+      return failure(Error{"sirgn-landmarks-off",
+                           GLISSON_TEXT("{0} of {1} landmarks lie far from the points of their frames."),
+                           {std::to_string(landmarks.off_the_clouds), std::to_string(sequence.landmarks.size())},
+                           GLISSON_TEXT("Check that tracks and clouds are both in mm of the left camera."),
+                           {}});
+    }
     return failure(Error{"sirgn-too-few-landmarks",
                          GLISSON_TEXT("{0} landmarks were seen in three frames or more; four that do not lie on one "
                                       "line are needed."),
@@ -141,6 +157,7 @@ FrameMotion::FrameMotion(const RegisteredFrame& frame, std::size_t most_points) 
     registered_mm_.push_back(frame.registered_mm[i]);
   }
   if (cloud_mm_.empty()) return;
+  reach_mm_ = std::max(geometry::bounding_box(cloud_mm_).diagonal_mm(), std::numeric_limits<double>::min());
   from_cloud_.emplace(cloud_mm_);
   from_registered_.emplace(registered_mm_);
 }
@@ -170,16 +187,24 @@ Landmarks place_landmarks(const RegisteredSequence& sequence, const std::vector<
     std::vector<std::optional<Vector3d>> seen(frames.size()), placed(frames.size());
     Vector3d sum = Vector3d::Zero();
     int count = 0;
+    std::vector<double> distances;
     for (std::size_t t = 0; t < frames.size(); ++t) {
       const auto& position = sequence.landmarks[track].positions_mm[t];
       if (!position || !position->allFinite()) continue;
       seen[t] = *position;
       placed[t] = frames[t].to_model(*position);
       sum += *placed[t];
+      distances.push_back(frames[t].distance_from_cloud(*position));
       ++count;
     }
     if (count < fewest_frames) {
       ++too_short;
+      continue;
+    }
+    // The median: a landmark that jumps now and then is judged, one that lies nowhere near the tissue says nothing.
+    std::nth_element(distances.begin(), distances.begin() + count / 2, distances.end());
+    if (distances[static_cast<std::size_t>(count / 2)] > farthest_from_cloud) {
+      ++landmarks.off_the_clouds;
       continue;
     }
     const Vector3d mean = sum / count;
@@ -191,6 +216,10 @@ Landmarks place_landmarks(const RegisteredSequence& sequence, const std::vector<
   if (too_short > 0) {
     quality.notes.push_back(
         {GLISSON_TEXT("{0} landmarks seen in fewer than three frames were left out"), {std::to_string(too_short)}});
+  }
+  if (landmarks.off_the_clouds > 0) {
+    quality.notes.push_back({GLISSON_TEXT("{0} landmarks far from the points of their frames were left out"),
+                             {std::to_string(landmarks.off_the_clouds)}});
   }
   return landmarks;
 }

@@ -19,6 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+Result<void> checked_camera(const Camera& camera);
 Result<void> checked_rotation(const StereoCalibration& calibration);
 
 Failure invalid(const fs::path& file, std::string what) {
@@ -83,12 +84,12 @@ Result<StereoCalibration> read_json(const fs::path& file) {
 }
 
 Result<StereoCalibration> read_opencv(const fs::path& file) {
+  // Read by us: of a file that is not there OpenCV writes to stderr.
+  const auto text = read_text_file(file, std::uint64_t{1} << 24);
+  if (!text) return failure(text.error());
   try {
-    const cv::FileStorage storage(file.string(), cv::FileStorage::READ);
-    if (!storage.isOpened()) {
-      return failure(
-          Error{"file-not-readable", GLISSON_TEXT("The file {0} cannot be read."), {file.string()}, {}, file});
-    }
+    const cv::FileStorage storage(*text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
+    if (!storage.isOpened()) return invalid(file, "content that OpenCV can read");
     StereoCalibration calibration;
     const auto read = [&](const char* name) {
       cv::Mat matrix, in_double;
@@ -184,6 +185,7 @@ Result<Camera> camera_from_json(const std::string& text) {
   if (!json) return failure(json.error());
   const auto camera = camera_of(*json);
   if (!camera) return invalid("of a camera", "3 x 3 matrix, or a distortion that is no list of numbers");
+  if (auto good = checked_camera(*camera); !good) return failure(good.error());
   return *camera;
 }
 
@@ -221,14 +223,7 @@ Result<void> write_stereo_calibration(const fs::path& file, const StereoCalibrat
 
 Result<StereoCalibration> checked(StereoCalibration calibration) {
   for (const Camera* camera : {&calibration.left, &calibration.right}) {
-    if (!camera->matrix.allFinite() || camera->matrix(0, 0) <= 0 || camera->matrix(1, 1) <= 0) {
-      return failure("calibration-invalid", GLISSON_TEXT("A camera's focal length is not positive."));
-    }
-    for (const double coefficient : camera->distortion) {
-      if (!std::isfinite(coefficient)) {
-        return failure("calibration-invalid", GLISSON_TEXT("A coefficient of distortion is not finite."));
-      }
-    }
+    if (auto good = checked_camera(*camera); !good) return failure(good.error());
   }
   if (auto good = checked_rotation(calibration); !good) return failure(good.error());
   if (calibration.baseline_mm() <= 0) {
@@ -244,6 +239,18 @@ Result<StereoCalibration> checked(StereoCalibration calibration) {
 }
 
 namespace {
+
+Result<void> checked_camera(const Camera& camera) {
+  if (!camera.matrix.allFinite() || camera.matrix(0, 0) <= 0 || camera.matrix(1, 1) <= 0) {
+    return failure("calibration-invalid", GLISSON_TEXT("A camera's focal length is not positive."));
+  }
+  for (const double coefficient : camera.distortion) {
+    if (!std::isfinite(coefficient)) {
+      return failure("calibration-invalid", GLISSON_TEXT("A coefficient of distortion is not finite."));
+    }
+  }
+  return {};
+}
 
 Result<void> checked_rotation(const StereoCalibration& calibration) {
   constexpr double largest_deviation = 1e-3;  // files print few digits

@@ -2338,10 +2338,6 @@
         <translation>registered enthält etwas, das kein Dateiname ist</translation>
     </message>
     <message>
-        <source>camera has no 3 x 3 matrix, or a distortion that is no list of numbers</source>
-        <translation>camera hat keine 3 x 3-Matrix oder eine Verzeichnung, die keine Liste von Zahlen ist</translation>
-    </message>
-    <message>
         <source>Frame {0} is missing: there is no file {1}.</source>
         <translation>Bild {0} fehlt: Es gibt keine Datei {1}.</translation>
     </message>
@@ -3660,6 +3656,30 @@
     <message>
         <source>Take finite elements, or give a load.</source>
         <translation>Nehmen Sie finite Elemente, oder geben Sie eine Last an.</translation>
+    </message>
+    <message>
+        <source>camera has no 3 x 3 matrix with positive focal lengths, or a distortion that is no list of numbers</source>
+        <translation>camera hat keine 3 x 3-Matrix mit positiven Brennweiten oder eine Verzeichnung, die keine Zahlenliste ist</translation>
+    </message>
+    <message>
+        <source>The first line of {0} is not {1}.</source>
+        <translation>Die erste Zeile von {0} lautet nicht {1}.</translation>
+    </message>
+    <message>
+        <source>Name the columns so, in this order, with commas between them.</source>
+        <translation>Benennen Sie die Spalten so, in dieser Reihenfolge, durch Kommas getrennt.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
+        <translation>{0} von {1} Landmarken liegen weit von den Punkten ihrer Bilder entfernt.</translation>
+    </message>
+    <message>
+        <source>Check that tracks and clouds are both in mm of the left camera.</source>
+        <translation>Prüfen Sie, ob Spuren und Punktwolken beide in mm der linken Kamera angegeben sind.</translation>
+    </message>
+    <message>
+        <source>{0} landmarks far from the points of their frames were left out</source>
+        <translation>{0} Landmarken, die weit von den Punkten ihrer Bilder entfernt liegen, wurden weggelassen</translation>
     </message>
 </context>
 <context>

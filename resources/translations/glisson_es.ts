@@ -2338,10 +2338,6 @@
         <translation>registered contiene algo que no es un nombre de archivo</translation>
     </message>
     <message>
-        <source>camera has no 3 x 3 matrix, or a distortion that is no list of numbers</source>
-        <translation>camera no tiene una matriz de 3 x 3 o su distorsión no es una lista de números</translation>
-    </message>
-    <message>
         <source>Frame {0} is missing: there is no file {1}.</source>
         <translation>Falta el fotograma {0}: no hay ningún archivo {1}.</translation>
     </message>
@@ -3660,6 +3656,30 @@
     <message>
         <source>Take finite elements, or give a load.</source>
         <translation>Tome los elementos finitos, o indique una carga.</translation>
+    </message>
+    <message>
+        <source>camera has no 3 x 3 matrix with positive focal lengths, or a distortion that is no list of numbers</source>
+        <translation>camera no tiene una matriz 3 x 3 con distancias focales positivas, o su distorsión no es una lista de números</translation>
+    </message>
+    <message>
+        <source>The first line of {0} is not {1}.</source>
+        <translation>La primera línea de {0} no es {1}.</translation>
+    </message>
+    <message>
+        <source>Name the columns so, in this order, with commas between them.</source>
+        <translation>Nombre así las columnas, en este orden, separadas por comas.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
+        <translation>{0} de {1} puntos de referencia están lejos de los puntos de sus imágenes.</translation>
+    </message>
+    <message>
+        <source>Check that tracks and clouds are both in mm of the left camera.</source>
+        <translation>Compruebe que las trayectorias y las nubes estén ambas en mm de la cámara izquierda.</translation>
+    </message>
+    <message>
+        <source>{0} landmarks far from the points of their frames were left out</source>
+        <translation>se omitieron {0} puntos de referencia lejos de los puntos de sus imágenes</translation>
     </message>
 </context>
 <context>

@@ -2338,10 +2338,6 @@
         <translation>registered contient quelque chose qui n’est pas un nom de fichier</translation>
     </message>
     <message>
-        <source>camera has no 3 x 3 matrix, or a distortion that is no list of numbers</source>
-        <translation>camera n’a pas de matrice 3 x 3, ou a une distorsion qui n’est pas une liste de nombres</translation>
-    </message>
-    <message>
         <source>Frame {0} is missing: there is no file {1}.</source>
         <translation>L’image {0} manque&#xa0;: il n’y a pas de fichier {1}.</translation>
     </message>
@@ -3660,6 +3656,30 @@
     <message>
         <source>Take finite elements, or give a load.</source>
         <translation>Prenez les éléments finis, ou donnez une charge.</translation>
+    </message>
+    <message>
+        <source>camera has no 3 x 3 matrix with positive focal lengths, or a distortion that is no list of numbers</source>
+        <translation>camera n&apos;a pas de matrice 3 x 3 à distances focales positives, ou sa distorsion n&apos;est pas une liste de nombres</translation>
+    </message>
+    <message>
+        <source>The first line of {0} is not {1}.</source>
+        <translation>La première ligne de {0} n&apos;est pas {1}.</translation>
+    </message>
+    <message>
+        <source>Name the columns so, in this order, with commas between them.</source>
+        <translation>Nommez ainsi les colonnes, dans cet ordre, séparées par des virgules.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} landmarks lie far from the points of their frames.</source>
+        <translation>{0} repères sur {1} sont loin des points de leurs images.</translation>
+    </message>
+    <message>
+        <source>Check that tracks and clouds are both in mm of the left camera.</source>
+        <translation>Vérifiez que les trajectoires et les nuages sont tous deux en mm de la caméra gauche.</translation>
+    </message>
+    <message>
+        <source>{0} landmarks far from the points of their frames were left out</source>
+        <translation>{0} repères loin des points de leurs images ont été écartés</translation>
     </message>
 </context>
 <context>

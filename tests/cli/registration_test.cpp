@@ -111,15 +111,42 @@ TEST(StudyExampleSequenceCommand, MakesASequenceThatSaysThatItIsSimulated) {
   EXPECT_EQ(judged.json().at("frames"), 4);
 }
 
-TEST(SirgnCommand, NamesTheFrameThatIsMissing) {
+// What `spoil` does to a sound sequence is refused; the answer's error.
+template <typename Spoil>
+Json refusal_of_spoiled(const Spoil& spoil) {
   const TemporaryFolder folder;
   write_sequence(folder.path(), 5);
-  std::filesystem::remove(folder.path() / "f3.ply");
+  spoil(folder.path());
   const Finished finished = glisson_cli({"sirgn", (folder.path() / "sequence.json").string(), "--method", "given",
                                          "--out", (folder.path() / "quality").string(), "--json", "--quiet"});
   EXPECT_EQ(finished.exit_code, 1);
-  EXPECT_EQ(finished.json().at("error").at("code"), "sequence-frame-missing");
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "quality"));
+  return finished.json().at("error");
+}
+
+TEST(SirgnCommand, RefusesTracksWhoseColumnsAreNamedOtherwise) {
+  for (const char* text : {"landmark,frame,y_mm,x_mm,z_mm\ng0,0,1,2,3\n", "g0,0,1,2,3\n", ""}) {
+    const Json error = refusal_of_spoiled(
+        [&](const std::filesystem::path& folder) { ASSERT_TRUE(write_text_file(folder / "tracks.csv", text)); });
+    EXPECT_EQ(error.at("code"), "tracks-invalid");
+    EXPECT_EQ(error.at("message"), "The first line of tracks.csv is not landmark,frame,x_mm,y_mm,z_mm.");
+  }
+}
+
+TEST(SirgnCommand, RefusesACameraThatLooksBackwards) {
+  const Json error = refusal_of_spoiled([](const std::filesystem::path& folder) {
+    Json document = read_json_file(folder / "sequence.json").value();
+    document["camera"] = {{"matrix", {{-560, 0, 320}, {0, 560, 240}, {0, 0, 1}}}};
+    ASSERT_TRUE(write_json_file(folder / "sequence.json", document));
+  });
+  EXPECT_EQ(error.at("code"), "sequence-invalid");
+  EXPECT_NE(error.at("message").get<std::string>().find("positive focal lengths"), std::string::npos);
+}
+
+TEST(SirgnCommand, NamesTheFrameThatIsMissing) {
+  const Json error =
+      refusal_of_spoiled([](const std::filesystem::path& folder) { std::filesystem::remove(folder / "f3.ply"); });
+  EXPECT_EQ(error.at("code"), "sequence-frame-missing");
 }
 
 }  // namespace

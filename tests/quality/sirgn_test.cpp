@@ -191,7 +191,23 @@ TEST(Sirgn, RefusesWhatCannotBeJudgedAndSaysWhy) {
   for (auto& point : sequence.frames[1].cloud_mm) point.x() = nan;
   EXPECT_EQ(sirgn(sequence).error().code, "sirgn-empty-frame");
 
+  sequence = small_sequence();
+  for (LandmarkTrack& track : sequence.landmarks) {
+    for (auto& position : track.positions_mm) position->z() += 1000;  // another camera's
+  }
+  EXPECT_EQ(sirgn(sequence).error().code, "sirgn-landmarks-off");
+  EXPECT_EQ(sirgn(sequence).error().message(), "5 of 5 landmarks lie far from the points of their frames.");
+
   EXPECT_EQ(sirgn(small_sequence(), {.tolerances_mm = {-1}}).error().code, "sirgn-tolerance");
+}
+
+TEST(Sirgn, LeavesOutALandmarkThatLiesNowhereNearTheTissueAndSaysSo) {
+  RegisteredSequence sequence = small_sequence();
+  for (auto& position : sequence.landmarks[4].positions_mm) position->z() += 1000;
+  const Quality quality = sirgn(sequence).value();
+  EXPECT_EQ(quality.mesh.points_mm.size(), 4u);
+  ASSERT_FALSE(quality.notes.empty());
+  EXPECT_NE(quality.notes.front().message().find("1 landmarks far"), std::string::npos);
 }
 
 TEST(Sirgn, LeavesOutLandmarksThatWereHardlySeenAndPointsThatAreNotFinite) {

@@ -38,7 +38,7 @@ QString told(const Sentence& sentence) {
 
 QString told(const Error& error) {
   QString text = told(Sentence{error.text, error.arguments});
-  if (!error.file.empty()) text += " (" + text_of(error.file) + ")";
+  if (!text.contains(text_of(error.file.filename()))) text += " (" + text_of(error.file) + ")";
   if (!error.hint.empty()) text += " " + told(Sentence{error.hint, error.arguments});
   return text;
 }
