@@ -153,7 +153,9 @@ Result<std::vector<LandmarkTrack>> read_tracks(const fs::path& file, std::size_t
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     if (++line_number == 1) {
       if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
-      if (line != tracks_header) return failure(no_tracks(file));
+      std::string names(line);
+      std::erase(names, ' ');
+      if (names != tracks_header) return failure(no_tracks(file));
       continue;
     }
     if (line.empty()) continue;

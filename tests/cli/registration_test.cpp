@@ -59,7 +59,7 @@ TEST(RegisterCommand, MovesTheSourceOntoTheTarget) {
 // Nine points that rise and fall, "registered" by leaving the motion in one corner.
 void write_sequence(const std::filesystem::path& folder, int frames) {
   Json document{{"frames", Json::array()}, {"landmarks", "tracks.csv"}, {"registered", Json::array()}};
-  std::string tracks = "landmark,frame,x_mm,y_mm,z_mm\n";
+  std::string tracks = "landmark, frame, x_mm, y_mm, z_mm\n";  // as people type it
   for (int t = 0; t < frames; ++t) {
     const double height_mm = 5 * std::sin(t);
     const std::string header =
