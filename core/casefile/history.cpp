@@ -9,48 +9,13 @@
 #include "base/json.h"
 #include "casefile/entry_record.h"
 #include "casefile/folder_lock.h"
-#include "casefile/history_content.h"
+#include "casefile/history_journal.h"
 
 namespace glisson::casefile {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* format_name = "glisson-history/1";
-
-// Which side of a step the case stands on, or is to be brought to.
-enum class Side { before, after };
-
-struct Step {
-  int number = 0;
-  Sentence name;
-  std::vector<ValueChange> values;  // of a step about values; empty: it is about entries
-  std::vector<std::string> kept;    // the kept files that it needs, by name
-};
-
-// The list of steps as journal.json holds it.
-struct Listing {
-  std::vector<Step> steps;
-  std::size_t done = 0;
-  int next = 1;
-  std::map<std::string, std::string> values;
-  std::optional<std::pair<int, Side>> moving;  // an undo or redo under way: the step, and where to
-};
-
-// A step about entries, as steps/N.json holds it.
-struct EntryChange {
-  std::string id;
-  Sides sides;
-  Json content;
-};
-
-Json to_json(const Listing& listing);
-Listing listing_from(const Json& json);
-Json to_json(const Sentence& name) { return Json{{"text", name.text}, {"arguments", name.arguments}}; }
-Sentence sentence_from(const Json& json) { return {json.at("text"), json.at("arguments")}; }
-Json to_json(const std::vector<EntryChange>& changes);
-Result<std::vector<EntryChange>> read_changes(const fs::path& file);
 std::string content_of(const std::optional<Entry>& entry) { return entry ? entry->sha256 : std::string(); }
-Failure damaged(const fs::path& file);
 
 std::optional<Entry> find(const std::vector<Entry>& entries, const std::string& id) {
   const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.id == id; });
@@ -212,11 +177,11 @@ Result<void> History::Parts::take_up() {
   std::error_code ignored;
   if (fs::exists(journal_file(), ignored)) {
     const auto document = read_json_file(journal_file());
-    if (!document) return damaged(journal_file());
+    if (!document) return history_damaged(journal_file());
     try {
       listing = listing_from(*document);
     } catch (const Json::exception&) {
-      return damaged(journal_file());
+      return history_damaged(journal_file());
     }
   }
   if (auto finished = finish(); !finished) return finished;
@@ -233,7 +198,7 @@ Result<void> History::Parts::take_up() {
              content_of(to == Side::before ? change.sides.before : change.sides.after);
     });
     if (arrived) next.done = to == Side::before ? listing.done - 1 : listing.done + 1;
-    if (next.done > next.steps.size()) return damaged(journal_file());
+    if (next.done > next.steps.size()) return history_damaged(journal_file());
     if (auto installed = install(std::move(next)); !installed) return installed;
   }
   sweep();
@@ -254,7 +219,7 @@ Result<void> History::Parts::begin(const Sentence& name, const std::vector<std::
   }
   return write_json_file(
       begun_file(),
-      Json{{"number", listing.next}, {"name", to_json(name)}, {"touches", touches}, {"entries", entries}});
+      Json{{"number", listing.next}, {"name", json_of(name)}, {"touches", touches}, {"entries", entries}});
 }
 
 // Makes a step of what has changed since begin(), by this program or, after a kill, by the one before.
@@ -262,7 +227,7 @@ Result<void> History::Parts::finish() {
   std::error_code ignored;
   if (!fs::exists(begun_file(), ignored)) return {};
   const auto begun = read_json_file(begun_file());
-  if (!begun) return damaged(begun_file());
+  if (!begun) return history_damaged(begun_file());
   Result<void> outcome;
   try {
     const int number = begun->at("number");
@@ -273,7 +238,7 @@ Result<void> History::Parts::finish() {
     std::set<std::string> ids(touches.begin(), touches.end());
     for (const Json& json : begun->at("entries")) {
       auto entry = entry_of(json.dump(), begun_file());
-      if (!entry) return damaged(begun_file());
+      if (!entry) return history_damaged(begun_file());
       ids.insert(entry->id);
       before.push_back(std::move(*entry));
     }
@@ -298,11 +263,11 @@ Result<void> History::Parts::finish() {
       changes.push_back(std::move(change));
     }
     if (number == listing.next && !changes.empty()) {
-      if (auto written = write_json_file(step_file(number), to_json(changes)); !written) return written;
+      if (auto written = write_json_file(step_file(number), json_of(changes)); !written) return written;
       outcome = append(listing, std::move(step));
     }
   } catch (const Json::exception&) {
-    return damaged(begun_file());
+    return history_damaged(begun_file());
   }
   if (!outcome) return outcome;
   fs::remove(begun_file(), ignored);
@@ -375,14 +340,14 @@ Result<History::Moved> History::Parts::move_entries(const Step& step, Side to) {
     if (auto installed = install(std::move(next)); !installed) return failure(installed.error());
     if (!replaced) return failure(replaced.error());
   } catch (const Json::exception&) {
-    return damaged(step_file(step.number));
+    return history_damaged(step_file(step.number));
   }
   sweep();
   return moved;
 }
 
 Result<void> History::Parts::install(Listing next) {
-  if (auto written = write_json_file(journal_file(), to_json(next)); !written) return written;
+  if (auto written = write_json_file(journal_file(), json_of(next)); !written) return written;
   const std::lock_guard writing(telling);
   listing = std::move(next);
   return {};
@@ -441,84 +406,4 @@ void History::Parts::sweep() const {
   for (const fs::path& file : leaving) fs::remove(file, ignored);
 }
 
-namespace {
-
-constexpr const char* name_of(Side side) { return side == Side::before ? "before" : "after"; }
-
-Json to_json(const Listing& listing) {
-  Json json{{"format", format_name}, {"done", listing.done}, {"next", listing.next}};
-  if (listing.moving) json["moving"] = Json{{"step", listing.moving->first}, {"to", name_of(listing.moving->second)}};
-  json["values"] = Json::object();
-  for (const auto& [key, value] : listing.values) json["values"][key] = value;
-  json["steps"] = Json::array();
-  for (const Step& step : listing.steps) {
-    Json one{{"number", step.number}, {"name", to_json(step.name)}};
-    if (!step.kept.empty()) one["kept"] = step.kept;
-    for (const ValueChange& value : step.values) {
-      one["values"].push_back(Json{{"key", value.key}, {"before", value.before}, {"after", value.after}});
-    }
-    json["steps"].push_back(std::move(one));
-  }
-  return json;
-}
-
-Listing listing_from(const Json& json) {
-  Listing listing;
-  listing.done = json.at("done");
-  listing.next = json.at("next");
-  listing.values = json.at("values").get<std::map<std::string, std::string>>();
-  for (const Json& one : json.at("steps")) {
-    Step step{one.at("number"), sentence_from(one.at("name")), {}, one.value("kept", std::vector<std::string>{})};
-    for (const Json& value : one.value("values", Json::array())) {
-      step.values.push_back({value.at("key"), value.at("before"), value.at("after")});
-    }
-    listing.steps.push_back(std::move(step));
-  }
-  if (json.contains("moving")) {
-    listing.moving = {json.at("moving").at("step"),
-                      json.at("moving").at("to") == name_of(Side::before) ? Side::before : Side::after};
-  }
-  listing.done = std::min(listing.done, listing.steps.size());
-  return listing;
-}
-
-Json to_json(const std::vector<EntryChange>& changes) {
-  Json json = Json::array();
-  for (const EntryChange& change : changes) {
-    Json one{{"id", change.id}, {"content", change.content}};
-    if (change.sides.before) one["before"] = Json::parse(record_of(*change.sides.before));
-    if (change.sides.after) one["after"] = Json::parse(record_of(*change.sides.after));
-    json.push_back(std::move(one));
-  }
-  return json;
-}
-
-Result<std::vector<EntryChange>> read_changes(const fs::path& file) {
-  const auto document = read_json_file(file);
-  if (!document) return damaged(file);
-  std::vector<EntryChange> changes;
-  try {
-    for (const Json& one : *document) {
-      EntryChange change{one.at("id"), {}, one.at("content")};
-      for (const auto& [side, into] :
-           {std::pair("before", &change.sides.before), std::pair("after", &change.sides.after)}) {
-        if (!one.contains(side)) continue;
-        auto entry = entry_of(one.at(side).dump(), file);
-        if (!entry) return damaged(file);
-        *into = std::move(*entry);
-      }
-      changes.push_back(std::move(change));
-    }
-  } catch (const Json::exception&) {
-    return damaged(file);
-  }
-  return changes;
-}
-
-Failure damaged(const fs::path& file) {
-  return failure(Error{
-      "history-damaged", GLISSON_TEXT("The history of the case cannot be read: {0}."), {file.string()}, {}, file});
-}
-
-}  // namespace
 }  // namespace glisson::casefile

@@ -1,0 +1,96 @@
+#include "casefile/history_journal.h"
+
+#include <algorithm>
+
+#include "base/files.h"
+#include "casefile/entry_record.h"
+
+namespace glisson::casefile {
+namespace {
+
+constexpr const char* format_name = "glisson-history/1";
+
+constexpr const char* name_of(Side side) { return side == Side::before ? "before" : "after"; }
+
+}  // namespace
+
+Json json_of(const Listing& listing) {
+  Json json{{"format", format_name}, {"done", listing.done}, {"next", listing.next}};
+  if (listing.moving) json["moving"] = Json{{"step", listing.moving->first}, {"to", name_of(listing.moving->second)}};
+  json["values"] = Json::object();
+  for (const auto& [key, value] : listing.values) json["values"][key] = value;
+  json["steps"] = Json::array();
+  for (const Step& step : listing.steps) {
+    Json one{{"number", step.number}, {"name", json_of(step.name)}};
+    if (!step.kept.empty()) one["kept"] = step.kept;
+    for (const ValueChange& value : step.values) {
+      one["values"].push_back(Json{{"key", value.key}, {"before", value.before}, {"after", value.after}});
+    }
+    json["steps"].push_back(std::move(one));
+  }
+  return json;
+}
+
+Listing listing_from(const Json& json) {
+  Listing listing;
+  listing.done = json.at("done");
+  listing.next = json.at("next");
+  listing.values = json.at("values").get<std::map<std::string, std::string>>();
+  for (const Json& one : json.at("steps")) {
+    Step step{one.at("number"), sentence_from(one.at("name")), {}, one.value("kept", std::vector<std::string>{})};
+    for (const Json& value : one.value("values", Json::array())) {
+      step.values.push_back({value.at("key"), value.at("before"), value.at("after")});
+    }
+    listing.steps.push_back(std::move(step));
+  }
+  if (json.contains("moving")) {
+    listing.moving = {json.at("moving").at("step"),
+                      json.at("moving").at("to") == name_of(Side::before) ? Side::before : Side::after};
+  }
+  listing.done = std::min(listing.done, listing.steps.size());
+  return listing;
+}
+
+Json json_of(const std::vector<EntryChange>& changes) {
+  Json json = Json::array();
+  for (const EntryChange& change : changes) {
+    Json one{{"id", change.id}, {"content", change.content}};
+    if (change.sides.before) one["before"] = Json::parse(record_of(*change.sides.before));
+    if (change.sides.after) one["after"] = Json::parse(record_of(*change.sides.after));
+    json.push_back(std::move(one));
+  }
+  return json;
+}
+
+Result<std::vector<EntryChange>> read_changes(const std::filesystem::path& file) {
+  const auto document = read_json_file(file);
+  if (!document) return history_damaged(file);
+  std::vector<EntryChange> changes;
+  try {
+    for (const Json& one : *document) {
+      EntryChange change{one.at("id"), {}, one.at("content")};
+      for (const auto& [side, into] :
+           {std::pair("before", &change.sides.before), std::pair("after", &change.sides.after)}) {
+        if (!one.contains(side)) continue;
+        auto entry = entry_of(one.at(side).dump(), file);
+        if (!entry) return history_damaged(file);
+        *into = std::move(*entry);
+      }
+      changes.push_back(std::move(change));
+    }
+  } catch (const Json::exception&) {
+    return history_damaged(file);
+  }
+  return changes;
+}
+
+Failure history_damaged(const std::filesystem::path& file) {
+  return failure(Error{
+      "history-damaged", GLISSON_TEXT("The history of the case cannot be read: {0}."), {file.string()}, {}, file});
+}
+
+Json json_of(const Sentence& name) { return Json{{"text", name.text}, {"arguments", name.arguments}}; }
+
+Sentence sentence_from(const Json& json) { return {json.at("text"), json.at("arguments")}; }
+
+}  // namespace glisson::casefile

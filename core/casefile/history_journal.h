@@ -1,0 +1,54 @@
+#pragma once
+// What the files of a case's history hold (see history.h): the journal, and the entries that a step changed. Values;
+// reading and writing them as JSON. Inside the room. What is malformed throws Json::exception, or fails with
+// "history-damaged".
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/json.h"
+#include "casefile/history.h"
+#include "casefile/history_content.h"
+
+namespace glisson::casefile {
+
+// Which side of a step the case stands on, or is to be brought to.
+enum class Side { before, after };
+
+struct Step {
+  int number = 0;
+  Sentence name;
+  std::vector<ValueChange> values;  // of a step about values; empty: it is about entries
+  std::vector<std::string> kept;    // the kept files that it needs, by name
+};
+
+// The list of steps, as journal.json holds it.
+struct Listing {
+  std::vector<Step> steps;
+  std::size_t done = 0;
+  int next = 1;
+  std::map<std::string, std::string> values;
+  std::optional<std::pair<int, Side>> moving;  // an undo or redo under way: the step, and where to
+};
+Json json_of(const Listing& listing);
+Listing listing_from(const Json& json);
+
+// One entry of a step about entries; steps/N.json holds a list of them.
+struct EntryChange {
+  std::string id;
+  Sides sides;
+  Json content;
+};
+Json json_of(const std::vector<EntryChange>& changes);
+Result<std::vector<EntryChange>> read_changes(const std::filesystem::path& file);
+
+Json json_of(const Sentence& name);
+Sentence sentence_from(const Json& json);
+
+Failure history_damaged(const std::filesystem::path& file);
+
+}  // namespace glisson::casefile
