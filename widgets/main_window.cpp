@@ -8,8 +8,6 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
 #include <QSplitter>
 #include <QStackedLayout>
 #include <QStatusBar>
@@ -46,15 +44,6 @@ QString diary_file() {
   std::error_code problem;
   fs::create_directories(own_folder(), problem);
   return text_of(own_folder() / "glisson.log");
-}
-
-// Who draws, "llvmpipe (LLVM 15.0.6, 256 bits)"; unknown before the widget was first shown.
-QString drawn_by(QOpenGLWidget& widget) {
-  if (widget.context() == nullptr) return "unknown";
-  widget.makeCurrent();
-  const auto* name = reinterpret_cast<const char*>(widget.context()->functions()->glGetString(GL_RENDERER));
-  widget.doneCurrent();
-  return QString::fromUtf8(name);
 }
 
 }  // namespace
@@ -397,7 +386,7 @@ void MainWindow::connect_parts() {
   connect(views_, &LinkedViews::picture_not_saved, this, [this](const QString& file) {
     notices_->say([file] { return tr("The picture could not be written to %1.").arg(file); });
   });
-  rehearse_panel_->track().set_camera([this] { return views_->space().grabFramebuffer(); });
+  rehearse_panel_->track().set_camera([this] { return views_->space().picture(); });
   connect(&rehearsal_, &LiveRehearsal::frame_changed, this, &MainWindow::show_frame);
   connect(&rehearsal_, &LiveRehearsal::placed, this,
           [this](double solve_ms) { status_->say(tr("Tool placed in %1 ms.").arg(solve_ms, 0, 'f', 0)); });
@@ -417,7 +406,7 @@ void MainWindow::save_picture() {
   const QString name = "glisson.png";
   const QString file = QFileDialog::getSaveFileName(this, tr("Save the picture"), name, tr("Pictures (*.png)"));
   if (file.isEmpty()) return;
-  if (!views_->space().grabFramebuffer().save(file))
+  if (!views_->space().picture().save(file))
     notices_->say([file] { return tr("The picture could not be written to %1.").arg(file); });
 }
 
@@ -458,7 +447,7 @@ void MainWindow::start_tour() {
 }
 
 void MainWindow::show_diary() {
-  auto* window = new DiaryWindow(diary_, drawn_by(views_->space()), this);
+  auto* window = new DiaryWindow(diary_, views_->space().drawn_by(), this);
   window->setAttribute(Qt::WA_DeleteOnClose);
   window->show();
 }

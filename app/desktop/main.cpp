@@ -4,7 +4,6 @@
 #include <iterator>
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QSurfaceFormat>
 
 #include "base/files.h"
 #include "base/parallel.h"
@@ -50,13 +49,6 @@ int main(int argc, char** argv) {
     positional_arguments(arguments, application);
     return 0;
   }
-
-  // VTK needs a core profile; set before any window exists.
-  QSurfaceFormat format;
-  format.setVersion(3, 2);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  QSurfaceFormat::setDefaultFormat(format);
 
   QApplication application(argc, argv);
   name_application();

@@ -1,13 +1,10 @@
-// draw(): a View in a window that shows on no screen.
+// draw(): one frame of a Painter, larger than asked for and averaged down.
 
-#include <vtkNew.h>
-#include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
 #include <mutex>
 #include <optional>
 #include <thread>
 
-#include "scene/offscreen.h"
+#include "scene/painter.h"
 #include "scene/view.h"
 
 namespace glisson::scene {
@@ -21,7 +18,7 @@ constexpr int largest_side_px = 8192;
 constexpr int oversampling = 2;
 
 Result<Picture> draw_on_this_thread(const Scene& scene, int width, int height);
-Picture averaged_down(const vtkUnsignedCharArray& pixels, int width, int height);
+Picture averaged_down(const DrawnFrame& drawn, int width, int height);
 
 }  // namespace
 
@@ -33,8 +30,8 @@ Result<Picture> draw(const Scene& scene, int width, int height) {
                     std::to_string(height)});
   }
   if (auto fine = check_scene(scene); !fine) return failure(fine.error());
-  // VTK's fonts are shared by the whole program: one picture at a time. On a thread of its own, because EGL refuses a
-  // thread that has a window's OpenGL context current, as the desktop's has.
+  // One picture at a time: each takes memory for all its samples. On a thread of its own, because a thread has one
+  // OpenGL context at a time, and the caller's may be in use.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   std::optional<Result<Picture>> picture;
@@ -45,42 +42,29 @@ Result<Picture> draw(const Scene& scene, int width, int height) {
 namespace {
 
 Result<Picture> draw_on_this_thread(const Scene& scene, int width, int height) {
-  const int drawn_width = oversampling * width;
-  const int drawn_height = oversampling * height;
-  auto window = open_offscreen_window(drawn_width, drawn_height);
-  if (!window) return failure(window.error());
-  vtkNew<vtkRenderer> renderer;
-  (*window)->AddRenderer(renderer);
-  Picture picture;
-  {
-    View view(*renderer, oversampling);
-    if (!scene.camera) view.set_camera(fit(scene, PatientView::surgeon, double(width) / height));
-    if (auto shown = view.show(scene); !shown) return failure(shown.error());
-    view.prepare_frame(drawn_width, drawn_height);
-    (*window)->Render();
-    vtkNew<vtkUnsignedCharArray> pixels;
-    (*window)->GetPixelData(0, 0, drawn_width - 1, drawn_height - 1, 0, pixels);
-    picture = averaged_down(*pixels, width, height);
-  }
-  (*window)->RemoveRenderer(renderer);
-  return picture;
+  View view;
+  view.set_pixel_scale(oversampling);
+  if (!scene.camera) view.set_camera(fit(scene, PatientView::surgeon, double(width) / height));
+  if (auto shown = view.show(scene); !shown) return failure(shown.error());
+  Painter painter;
+  painter.set_transparency(Transparency::exact);
+  return painter.paint(view.take_changes(oversampling * width, oversampling * height))
+      .map([&](const DrawnFrame& drawn) { return averaged_down(drawn, width, height); });
 }
 
-Picture averaged_down(const vtkUnsignedCharArray& pixels, int width, int height) {
+Picture averaged_down(const DrawnFrame& drawn, int width, int height) {
   Picture picture{width, height, {}};
   picture.rgb.resize(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  const auto drawn_row = static_cast<std::size_t>(3 * oversampling * width);
-  const unsigned char* from = const_cast<vtkUnsignedCharArray&>(pixels).GetPointer(0);
+  const auto drawn_row = static_cast<std::size_t>(4 * oversampling * width);
   for (int y = 0; y < height; ++y) {
-    // VTK's rows begin at the bottom.
-    const auto first_row = static_cast<std::size_t>(oversampling * (height - 1 - y));
+    const auto first_row = static_cast<std::size_t>(oversampling * y);
     for (int x = 0; x < width; ++x) {
       for (std::size_t channel = 0; channel < 3; ++channel) {
         int sum = 0;
         for (std::size_t down = 0; down < oversampling; ++down) {
           for (std::size_t across = 0; across < oversampling; ++across) {
             const std::size_t column = oversampling * static_cast<std::size_t>(x) + across;
-            sum += from[(first_row + down) * drawn_row + 3 * column + channel];
+            sum += drawn.bgrx[(first_row + down) * drawn_row + 4 * column + 2 - channel];
           }
         }
         constexpr int samples = oversampling * oversampling;

@@ -14,12 +14,19 @@
 #include <vtkTextProperty.h>
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 namespace glisson::scene {
 namespace {
 
 unsigned char byte_of(double share) {
   return static_cast<unsigned char>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+}
+
+// VTK's fonts are shared by the whole program, whichever thread writes.
+std::mutex& fonts() {
+  static std::mutex one_at_a_time;
+  return one_at_a_time;
 }
 
 void justify(vtkTextProperty& property, Anchor anchor) {
@@ -54,10 +61,12 @@ class FlatProp : public vtkProp {
     const vtkOpenGLState::ScopedglEnableDisable depth_test_as_before(state, GL_DEPTH_TEST);
     state->vtkglDisable(GL_DEPTH_TEST);
     int drawn = shapes->RenderOverlay(viewport);
+    const std::lock_guard lock(fonts());
     for (const auto& text : texts) drawn += text->GetVisibility() != 0 ? text->RenderOverlay(viewport) : 0;
     return drawn;
   }
   int RenderOpaqueGeometry(vtkViewport* viewport) override {
+    const std::lock_guard lock(fonts());
     for (const auto& text : texts) {
       if (text->GetVisibility() != 0) text->RenderOpaqueGeometry(viewport);
     }
@@ -135,6 +144,7 @@ Eigen::Vector2d Overlay::text(const std::string& words, const Eigen::Vector2d& p
   property.SetBackgroundOpacity(style.plate_opacity);
   justify(property, anchor);
   std::array<double, 2> size{0, 0};
+  const std::lock_guard lock(fonts());
   actor.GetSize(&renderer_, size.data());
   return {size[0], size[1]};
 }

@@ -131,7 +131,7 @@ SliceActor::SliceActor(vtkRenderer& renderer, const SliceItem& item)
     line.original = line.now = wanted.surface.get();
   }
   for (const MaskLine& wanted : item_.masks) add_line(wanted.colour, wanted.width_px).mask = wanted.mask;
-  move_to(item_.center_mm);
+  place(item_.center_mm, item_.normal);
 }
 
 SliceActor::~SliceActor() {
@@ -139,17 +139,13 @@ SliceActor::~SliceActor() {
   for (const auto& line : lines_) renderer_.RemoveActor(line->actor);
 }
 
-void SliceActor::move_to(const Eigen::Vector3d& center_mm) {
-  plane_.center_mm = center_mm;
+void SliceActor::place(const Eigen::Vector3d& center_mm, const Eigen::Vector3d& normal) {
+  plane_ = {center_mm, normal.normalized()};
   item_.center_mm = center_mm;
+  item_.normal = plane_.normal;
   vtk_plane_->SetOrigin(center_mm.x(), center_mm.y(), center_mm.z());
   vtk_plane_->SetNormal(plane_.normal.x(), plane_.normal.y(), plane_.normal.z());
   draw_lines();
-}
-
-void SliceActor::turn_to(const Eigen::Vector3d& normal) {
-  plane_.normal = item_.normal = normal.normalized();
-  move_to(plane_.center_mm);
 }
 
 void SliceActor::set_window(double center, double width) {

@@ -32,8 +32,7 @@ class SliceActor {
   SliceActor(const SliceActor&) = delete;
   SliceActor& operator=(const SliceActor&) = delete;
 
-  void move_to(const Eigen::Vector3d& center_mm);
-  void turn_to(const Eigen::Vector3d& normal);
+  void place(const Eigen::Vector3d& center_mm, const Eigen::Vector3d& normal);
   void set_window(double center, double width);
   // The lines that cut `original` cut `now` from here on, its present shape, which must stay alive.
   void recut(const geometry::Surface* original, const geometry::Surface& now);

@@ -11,6 +11,7 @@
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkPointData.h>
+#include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
 #include <algorithm>
@@ -129,8 +130,14 @@ SurfaceActor::SurfaceActor(vtkRenderer& renderer, const SurfaceItem& item)
 
 SurfaceActor::~SurfaceActor() { renderer_.RemoveActor(actor_); }
 
-void SurfaceActor::set_transparency(Transparency transparency) {
-  if (GlassActor::SafeDownCast(actor_) != nullptr) actor_->SetForceOpaque(transparency == Transparency::quick);
+void SurfaceActor::sort_what_is_clear(bool sorted) {
+  if (GlassActor::SafeDownCast(actor_) != nullptr) actor_->SetForceOpaque(!sorted);
+}
+
+void SurfaceActor::draw_last() {
+  vtkPropCollection& all = *renderer_.GetViewProps();  // RemoveActor would let go of its buffers
+  all.RemoveItem(actor_);
+  all.AddItem(actor_);
 }
 
 // Surfaces with few triangles, and those whose triangles carry values, stay as they are.

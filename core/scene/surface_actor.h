@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "scene/view.h"
+#include "scene/view_changes.h"
 
 namespace glisson::scene {
 
@@ -27,13 +27,12 @@ class SurfaceActor {
 
   void move(const std::vector<Eigen::Vector3d>& points_mm);
   void recolour(const std::vector<double>& values);
-  void set_transparency(Transparency transparency);
+  // Of clear surfaces: each pixel sorted by VTK, or drawn in turn over what is there.
+  void sort_what_is_clear(bool sorted);
   void set_detail(Detail detail);
+  // From here on drawn last. What it holds in the graphics card's memory stays there.
+  void draw_last();
   void set_shown(bool shown) { actor_->SetVisibility(shown ? 1 : 0); }
-
-  [[nodiscard]] bool shown() const { return actor_->GetVisibility() != 0; }
-  // As it is now, moved points and all; its fields are those it was made with.
-  [[nodiscard]] const geometry::Surface& surface() const { return surface_; }
 
  private:
   void colour_by(const Colouring& colouring);

@@ -1,50 +1,29 @@
 #pragma once
-// A scene in a renderer that somebody else owns (the window's 3D widget, or draw()), and the quick changes that a
-// live picture needs: points that move, a camera that turns, without building anything again.
-//
-// The one public header in which the name of a VTK class stands, declared and not defined.
+// What a live picture shows: a scene, and the quick changes that it needs from frame to frame (points that move, a
+// camera that turns) without building anything again. Values alone: nothing is drawn here. What changed is handed to a
+// Painter (scene/painter.h), which may be on another thread; where things are in the picture is known here at once.
 
+#include <array>
 #include <Eigen/Core>
-#include <memory>
+#include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "scene/drawing.h"
-#include "scene/scene.h"
-
-class vtkRenderer;
+#include "scene/view_changes.h"
 
 namespace glisson::scene {
 
-enum class Visibility { shown, hidden };
-
-// How clear surfaces that overlap are put together: `exact` sorts every pixel; `quick` draws them in the scene's order
-// over what is solid, several times faster, and is hard to tell from it for one clear organ that comes last.
-enum class Transparency { exact, quick };
-
-// While the camera moves, a slow renderer is helped by fewer triangles: points that lie within a few mm become one.
-enum class Detail { full, coarse };
-
 class View {
  public:
-  // The renderer must outlive the view and belong to a render window before the first frame.
-  explicit View(vtkRenderer& renderer, double pixel_scale = 1);
-  ~View();
-  View(const View&) = delete;
-  View& operator=(const View&) = delete;
+  using SurfaceId = scene::SurfaceId;
 
   // Shows this scene in place of what was there. The scene's camera applies; without one the present camera stays,
   // or, the first time, everything is brought into view. Refuses as check_scene does and then changes nothing.
   Result<void> show(const Scene& scene);
 
-  // A surface is known by the pointer that the scene was given, wherever it stands there: drawn, cut by slices, or
-  // both.
-  using SurfaceId = std::shared_ptr<const geometry::Surface>;
-
-  // Moves the surface's points, given in the order they have there; what cuts it follows. 20,000 points take a few
-  // milliseconds. The count must match, which is asserted.
-  void move_surface(const SurfaceId& surface, const std::vector<Eigen::Vector3d>& points_mm);
+  // Moves the surface's points, given in the order they have there; what cuts it follows. The count must match, which
+  // is asserted; none: back to where the surface has them. A surface that the scene does not show is left alone.
+  void move_surface(const SurfaceId& surface, const Points& points_mm);
   // New values for the field that the surface is coloured by, one an item.
   void recolour_surface(const SurfaceId& surface, const std::vector<double>& values);
   void set_visibility(const SurfaceId& surface, Visibility visibility);
@@ -64,15 +43,12 @@ class View {
 
   // How many device pixels one pixel of line width or text stands for (2 on a high-resolution screen).
   void set_pixel_scale(double pixel_scale);
-  void set_transparency(Transparency transparency);
   void set_detail(Detail detail);
   void set_camera(const Camera& camera);
-  [[nodiscard]] const Camera& camera() const;
+  [[nodiscard]] const Camera& camera() const { return frame_.camera; }
 
-  // Call before each frame, with the size of the picture in device pixels: places letters, scale bar and legends. With
-  // `shrink` 2 it is drawn at half that size each way and enlarged by whoever shows it; everything else that is said
-  // in pixels stays in those of the picture.
-  void prepare_frame(int width, int height, int shrink = 1);
+  // What a Painter needs for the next frame, of that size in device pixels; the view begins to gather anew.
+  [[nodiscard]] ViewChanges take_changes(int width, int height, int shrink = 1);
 
   struct Pick {
     SurfaceId surface;
@@ -94,8 +70,18 @@ class View {
   [[nodiscard]] Eigen::Vector2d pixel_of(const Eigen::Vector3d& position_mm) const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Shown {
+    Points now;  // where its points were moved to; none while they are where the surface has them
+    Visibility visibility = Visibility::shown;
+  };
+
+  Frame frame_;
+  bool framed_ = false;  // whether a camera was ever chosen
+  std::map<SurfaceId, Shown> surfaces_;
+  std::map<SurfaceId, Shown> cut_;  // those that slices cut
+  std::size_t slices_ = 0;
+  double pixel_scale_ = 1;
+  ViewChanges changes_;
 };
 
 }  // namespace glisson::scene

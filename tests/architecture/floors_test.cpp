@@ -31,7 +31,7 @@ struct ThirdParty {
 const std::vector<ThirdParty> third_parties = {
     {"Qt", std::regex("Q[A-Z].*|Qt[A-Z].*"), {"widgets", "desktop"}},
     {"QCustomPlot", std::regex("qcustomplot\\.h"), {"widgets"}},
-    {"VTK", std::regex("vtk.*"), {"geometry", "meshing", "scene", "widgets"}},
+    {"VTK", std::regex("vtk.*"), {"geometry", "meshing", "scene"}},
     {"ITK", std::regex("itk.*"), {"imaging", "segmentation", "elastography", "meshing"}},
     {"DCMTK", std::regex("dcmtk/.*"), {"imaging"}},
     {"CGAL", std::regex("CGAL/.*"), {"geometry", "meshing"}},

@@ -11,7 +11,6 @@
 #include <QApplication>
 #include <QMouseEvent>
 #include <QSettings>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 
 #include "main_window.h"
@@ -32,6 +31,15 @@ void send_mouse(QWidget& widget, QEvent::Type type, const QPointF& at, Qt::Mouse
   QCoreApplication::sendEvent(&widget, &event);
 }
 
+// Until the view has drawn what it was asked for, and the window shows it.
+void wait_for_frame(glisson::widgets::RenderWidget& view) {
+  bool drawn = false;
+  const auto heard = QObject::connect(&view, &glisson::widgets::RenderWidget::frame_drawn, [&] { drawn = true; });
+  while (!drawn) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  QObject::disconnect(heard);
+  view.repaint();
+}
+
 void measure(glisson::widgets::MainWindow& window, const char* what) {
   using Clock = std::chrono::steady_clock;
   glisson::widgets::SpaceView& space = window.views().space();
@@ -41,7 +49,7 @@ void measure(glisson::widgets::MainWindow& window, const char* what) {
     send_mouse(space, QEvent::MouseButtonPress, middle, Qt::LeftButton);
     for (int k = 1; k <= count; ++k) {
       send_mouse(space, QEvent::MouseMove, middle + QPointF(4.0 * (k % 60), k % 20), Qt::LeftButton);
-      space.repaint();
+      wait_for_frame(space);
     }
     send_mouse(space, QEvent::MouseButtonRelease, middle, Qt::NoButton);
   };
@@ -52,7 +60,7 @@ void measure(glisson::widgets::MainWindow& window, const char* what) {
   send_mouse(space, QEvent::MouseButtonPress, middle, Qt::LeftButton);
   for (int k = 1; k <= frames; ++k) {
     send_mouse(space, QEvent::MouseMove, middle + QPointF(4.0 * (k % 60), k % 20), Qt::LeftButton);
-    space.repaint();
+    wait_for_frame(space);
     drawing_ms += space.last_frame_ms();
   }
   send_mouse(space, QEvent::MouseButtonRelease, middle, Qt::NoButton);
@@ -66,10 +74,6 @@ void measure(glisson::widgets::MainWindow& window, const char* what) {
 
 int main(int argc, char** argv) {
   using namespace glisson::widgets;
-  QSurfaceFormat format;
-  format.setVersion(3, 2);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  QSurfaceFormat::setDefaultFormat(format);
   QApplication application(argc, argv);
   const QTemporaryDir own;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, own.path());

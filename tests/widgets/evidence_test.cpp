@@ -140,11 +140,11 @@ class EvidenceTest : public QObject {
     SpaceView& space = view_->answer().residual_space();
     QVERIFY(space.isVisible());
     QTest::qWait(200);
-    const QImage before = space.grabFramebuffer();
+    const QImage before = space.picture();
     QVERIFY(window_->grab().save(pictures_ + "/evidence_before.png"));
     QTest::mouseClick(child<QPushButton>("evidence_after"), Qt::LeftButton);
     QTest::qWait(100);
-    QVERIFY(space.grabFramebuffer() != before);
+    QVERIFY(space.picture() != before);
     QVERIFY(window_->grab().save(pictures_ + "/evidence_after.png"));
     auto* trial = child<QComboBox>("evidence_trial");
     QCOMPARE(trial->count(), 4);

@@ -89,19 +89,19 @@ class ModelTest : public QObject {
   void shows_stiffness_and_supports_in_space() {
     SpaceView& space = window_->views().space();
     QTest::qWait(100);
-    const QImage stiffness = space.grabFramebuffer();
+    const QImage stiffness = space.picture();
     QVERIFY(QDir().mkpath(GLISSON_BINARY_DIR "/pictures"));
     QVERIFY(window_->grab().save(GLISSON_BINARY_DIR "/pictures/model_stiffness.png"));
     QTest::mouseClick(child<QPushButton>("show_supports"), Qt::LeftButton);
     QTest::qWait(100);
-    const QImage supports = space.grabFramebuffer();
+    const QImage supports = space.picture();
     QVERIFY(supports != stiffness);
     QVERIFY(!panel_->facts()->held.triangles.empty());
     QVERIFY(!panel_->facts()->on_springs.triangles.empty());
     QVERIFY(window_->grab().save(GLISSON_BINARY_DIR "/pictures/model_supports.png"));
     QTest::mouseClick(child<QPushButton>("show_patient"), Qt::LeftButton);
     QTest::qWait(100);
-    QVERIFY(space.grabFramebuffer() != supports);
+    QVERIFY(space.picture() != supports);
   }
 
   void a_case_without_a_model_builds_one() {

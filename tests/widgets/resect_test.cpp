@@ -160,10 +160,10 @@ class ResectTest : public QObject {
   }
 
   void the_parts_come_apart_in_the_picture() {
-    const QImage together = window_->views().space().grabFramebuffer();
+    const QImage together = window_->views().space().picture();
     child<QSlider>("apart")->setValue(60);
     QTest::qWait(100);
-    const QImage apart = window_->views().space().grabFramebuffer();
+    const QImage apart = window_->views().space().picture();
     QVERIFY(together != apart);
   }
 

@@ -3,7 +3,6 @@
 
 #include <QApplication>
 #include <QSettings>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -14,10 +13,6 @@ namespace glisson::widgets {
 
 template <typename Test>
 int run_test(int argc, char** argv) {
-  QSurfaceFormat format;  // VTK needs a core profile
-  format.setVersion(3, 2);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  QSurfaceFormat::setDefaultFormat(format);
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QApplication application(argc, argv);
   // No choice of this computer's user is read or written; the window speaks English until a test says otherwise.

@@ -1,5 +1,6 @@
 // The tour, as a person takes it: by its buttons, through every workspace, on the demo patient. At each stop the window
-// is drawn and held against its baseline, and what its event loop stood still is printed.
+// is drawn and held against its baseline. Nowhere on the way does its thread compute for longer than 100 ms in one
+// piece, which is its longest stall on a machine that does nothing else; what it stood still on this one is printed.
 
 #include <QDir>
 #include <QImage>
@@ -25,6 +26,7 @@ class TourTest : public QObject {
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
     QVERIFY(!window_->tour().isVisible());
+    window_->stalls().forget();
     window_->findChild<QAction*>("take_tour")->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(window_->tour().isVisible(), patience_ms);
     QVERIFY(window_->tour().stops() >= 2);
@@ -34,15 +36,19 @@ class TourTest : public QObject {
     std::set<QString> seen;
     for (int stop = 0; stop < window_->tour().stops(); ++stop) {
       QCOMPARE(window_->tour().stop(), stop);
-      window_->stalls().forget();
       settle();
       const QString workspace = window_->workspace();
       seen.insert(workspace);
-      qInfo("%s: the window stood still for %.0f ms at most", qPrintable(workspace), window_->stalls().longest_ms());
+      const double computing_ms = window_->stalls().longest_computing_ms();
+      qInfo("%s: the window stood still for %.0f ms at most, of which it computed %.0f ms at most",
+            qPrintable(workspace), window_->stalls().longest_ms(), computing_ms);
+      if (computing_ms > StallWatch::noticeable_ms) stalls_ << QString("%1: %2 ms").arg(workspace).arg(computing_ms);
       const test::PictureVerdict verdict = test::held_against_baseline(shown(), "tour-" + workspace);
       if (!verdict.alike) pictures_that_differ_ << verdict.words;
+      window_->stalls().forget();  // holding pictures against each other is this test's own work
       QTest::mouseClick(window_->findChild<QPushButton*>("tour_next"), Qt::LeftButton);
     }
+    QVERIFY2(stalls_.isEmpty(), qPrintable(stalls_.join(", ")));
     QCOMPARE(static_cast<int>(seen.size()), window_->tour().stops());
     QVERIFY(!window_->tour().isVisible());  // the last button ends it
     QVERIFY2(pictures_that_differ_.isEmpty(), qPrintable(pictures_that_differ_.join('\n')));
@@ -77,6 +83,7 @@ class TourTest : public QObject {
 
   std::unique_ptr<MainWindow> window_;
   QStringList pictures_that_differ_;
+  QStringList stalls_;  // longer than a hand on the mouse notices
 };
 
 }  // namespace

@@ -170,7 +170,7 @@ class ViewsTest : public QObject {
     QVERIFY((coronal.sight - surgeon.sight).norm() < 1e-9);
     QVERIFY((coronal.up - surgeon.up).norm() < 1e-9);
     QTest::qWait(50);
-    QVERIFY(views().slice(SliceDirection::coronal).grabFramebuffer().width() > 0);
+    QVERIFY(views().slice(SliceDirection::coronal).picture().width() > 0);
     key(Qt::Key_0);
     QVERIFY((views().slice(SliceDirection::coronal).normal() - Eigen::Vector3d::UnitY()).norm() < 1e-12);
   }

@@ -254,8 +254,8 @@ class WindowTest : public QObject {
     return wanted_mm / window_->rehearsal().frame()->patient.landmarks[0].displacement_mm;
   }
 
-  static qsizetype distinct_colours(QOpenGLWidget& view) {
-    const QImage picture = view.grabFramebuffer();
+  static qsizetype distinct_colours(RenderWidget& view) {
+    const QImage picture = view.picture();
     QSet<QRgb> colours;
     for (int y = 0; y < picture.height(); y += 2) {
       for (int x = 0; x < picture.width(); x += 2) colours.insert(picture.pixel(x, y));

@@ -1,6 +1,5 @@
 #include "diary/diary.h"
 
-#include <vtkVersion.h>
 #include <QFile>
 #include <QFileInfo>
 #include <QStringList>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "scene/painter.h"
 
 namespace glisson::widgets {
 namespace {
@@ -63,7 +63,7 @@ QString line_of(const DiaryEntry& entry) {
 QString problem_report(const Diary& diary, const QString& graphics) {
   QStringList lines{
       QString("Glisson %1").arg(QString::fromStdString(version())),
-      QString("Qt %1, VTK %2").arg(qVersion(), vtkVersion::GetVTKVersion()),
+      QString("Qt %1, %2").arg(qVersion(), QString::fromStdString(scene::drawing_library())),
       QString("%1, %2, %3 processors")
           .arg(QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture())
           .arg(QThread::idealThreadCount()),

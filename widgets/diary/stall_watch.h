@@ -17,7 +17,10 @@ class StallWatch : public QObject {
 
   // The longest since the watch began, or since it was last forgotten.
   [[nodiscard]] double longest_ms() const { return longest_ms_; }
-  void forget() { longest_ms_ = 0; }
+  // The most that the window's own thread computed in one piece: what would have been the stall on a machine that does
+  // nothing else.
+  [[nodiscard]] double longest_computing_ms() const { return longest_computing_ms_; }
+  void forget();
 
  Q_SIGNALS:
   void stood_still(double ms);  // for longer than noticeable_ms
@@ -25,7 +28,9 @@ class StallWatch : public QObject {
  private:
   QTimer timer_;
   QElapsedTimer since_;
+  double computed_before_ms_ = 0;
   double longest_ms_ = 0;
+  double longest_computing_ms_ = 0;
 };
 
 }  // namespace glisson::widgets

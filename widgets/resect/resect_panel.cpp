@@ -289,7 +289,7 @@ void ResectPanel::show_scene() {
 void ResectPanel::move_square() {
   if (!square_ || !plane_ || !isVisible()) return;
   const auto corners = corners_mm(*plane_, reach_mm());
-  const std::vector<Vector3d> moved_mm(corners.begin(), corners.end());
+  const auto moved_mm = std::make_shared<const std::vector<Vector3d>>(corners.begin(), corners.end());
   bench_.views.space().view().move_surface(square_, moved_mm);
   for (SliceView* slice : bench_.views.slices()) slice->view().move_surface(square_, moved_mm);
 }

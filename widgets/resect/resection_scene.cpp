@@ -31,8 +31,8 @@ void ResectionScene::add_to(WorkspaceScene& scene) const {
 void ResectionScene::draw_apart(scene::View& view, double apart_mm) const {
   if (!result_) return;
   const auto move = [&](const std::shared_ptr<const geometry::Surface>& surface) {
-    std::vector<Eigen::Vector3d> points_mm = surface->points_mm;
-    for (Eigen::Vector3d& point : points_mm) point += apart_mm * result_->towards_specimen;
+    auto points_mm = std::make_shared<std::vector<Eigen::Vector3d>>(surface->points_mm);
+    for (Eigen::Vector3d& point : *points_mm) point += apart_mm * result_->towards_specimen;
     view.move_surface(surface, points_mm);
   };
   for (const ResectedPiece& piece : result_->pieces) {

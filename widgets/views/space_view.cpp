@@ -24,6 +24,9 @@ SpaceView::SpaceView(QWidget* parent) : RenderWidget(parent) {
   setObjectName("space_view");
   calm_.setSingleShot(true);
   calm_.setInterval(calm_after_ms);
+  connect(this, &RenderWidget::frame_drawn, this, [this] {
+    if (!coarse_) full_frame_ms_ = last_frame_ms();
+  });
   connect(&calm_, &QTimer::timeout, this, [this] {
     coarse_ = false;
     view().set_detail(scene::Detail::full);
@@ -38,11 +41,6 @@ void SpaceView::hurry() {
     view().set_detail(scene::Detail::coarse);
   }
   if (coarse_) calm_.start();
-}
-
-void SpaceView::paintGL() {
-  RenderWidget::paintGL();
-  if (!coarse_) full_frame_ms_ = last_frame_ms();
 }
 
 int SpaceView::shrink() const {

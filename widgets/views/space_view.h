@@ -6,7 +6,7 @@
 #include <QPointF>
 #include <QTimer>
 
-#include "vtk/render_widget.h"
+#include "views/render_widget.h"
 
 namespace glisson::widgets {
 
@@ -47,7 +47,6 @@ class SpaceView : public RenderWidget {
   void wheelEvent(QWheelEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  void paintGL() override;
   [[nodiscard]] int shrink() const override;
 
  private:

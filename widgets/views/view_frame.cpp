@@ -1,6 +1,5 @@
 #include "views/view_frame.h"
 
-#include <QGuiApplication>
 #include <QMouseEvent>
 #include <QVBoxLayout>
 
@@ -43,12 +42,6 @@ ViewFrame::ViewFrame(const QColor& accent, QWidget* view, QWidget* parent) : QFr
   connect(maximise_, &QToolButton::clicked, this, &ViewFrame::maximise_requested);
   column->addWidget(bar);
   column->addWidget(view, 1);
-  // In a native window of its own, a view that changes makes Qt put together that view alone, and not the whole window:
-  // half of a frame's time on a software renderer.
-  if (QGuiApplication::platformName() == "xcb") {
-    setAttribute(Qt::WA_DontCreateNativeAncestors);
-    setAttribute(Qt::WA_NativeWindow);
-  }
   worded(this, [this] {
     picture_->setToolTip(tr("Save the picture of this view"));
     show_maximised(maximised_);

@@ -1,0 +1,163 @@
+#include "views/render_widget.h"
+
+#include <algorithm>
+#include <chrono>
+#include <QFutureWatcher>
+#include <QPainter>
+#include <QSemaphore>
+#include <QtConcurrentRun>
+#include <QThreadPool>
+#include <QTimer>
+
+#include "scene/painter.h"
+#include "words/told.h"
+
+namespace glisson::widgets {
+namespace {
+
+const QColor empty_view(5, 6, 7);
+const QColor faint_words(150, 158, 168);
+
+// One for all views: what draws in software uses every core for each frame anyway.
+QThreadPool& drawing_thread() {
+  static QThreadPool pool;
+  static const bool set_up = [] {
+    pool.setMaxThreadCount(1);
+    pool.setExpiryTimeout(-1);  // painters belong to their thread
+    return true;
+  }();
+  static_cast<void>(set_up);
+  return pool;
+}
+
+QImage image_of(scene::DrawnFrame&& frame) {
+  auto* kept = new scene::DrawnFrame(std::move(frame));
+  return QImage(
+      kept->bgrx.data(), kept->width, kept->height, 4 * kept->width, QImage::Format_RGB32,
+      [](void* held) { delete static_cast<scene::DrawnFrame*>(held); }, kept);
+}
+
+}  // namespace
+
+struct RenderWidget::Drawn {
+  int number = 0;
+  QImage image;  // null where nothing can be drawn
+  double took_ms = 0;
+  QString by;
+  std::optional<Error> problem;
+};
+
+struct RenderWidget::Drawer {
+  std::unique_ptr<scene::Painter> painter;
+
+  Drawn draw(int number, const scene::ViewChanges& changes) {
+    const auto start = std::chrono::steady_clock::now();
+    if (!painter) painter = std::make_unique<scene::Painter>();
+    auto frame = painter->paint(changes);
+    Drawn drawn{number, {}, 0, QString::fromStdString(painter->drawn_by()), std::nullopt};
+    if (frame) {
+      drawn.image = image_of(*std::move(frame));
+    } else {
+      drawn.problem = frame.error();
+    }
+    drawn.took_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return drawn;
+  }
+};
+
+RenderWidget::RenderWidget(QWidget* parent) : QWidget(parent), drawer_(std::make_shared<Drawer>()) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(120, 100);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+}
+
+RenderWidget::~RenderWidget() {
+  drawing_thread().start([drawer = std::move(drawer_)] { drawer->painter.reset(); });
+}
+
+double RenderWidget::mm_per_pixel() const { return view_.camera().visible_height_mm / std::max(1, height()); }
+
+void RenderWidget::redraw() {
+  out_of_date_ = true;
+  if (due_ || under_way_ || !isVisible()) return;
+  due_ = true;
+  // Not at once: what changes in one turn of the event loop is drawn once.
+  QTimer::singleShot(0, this, [this] {
+    due_ = false;
+    if (out_of_date_ && !under_way_ && isVisible()) begin_frame();
+  });
+}
+
+std::shared_ptr<scene::ViewChanges> RenderWidget::take_changes() {
+  out_of_date_ = false;
+  ++frames_begun_;
+  view_.set_pixel_scale(devicePixelRatioF());  // another one when the window moves to another screen
+  return std::make_shared<scene::ViewChanges>(
+      view_.take_changes(std::max(device_width(), 1), std::max(device_height(), 1), shrink()));
+}
+
+void RenderWidget::begin_frame() {
+  under_way_ = true;
+  auto* watcher = new QFutureWatcher<Drawn>(this);
+  connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher] {
+    watcher->deleteLater();
+    under_way_ = false;
+    show_frame(watcher->result());
+    if (out_of_date_) redraw();
+  });
+  const auto changes = take_changes();
+  watcher->setFuture(QtConcurrent::run(&drawing_thread(), [drawer = drawer_, changes, number = frames_begun_] {
+    return drawer->draw(number, *changes);
+  }));
+}
+
+QImage RenderWidget::picture() {
+  const auto changes = take_changes();
+  // Not QFuture::result(), which may run what has not begun yet on the thread that waits.
+  Drawn drawn;
+  QSemaphore done;
+  drawing_thread().start([&] {
+    drawn = drawer_->draw(frames_begun_, *changes);
+    done.release();
+  });
+  done.acquire();
+  show_frame(drawn);
+  const QSize size(device_width(), device_height());
+  return frame_.size() == size ? frame_ : frame_.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+}
+
+void RenderWidget::show_frame(const Drawn& drawn) {
+  if (drawn.number < frame_shown_) return;  // picture() has overtaken it
+  frame_shown_ = drawn.number;
+  frame_ = drawn.image;
+  last_frame_ms_ = drawn.took_ms;
+  if (!drawn.by.isEmpty()) drawn_by_ = drawn.by;
+  if (drawn.problem) why_none_ = told(*drawn.problem);
+  update();
+  Q_EMIT frame_drawn();
+}
+
+void RenderWidget::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  redraw();
+}
+
+void RenderWidget::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  redraw();
+}
+
+void RenderWidget::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  if (frame_.isNull()) {
+    painter.fillRect(rect(), empty_view);
+    painter.setPen(faint_words);
+    painter.drawText(rect().marginsRemoved({12, 12, 12, 12}), Qt::AlignCenter | Qt::TextWordWrap, why_none_);
+    return;
+  }
+  painter.setRenderHint(QPainter::SmoothPixmapTransform, frame_.width() < device_width());
+  painter.drawImage(rect(), frame_);
+}
+
+}  // namespace glisson::widgets
