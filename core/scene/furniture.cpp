@@ -32,6 +32,7 @@ struct Page {
 Page page_for(Overlay& overlay, const Frame& frame, const FlatContent& content, double pixel_scale);
 void lay_out_crosshair(Page& page);
 void lay_out_lines(Page& page);
+std::optional<Eigen::AlignedBox2d> place_of_scale_bar(const Page& page);
 void lay_out_labels(Page& page);
 void lay_out_warning(Page& page);
 void lay_out_titles(Page& page);
@@ -50,7 +51,7 @@ void lay_out(Overlay& overlay, const Frame& frame, const FlatContent& content, d
   lay_out_lines(page);
   lay_out_labels(page);
   lay_out_titles(page);
-  if (content.furniture.scale_bar == Furniture::ScaleBar::shown) lay_out_scale_bar(page);
+  lay_out_scale_bar(page);
   lay_out_legends(page);
   if (content.furniture.orientation == Furniture::Orientation::letters) lay_out_letters(page);
   if (content.furniture.orientation == Furniture::Orientation::cube) lay_out_cube(page);
@@ -123,8 +124,8 @@ struct Label {
   double clearance;  // how far from it the text stays
 };
 
-// Labels stand to the upper right of their points; one that would cover another moves down until it does not, and a
-// thin line then leads to its point.
+// Labels stand to the upper right of their points; one that would cover another moves down until it does not, one over
+// the scale bar moves up, and a thin line then leads to its point.
 void lay_out_labels(Page& page) {
   std::vector<Label> labels;
   const double scale = page.frame.pixels_per_mm();
@@ -144,6 +145,7 @@ void lay_out_labels(Page& page) {
 
   TextStyle style = page.body(14);
   style.plate_opacity = 0.55;
+  const auto scale_bar = place_of_scale_bar(page);
   std::vector<Eigen::AlignedBox2d> taken;
   for (const Label& label : labels) {
     const double away = label.clearance * 0.75 + 5 * page.unit;
@@ -155,6 +157,10 @@ void lay_out_labels(Page& page) {
       return other.intersects(Eigen::AlignedBox2d(low, low + size));
     };
     bool moved = false;
+    if (scale_bar && covers(*scale_bar)) {
+      low.y() = scale_bar->max().y() + 2 * page.unit;
+      moved = true;
+    }
     for (auto other = std::find_if(taken.begin(), taken.end(), covers); other != taken.end();
          other = std::find_if(taken.begin(), taken.end(), covers)) {
       low.y() = other->min().y() - size.y() - 2 * page.unit;
@@ -199,15 +205,27 @@ void lay_out_titles(Page& page) {
   }
 }
 
-void lay_out_scale_bar(Page& page) {
-  // The longest of 1, 2, 5, 10, ... mm that takes at most a fifth of the width; it holds in the plane of the focus.
+// The longest of 1, 2, 5, 10, ... mm that takes at most a fifth of the width; it holds in the plane of the focus.
+double scale_bar_mm(const Page& page) {
   const double room_mm = 0.2 * page.frame.width / page.frame.pixels_per_mm();
-  if (!(room_mm > 0)) return;
+  if (!(room_mm > 0)) return 0;
   const double decade = std::pow(10.0, std::floor(std::log10(room_mm)));
-  const double length_mm = decade * (room_mm >= 5 * decade ? 5 : room_mm >= 2 * decade ? 2 : 1);
-  const double length_px = length_mm * page.frame.pixels_per_mm();
-  const Vector2d from(page.margin(), page.floor + page.margin());
-  const Vector2d to = from + Vector2d(length_px, 0);
+  return decade * (room_mm >= 5 * decade ? 5 : room_mm >= 2 * decade ? 2 : 1);
+}
+
+// With its words.
+std::optional<Eigen::AlignedBox2d> place_of_scale_bar(const Page& page) {
+  const double length_mm = scale_bar_mm(page);
+  if (page.content.furniture.scale_bar != Furniture::ScaleBar::shown || !(length_mm > 0)) return std::nullopt;
+  const Vector2d low(page.margin(), page.floor + page.margin());
+  return Eigen::AlignedBox2d(low, low + Vector2d(length_mm * page.frame.pixels_per_mm(), 24 * page.unit));
+}
+
+void lay_out_scale_bar(Page& page) {
+  const auto place = place_of_scale_bar(page);
+  if (!place) return;
+  const double length_mm = scale_bar_mm(page);
+  const Vector2d from = place->min(), to(place->max().x(), from.y());
   const Vector2d tick(0, 3.5 * page.unit);
   for (const double halo : {3.0, 0.0}) {  // first a dark rim, so that it reads on bright tissue too
     const double width = (1.6 + halo) * page.unit;
