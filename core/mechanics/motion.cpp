@@ -155,7 +155,7 @@ void MovingBody::Parts::assemble() {
   matrix.values() = constant.values();
   cells.add_stiffness(stiffness_factor(), matrix);
   preconditioner.refresh_diagonal(matrix);
-  if (lattice_is_due) preconditioner.refresh_lattice(matrix);
+  if (lattice_is_due) preconditioner.refresh_lattices(matrix);
 }
 
 // h (f + h K v), with the damping's force in f: everything elastic is one pass over the cells at u + (h + beta) v.
