@@ -11,6 +11,7 @@
 
 #include "mechanics/block_csr.h"
 #include "mechanics/body.h"
+#include "mechanics/cell_batch.h"
 
 namespace glisson::mechanics {
 
@@ -28,10 +29,7 @@ class TurningCells {
   // The pattern of the stiffness: which nodes share a cell, themselves included.
   [[nodiscard]] Lists neighbours() const;
 
-  struct Turned {
-    int inverted_cells = 0;
-    double strain_energy_uJ = 0;
-  };
+  using Turned = CellKernels::Turned;
   // Takes every cell's rotation from the displacement.
   Turned turn(const Eigen::VectorXd& u_mm);
 
@@ -43,30 +41,22 @@ class TurningCells {
   void add_stiffness(double factor, BlockCsr& matrix);
 
  private:
-  struct Cell {
-    std::array<int, 4> nodes;
-    Eigen::Matrix<double, 3, 3> gradients;  // columns: of the nodes 1, 2, 3; that of node 0 is minus their sum
-    double lambda_volume, mu_volume;        // Lame's constants times the volume (kPa mm3)
-  };
   struct Slab {
-    std::size_t begin, end;  // of cells_
+    std::size_t begin, end;  // of batches_
   };
 
-  void make_slabs();
-  void find_blocks(const BlockCsr& matrix);
   template <typename Work>
-  void each_cell(const Work& work) const;
-  template <bool at_rest_is_identity>
-  [[nodiscard]] Eigen::Matrix3d stress_times_volume(std::size_t cell, const Eigen::VectorXd& w) const;
-  void scatter(std::size_t cell, const Eigen::Matrix3d& stress, Eigen::VectorXd& force) const;
+  void each_slab(const Work& work) const;
+  void find_blocks(const BlockCsr& matrix);
+  void add_forces(const Eigen::VectorXd& w, double rest, double factor, Eigen::VectorXd& forces) const;
 
   Turning turning_;
+  CellKernels kernels_ = cell_kernels();
   std::vector<int> node_of_layout_;
   std::vector<Eigen::Vector3d> rest_mm_;
-  std::vector<Cell> cells_;
-  std::vector<Eigen::Matrix3d> rotations_;
+  std::vector<CellBatch> batches_;  // of one slab each
   std::vector<Slab> slabs_;
-  std::vector<std::array<int, 16>> blocks_;  // of a cell in the matrix, row after row; found at the first use
+  std::vector<std::array<int, 16>> blocks_;  // of each lane's cell in the matrix, row after row; found at the first use
 };
 
 }  // namespace glisson::mechanics
