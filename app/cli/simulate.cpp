@@ -75,7 +75,9 @@ Result<mechanics::SimulationOptions> simulation_options(const Options& options, 
       .map([&](mechanics::MaterialData data) {
         simulation.data = std::move(data);
         return simulation;
-      });
+      })
+      .map_error(
+          [&](const Error& error) { return error.file.empty() ? Error(error).in_file(*options.data_file) : error; });
 }
 
 Result<Outcome> simulate(const Options& options, const Progress& progress) {

@@ -45,6 +45,15 @@ Result<std::vector<mechanics::StressStrain>> from_table(const std::filesystem::p
   std::vector<mechanics::StressStrain> measured;
   for (std::size_t row = 0; row < table->rows(); ++row) {
     measured.push_back({table->columns[*strain][row], table->columns[*stress][row]});
+    for (const std::size_t column : {*strain, *stress}) {
+      if (std::isfinite(table->columns[column][row])) continue;
+      return failure(Error{"data-not-a-number",
+                           GLISSON_TEXT("In line {0} no number stands in the column \"{1}\"."),
+                           {std::to_string(table->lines[row]), table->names[column]},
+                           GLISSON_TEXT("A line needs a strain (0.05 for 5 %) and a stress in kPa, numbers with a dot: "
+                                        "look for a missing value, a unit, or a decimal comma."),
+                           file});
+    }
   }
   return measured;
 }

@@ -71,7 +71,12 @@ TEST(SimulateFromData, MeasuredPointsOnALineMoveTheBodyAsTheLineDoes) {
   const Finished refused = glisson_cli({"simulate", "--mesh", at("cube.vtu"), "--scenario", at("by-data.json"),
                                         "--data", at("nonsense.csv"), "--out", at("none"), "--quiet"});
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.err, testing::HasSubstr("at least 3 measurements"));
+  for (const char* said : {"nonsense.csv", "line 2", "stress_kPa"}) EXPECT_THAT(refused.err, testing::HasSubstr(said));
+  ASSERT_TRUE(write_text_file(at("few.csv"), "strain,stress_kPa\n0.1,0.6\n"));
+  const Finished too_few = glisson_cli({"simulate", "--mesh", at("cube.vtu"), "--scenario", at("by-data.json"),
+                                        "--data", at("few.csv"), "--out", at("none"), "--quiet"});
+  EXPECT_EQ(too_few.exit_code, 1);
+  for (const char* said : {"few.csv", "at least 3 measurements"}) EXPECT_THAT(too_few.err, testing::HasSubstr(said));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "none"));
 }
 
