@@ -66,6 +66,8 @@ std::string result_text(const mechanics::Simulation& simulation) {
                                    {"contacts", tool.contacts},
                                    {"advance_mm", tool.advance_mm},
                                    {"penetration_mm", tool.penetration_mm}});
+      if (tool.sticking + tool.slipping == 0) continue;
+      document["tools"].back()["friction"] = {{"sticking", tool.sticking}, {"slipping", tool.slipping}};
     }
   }
   if (simulation.cut) {

@@ -32,6 +32,7 @@ struct TouchingTool {
   ToolShape shape;
   Pose pose;
   std::optional<double> push_mN;
+  double friction = 0;  // Coulomb's coefficient; above zero it is for large_contact.h, and not for ContactBody
 };
 
 // Jaws that closed on the points of the surface within the radius of a place at rest, and turn freely about it. Their
@@ -62,6 +63,7 @@ struct ToolContact {
   int contacts = 0;                   // places that it presses on, or points that it holds
   double advance_mm = 0;              // how far a pushed tool slid from its pose
   double penetration_mm = 0;          // the deepest of any place of the surface in it
+  int sticking = 0, slipping = 0;     // of the contacts, where there is friction
 };
 
 struct ContactReport {

@@ -1,12 +1,16 @@
 #pragma once
 // Rigid tools that press on a body at large deformation, of any material and with all that is around it: no deeper than
-// a tolerance, without friction, several at once, held in place or pushed by a force; and graspers that pull with a
-// force or hold their patch's mean at a displacement. The counterpart of contact.h, a factorisation a Newton step and
-// therefore far from live.
+// a tolerance, with friction or without, several at once, held in place or pushed by a force; and graspers that pull
+// with a force or hold their patch's mean at a displacement. The counterpart of contact.h, a factorisation a Newton
+// step and therefore far from live.
 //
 // The same places of the surface as there; at each the gap g to the tool's rods, with their bend, holds by an augmented
 // Lagrangian: the energy (max(0, p - k g)^2 - p^2) / (2 k) is added to the body's (newton.h) and p, the force, is
 // brought up to p - k g until neither p nor the surface changes (e.g. Wriggers, Computational Contact Mechanics, 6.3).
+// Coulomb's friction joins in the same way (ibid., 6.3.3; Simo and Laursen 1992, Comput. Struct. 42:97): a place that
+// bears the force p drags with t, |t| <= mu p, against the way s that it slid over its tool since the station before,
+// by the energy of y = t - k s, |y|^2 / (2 k) within mu p and (mu p |y| - (mu p)^2 / 2) / k beyond, where it slips. p,
+// the normal and mu p are those of the round before.
 // What jaws hold at a displacement is held in the same way, by (|p - k d|^2 - |p|^2) / (2 k), d being how far it is
 // off. The advance of a pushed tool is found by secants on the force that it meets.
 
@@ -32,7 +36,10 @@ Result<LargeContact> find_equilibrium_in_contact(const Body& body, const std::ve
                                                  const std::vector<std::vector<HandTool>>& stations,
                                                  const ContactOptions& options = {}, const Progress& progress = {});
 
-// The same over meshfree frames. Failure besides: "not-available" (a grasper whose displacement is given).
+// What meshfree frames can be touched with. Failure: "not-available" (a grasper whose displacement is given).
+Result<void> check_tools_on_frames(const std::vector<HandTool>& tools);
+
+// The same over meshfree frames. Failure besides: that of check_tools_on_frames.
 Result<LargeContact> find_equilibrium_in_contact(const MeshfreeModel& model, const AppliedLoads& loads,
                                                  const std::vector<std::vector<HandTool>>& stations,
                                                  const ContactOptions& options = {}, const Progress& progress = {});

@@ -23,6 +23,18 @@ struct Gap {
 };
 Gap gap_of(const Bearing& bearing, const VectorXd& u_mm);
 
+// Where a place is now.
+Vector3d place_of(const Bearing& bearing, const VectorXd& u_mm);
+
+// The tangential force that a place is dragged with, and how that turns and grows as the place moves on.
+struct Drag {
+  Vector3d force_mN{0, 0, 0};
+  Matrix3d stiffness = Matrix3d::Zero();
+  double energy_uJ = 0;
+  bool slips = false;
+};
+Drag drag_of(const Bearing& bearing, double k_mN_mm, const VectorXd& u_mm);
+
 // How far a held patch is from where it should be.
 Vector3d off_mm(const HeldPatch& patch, const VectorXd& u_mm);
 
@@ -37,7 +49,7 @@ class BearingBody : public Landscape {
     double sum = alone_.energy_uJ(u_mm);
     for (const Bearing& bearing : bearings_) {
       const double force = force_of(bearing, gap_of(bearing, u_mm));
-      sum += (force * force - bearing.force_mN * bearing.force_mN) / (2 * k_);
+      sum += (force * force - bearing.force_mN * bearing.force_mN) / (2 * k_) + drag_of(bearing, k_, u_mm).energy_uJ;
     }
     for (const HeldPatch& patch : patches_) {
       sum += (force_of(patch, u_mm).squaredNorm() - patch.force_mN.squaredNorm()) / (2 * k_);
@@ -59,9 +71,10 @@ class BearingBody : public Landscape {
     for (const Bearing& bearing : bearings_) {
       const Gap gap = gap_of(bearing, u_mm);
       const double force = force_of(bearing, gap);
-      if (force == 0) continue;
-      Matrix3d block = k_ * gap.normal * gap.normal.transpose();
-      if (which == Tangent::exact) block -= force * gap.bend;
+      if (force == 0 && bearing.most_drag_mN == 0) continue;
+      Matrix3d block = drag_of(bearing, k_, u_mm).stiffness;
+      if (force > 0) block += k_ * gap.normal * gap.normal.transpose();
+      if (force > 0 && which == Tangent::exact) block -= force * gap.bend;
       for (int a = 0; a < 3; ++a) {
         for (int b = 0; b < 3; ++b) {
           add(bearing.nodes[a], bearing.nodes[b], bearing.place.weights[a] * bearing.place.weights[b] * block);
@@ -81,7 +94,9 @@ class BearingBody : public Landscape {
   }
   [[nodiscard]] double energy_scale_uJ(const VectorXd& u_mm) const override {
     double scale = alone_.energy_scale_uJ(u_mm);
-    for (const Bearing& bearing : bearings_) scale += bearing.force_mN * bearing.force_mN / k_;
+    for (const Bearing& bearing : bearings_) {
+      scale += (bearing.force_mN * bearing.force_mN + bearing.drag_mN.squaredNorm()) / k_;
+    }
     for (const HeldPatch& patch : patches_) scale += patch.force_mN.squaredNorm() / k_;
     return scale;
   }
@@ -96,7 +111,7 @@ class BearingBody : public Landscape {
     VectorXd sum = VectorXd::Zero(u_mm.size());
     for (const Bearing& bearing : bearings_) {
       const Gap gap = gap_of(bearing, u_mm);
-      const Vector3d force = force_of(bearing, gap) * gap.normal;
+      const Vector3d force = force_of(bearing, gap) * gap.normal + drag_of(bearing, k_, u_mm).force_mN;
       for (int i = 0; i < 3; ++i) sum.segment<3>(3 * bearing.nodes[i]) += bearing.place.weights[i] * force;
     }
     for (const HeldPatch& patch : patches_) {
@@ -216,16 +231,28 @@ Result<bool> Pressing::rest_under(const std::vector<HandTool>& tools, const Grou
       if (!(next_mm > drive.low_mm && next_mm < drive.high_mm)) next_mm = 0.5 * (drive.low_mm + drive.high_mm);
       advance_mm = next_mm;
     }
-    if (as_pushed) return true;
+    if (!as_pushed) continue;
+    for (Bearing& bearing : bearings_) anchor(bearing, tools);
+    return true;
   }
   return false;
 }
 
 Result<bool> Pressing::rest_at_advances(const std::vector<HandTool>& tools, const Ground& ground) {
-  for (Bearing& bearing : bearings_) bearing.rod = rod_of(bearing.place, tools);
+  for (Bearing& bearing : bearings_) {
+    bearing.rod = rod_of(bearing.place, tools);
+    const Pose pose = pose_of(bearing.place.tool, tools);
+    bearing.from_mm = pose.rotation * bearing.from_on_tool_mm + pose.position_mm;
+  }
   constexpr int most_rounds = 40;
   for (int round = 0; round < most_rounds; ++round) {
     bear(tools);
+    for (Bearing& bearing : bearings_) {
+      bearing.most_drag_mN = bearing.friction * bearing.force_mN;
+      if (bearing.most_drag_mN == 0) continue;
+      bearing.normal = gap_of(bearing, u_mm_).normal;
+      bearing.drag_mN -= bearing.drag_mN.dot(bearing.normal) * bearing.normal;
+    }
     const BearingBody landscape(ground.alone, bearings_, patches_, k_mN_mm_);
     const double scale_mN = ground.scale_mN +
                             of_the_free(body_->resolved.held, landscape.tools_force_mN(u_mm_)).norm() +
@@ -243,6 +270,11 @@ Result<bool> Pressing::rest_at_advances(const std::vector<HandTool>& tools, cons
       changed_mN += std::abs(force_mN - bearing.force_mN);
       all_mN += force_mN;
       bearing.force_mN = force_mN;
+      const Drag drag = drag_of(bearing, k_mN_mm_, u_mm_);
+      changed_mN += (drag.force_mN - bearing.drag_mN).norm();
+      bearing.drag_mN = drag.force_mN;
+      bearing.slips = drag.slips;
+      if (force_mN == 0) anchor(bearing, tools);  // it has lost the tool, or not met it yet
     }
     for (HeldPatch& patch : patches_) {
       const Vector3d force_mN = landscape.force_of(patch, u_mm_);
@@ -272,20 +304,33 @@ void Pressing::bear(const std::vector<HandTool>& tools) {
     keep({near.tool, near.rod, near.points, near.weights}, surface_, kept);
   }
   for (std::size_t i = bearings_.size(); i < kept.size(); ++i) {
-    Bearing bearing{kept[i], rod_of(kept[i], tools), {}, Vector3d::Zero(), 0.0};
+    Bearing bearing{kept[i], rod_of(kept[i], tools), {}, Vector3d::Zero()};
+    bearing.friction = std::get<TouchingTool>(tools[kept[i].tool].what).friction;
     for (int c = 0; c < 3; ++c) {
       bearing.nodes[c] = node_of_point_[kept[i].points[c]];
       bearing.rest_mm += kept[i].weights[c] * surface_.points_mm[kept[i].points[c]];
     }
+    anchor(bearing, tools);
     bearings_.push_back(bearing);
   }
 }
 
+// From now on the place slides from where it is.
+void Pressing::anchor(Bearing& bearing, const std::vector<HandTool>& tools) const {
+  const Pose pose = pose_of(bearing.place.tool, tools);
+  bearing.from_mm = place_of(bearing, u_mm_);
+  bearing.from_on_tool_mm = pose.rotation.transpose() * (bearing.from_mm - pose.position_mm);
+}
+
+Pose Pressing::pose_of(std::size_t tool, const std::vector<HandTool>& tools) const {
+  Pose pose = std::get<TouchingTool>(tools[tool].what).pose;
+  pose.position_mm += advance_mm_[static_cast<Eigen::Index>(tool)] * pose.forward();
+  return pose;
+}
+
 Rod Pressing::rod_of(const KeptPlace& place, const std::vector<HandTool>& tools) const {
   const auto& tool = std::get<TouchingTool>(tools[place.tool].what);
-  Pose pose = tool.pose;
-  pose.position_mm += advance_mm_[static_cast<Eigen::Index>(place.tool)] * pose.forward();
-  return placed({tool.shape[place.rod]}, pose).front();
+  return placed({tool.shape[place.rod]}, pose_of(place.tool, tools)).front();
 }
 
 VectorXd Pressing::surface_mm(const VectorXd& u_mm) const {
@@ -299,7 +344,7 @@ VectorXd Pressing::surface_mm(const VectorXd& u_mm) const {
 Vector3d Pressing::force_of_tool(std::size_t tool) const {
   Vector3d sum = Vector3d::Zero();
   for (const Bearing& bearing : bearings_) {
-    if (bearing.place.tool == tool) sum += bearing.force_mN * gap_of(bearing, u_mm_).normal;
+    if (bearing.place.tool == tool) sum += bearing.force_mN * gap_of(bearing, u_mm_).normal + bearing.drag_mN;
   }
   for (const HeldPatch& patch : patches_) {
     if (patch.tool == tool) sum += patch.force_mN;
@@ -310,7 +355,7 @@ Vector3d Pressing::force_of_tool(std::size_t tool) const {
 VectorXd Pressing::force_mN() const {
   VectorXd sum = VectorXd::Zero(u_mm_.size());
   for (const Bearing& bearing : bearings_) {
-    const Vector3d force = bearing.force_mN * gap_of(bearing, u_mm_).normal;
+    const Vector3d force = bearing.force_mN * gap_of(bearing, u_mm_).normal + bearing.drag_mN;
     for (int i = 0; i < 3; ++i) sum.segment<3>(3 * bearing.nodes[i]) += bearing.place.weights[i] * force;
   }
   for (const HeldPatch& patch : patches_) {
@@ -325,7 +370,11 @@ std::vector<ToolContact> Pressing::contacts(const std::vector<HandTool>& tools) 
   std::vector<ToolContact> contacts;
   for (std::size_t t = 0; t < tools.size(); ++t) {
     ToolContact tool{tools[t].id, force_of_tool(t), 0, advance_mm_[static_cast<Eigen::Index>(t)], 0};
-    for (const Bearing& bearing : bearings_) tool.contacts += bearing.place.tool == t && bearing.force_mN > 0;
+    for (const Bearing& bearing : bearings_) {
+      if (bearing.place.tool != t || bearing.force_mN == 0) continue;
+      ++tool.contacts;
+      if (bearing.friction > 0) ++(bearing.slips ? tool.slipping : tool.sticking);
+    }
     contacts.push_back(std::move(tool));
   }
   for (const Gripped& gripped : grips_) {
@@ -343,9 +392,25 @@ std::vector<ToolContact> Pressing::contacts(const std::vector<HandTool>& tools) 
 
 namespace {
 
-Gap gap_of(const Bearing& bearing, const VectorXd& u_mm) {
+Vector3d place_of(const Bearing& bearing, const VectorXd& u_mm) {
   Vector3d at_mm = bearing.rest_mm;
   for (int i = 0; i < 3; ++i) at_mm += bearing.place.weights[i] * u_mm.segment<3>(3 * bearing.nodes[i]);
+  return at_mm;
+}
+
+Drag drag_of(const Bearing& bearing, double k_mN_mm, const VectorXd& u_mm) {
+  if (bearing.most_drag_mN == 0) return {Vector3d::Zero(), Matrix3d::Zero(), 0.0, true};
+  const Matrix3d tangential = Matrix3d::Identity() - bearing.normal * bearing.normal.transpose();
+  const Vector3d y = bearing.drag_mN - k_mN_mm * tangential * (place_of(bearing, u_mm) - bearing.from_mm);
+  const double most = bearing.most_drag_mN, size = y.norm(), known = bearing.drag_mN.squaredNorm();
+  if (size <= most) return {y, k_mN_mm * tangential, (size * size - known) / (2 * k_mN_mm), false};
+  const Vector3d way = y / size;
+  return {most * way, k_mN_mm * most / size * (tangential - way * way.transpose()),
+          (2 * most * size - most * most - known) / (2 * k_mN_mm), true};
+}
+
+Gap gap_of(const Bearing& bearing, const VectorXd& u_mm) {
+  const Vector3d at_mm = place_of(bearing, u_mm);
   const Vector3d axis = bearing.rod.to_mm - bearing.rod.from_mm;
   const double along = axis.squaredNorm() > 0 ? (at_mm - bearing.rod.from_mm).dot(axis) / axis.squaredNorm() : 0.0;
   const Vector3d arm = at_mm - bearing.rod.from_mm - std::clamp(along, 0.0, 1.0) * axis;

@@ -19,6 +19,14 @@ struct Bearing {
   std::array<int, 3> nodes;
   Eigen::Vector3d rest_mm;
   double force_mN = 0;
+  // Where there is friction: what the place is known to be dragged with, by how much at most, which way the tool faces
+  // it, and where on the tool it came from, in the tool's frame and where that is now.
+  double friction = 0;
+  Eigen::Vector3d drag_mN{0, 0, 0};
+  double most_drag_mN = 0;
+  Eigen::Vector3d normal{0, 0, 1};
+  Eigen::Vector3d from_on_tool_mm{0, 0, 0}, from_mm{0, 0, 0};
+  bool slips = false;
 };
 
 // Jaws that hold the mean of some nodes, by weight, at a displacement, and the force that they are known to need.
@@ -65,6 +73,8 @@ class Pressing {
   [[nodiscard]] Eigen::VectorXd surface_mm(const Eigen::VectorXd& u_mm) const;
   [[nodiscard]] Eigen::Vector3d force_of_tool(std::size_t tool) const;
   [[nodiscard]] Rod rod_of(const KeptPlace& place, const std::vector<HandTool>& tools) const;
+  [[nodiscard]] Pose pose_of(std::size_t tool, const std::vector<HandTool>& tools) const;
+  void anchor(Bearing& bearing, const std::vector<HandTool>& tools) const;
 
   const Body* body_;
   ContactOptions options_;

@@ -103,6 +103,7 @@ struct RigidToolInHand {
   Eigen::Vector3d direction{0, 0, 1};
   double advance_mm = 0;
   std::optional<double> push_mN;  // instead of the advance
+  double friction = 0;            // Coulomb's coefficient, between the tool and the surface
 };
 struct GraspInHand {
   Eigen::Vector3d center_mm{0, 0, 0};

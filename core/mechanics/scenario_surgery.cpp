@@ -58,7 +58,8 @@ Cut cut_from(const Json& json, const std::string& where) {
 
 ToolInHand tool_from(const Json& json, const std::string& where) {
   known_keys(json,
-             {"id", "shape", "position_mm", "direction", "advance_mm", "push_N", "grasp", "displacement_mm", "pull_N"},
+             {"id", "shape", "position_mm", "direction", "advance_mm", "push_N", "friction", "grasp", "displacement_mm",
+              "pull_N"},
              where);
   ToolInHand tool{name(required(json, "id", where), where + ", id"), {}};
   const auto one_of_two = [&](const char* a, const char* b) {
@@ -79,7 +80,7 @@ ToolInHand tool_from(const Json& json, const std::string& where) {
     tool.what = jaws;
     return tool;
   }
-  known_keys(json, {"id", "shape", "position_mm", "direction", "advance_mm", "push_N"}, where);
+  known_keys(json, {"id", "shape", "position_mm", "direction", "advance_mm", "push_N", "friction"}, where);
   one_of_two("advance_mm", "push_N");
   RigidToolInHand rigid;
   rigid.shape = shape_from(json["shape"], where + ", shape");
@@ -90,6 +91,10 @@ ToolInHand tool_from(const Json& json, const std::string& where) {
     if (rigid.advance_mm < 0) refuse(where + ", advance_mm", GLISSON_TEXT("{0} must not be below zero."));
   } else {
     rigid.push_mN = units::mN_from_N(positive_number(json["push_N"], where + ", push_N"));
+  }
+  if (json.contains("friction")) {
+    rigid.friction = number(json["friction"], where + ", friction");
+    if (rigid.friction < 0) refuse(where + ", friction", GLISSON_TEXT("{0} must not be below zero."));
   }
   tool.what = std::move(rigid);
   return tool;
@@ -141,6 +146,7 @@ Json json_of(const ToolInHand& tool) {
   } else {
     json["advance_mm"] = rigid.advance_mm;
   }
+  if (rigid.friction > 0) json["friction"] = rigid.friction;
   return json;
 }
 

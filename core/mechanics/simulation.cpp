@@ -17,6 +17,7 @@ namespace glisson::mechanics {
 namespace {
 
 bool is_linear(const Scenario& scenario);
+bool has_friction(const Scenario& scenario);
 Result<void> check_tools(const Scenario& scenario);
 Result<void> check_grain(const Scenario& scenario, const SimulationOptions& options);
 Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
@@ -49,7 +50,7 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   auto places = locate_landmarks(mesh, scenario.landmarks, options.landmark_tolerance_mm);
   if (!places) return failure(std::move(places.error()));
 
-  const bool linear = is_linear(scenario), touched = !scenario.tools.empty();
+  const bool linear = is_linear(scenario) && !has_friction(scenario), touched = !scenario.tools.empty();
   const auto compute = scenario.motion     ? (meshfree ? end_of_meshfree_motion : end_of_motion)
                        : meshfree          ? (touched ? meshfree_contact_equilibrium : meshfree_equilibrium)
                        : touched && linear ? small_contact_equilibrium
@@ -174,8 +175,22 @@ bool is_linear(const Scenario& scenario) {
   return scenario.material == MaterialLaw::linear && !has_ligaments(scenario);
 }
 
+bool has_friction(const Scenario& scenario) {
+  return std::any_of(scenario.tools.begin(), scenario.tools.end(), [](const ToolInHand& tool) {
+    const auto* rigid = std::get_if<RigidToolInHand>(&tool.what);
+    return rigid != nullptr && rigid->friction > 0;
+  });
+}
+
 Result<void> check_tools(const Scenario& scenario) {
   if (scenario.tools.empty()) return {};
+  if (scenario.grain && has_friction(scenario)) {
+    return failure(Error{"not-available",
+                         GLISSON_TEXT("Tools with friction are not there for a body with a grain."),
+                         {},
+                         GLISSON_TEXT("Leave out the grain or the friction."),
+                         {}});
+  }
   if (scenario.engine == Engine::fem || !scenario.motion) return {};
   return failure(Error{"not-available",
                        GLISSON_TEXT("Tools in contact are not there for motion by the meshfree engine."),

@@ -109,6 +109,7 @@ std::vector<HandTool> tools_at(const std::vector<ToolInHand>& tools, double part
     TouchingTool touching{rigid.shape, pose_towards(rigid.position_mm, rigid.direction), {}};
     touching.pose.position_mm += part * rigid.advance_mm * touching.pose.forward();
     if (rigid.push_mN) touching.push_mN = part * *rigid.push_mN;
+    touching.friction = rigid.friction;
     hands.push_back({tool.id, std::move(touching)});
   }
   return hands;

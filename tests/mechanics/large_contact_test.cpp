@@ -105,6 +105,58 @@ TEST_F(SoftBlock, WhereABallSlidFromMakesNoDifference) {
   EXPECT_LT((slid.tools[0].force_mN - straight.tools[0].force_mN).norm(), 0.05 * straight.tools[0].force_mN.norm());
 }
 
+// Pressed 0.5 mm into the block, then drawn along x. The ball is so flat where it touches (up to 3 degrees) that all it
+// presses with is nearly along z, and Coulomb's law is that of the sums.
+TEST_F(SoftBlock, AToolWithFrictionSticksBelowMuNAndSlipsAtMuN) {
+  const Body block = body();
+  constexpr double mu = 0.3, radius_mm = 120;
+  const auto drawn = [&](double friction, const std::vector<double>& ways_mm) {
+    std::vector<std::vector<HandTool>> stations;
+    const auto at = [&](double depth_mm, double way_mm) {
+      HandTool tool = ball(radius_mm, {15 + way_mm, 15, 15 + radius_mm - depth_mm});
+      std::get<TouchingTool>(tool.what).friction = friction;
+      stations.push_back({tool});
+    };
+    for (const double depth_mm : {0.25, 0.5}) at(depth_mm, 0);
+    for (const double way_mm : ways_mm) at(0.5, way_mm);
+    const AppliedLoads nothing{Eigen::VectorXd::Zero(3 * block.layout.nodes()), 0};
+    return find_equilibrium_in_contact(block, materials_of(block, MaterialLaw::corotational), nothing, stations)
+        .value();
+  };
+  const auto tangential_mN = [](const LargeContact& contact) { return contact.tools[0].force_mN.x(); };
+  const auto normal_mN = [](const LargeContact& contact) { return -contact.tools[0].force_mN.z(); };
+
+  const LargeContact pressed_in = drawn(mu, {}), little = drawn(mu, {0.02}), twice = drawn(mu, {0.02, 0.04});
+  const std::vector<double> far{0.5, 1, 1.5};
+  const LargeContact slipped = drawn(mu, far), smooth = drawn(0, far);
+  for (const LargeContact* contact : {&pressed_in, &little, &twice, &slipped, &smooth}) expect_rest(*contact);
+
+  // Below: it stays where it touched, so that the force grows with the way.
+  EXPECT_GT(little.tools[0].sticking, little.tools[0].slipping);
+  EXPECT_LT(tangential_mN(twice), 0.7 * mu * normal_mN(twice));
+  const double first_mN = tangential_mN(little) - tangential_mN(pressed_in);
+  EXPECT_GT(first_mN, 0);
+  EXPECT_NEAR((tangential_mN(twice) - tangential_mN(little)) / first_mN, 1, 0.15);
+
+  // Beyond: mu N and no more, every place of it but for one that it may just have met.
+  EXPECT_LE(slipped.tools[0].sticking, 1);
+  EXPECT_GT(slipped.tools[0].slipping, 5);
+  EXPECT_NEAR(tangential_mN(slipped) / normal_mN(slipped), mu, 0.03 * mu + 0.005);
+  EXPECT_NEAR(tangential_mN(smooth) / normal_mN(smooth), 0, 0.02);
+  EXPECT_EQ(smooth.tools[0].slipping + smooth.tools[0].sticking, 0);
+
+  // Drawn back a little, it sticks again and the force goes down; drawn back far, it slips the other way.
+  std::vector<double> back = far;
+  back.push_back(1.47);
+  const LargeContact eased = drawn(mu, back);
+  EXPECT_GT(eased.tools[0].sticking, 0);
+  EXPECT_LT(tangential_mN(eased), 0.95 * tangential_mN(slipped));
+  EXPECT_GT(tangential_mN(eased), 0);
+  for (const double way_mm : {1.0, 0.5}) back.push_back(way_mm);
+  const LargeContact returned = drawn(mu, back);
+  EXPECT_NEAR(tangential_mN(returned) / normal_mN(returned), -mu, 0.03 * mu + 0.01);
+}
+
 TEST_F(SoftBlock, AGraspersPatchGoesWhereItIsDrawn) {
   // A little: with the force that the linear engine finds. Far: the mean of the patch is there all the same, and what
   // holds the body pushes back with the jaws' force.

@@ -64,7 +64,7 @@ constexpr const char* surgical_scenario = R"({
   "tools": [{"id": "hook", "shape": "nathanson-retractor", "position_mm": [1, 2, 3], "direction": [0, 0, 1],
              "push_N": 2},
             {"id": "rod", "shape": {"rods": [{"from_mm": [0, 0, 0], "to_mm": [9, 0, 0], "radius_mm": 2}]},
-             "position_mm": [1, 2, 3], "direction": [0, 1, 0], "advance_mm": 5},
+             "position_mm": [1, 2, 3], "direction": [0, 1, 0], "advance_mm": 5, "friction": 0.2},
             {"id": "jaws", "grasp": {"center_mm": [4, 5, 6], "radius_mm": 6}, "pull_N": [0, 0, 1.5]}]})";
 
 TEST(ScenarioFile, ReadsLigamentsCapsuleTissueThePositionOfThePatientCutsAndTools) {
@@ -89,6 +89,8 @@ TEST(ScenarioFile, ReadsLigamentsCapsuleTissueThePositionOfThePatientCutsAndTool
   ASSERT_EQ(scenario.tools.size(), 3u);
   EXPECT_EQ(*std::get<RigidToolInHand>(scenario.tools[0].what).push_mN, 2000);
   EXPECT_EQ(std::get<RigidToolInHand>(scenario.tools[1].what).advance_mm, 5);
+  EXPECT_EQ(std::get<RigidToolInHand>(scenario.tools[1].what).friction, 0.2);
+  EXPECT_EQ(std::get<RigidToolInHand>(scenario.tools[0].what).friction, 0);
   EXPECT_EQ(*std::get<GraspInHand>(scenario.tools[2].what).pull_mN, Vector3d(0, 0, 1500));
   const std::string once = scenario_text(scenario);
   EXPECT_EQ(scenario_text(parse_scenario(once).value()), once);
@@ -159,6 +161,9 @@ TEST(ScenarioFile, ValuesThatCannotBeMeantAreRefusedWithTheirPlace) {
       {R"({"tools": [{"id": "a", "shape": "palpation-probe", "position_mm": [0,0,0], "direction": [0,0,1]}]})",
        "exactly one of \"advance_mm\" and \"push_N\""},
       {R"({"tools": [{"id": "a", "grasp": {"center_mm": [0,0,0], "radius_mm": 3}, "push_N": 1}]})", "push_N"},
+      {R"({"tools": [{"id": "a", "shape": "palpation-probe", "position_mm": [0,0,0], "direction": [0,0,1], "push_N": 1,
+          "friction": -0.1}]})",
+       "tool 1, friction must not be below zero"},
       {R"([])", "must be an object"},
       {R"({"engine": )", "not valid JSON"},
   };
