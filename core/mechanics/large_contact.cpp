@@ -63,13 +63,8 @@ Result<LargeContact> find_equilibrium_in_contact(const Body& body, const std::ve
   return contact;
 }
 
-Result<LargeContact> find_equilibrium_in_contact(const MeshfreeModel& model, const AppliedLoads& loads,
-                                                 const std::vector<std::vector<HandTool>>& stations,
-                                                 const ContactOptions& options, const Progress& progress) {
-  GLISSON_ASSERT(!stations.empty());
-  const Stopwatch watch;
-  const MeshfreeBody& frames = model.body();
-  for (const HandTool& tool : stations.front()) {
+Result<void> check_tools_on_frames(const std::vector<HandTool>& tools) {
+  for (const HandTool& tool : tools) {
     const auto* grasp = std::get_if<Grasp>(&tool.what);
     if (grasp == nullptr || std::holds_alternative<double>(grasp->drawn)) continue;
     return failure(Error{"not-available",
@@ -78,6 +73,16 @@ Result<LargeContact> find_equilibrium_in_contact(const MeshfreeModel& model, con
                          GLISSON_TEXT("Give it a pull, or take finite elements."),
                          {}});
   }
+  return {};
+}
+
+Result<LargeContact> find_equilibrium_in_contact(const MeshfreeModel& model, const AppliedLoads& loads,
+                                                 const std::vector<std::vector<HandTool>>& stations,
+                                                 const ContactOptions& options, const Progress& progress) {
+  GLISSON_ASSERT(!stations.empty());
+  const Stopwatch watch;
+  const MeshfreeBody& frames = model.body();
+  if (auto checked = check_tools_on_frames(stations.front()); !checked) return failure(std::move(checked.error()));
   Eigen::VectorXd q_mm = Eigen::VectorXd::Zero(frames.basis->unknowns());
   const std::vector<std::uint8_t> nothing_held(static_cast<std::size_t>(q_mm.size()), 0);
   // The frames come to rest, and the places with them.

@@ -3,8 +3,11 @@
 #include <cmath>
 #include <Eigen/LU>
 
+#include "mechanics/frame_landscape.h"
 #include "mechanics/frame_solver.h"
 #include "mechanics/mass_matrix.h"
+#include "mechanics/pressing.h"
+#include "mechanics/step_landscape.h"
 #include "mechanics/stopwatch.h"
 #include "mechanics/strain.h"
 #include "mechanics/surroundings.h"
@@ -48,9 +51,13 @@ struct MeshfreeMotion::Parts {
   }
 
   [[nodiscard]] FrameSolution solve(const Eigen::VectorXd& b);
+  // With what the shape and its motion are after the step.
+  [[nodiscard]] StepReport described(StepReport report, const Stopwatch& watch) const;
 };
 
 namespace {
+
+constexpr int newton_steps_of_a_round = 40;
 
 Result<void> check(const MotionOptions& options);
 int cells_turned_inside_out(const Body& body, const Eigen::VectorXd& u_mm);
@@ -86,10 +93,47 @@ StepReport MeshfreeMotion::step(const AppliedLoads& loads) {
     parts.v_mm_s += solution.x;
     parts.q_mm += h * parts.v_mm_s;
   }
-  const Eigen::VectorXd u_mm = parts.frames.basis->displacement(parts.q_mm);
-  report.inverted_cells = cells_turned_inside_out(parts.frames.body, u_mm);
-  report.strain_energy_uJ = strain_energy_uJ(parts.frames.body, parts.frames.materials, u_mm);
-  report.kinetic_energy_uJ = 0.5 * parts.v_mm_s.dot(parts.mass * parts.v_mm_s);
+  return parts.described(report, watch);
+}
+
+Result<StepReport> MeshfreeMotion::step(const AppliedLoads& loads, const RestUnder& rest_under,
+                                        const Progress& progress) {
+  const Stopwatch watch;
+  Parts& parts = *parts_;
+  const Body& body = parts.frames.body;
+  const Eigen::SparseMatrix<double> mass_kg = consistent_mass_kg(body);
+  const StepLandscape alone(body, parts.frames.materials, loads, parts.options, mass_kg, displacement_mm(),
+                            velocity_mm_s());
+  Eigen::VectorXd q_mm = parts.q_mm;
+  const std::vector<std::uint8_t> nothing_held(static_cast<std::size_t>(q_mm.size()), 0);
+  StepReport report;
+  // The frames go to the least, and the places with them.
+  const auto settle = [&](const Landscape& of_places, double scale_mN, const Eigen::VectorXd&) -> Result<Descent> {
+    auto descent =
+        descend(FrameLandscape(parts.frames, of_places), nothing_held, scale_mN, q_mm,
+                {parts.options.relative_tolerance, newton_steps_of_a_round, body.options.memory_limit_bytes}, progress);
+    if (!descent) return descent;
+    report.iterations += descent->steps;
+    report.relative_residual = descent->relative_residual;
+    q_mm = descent->u_mm;
+    descent->u_mm = parts.frames.basis->displacement(q_mm);
+    return descent;
+  };
+  const Result<bool> rested = rest_under({alone, alone.scale_mN(), settle});
+  if (!rested) return failure(rested.error());
+  report.converged = *rested && q_mm.allFinite();
+  if (report.converged) {
+    parts.v_mm_s = (q_mm - parts.q_mm) / parts.options.step_s;
+    parts.q_mm = std::move(q_mm);
+  }
+  return parts.described(report, watch);
+}
+
+StepReport MeshfreeMotion::Parts::described(StepReport report, const Stopwatch& watch) const {
+  const Eigen::VectorXd u_mm = frames.basis->displacement(q_mm);
+  report.inverted_cells = cells_turned_inside_out(frames.body, u_mm);
+  report.strain_energy_uJ = strain_energy_uJ(frames.body, frames.materials, u_mm);
+  report.kinetic_energy_uJ = 0.5 * v_mm_s.dot(mass * v_mm_s);
   report.step_ms = 1e3 * watch.seconds();
   return report;
 }

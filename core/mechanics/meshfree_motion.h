@@ -5,6 +5,7 @@
 // assembled anew each step (warped, see large_deformation.h), and the factor of an older step serves until it costs
 // more than 30 iterations.
 
+#include <functional>
 #include <memory>
 
 #include "mechanics/load_vector.h"
@@ -12,6 +13,8 @@
 #include "mechanics/motion.h"
 
 namespace glisson::mechanics {
+
+struct Ground;
 
 class MeshfreeMotion {
  public:
@@ -24,6 +27,11 @@ class MeshfreeMotion {
   // One step under loads on the places of the quadratic layout. A step that does not converge moves nothing. The
   // report's residual is that of the frames' equations.
   StepReport step(const AppliedLoads& loads);
+
+  // The same where tools press: `rest_under` brings the body to the step's least with them (pressing.h). The report's
+  // `iterations` are Newton steps. Failures: "too-large", "factorisation-failed", "cancelled", those of `rest_under`.
+  using RestUnder = std::function<Result<bool>(const Ground& ground)>;
+  Result<StepReport> step(const AppliedLoads& loads, const RestUnder& rest_under, const Progress& progress = {});
 
   // Of the places, 3 each.
   [[nodiscard]] Eigen::VectorXd displacement_mm() const;

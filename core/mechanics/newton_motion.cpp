@@ -1,85 +1,14 @@
 #include "mechanics/newton_motion.h"
 
-#include <cmath>
 #include <utility>
 
 #include "mechanics/newton.h"
+#include "mechanics/step_landscape.h"
 #include "mechanics/stopwatch.h"
 #include "mechanics/strain.h"
-#include "mechanics/surroundings.h"
 
 namespace glisson::mechanics {
-namespace {
-
-using Eigen::SparseMatrix;
 using Eigen::VectorXd;
-
-// One step as the landscape whose least it is.
-class StepLandscape : public Landscape {
- public:
-  StepLandscape(const Body& body, const std::vector<Material>& materials, const AppliedLoads& loads,
-                const MotionOptions& options, const VectorXd& mass_kg, const VectorXd& u_mm, const VectorXd& v_mm_s)
-      : body_(body),
-        materials_(materials),
-        loads_(loads),
-        mass_kg_(mass_kg),
-        from_mm_(u_mm),
-        coasted_mm_(u_mm + options.step_s * v_mm_s),
-        inertia_(1.0 / (options.step_s * options.step_s)),
-        drag_(options.mass_damping_per_s / options.step_s),
-        creep_(options.stiffness_damping_s / options.step_s) {
-    if (creep_ > 0) damping_ = tangent_stiffness(body, materials, u_mm, Tangent::positive);
-  }
-
-  [[nodiscard]] double energy_uJ(const VectorXd& u_mm) const override {
-    const VectorXd moved = u_mm - from_mm_;
-    double energy = strain_energy_uJ(body_, materials_, u_mm) + surroundings_energy_uJ(body_, loads_.gas_kPa, u_mm) -
-                    loads_.dead_mN.dot(u_mm) + 0.5 * inertia_ * mass_kg_.dot((u_mm - coasted_mm_).cwiseAbs2()) +
-                    0.5 * drag_ * mass_kg_.dot(moved.cwiseAbs2());
-    if (creep_ > 0) energy += 0.5 * creep_ * moved.dot(damped(moved));
-    return energy;
-  }
-  [[nodiscard]] VectorXd force_mN(const VectorXd& u_mm) const override {
-    const VectorXd moved = u_mm - from_mm_;
-    VectorXd force = loads_.dead_mN + surroundings_force_mN(body_, loads_.gas_kPa, u_mm) -
-                     internal_force_mN(body_, materials_, u_mm) -
-                     mass_kg_.cwiseProduct(inertia_ * (u_mm - coasted_mm_) + drag_ * moved);
-    if (creep_ > 0) force -= creep_ * damped(moved);
-    return force;
-  }
-  [[nodiscard]] SparseMatrix<double> tangent(const VectorXd& u_mm, Tangent which) const override {
-    SparseMatrix<double> sum = tangent_stiffness(body_, materials_, u_mm, which, loads_.gas_kPa);
-    if (creep_ > 0) sum += creep_ * damping_;
-    for (Eigen::Index i = 0; i < mass_kg_.size(); ++i) sum.coeffRef(i, i) += (inertia_ + drag_) * mass_kg_[i];
-    return sum;
-  }
-  [[nodiscard]] double energy_scale_uJ(const VectorXd& u_mm) const override {
-    return std::abs(loads_.dead_mN.dot(u_mm)) + std::abs(loads_.gas_kPa) * geometry::volume_mm3(body_.mesh) +
-           0.5 * inertia_ * mass_kg_.dot((u_mm - coasted_mm_).cwiseAbs2());
-  }
-  // The forces that the step starts from: of the loads, of the deformation, and what would stop the motion in a step.
-  [[nodiscard]] double scale_mN() const {
-    const auto size = [&](const VectorXd& force) { return of_the_free(body_.resolved.held, force).norm(); };
-    return size(loads_.dead_mN + surroundings_force_mN(body_, loads_.gas_kPa, from_mm_)) +
-           size(internal_force_mN(body_, materials_, from_mm_)) +
-           size(inertia_ * mass_kg_.cwiseProduct(coasted_mm_ - from_mm_));
-  }
-
- private:
-  [[nodiscard]] VectorXd damped(const VectorXd& moved) const {
-    return damping_.selfadjointView<Eigen::Lower>() * moved;
-  }
-
-  const Body& body_;
-  const std::vector<Material>& materials_;
-  const AppliedLoads& loads_;
-  const VectorXd& mass_kg_;
-  VectorXd from_mm_, coasted_mm_;
-  double inertia_, drag_, creep_;  // 1/s2
-  SparseMatrix<double> damping_;   // lower triangle
-};
-
-}  // namespace
 
 Result<NewtonMotion> NewtonMotion::create(Body body, std::vector<Material> materials, AppliedLoads loads,
                                           const MotionOptions& options) {
@@ -90,8 +19,9 @@ Result<NewtonMotion> NewtonMotion::create(Body body, std::vector<Material> mater
   motion.materials_ = std::move(materials);
   motion.loads_ = std::move(loads);
   motion.options_ = options;
-  motion.mass_kg_ = lumped_mass_kg(motion.body_);
-  motion.u_mm_ = VectorXd::Zero(motion.mass_kg_.size());
+  const VectorXd lumped_kg = lumped_mass_kg(motion.body_);
+  motion.mass_kg_ = Eigen::SparseMatrix<double>(lumped_kg.asDiagonal());
+  motion.u_mm_ = VectorXd::Zero(lumped_kg.size());
   motion.v_mm_s_ = motion.u_mm_;
   return motion;
 }
@@ -118,7 +48,7 @@ Result<StepReport> NewtonMotion::step(const AppliedLoads& loads, const Settle& s
   }
   report.inverted_cells = strain_range(body_.mesh, body_.layout, u_mm_, StrainMeasure::stretch).inverted_cells;
   report.strain_energy_uJ = strain_energy_uJ(body_, materials_, u_mm_);
-  report.kinetic_energy_uJ = 0.5 * mass_kg_.dot(v_mm_s_.cwiseAbs2());
+  report.kinetic_energy_uJ = 0.5 * v_mm_s_.dot(mass_kg_ * v_mm_s_);
   report.step_ms = 1e3 * watch.seconds();
   return report;
 }

@@ -12,6 +12,7 @@
 // Lengths mm, velocities mm/s, forces mN; values of nodes are 3 a node, in the order of NodeLayout.
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <functional>
 #include <vector>
 
@@ -55,7 +56,7 @@ class NewtonMotion {
   std::vector<Material> materials_;
   AppliedLoads loads_;
   MotionOptions options_;
-  Eigen::VectorXd mass_kg_;  // 3 a node
+  Eigen::SparseMatrix<double> mass_kg_;  // diagonal
   Eigen::VectorXd u_mm_, v_mm_s_;
 };
 

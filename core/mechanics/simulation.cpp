@@ -191,12 +191,7 @@ Result<void> check_tools(const Scenario& scenario) {
                          GLISSON_TEXT("Leave out the grain or the friction."),
                          {}});
   }
-  if (scenario.engine == Engine::fem || !scenario.motion) return {};
-  return failure(Error{"not-available",
-                       GLISSON_TEXT("Tools in contact are not there for motion by the meshfree engine."),
-                       {},
-                       GLISSON_TEXT("Take finite elements, or give a load."),
-                       {}});
+  return {};
 }
 
 Result<void> check_grain(const Scenario& scenario, const SimulationOptions& options) {

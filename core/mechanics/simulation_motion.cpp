@@ -35,6 +35,9 @@ struct Mover {
   std::function<std::pair<std::vector<ToolContact>, ContactReport>()> contacts;
 };
 
+// Lets the mover tell of what presses on its body.
+void press(Mover& mover, const Pressing& pressing, const std::vector<HandTool>& tools, const AppliedLoads& loads);
+
 // The tools' way is gone in equal parts, one a step. Failure: "tool-too-fast" (a tool that would pass the surface by).
 Result<void> check_speed(const Scenario& scenario);
 
@@ -84,12 +87,9 @@ Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> 
              [&] { return newton->displacement_mm(); },
              [&] { return newton->velocity_mm_s(); },
              {},
-             [&] {
-               return (pressing->force_mN() +
-                       pressing->with_pulls({Eigen::VectorXd::Zero(loads->dead_mN.size())}, tools).dead_mN)
-                   .eval();
-             },
-             [&] { return std::pair(pressing->contacts(tools), pressing->report()); }};
+             {},
+             {}};
+    press(mover, *pressing, tools, *loads);
   } else if (moves_by_one_solve(scenario)) {
     motion_options.max_iterations = 5000;  // nobody waits for a frame here: stiff bodies get theirs
     auto created = MovingBody::create(*body, scenario.material, motion_options);
@@ -130,12 +130,28 @@ Result<Answer> end_of_meshfree_motion(const geometry::TetMesh& mesh, std::vector
   motion_options.max_iterations = 5000;
   auto moving = MeshfreeMotion::create(std::move(*frames), motion_options);
   if (!moving) return failure(std::move(moving.error()));
-  const Mover mover{[&]() -> Result<StepReport> { return moving->step(*loads); },
-                    [&] { return moving->displacement_mm(); },
-                    [&] { return moving->velocity_mm_s(); },
-                    [&] { return moving->held_reaction_mN(); },
-                    {},
-                    {}};
+  Mover mover{[&]() -> Result<StepReport> { return moving->step(*loads); },
+              [&] { return moving->displacement_mm(); },
+              [&] { return moving->velocity_mm_s(); },
+              [&] { return moving->held_reaction_mN(); },
+              {},
+              {}};
+  std::optional<Pressing> pressing;
+  std::vector<HandTool> tools = tools_at(scenario.tools, 0.0);
+  int done = 0;
+  if (!tools.empty()) {
+    if (auto checked = check_tools_on_frames(tools); !checked) return failure(std::move(checked.error()));
+    if (auto checked = check_speed(scenario); !checked) return failure(std::move(checked.error()));
+    auto placed = Pressing::create(moving->body(), tools, {}, moving->displacement_mm());
+    if (!placed) return failure(std::move(placed.error()));
+    pressing = std::move(*placed);
+    mover.step = [&] {
+      tools = tools_at(scenario.tools, double(++done) / scenario.motion->steps);
+      const auto rest_under = [&](const Ground& ground) { return pressing->rest_under(tools, ground); };
+      return moving->step(pressing->with_pulls(*loads, tools), rest_under, progress);
+    };
+    press(mover, *pressing, tools, *loads);
+  }
   return follow(mover, moving->body(), materials, *loads, scenario, setting_up.seconds(), places, progress);
 }
 
@@ -145,6 +161,14 @@ MotionOptions options_of(const Motion& motion) {
   return {.step_s = motion.step_s,
           .mass_damping_per_s = motion.mass_damping_per_s,
           .stiffness_damping_s = motion.stiffness_damping_s};
+}
+
+void press(Mover& mover, const Pressing& pressing, const std::vector<HandTool>& tools, const AppliedLoads& loads) {
+  mover.tools_force_mN = [&] {
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(loads.dead_mN.size());
+    return (pressing.force_mN() + pressing.with_pulls({none}, tools).dead_mN).eval();
+  };
+  mover.contacts = [&] { return std::pair(pressing.contacts(tools), pressing.report()); };
 }
 
 // One step with what the tools add to it.
