@@ -3650,14 +3650,6 @@
         <translation>Geben Sie ihr einen Zug, oder nehmen Sie finite Elemente.</translation>
     </message>
     <message>
-        <source>Tools in contact are not there for motion by the meshfree engine.</source>
-        <translation>Werkzeuge in Kontakt gibt es nicht für die Bewegung mit dem netzfreien Verfahren.</translation>
-    </message>
-    <message>
-        <source>Take finite elements, or give a load.</source>
-        <translation>Nehmen Sie finite Elemente, oder geben Sie eine Last an.</translation>
-    </message>
-    <message>
         <source>camera has no 3 x 3 matrix with positive focal lengths, or a distortion that is no list of numbers</source>
         <translation>camera hat keine 3 x 3-Matrix mit positiven Brennweiten oder eine Verzeichnung, die keine Zahlenliste ist</translation>
     </message>
@@ -3680,6 +3672,22 @@
     <message>
         <source>{0} landmarks far from the points of their frames were left out</source>
         <translation>{0} Landmarken, die weit von den Punkten ihrer Bilder entfernt liegen, wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
+        <translation>In Zeile {0} steht in der Spalte „{1}“ keine Zahl.</translation>
+    </message>
+    <message>
+        <source>A line needs a strain (0.05 for 5 %) and a stress in kPa, numbers with a dot: look for a missing value, a unit, or a decimal comma.</source>
+        <translation>Eine Zeile braucht eine Dehnung (0.05 für 5 %) und eine Spannung in kPa, Zahlen mit Punkt: Zu suchen ist nach einem fehlenden Wert, einer Einheit oder einem Dezimalkomma.</translation>
+    </message>
+    <message>
+        <source>Tools with friction are not there for a body with a grain.</source>
+        <translation>Instrumente mit Reibung gibt es nicht für einen Körper mit Faserrichtung.</translation>
+    </message>
+    <message>
+        <source>Leave out the grain or the friction.</source>
+        <translation>Die Faserrichtung oder die Reibung weglassen.</translation>
     </message>
 </context>
 <context>

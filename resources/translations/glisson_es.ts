@@ -3650,14 +3650,6 @@
         <translation>Dele una tracción, o tome los elementos finitos.</translation>
     </message>
     <message>
-        <source>Tools in contact are not there for motion by the meshfree engine.</source>
-        <translation>Los instrumentos en contacto no existen para el movimiento con el motor sin malla.</translation>
-    </message>
-    <message>
-        <source>Take finite elements, or give a load.</source>
-        <translation>Tome los elementos finitos, o indique una carga.</translation>
-    </message>
-    <message>
         <source>camera has no 3 x 3 matrix with positive focal lengths, or a distortion that is no list of numbers</source>
         <translation>camera no tiene una matriz 3 x 3 con distancias focales positivas, o su distorsión no es una lista de números</translation>
     </message>
@@ -3680,6 +3672,22 @@
     <message>
         <source>{0} landmarks far from the points of their frames were left out</source>
         <translation>se omitieron {0} puntos de referencia lejos de los puntos de sus imágenes</translation>
+    </message>
+    <message>
+        <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
+        <translation>En la línea {0} no hay ningún número en la columna «{1}».</translation>
+    </message>
+    <message>
+        <source>A line needs a strain (0.05 for 5 %) and a stress in kPa, numbers with a dot: look for a missing value, a unit, or a decimal comma.</source>
+        <translation>Cada línea necesita una deformación (0.05 para el 5 %) y una tensión en kPa, números con punto: busque un valor que falta, una unidad o una coma decimal.</translation>
+    </message>
+    <message>
+        <source>Tools with friction are not there for a body with a grain.</source>
+        <translation>No hay instrumentos con fricción para un cuerpo con dirección de fibras.</translation>
+    </message>
+    <message>
+        <source>Leave out the grain or the friction.</source>
+        <translation>Quite la dirección de las fibras o la fricción.</translation>
     </message>
 </context>
 <context>

@@ -3650,14 +3650,6 @@
         <translation>Donnez-lui une traction, ou prenez les éléments finis.</translation>
     </message>
     <message>
-        <source>Tools in contact are not there for motion by the meshfree engine.</source>
-        <translation>Les outils en contact n’existent pas pour le mouvement avec le moteur sans maillage.</translation>
-    </message>
-    <message>
-        <source>Take finite elements, or give a load.</source>
-        <translation>Prenez les éléments finis, ou donnez une charge.</translation>
-    </message>
-    <message>
         <source>camera has no 3 x 3 matrix with positive focal lengths, or a distortion that is no list of numbers</source>
         <translation>camera n&apos;a pas de matrice 3 x 3 à distances focales positives, ou sa distorsion n&apos;est pas une liste de nombres</translation>
     </message>
@@ -3680,6 +3672,22 @@
     <message>
         <source>{0} landmarks far from the points of their frames were left out</source>
         <translation>{0} repères loin des points de leurs images ont été écartés</translation>
+    </message>
+    <message>
+        <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
+        <translation>À la ligne {0}, la colonne « {1} » ne contient pas de nombre.</translation>
+    </message>
+    <message>
+        <source>A line needs a strain (0.05 for 5 %) and a stress in kPa, numbers with a dot: look for a missing value, a unit, or a decimal comma.</source>
+        <translation>Chaque ligne demande une déformation (0.05 pour 5 %) et une contrainte en kPa, nombres avec un point : cherchez une valeur manquante, une unité ou une virgule décimale.</translation>
+    </message>
+    <message>
+        <source>Tools with friction are not there for a body with a grain.</source>
+        <translation>Il n'y a pas d'outils avec frottement pour un corps à fibres orientées.</translation>
+    </message>
+    <message>
+        <source>Leave out the grain or the friction.</source>
+        <translation>Retirez la direction des fibres ou le frottement.</translation>
     </message>
 </context>
 <context>
