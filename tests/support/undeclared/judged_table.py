@@ -1,0 +1,92 @@
+"""What a person reads of judged cases (judge.py): a line each, then how often what was answered, a row a kind."""
+
+import math
+import statistics
+from collections import Counter, defaultdict
+
+# What counts as a size: an effect of 1.7 to 2.6 noises is one of about 2.
+SIZES = {"2": (0.0, 2.6), "4": (2.6, 5.3), "8 and more": (5.3, math.inf)}
+
+
+def line(r):
+    mark = "ok   " if r["right"] else "WRONG"
+    return (f"{mark} {r['case']:44s} {r['size']:5.1f}x {r['verdict']:16s} {'+'.join(r['named']) or '-':36s}"
+            f" fitted {number(r.get('fitted_before'))} ->{number(r.get('fitted_after'))}"
+            f" unseen {number(r.get('unseen_before'))} ->{number(r.get('unseen_after'))}"
+            f"  {r['seconds']:5.1f} s, {r['processor_seconds']:5.1f} s of processor"
+            f"{'  ' + r['problem'] if 'problem' in r else ''}")
+
+
+def number(x):
+    return "   -  " if x is None or math.isnan(x) else f"{x:6.2f}"
+
+
+def summary(results):
+    nulls = [r for r in results if not r["truth"] and not r["outside"]]
+    inside = [r for r in results if r["truth"] and not r["outside"]]
+    singles = [r for r in inside if len(r["truth"]) == 1]
+    outside = [r for r in results if r["outside"]]
+    clear = [r for r in singles if r["size"] >= 3.9]
+    close = unseen(inside, "unseen_after")
+    parts = ["", *confusion(results), ""]
+    parts.append(f"right name, single effects of 4 noises and more: {share(clear, 'right')}"
+                 f" ({share(clear, 'exact')} without the help of `alike`)")
+    parts.append(f"right names, pairs: {share([r for r in inside if len(r['truth']) > 1], 'right')}")
+    parts.append(f"false alarms in nulls: {sum(not r['right'] for r in nulls)} of {len(nulls)}")
+    parts.append(f"wrong confident names of effects in the catalogue: {sum(bool(r.get('wrong_confident')) for r in inside)}"
+                 f" of {len(inside)}; outside it: {sum(not r['right'] for r in outside)} of {len(outside)}")
+    if close:
+        parts.append(f"unseen trials after, in noises: median {statistics.median(close):.2f}; within 1.3 in"
+                     f" {sum(c <= 1.3 for c in close)} of {len(inside)}")
+    parts.append(f"time: {max(r['seconds'] for r in results):.1f} s at most,"
+                 f" {max(r['processor_seconds'] for r in results):.1f} s of processor")
+    return "\n".join([*parts, "", *table(results)])
+
+
+def confusion(results):
+    """A row a truth; how often each answer came."""
+    rows = defaultdict(Counter)
+    for r in results:
+        answer = "+".join(sorted(r["named"])) if r["verdict"] == "explained" else r["verdict"]
+        rows["+".join(r["truth"]) or "null"][answer] += 1
+    return [f"  {row:44s} {', '.join(f'{n} {answer}' for answer, n in count.most_common())}"
+            for row, count in sorted(rows.items())]
+
+
+def table(results):
+    """In Markdown: a row a truth, its right answers by size, the smallest size found in 90 % of the cases of that size
+    and larger, and the error on unseen trials (medians over cases, in noises)."""
+    rows = defaultdict(list)
+    for r in results:
+        rows[(r["outside"], len(r["truth"]), "+".join(r["truth"]) or "null")].append(r)
+    lines = ["| undeclared | " + " | ".join(f"right at {s} noises" for s in SIZES) +
+             " | found in 90 % from | other answers | unseen trials: declared / better model, noises |",
+             "|---|" + "---|" * (len(SIZES) + 3)]
+    for (outside, count, name), cases in sorted(rows.items(), key=lambda row: (row[0][0], row[0][1], row[0][2])):
+        cells = [name + (" (outside the catalogue)" if outside else "")]
+        for low, high in SIZES.values():
+            of_size = [r for r in cases if low <= r["size"] < high]
+            cells.append(share(of_size, "right") if of_size else "")
+        smallest = smallest_found(cases) if count == 1 and not outside else None
+        cells.append("" if count != 1 or outside else "-" if smallest is None else f"{smallest:.1f} noises")
+        wrong = Counter("+".join(sorted(r["named"])) if r["verdict"] == "explained" else r["verdict"]
+                        for r in cases if not r["right"])
+        cells.append(", ".join(f"{n} {answer}" for answer, n in wrong.most_common()))
+        before, after = unseen(cases, "unseen_before"), unseen(cases, "unseen_after")
+        cells.append(f"{statistics.median(before):.2f} / {statistics.median(after):.2f}" if before and after else "")
+        lines.append("| " + " | ".join(cells) + " |")
+    return lines
+
+
+def smallest_found(cases):
+    cases = sorted(cases, key=lambda r: r["size"])
+    return next((r["size"] for i, r in enumerate(cases)
+                 if sum(x["right"] for x in cases[i:]) >= 0.9 * len(cases[i:])), None)
+
+
+def unseen(cases, name):
+    return [r[name] for r in cases if r.get(name) is not None]
+
+
+def share(cases, key):
+    return f"{sum(bool(r.get(key)) for r in cases)} of {len(cases)}"
