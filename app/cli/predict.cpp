@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <vector>
 
+#include "base/files.h"
 #include "closedloop/predict.h"
 #include "command.h"
 
@@ -12,6 +13,7 @@ namespace {
 struct PredictCommand {
   std::string experiment;
   std::string model;
+  std::string values;
 };
 
 Outcome describe(const closedloop::Prediction& prediction) {
@@ -52,6 +54,10 @@ Result<Outcome> run(const PredictCommand& command, const Progress& progress) {
   const auto better = command.model.empty() ? std::nullopt : std::optional<std::filesystem::path>(command.model);
   const auto prediction = closedloop::predict(command.experiment, better, progress);
   if (!prediction) return failure(prediction.error());
+  if (!command.values.empty()) {
+    if (auto written = write_text_file(command.values, closedloop::values_text(*prediction)); !written)
+      return failure(std::move(written.error()));
+  }
   return describe(*prediction);
 }
 
@@ -63,6 +69,9 @@ void add_predict(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<PredictCommand>();
   command->add_option("experiment", settings->experiment, "Experiment (JSON, glisson-experiment/1)")->required();
   command->add_option("--with", settings->model, "Better model (model.json of explain); without: the declared model");
+  command->add_option("--values", settings->values,
+                      "Every number predicted, beside what was measured (CSV: trial, time, load, place, quantity, "
+                      "predicted, measured, noise)");
   command->callback(
       [&chosen, settings] { chosen = [settings](const Progress& progress) { return run(*settings, progress); }; });
 }

@@ -74,9 +74,13 @@ double size_for(const std::optional<double>& size, const char* what, const char*
   return *size;
 }
 
-// A specimen resists: stress has the sign of the strain over most of a test, whatever it dissipates.
+// A specimen resists: stress has the sign of the strain over most of a test, whatever it dissipates; and so has its
+// change since the first sample, where the load cell's zero is off by more than the test's own stress.
 void refuse_opposed_signs(const MaterialTrial& trial, const std::filesystem::path& file) {
-  if (trial.stress_kPa.size() == 0 || trial.stress_kPa.dot((trial.stretch.array() - 1).matrix()) >= 0) return;
+  if (trial.stress_kPa.size() == 0) return;
+  const Eigen::ArrayXd strain = trial.stretch.array() - 1;
+  const Eigen::ArrayXd& stress = trial.stress_kPa.array();
+  if ((stress * strain).sum() >= 0 || ((stress - stress[0]) * (strain - strain[0])).sum() >= 0) return;
   refuse("experiment-unit", GLISSON_TEXT("In {0} stress and strain mostly have opposite signs."),
          {file.filename().string()},
          GLISSON_TEXT("In compression stretch is below 1, and displacement, force and stress are negative."), file);

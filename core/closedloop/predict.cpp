@@ -1,5 +1,8 @@
 #include "closedloop/predict.h"
 
+#include <fmt/format.h>
+#include <cmath>
+
 #include "closedloop/explanation_file.h"
 
 namespace glisson::closedloop {
@@ -46,7 +49,7 @@ Result<Prediction> predict(const std::filesystem::path& file, const std::optiona
   if (!predicted) return failure(predicted.error());
 
   const Observations& observations = (*model)->observations();
-  Prediction prediction{observations.unit, observations.directions, {}, {}};
+  Prediction prediction{observations.unit, observations.directions, {}, {}, observations, *predicted};
   for (int trial = 0; trial < observations.trial_count(); ++trial) {
     const auto rows = rows_of(observations, trial);
     const Observations one = only_trial(observations, trial, rows);
@@ -56,6 +59,28 @@ Result<Prediction> predict(const std::filesystem::path& file, const std::optiona
   }
   if (observations.measured.array().isFinite().any()) prediction.error = error_figures(observations, *predicted);
   return prediction;
+}
+
+std::string values_text(const Prediction& prediction) {
+  const Observations& all = prediction.observations;
+  std::string text = all.has_places() ? "trial,time_s,load,x_mm,y_mm,z_mm,quantity,predicted,measured,noise\n"
+                                      : "trial,time_s,load,quantity,predicted,measured,noise\n";
+  for (Eigen::Index row = 0; row < all.rows(); ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    const auto add = [&](const std::string& cell) { (text += cell) += ','; };
+    const auto add_number = [&](double value) { add(std::isfinite(value) ? fmt::format("{:.9g}", value) : ""); };
+    // An id may hold a comma.
+    add(fmt::format("\"{}\"", all.trials[static_cast<std::size_t>(all.trial[i])]));
+    add_number(all.time_s[row]);
+    add_number(all.load[row]);
+    if (all.has_places())
+      for (const double x : all.place_mm.row(row)) add_number(x);
+    add(all.directions[static_cast<std::size_t>(all.direction[i])]);
+    add_number(prediction.predicted[row]);
+    add_number(all.measured[row]);
+    text += fmt::format("{:.9g}\n", all.noise[row]);
+  }
+  return text;
 }
 
 }  // namespace glisson::closedloop

@@ -24,11 +24,17 @@ struct Prediction {
   std::vector<std::string> directions;  // of ErrorFigures::rms_of_direction
   std::vector<PredictedTrial> trials;
   std::optional<ErrorFigures> error;  // of all that was measured
+  Observations observations;          // what all of it is compared with
+  Eigen::VectorXd predicted;          // a number a row of those
 };
 
 // `better` is the model.json of explain; without it, the declared model. Failures: those of read_experiment,
 // forward_model and read_model.
 Result<Prediction> predict(const std::filesystem::path& experiment, const std::optional<std::filesystem::path>& better,
                            const Progress& progress = {});
+
+// As CSV, a row a number: trial, time_s, load (N; strain; A), for palpations x_mm, y_mm, z_mm of the marker at rest,
+// which quantity or component, predicted, measured (empty where nobody did) and its noise.
+[[nodiscard]] std::string values_text(const Prediction& prediction);
 
 }  // namespace glisson::closedloop

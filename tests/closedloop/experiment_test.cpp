@@ -60,6 +60,14 @@ class ExperimentFile : public testing::Test {
   }
 };
 
+TEST_F(ExperimentFile, StressAgainstTheStrainIsRefusedAndALoadCellsZeroIsNot) {
+  const Json json = material();
+  write("a.csv", "t,stretch,stress\n0,1,0\n1,0.9,1.3\n2,0.8,2.5\n");
+  EXPECT_THAT(refusal(json), HasSubstr("opposite signs"));
+  write("a.csv", "t,stretch,stress\n0,1,2\n1,0.98,1.7\n2,0.96,1.5\n");
+  EXPECT_TRUE(read(json));
+}
+
 TEST_F(ExperimentFile, AMaterialTestIsReadInNominalStressAndStretch) {
   Json json = material();
   write("forces.csv", "Time,mm,N\n0,0,0\n1,-3,-2.5\n");
