@@ -85,9 +85,18 @@ class Slider {
     return at_;
   }
 
-  double approach(double strain) {
+  // Dahl's law in closed form over the step.
+  double approach(double strain, double exponent) {
     const double limit = strain > strain_ ? 1 : -1;
-    at_ = limit - (limit - at_) * std::exp(-std::abs(strain - strain_) / slip_strain_);
+    const double way = std::abs(strain - strain_) / slip_strain_;
+    double missing = 1 - at_ * limit;
+    if (std::abs(exponent - 1) < 1e-6) {
+      missing *= std::exp(-way);
+    } else if (missing > 0) {
+      const double power = std::pow(missing, 1 - exponent) + (exponent - 1) * way;
+      missing = power > 0 ? std::pow(power, 1 / (1 - exponent)) : 0;
+    }
+    at_ = limit * (1 - missing);
     strain_ = strain;
     return at_;
   }
@@ -133,7 +142,8 @@ Eigen::VectorXd reading_kPa(const MaterialBehaviour& behaviour, const Eigen::Vec
     if (behaviour.hysteresis == HysteresisLaw::proportional)
       elastic *= 1 - behaviour.loss * (1 - of_size.follow(std::abs(strain))) / 2;
     if (behaviour.hysteresis == HysteresisLaw::friction) elastic += behaviour.friction_kPa * of_strain.follow(strain);
-    if (behaviour.hysteresis == HysteresisLaw::dahl) elastic += behaviour.friction_kPa * of_strain.approach(strain);
+    if (behaviour.hysteresis == HysteresisLaw::dahl)
+      elastic += behaviour.friction_kPa * of_strain.approach(strain, behaviour.dahl_exponent);
 
     double stress = elastic;
     const double passed_s = i == 0 ? 0 : time_s[i] - time_s[i - 1];

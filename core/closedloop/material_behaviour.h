@@ -33,7 +33,9 @@ enum class SofteningLaw { none, drop, approach, ogden_roxburgh };
 
 // A slider follows the strain within `slip_strain`, f from -1 (unloading) to 1 (loading):
 //   proportional    the stress times 1 - loss (1 - f) / 2     friction     the stress plus `friction_kPa` times f
-//   dahl            as friction, f approaching its limits exponentially over the slip strain (Dahl 1968)
+//   dahl            as friction, f approaching its limits gradually: what is missing of the limit ahead, w = 1 -+ f,
+//                   falls by dw = -w^n |de| / slip_strain, n the exponent (Dahl 1968): 1 an exponential, 0 the slider
+//                   above, more than 1 a long tail, as joints with contacts of many sizes have it
 enum class HysteresisLaw { none, proportional, friction, dahl };
 
 struct MaterialBehaviour {
@@ -52,6 +54,7 @@ struct MaterialBehaviour {
   double loss = 0;
   double friction_kPa = 0;
   double slip_strain = 0.01;
+  double dahl_exponent = 1;
   double preload_kPa = 0;  // stress that is there when stretch is 1
   double zero_kPa = 0;     // what the load cell reads without load
   double gain = 1;         // of the load cell

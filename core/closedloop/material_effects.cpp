@@ -215,19 +215,30 @@ void add_dissipation(const Reach& reach, Effects& effects) {
                        behaviour.slip_strain = p[1];
                      }});
   const double stress = reach.largest_stress_kPa;
-  for (const auto& [form, law] :
-       {std::pair("friction", HysteresisLaw::friction), std::pair("dahl", HysteresisLaw::dahl)}) {
-    effects.push_back({{"hysteresis",
-                        form,
-                        {{"friction_kPa", 0, 0, stress, 0, 0.3 * stress}, slip},
-                        hysteresis_sentence,
-                        {vector({0.05 * stress, begin})}},
-                       [law = law](const Eigen::VectorXd& p, MaterialBehaviour& behaviour) {
+  // Friction may be as large as the elastic stress or larger. From far too little of it the slip strain runs away.
+  const auto sliding = [&](std::string form, HysteresisLaw law, std::vector<Parameter> shape,
+                           const std::vector<double>& begin_of_shape) {
+    std::vector<Eigen::VectorXd> starts;
+    for (const double share : {0.05, 0.3, 1.0}) {
+      for (const double width : {0.02, 0.08}) {
+        starts.emplace_back(2 + begin_of_shape.size());
+        starts.back().head<2>() << share * stress, width * reach.largest_strain;
+        std::copy(begin_of_shape.begin(), begin_of_shape.end(), starts.back().begin() + 2);
+      }
+    }
+    std::vector<Parameter> parameters{{"friction_kPa", 0, 0, 3 * stress, 0, 0.3 * stress}, slip};
+    parameters.insert(parameters.end(), shape.begin(), shape.end());
+    effects.push_back({{"hysteresis", std::move(form), std::move(parameters), hysteresis_sentence, std::move(starts)},
+                       [law](const Eigen::VectorXd& p, MaterialBehaviour& behaviour) {
                          behaviour.hysteresis = law;
                          behaviour.friction_kPa = p[0];
                          behaviour.slip_strain = p[1];
+                         if (p.size() > 2) behaviour.dahl_exponent = p[2];
                        }});
-  }
+  };
+  sliding("friction", HysteresisLaw::friction, {}, {});
+  sliding("dahl", HysteresisLaw::dahl, {}, {});
+  sliding("dahl-tail", HysteresisLaw::dahl, {{"exponent", 1, 0, 3, 0.5, 2.5}}, {2.0});
 }
 
 void add_load_cell(const Material& material, const Reach& reach, Effects& effects) {
