@@ -217,6 +217,34 @@ TEST(PalpationModel, TheDiscretisationErrorIsWhatAFinerMeshShows) {
   EXPECT_LT((estimated.col(0) / 1.6 - change).norm(), 0.1 * change.norm());
 }
 
+TEST(PalpationModel, FurtherTrialsArePredictedAsTheExperimentsOwnWouldBe) {
+  Palpation experiment = pad({.bricks = {4, 4, 2}, .forces_N = {1.0}, .hold_on = false});
+  experiment.trials[2].samples.back().force_mN = 1500;  // the one that the further trials vary
+  const auto model = model_of(experiment);
+  const std::vector<std::string> further = model->further_trials();
+  ASSERT_EQ(further.size(), 4u);
+  EXPECT_THAT(further[0], HasSubstr("Press at ("));
+  EXPECT_THAT(further[1], HasSubstr("trial p03, but with 3 N"));
+  EXPECT_THAT(further[2], HasSubstr("hold the force for"));
+  EXPECT_THAT(further[3], HasSubstr("Pull where trial p03 presses"));
+
+  const Eigen::Index rows = 3 * 40;
+  const Eigen::VectorXd own = model->predict({}).value().segment(2 * rows, rows) / experiment.noise_mm;
+  const auto predicted = [&](std::size_t trial, const Settings& settings) {
+    return model->predict_further(trial, settings).value();
+  };
+  EXPECT_LT((predicted(1, {}) - 2 * own).norm(), 1e-6 * own.norm());
+  EXPECT_LT((predicted(2, {}) - own).norm(), 1e-6 * own.norm());  // the declared model does not creep
+  EXPECT_LT((predicted(3, {}) + own).norm(), 1e-6 * own.norm());
+  EXPECT_GT((predicted(0, {}) - own).norm(), 0.3 * own.norm());
+  // A soft specimen and a load cell that reads too little are one under any force that is held at once; one that creeps
+  // parts from both while it is held.
+  const Settings soft{setting(palpation::stiffness_scale, "", {0.8})};
+  const Settings creeping{setting(palpation::viscoelastic_creep, "prony-1", {0.5, 4})};
+  EXPECT_LT((predicted(2, soft) - 1.25 * own).norm(), 1e-6 * own.norm());
+  EXPECT_NEAR(predicted(2, creeping).norm() / own.norm(), 1.5, 0.1);
+}
+
 TEST(PalpationModel, SaysWhichTrialsToolTouchesNothing) {
   Palpation experiment = pad({.bricks = {2, 2, 1}});
   experiment.trials[2].tool.center_mm.z() += 100;
