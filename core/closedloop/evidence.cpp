@@ -82,14 +82,22 @@ Folds::Folds(const ForwardModel& model) {
 
 namespace {
 
-// To the rows that a fold keeps: a few steps from where the first order leads.
+// To the rows that a fold keeps: a few steps from where the first order leads; where solves are quick, more of them,
+// and from the fit to all rows if that is nearer.
 Result<Fit> refitted_to(const ForwardModel& model, const Fit& fit, const Folds::Fold& fold, const Progress& progress) {
-  constexpr int few_steps = 3;
+  constexpr int few_steps = 3, more_steps = 10;
   if (parameter_count(fit.settings) == 0) return without_fitting(model, fit.settings, fold.kept);
-  const Eigen::VectorXd near =
-      within_bounds(ranges_of(model, fit.settings),
-                    values_of(fit.settings) + first_order_change(fit, model.observations().measured, fold.kept));
-  return closedloop::fit(model, with_values(fit.settings, near), fold.kept, {.most_iterations = few_steps}, progress);
+  const Eigen::VectorXd& measured = model.observations().measured;
+  Settings start =
+      with_values(fit.settings, within_bounds(ranges_of(model, fit.settings),
+                                              values_of(fit.settings) + first_order_change(fit, measured, fold.kept)));
+  if (!model.predicts_quickly())
+    return closedloop::fit(model, start, fold.kept, {.most_iterations = few_steps}, progress);
+  const auto ahead = model.predict(start);
+  if (!ahead ||
+      fold.kept.whiten(measured - *ahead).squaredNorm() > fold.kept.whiten(measured - fit.predicted).squaredNorm())
+    start = fit.settings;
+  return closedloop::fit(model, start, fold.kept, {.most_iterations = more_steps}, progress);
 }
 
 }  // namespace

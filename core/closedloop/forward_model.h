@@ -56,6 +56,9 @@ class ForwardModel {
   [[nodiscard]] virtual std::vector<Start> starts(const Effect& effect, const Settings& active,
                                                   const Eigen::VectorXd& residual) const;
 
+  // Whether a prediction takes so little that sets of effects may be tried by the score.
+  [[nodiscard]] virtual bool predicts_quickly() const { return true; }
+
   // Further trials that could be measured, as sentences for a person ("press at (…) mm with 2 N"), and what settings
   // predict there, in units of the noise.
   [[nodiscard]] virtual std::vector<std::string> further_trials() const { return {}; }

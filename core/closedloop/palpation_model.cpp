@@ -84,6 +84,7 @@ class PalpationModel : public ForwardModel {
   [[nodiscard]] std::vector<Start> starts(const Effect& effect, const Settings& active,
                                           const Eigen::VectorXd& residual) const override;
 
+  [[nodiscard]] bool predicts_quickly() const override { return false; }
   [[nodiscard]] std::vector<std::string> further_trials() const override;
   [[nodiscard]] Result<Eigen::VectorXd> predict_further(std::size_t trial, const Settings& settings) const override;
 

@@ -2,6 +2,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -12,9 +13,13 @@ namespace glisson::closedloop {
 namespace {
 
 // All candidates get so many steps; those that are then near the best are fitted to the end. A solve can take seconds.
-constexpr int first_iterations = 5;
-constexpr double near_the_best = 1.5;  // in chi-squared
-constexpr double hopeless = 0.1;       // a second start ten times as far as where the first one ended
+constexpr int first_iterations = 5, first_iterations_where_quick = 15;
+// The first order says of trials left out what a new fit would say while parameters move little; where it makes the
+// error so much larger than the fit's, it is not believed.
+constexpr double beyond_first_order = 1.3;
+constexpr double clearly_worse = 1.25;  // of chi-squared on trials left out
+constexpr double near_the_best = 1.5;   // in chi-squared
+constexpr double hopeless = 0.1;        // a second start ten times as far as where the first one ended
 // Shares of what the best takes of the error: what promises less than the one is not fitted, and slow forms are tried
 // of kinds that reach the other.
 constexpr double far_less = 0.3, about_as_well = 0.6;
@@ -32,6 +37,15 @@ bool has_kind(const Settings& settings, const std::string& kind) {
 
 // The search's rounding decides nothing: of equals the first of the catalogue is taken.
 double rounded(double bic) { return std::round(bic); }
+
+// Where the fits of a form begin, and where the fit of it alone ended.
+std::vector<Setting> beginnings_of(const ForwardModel& model, const Candidate& alone) {
+  const Setting& ended = alone.fit.settings.front();
+  std::vector<Setting> settings{ended};
+  for (const Eigen::VectorXd& start : effect_of(model, ended)->starts)
+    settings.push_back({ended.kind, ended.form, start});
+  return settings;
+}
 
 double chi2_of(const Candidate& candidate) {
   return candidate.fitted() ? candidate.fit.chi2 : std::numeric_limits<double>::infinity();
@@ -51,8 +65,17 @@ double Search::bic_of(const Candidate& candidate) const {
   return bic(candidate.fit.chi2, candidate.fit.white.size(), parameter_count(candidate.fit.settings), correlation_);
 }
 
+double Search::cost_of_choice(const Candidate& candidate) const {
+  const auto forms = static_cast<double>(model_.catalogue().size());
+  const auto chosen = static_cast<double>(candidate.fit.settings.size());
+  return 2 * (std::lgamma(forms + 1) - std::lgamma(chosen + 1) - std::lgamma(forms - chosen + 1));
+}
+
 Candidate Search::judged(Fit fit) const {
   LeftOut left_out = leave_out(model_, fit, folds_);
+  if (model_.predicts_quickly() && left_out.chi2 > beyond_first_order * fit.chi2) {
+    if (auto refitted = leave_out_with_refits(model_, fit, folds_, progress_)) left_out = std::move(*refitted);
+  }
   return {{}, {}, std::move(fit), std::move(left_out), {}, false};
 }
 
@@ -115,7 +138,8 @@ Candidate Search::fit_from(const Attempt& attempt) const {
   std::optional<Fit> best;
   for (const auto& [chi2, start] : starts) {
     if (best && best->chi2 < hopeless * chi2) continue;
-    auto fitted = fit(model_, *start, whitening_, {.most_iterations = first_iterations}, progress_);
+    const int iterations = model_.predicts_quickly() ? first_iterations_where_quick : first_iterations;
+    auto fitted = fit(model_, *start, whitening_, {.most_iterations = iterations}, progress_);
     if (!fitted) {
       problem = fitted.error().message();
     } else if (!best || fitted->chi2 < best->chi2) {
@@ -270,39 +294,42 @@ bool Search::pays_beyond(const Candidate& candidate, const Candidate& current) c
 
 // The size of an effect, its first parameter, at the end of its range: the search wanted something that the effect
 // cannot be. (An end that means no effect does not pay by BIC.)
-bool Search::ran_out_of_range(const Candidate& candidate) const {
-  const Effect* effect = nullptr;
-  double size = 0;
-  for (const Setting& setting : candidate.fit.settings) {
-    if (setting.kind != candidate.kind || setting.parameters.size() == 0) continue;
-    effect = effect_of(model_, setting);
-    size = setting.parameters[0];
-  }
-  if (effect == nullptr) return false;
-  const Parameter& parameter = effect->parameters.front();
+bool Search::ran_out_of_range(const Setting& setting) const {
+  if (setting.parameters.size() == 0) return false;
+  const Parameter& parameter = effect_of(model_, setting)->parameters.front();
+  const double size = setting.parameters[0];
   constexpr double close = 1e-6;
   const double margin = close * (parameter.upper - parameter.lower);
   return size < parameter.lower * (1 + close) + margin * (parameter.scale == Scale::linear) ||
          size > parameter.upper - margin;
 }
 
+bool Search::ran_out_of_range(const Candidate& candidate) const {
+  return std::any_of(candidate.fit.settings.begin(), candidate.fit.settings.end(), [&](const Setting& setting) {
+    return setting.kind == candidate.kind && ran_out_of_range(setting);
+  });
+}
+
 // While effects are still missing, what is left is no noise and says nothing of how noise repeats itself; so the steps
 // forward take the stated noise at its word. What they leave shows it, and then each effect must still pay.
 Result<Candidate> Search::select(const Candidate& declared, std::vector<Candidate>& singles) {
-  auto chosen = forward(declared, singles);
+  auto chosen = forward(declared, &singles);
   if (!chosen) return chosen;
+  if (model_.predicts_quickly() && (!leaves_nothing(*chosen) || chosen->fit.settings.size() > 2)) {
+    chosen = with_best_pair(std::move(*chosen), declared, singles);
+    if (!chosen) return chosen;
+  }
   correlation_ = correlation_length(model_.observations(), chosen->fit.white);
   return backward(std::move(*chosen));
 }
 
-Result<Candidate> Search::forward(const Candidate& declared, std::vector<Candidate>& singles) {
-  Candidate current = declared;
+Result<Candidate> Search::forward(Candidate current, std::vector<Candidate>* singles) {
   for (std::size_t step = 0; step < 2 * options_.most_effects; ++step) {
     const double begin = std::min(0.9, 0.3 * static_cast<double>(step));
     auto candidates = fit_each(current.fit.settings, additions(current.fit.settings),
                                progress_.part(begin, std::min(0.95, begin + 0.3)));
     if (!candidates) return failure(std::move(candidates.error()));
-    if (step == 0) singles = *candidates;
+    if (step == 0 && singles != nullptr) *singles = *candidates;
     std::erase_if(*candidates, [](const Candidate& candidate) { return !candidate.fitted(); });
     if (candidates->empty()) return current;
     std::erase_if(*candidates, [&](const Candidate& candidate) {
@@ -326,6 +353,91 @@ Result<Candidate> Search::forward(const Candidate& declared, std::vector<Candida
   return current;
 }
 
+// What fits best alone need not be there at all, and a step that took it does not come back. So where the steps leave
+// something, or took three, two effects are fitted afresh together; the best two lead if they are better evidence, and
+// the steps go on from them.
+Result<Candidate> Search::with_best_pair(Candidate chosen, const Candidate& declared,
+                                         const std::vector<Candidate>& singles) {
+  std::vector<Candidate> pairs = pairs_of(singles);
+  if (progress_.cancelled()) return cancelled();
+  const auto weight = [this](const Candidate& candidate) { return bic_of(candidate) + cost_of_choice(candidate); };
+  std::erase_if(pairs, [&](const Candidate& pair) {
+    return !pair.fitted() || !shows(pair, declared) || !predicts_better(pair, declared) ||
+           std::any_of(pair.fit.settings.begin(), pair.fit.settings.end(),
+                       [&](const Setting& setting) { return ran_out_of_range(setting); });
+  });
+  std::stable_sort(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) { return weight(a) < weight(b); });
+  const auto best = std::find_if(pairs.begin(), pairs.end(),
+                                 [&](const Candidate& candidate) { return pays_beyond(candidate, declared); });
+  if (best == pairs.end()) return chosen;
+  const bool fewer = best->fit.settings.size() < chosen.fit.settings.size();
+  if (weight(*best) > weight(chosen) - (fewer ? 0 : options_.entry_bic) ||
+      leaves_nothing(chosen) > leaves_nothing(*best))
+    return chosen;
+  auto checked = backward(std::move(*best));
+  if (!checked || leaves_nothing(*checked)) return checked;
+  return forward(std::move(*checked), nullptr);
+}
+
+namespace {
+
+// Of each kind the forms that did best alone and the first of the catalogue, for what does nothing alone may do so in
+// company (friction in a specimen that is softer than declared).
+std::vector<const Candidate*> forms_to_pair(const std::vector<Candidate>& singles) {
+  constexpr std::size_t of_a_kind = 2;
+  std::vector<const Candidate*> by_chi2;
+  for (const Candidate& single : singles) {
+    if (single.fitted() && single.fit.settings.size() == 1) by_chi2.push_back(&single);
+  }
+  std::vector<const Candidate*> forms;
+  std::map<std::string, std::size_t> taken;
+  const auto take = [&] {
+    taken.clear();
+    for (const Candidate* form : by_chi2) {
+      if (++taken[form->kind] <= of_a_kind && std::count(forms.begin(), forms.end(), form) == 0) forms.push_back(form);
+    }
+  };
+  take();
+  std::stable_sort(by_chi2.begin(), by_chi2.end(),
+                   [](const auto* a, const auto* b) { return a->fit.chi2 < b->fit.chi2; });
+  take();
+  return forms;
+}
+
+}  // namespace
+
+// Each two of different kinds, from where each began or ended alone.
+std::vector<Candidate> Search::pairs_of(const std::vector<Candidate>& singles) const {
+  const std::vector<const Candidate*> forms = forms_to_pair(singles);
+  std::vector<Attempt> attempts;
+  for (std::size_t b = 1; b < forms.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      if (forms[a]->kind == forms[b]->kind) continue;
+      Attempt attempt{effect_of(model_, forms[b]->fit.settings.front()), {}, 0, {}};
+      for (const Setting& one : beginnings_of(model_, *forms[a])) {
+        for (const Setting& other : beginnings_of(model_, *forms[b])) attempt.starts.push_back({one, other});
+      }
+      attempts.push_back(std::move(attempt));
+    }
+  }
+  std::vector<Candidate> pairs(attempts.size());
+  parallel_for(attempts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !progress_.cancelled(); ++i) {
+      pairs[i] = fit_from(attempts[i]);
+      pairs[i].kind = attempts[i].effect->kind;
+      pairs[i].form = attempts[i].effect->form;
+    }
+  });
+  double best = std::numeric_limits<double>::infinity();
+  for (const Candidate& pair : pairs) best = std::min(best, chi2_of(pair));
+  parallel_for(pairs.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !progress_.cancelled(); ++i) {
+      if (pairs[i].fitted() && !pairs[i].fit.converged && pairs[i].fit.chi2 <= near_the_best * best) finish(pairs[i]);
+    }
+  });
+  return pairs;
+}
+
 Result<Candidate> Search::without(const Candidate& chosen, std::size_t which) const {
   Settings settings = chosen.fit.settings;
   settings.erase(settings.begin() + static_cast<std::ptrdiff_t>(which));
@@ -334,14 +446,16 @@ Result<Candidate> Search::without(const Candidate& chosen, std::size_t which) co
   return judged(std::move(*fitted));
 }
 
-// Effects that do not pay any more, now that others are there, leave.
+// Effects that do not pay any more, now that others are there, leave. Where what is left repeats itself from row to
+// row, few rows count and hardly anything pays; trials are still independent of each other, and what they need stays.
 Result<Candidate> Search::backward(Candidate chosen) const {
   for (std::size_t which = 0; which < chosen.fit.settings.size();) {
     auto smaller = without(chosen, which);
     if (!smaller) {
       if (progress_.cancelled()) return cancelled();
       ++which;
-    } else if (bic_of(*smaller) < bic_of(chosen) + options_.entry_bic / 2) {
+    } else if (bic_of(*smaller) < bic_of(chosen) + options_.entry_bic / 2 &&
+               smaller->left_out.chi2 < clearly_worse * chosen.left_out.chi2) {
       chosen = std::move(*smaller);
       which = 0;
     } else {
@@ -362,7 +476,8 @@ Result<std::vector<Candidate>> Search::in_place_of(const Candidate& chosen, std:
   }
   auto candidates = fit_each(others, effects, {});
   if (candidates) {
-    std::erase_if(*candidates, [](const Candidate& candidate) { return !candidate.fitted(); });
+    std::erase_if(*candidates,
+                  [&](const Candidate& candidate) { return !candidate.fitted() || ran_out_of_range(candidate); });
   }
   return candidates;
 }

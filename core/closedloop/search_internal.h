@@ -42,13 +42,21 @@ class Search {
   [[nodiscard]] double indistinct() const { return systematic_.indistinct; }
   [[nodiscard]] const SystematicUncertainty& systematic() const { return systematic_; }
 
+  // The effect that it tries is at the end of its range.
+  [[nodiscard]] bool ran_out_of_range(const Candidate& candidate) const;
+
   [[nodiscard]] double bic_of(const Candidate& candidate) const;
+  // 2 ln (P over k): what choosing k among the P forms of effects costs besides their parameters (extended BIC: Chen
+  // and Chen 2008, Biometrika 95:759).
+  [[nodiscard]] double cost_of_choice(const Candidate& candidate) const;
   [[nodiscard]] const Folds& folds() const { return folds_; }
   [[nodiscard]] const Whitening& whitening() const { return whitening_; }
   [[nodiscard]] double correlation() const { return correlation_; }
 
  private:
-  Result<Candidate> forward(const Candidate& declared, std::vector<Candidate>& singles);
+  Result<Candidate> forward(Candidate current, std::vector<Candidate>* singles);
+  Result<Candidate> with_best_pair(Candidate chosen, const Candidate& declared, const std::vector<Candidate>& singles);
+  [[nodiscard]] std::vector<Candidate> pairs_of(const std::vector<Candidate>& singles) const;
   [[nodiscard]] std::vector<const Effect*> additions(const Settings& active) const;
   [[nodiscard]] Result<std::vector<Candidate>> fit_each(const Settings& active,
                                                         const std::vector<const Effect*>& effects,
@@ -62,7 +70,7 @@ class Search {
   [[nodiscard]] bool shows(const Candidate& candidate, const Candidate& current) const;
   [[nodiscard]] bool predicts_better(const Candidate& candidate, const Candidate& current) const;
   [[nodiscard]] bool pays_beyond(const Candidate& candidate, const Candidate& current) const;
-  [[nodiscard]] bool ran_out_of_range(const Candidate& candidate) const;
+  [[nodiscard]] bool ran_out_of_range(const Setting& setting) const;
   Result<Candidate> backward(Candidate chosen) const;
 
   const ForwardModel& model_;
