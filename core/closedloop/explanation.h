@@ -80,6 +80,9 @@ struct Explanation {
   std::vector<FoundEffect> effects;  // by what they remove, the largest first
   Settings settings;                 // the same, for ForwardModel::predict
   std::vector<Suspect> ranking;      // the best first
+  // Of what was found, over a smooth function of what was done that names no cause (smooth_rival.h); absent where
+  // nothing would have been called explained.
+  std::optional<double> evidence_over_smooth;
   std::optional<SmoothCorrection> smooth_correction;
   std::optional<HeldOut> held_out_corrected;  // with it
   std::optional<NextMeasurement> next;

@@ -61,6 +61,7 @@ std::string report_text(const Explanation& explanation, const Observations& obse
   } else {
     json["after"]["held_out"] = "one trial cannot be left out";
   }
+  if (explanation.evidence_over_smooth) json["evidence_over_smooth_bic"] = *explanation.evidence_over_smooth;
   json["effects"] = Json::array();
   for (const FoundEffect& effect : explanation.effects) {
     json["effects"].push_back(json_of(effect, named));

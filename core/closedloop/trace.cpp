@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "closedloop/search_internal.h"
+#include "closedloop/smooth_rival.h"
 
 namespace glisson::closedloop {
 namespace {
@@ -31,6 +32,7 @@ class Tracing {
   [[nodiscard]] Eigen::VectorXd with_mesh_error_off(Eigen::VectorXd left_out, const Eigen::VectorXd& fitted) const;
   void describe_parameters(const Candidate& chosen, std::vector<FoundEffect>& effects);
   [[nodiscard]] bool comes_before(const std::string& kind, const std::string& other) const;
+  void weigh_against_smooth(const Candidate& declared, const Candidate& chosen);
   void take_off_mesh_error(const Candidate& chosen);
   void rank(const Candidate& declared, const std::vector<Candidate>& singles);
   void decide(const Candidate& declared, Candidate& chosen);
@@ -96,7 +98,7 @@ Result<std::vector<Candidate>> Tracing::in_place_of(const Candidate& chosen, std
   std::vector<Candidate> others = singles;
   const Setting& own = chosen.fit.settings.front();
   std::erase_if(others, [&](const Candidate& other) {
-    return !other.fitted() || (other.kind == own.kind && other.form == own.form);
+    return !other.fitted() || search_.ran_out_of_range(other) || (other.kind == own.kind && other.form == own.form);
   });
   return others;
 }
@@ -105,6 +107,7 @@ Result<std::vector<Candidate>> Tracing::in_place_of(const Candidate& chosen, std
 Result<Candidate> Tracing::with_swaps(Candidate chosen, const std::vector<Candidate>& singles) {
   constexpr int most_rounds = 3;
   constexpr double clearly = 2;
+  constexpr double about_as_well = 1.1;  // on trials left out
   // An explanation that leaves most of the error is none, and which of its effects could be another does not matter.
   if (search_.excess(chosen) > 0.5 * search_.excess(*declared_)) {
     in_place_.resize(chosen.fit.settings.size());
@@ -123,7 +126,8 @@ Result<Candidate> Tracing::with_swaps(Candidate chosen, const std::vector<Candid
         const auto more = parameter_count(other.fit.settings) - parameter_count(chosen.fit.settings);
         // Of two that the data cannot tell apart, the one of fewer numbers leads.
         if (more < 0 && gain > -options_.alike_bic)
-          return search_.leaves_nothing(other) || !search_.leaves_nothing(chosen);
+          return (search_.leaves_nothing(other) || !search_.leaves_nothing(chosen)) &&
+                 other.left_out.chi2 <= about_as_well * chosen.left_out.chi2;
         // Of as many numbers, the one that the catalogue names first: it begins with the plainest causes.
         if (more == 0 && gain > -clearly && comes_before(other.kind, chosen.fit.settings[which].kind) &&
             search_.leaves_nothing(other) == search_.leaves_nothing(chosen))
@@ -207,6 +211,7 @@ void Tracing::decide(const Candidate& declared, Candidate& chosen) {
     e.verdict =
         search_.leaves_nothing(chosen) || rms_in_noise(chosen) <= near ? Verdict::explained : Verdict::unexplained;
   }
+  if (e.verdict == Verdict::explained) weigh_against_smooth(declared, chosen);
   if (e.verdict == Verdict::unexplained && !chosen.fit.settings.empty() &&
       std::sqrt(chosen.left_out.chi2) > worth_naming * std::sqrt(declared.left_out.chi2) && search_.folds().any()) {
     chosen = declared;
@@ -223,6 +228,21 @@ void Tracing::decide(const Candidate& declared, Candidate& chosen) {
   e.settings = chosen.fit.settings;
   e.predicted_after = chosen.fit.predicted;
   e.after = error_figures(all(), e.predicted_after);
+}
+
+// Several causes together, or one with much freedom, can be bent to what none of them did.
+void Tracing::weigh_against_smooth(const Candidate& declared, const Candidate& chosen) {
+  Explanation& e = explanation_;
+  e.evidence_over_smooth =
+      evidence_over_smooth(all(), all().measured - declared.fit.predicted, all().measured - chosen.fit.predicted,
+                           parameter_count(chosen.fit.settings), search_.correlation(), progress_) -
+      search_.cost_of_choice(chosen);
+  if (*e.evidence_over_smooth >= options_.alike_bic) return;
+  e.verdict = Verdict::unexplained;
+  e.notes.push_back(fmt::format(
+      "What was found brings the residual to the noise, but is no clearly better evidence (BIC {:+.0f}) than a smooth "
+      "function of what was done, which names no cause.",
+      *e.evidence_over_smooth));
 }
 
 // The mesh's own error is no effect and is never named; but what of it the measurements show need not spoil what the

@@ -25,6 +25,10 @@ std::string answer(const Explanation& explanation) {
     case Verdict::explained:
       return "Explained: with the effects below, what is left is as small as the noise of the measurement.";
     default:
+      if (explanation.evidence_over_smooth)
+        return "Unexplained: known effects can be bent until what is left is noise, but a smooth function of what was "
+               "done, which has no cause, accounts for it about as well. What is named below is not a cause that these "
+               "data establish.";
       return "Unexplained: no combination of known effects brings the error near the noise. What is named below "
              "removes "
              "a part of it and is not a cause that these data establish.";
