@@ -95,6 +95,45 @@ double between_samples(const Eigen::VectorXd& heating, Eigen::Index i, double no
   }
 }
 
+// The computer slowed down in steps: its speed and the temperature that drives it, from sample to sample.
+class Governor {
+ public:
+  Governor(const PlatformBehaviour& behaviour, const PlatformTrial& trial, double temperature_C, Hold hold)
+      : behaviour_(behaviour), trial_(trial), hold_(hold), temperature_C_(temperature_C) {}
+
+  [[nodiscard]] double speed() const { return speed_; }
+
+  void go_on_to(Eigen::Index sample) {
+    constexpr double longest_step_s = 1, least_speed = 0.05;
+    const double passed_s = trial_.time_s[sample] - trial_.time_s[sample - 1];
+    const int steps = std::clamp(static_cast<int>(std::ceil(passed_s / longest_step_s)), 1, 600);
+    const double step_s = passed_s / steps;
+    const double load = between_samples(trial_.load, sample, trial_.load[sample], hold_);
+    const double share = behaviour_.time_constant_s > 0 ? -std::expm1(-step_s / behaviour_.time_constant_s) : 1.0;
+    for (int step = 0; step < steps; ++step) {
+      const double power_W = (behaviour_.idle_W + behaviour_.full_load_W * load * speed_ + behaviour_.static_W) *
+                             (1 + behaviour_.power_per_C * (temperature_C_ - trial_.ambient_C)) / behaviour_.efficiency;
+      const double steady_C = trial_.ambient_C + behaviour_.thermal_resistance_C_per_W * power_W;
+      const double next_C = temperature_C_ + share * (steady_C - temperature_C_);
+      // The share of the step spent above the limit: what is predicted changes smoothly with it.
+      const double hottest = std::max(temperature_C_, next_C), coolest = std::min(temperature_C_, next_C);
+      const double above = hottest > coolest
+                               ? std::clamp((hottest - *behaviour_.limit_C) / (hottest - coolest), 0.0, 1.0)
+                               : double(hottest >= *behaviour_.limit_C);
+      speed_ += step_s * ((1 - above) * behaviour_.faster_per_s - above * behaviour_.slower_per_s);
+      speed_ = std::clamp(speed_, least_speed, 1.0);
+      temperature_C_ = next_C;
+    }
+  }
+
+ private:
+  const PlatformBehaviour& behaviour_;
+  const PlatformTrial& trial_;
+  Hold hold_;
+  double temperature_C_;
+  double speed_ = 1;
+};
+
 }  // namespace
 
 PlatformReadings readings(const PlatformBehaviour& behaviour, const Platform& platform, const PlatformTrial& trial,
@@ -110,12 +149,17 @@ PlatformReadings readings(const PlatformBehaviour& behaviour, const Platform& pl
   if (heats && power_known) all.temperature_C.resize(size);
   double temperature = first_temperature_C(platform, trial);
   Eigen::VectorXd heating(size);
+  const bool in_steps = behaviour.limit_C && behaviour.slower_per_s > 0 && trial.load.size() > 0;
+  Governor governor(behaviour, trial, temperature, hold);
   for (Eigen::Index i = 0; i < size; ++i) {
     double power = 0;
     if (demand.size() > 0) {
       const double hot = trial.temperature_C.size() > 0 ? trial.temperature_C[i] : temperature;
-      power = (demand[i] + behaviour.static_W) * (1 + behaviour.power_per_C * (hot - trial.ambient_C)) /
-              behaviour.efficiency;
+      if (in_steps && i > 0) governor.go_on_to(i);
+      const double asked_W =
+          in_steps ? demand[i] - behaviour.full_load_W * trial.load[i] * (1 - governor.speed()) : demand[i];
+      power =
+          (asked_W + behaviour.static_W) * (1 + behaviour.power_per_C * (hot - trial.ambient_C)) / behaviour.efficiency;
     }
     if (heats) {
       heating[i] = demand.size() == 0 && trial.power_W.size() > 0 ? trial.power_W[i] : power;
@@ -128,7 +172,7 @@ PlatformReadings readings(const PlatformBehaviour& behaviour, const Platform& pl
         const double passed_s = trial.time_s[i] - trial.time_s[i - 1];
         temperature = steady + (temperature - steady) * std::exp(-passed_s / behaviour.time_constant_s);
       }
-      if (behaviour.limit_C && temperature > *behaviour.limit_C) {
+      if (behaviour.limit_C && !in_steps && temperature > *behaviour.limit_C) {
         temperature = std::max(*behaviour.limit_C, trial.ambient_C);
         power = std::min(power, (temperature - trial.ambient_C) / to_air);
         heating[i] = std::min(heating[i], power);

@@ -8,7 +8,10 @@
 //   battery  V = V_nominal + curve(d) - I R until the capacity is spent, then 0; d: depth of discharge
 //            charge counts as I (I / I_rated)^(k - 1) (Peukert), I_rated emptying the battery in the rated hours
 //   heat     tau dT/dt = T_ambient + R_th P - T; without a time constant T follows P at once
-// At the temperature limit the power is what keeps it there.
+// At the temperature limit the power is what keeps it there; or, with steps, the computer works at a speed from 1 down to
+// 0.05 that falls steadily while it is above the limit and rises while it is below, so that it swings about the limit
+// (the step-wise governor of Linux, Documentation/driver-api/thermal): the load counts as load x speed. What drives that
+// is the temperature predicted, second by second.
 // The temperature that power depends on is the measured one where there is one; what heats is the power predicted, or
 // the one measured where none is. Between samples power is as `hold` says.
 
@@ -31,6 +34,8 @@ struct PlatformBehaviour {
   double power_per_C = 0;
   double efficiency = 1;
   std::optional<double> limit_C;
+  double slower_per_s = 0;  // of the speed; 0: no steps
+  double faster_per_s = 0;
   double resistance_ohm = 0;
   bool heats_by_loss = false;  // I^2 R heats, not what is drawn: a cell by itself
   double rate_exponent = 1;

@@ -163,6 +163,27 @@ void add_heat(const Platform& platform, const Reach& reach, Effects& effects) {
                       GLISSON_TEXT("The computer slows itself down to stay below a temperature."),
                       starts},
                      [](const auto& p, auto& behaviour) { behaviour.limit_C = p[0]; }});
+  if (reach.load) {
+    std::vector<Eigen::VectorXd> in_steps;
+    for (double share = 0.4; share < 1.0; share += 0.05) {
+      for (const double slower : {0.003, 0.01, 0.04}) {
+        for (const double faster : {0.003, 0.01})
+          in_steps.push_back(vector({25 + share * (hottest - 25), slower, faster}));
+      }
+    }
+    effects.push_back({{"thermal-throttling",
+                        "steps",
+                        {{"limit_C", 200, 0, 200, 40, 100},
+                         {"slower_per_s", 0.01, 1e-4, 1, 2e-3, 0.1, Scale::logarithmic},
+                         {"faster_per_s", 0.01, 1e-4, 1, 2e-3, 0.1, Scale::logarithmic}},
+                        GLISSON_TEXT("The computer slows itself down to stay below a temperature."),
+                        in_steps},
+                       [](const auto& p, auto& behaviour) {
+                         behaviour.limit_C = p[0];
+                         behaviour.slower_per_s = p[1];
+                         behaviour.faster_per_s = p[2];
+                       }});
+  }
   const double declared = *platform.thermal_resistance_C_per_W;
   effects.push_back({{"thermal-resistance",
                       "",

@@ -52,6 +52,7 @@ struct Board {
   double static_W = 0;
   double efficiency = 1;
   double limit_C = 1000;
+  double slower_per_s = 0, faster_per_s = 0;  // of its speed, above and below the limit; none: held at the limit
 };
 
 // A board that idles at 2 W and takes 8 W more at full load, 5 C/W and 120 s to the room's air.
@@ -72,13 +73,18 @@ Platform board(const Board& board) {
     trial.load.resize(samples);
     trial.power_W.resize(samples);
     trial.temperature_C.resize(samples);
-    double temperature = 23;
+    double temperature = 23, speed = 1;
     for (Eigen::Index i = 0; i < samples; ++i) {
       trial.load[i] = top * (0.5 + 0.5 * std::sin(0.004 * trial.time_s[i] * (1 + top)));
-      double power = (2 + 8 * trial.load[i] + board.static_W) / board.efficiency;
+      const auto drawn = [&] { return (2 + 8 * trial.load[i] * speed + board.static_W) / board.efficiency; };
       constexpr int steps = 50;
-      for (int step = 0; step < steps && i > 0; ++step) temperature += (23 + 5 * power - temperature) * 5 / 120 / steps;
-      if (temperature >= board.limit_C) {
+      for (int step = 0; step < steps && i > 0; ++step) {
+        const double rate = temperature > board.limit_C ? -board.slower_per_s : board.faster_per_s;
+        speed = std::clamp(speed + rate * 5 / steps, 0.05, 1.0);
+        temperature += (23 + 5 * drawn() - temperature) * 5 / 120 / steps;
+      }
+      double power = drawn();
+      if (board.slower_per_s == 0 && temperature >= board.limit_C) {
         temperature = board.limit_C;
         power = std::min(power, (board.limit_C - 23) / 5);
       }
@@ -134,6 +140,18 @@ TEST(PlatformTracing, ThrottlingLeadsWheneverItIsExplained) {
     if (throttling.verdict != Verdict::explained) continue;
     EXPECT_EQ(throttling.effects.front().kind, "thermal-throttling");
   }
+}
+
+// It slows down while it is too warm and recovers more slowly, so that it swings about its limit by several degrees.
+TEST(PlatformTracing, AGovernorThatSlowsAndRecoversInStepsIsFound) {
+  const Explanation e = explained(board({.limit_C = 52, .slower_per_s = 0.012, .faster_per_s = 0.005}));
+  ASSERT_EQ(name_of_only_effect(e), "thermal-throttling");
+  ASSERT_EQ(e.effects[0].form, "steps");
+  EXPECT_NEAR(e.effects[0].parameters[0].value, 52, 0.5);
+  EXPECT_NEAR(e.effects[0].parameters[1].value, 0.012, 0.003);
+  EXPECT_NEAR(e.effects[0].parameters[2].value, 0.005, 0.002);
+  EXPECT_GT(e.before.rms, 3);
+  EXPECT_LT(e.held_out->rms, 1.1);
 }
 
 TEST(PlatformTracing, RecordingsOfWhichNothingIsPredictedAreRefused) {
