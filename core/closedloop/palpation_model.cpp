@@ -1,10 +1,8 @@
 #include "closedloop/palpation_model.h"
 
-#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <limits>
 #include <map>
@@ -13,50 +11,17 @@
 #include "base/units.h"
 #include "closedloop/fit.h"
 #include "closedloop/palpation_effects.h"
+#include "closedloop/palpation_frame.h"
 #include "closedloop/palpation_further.h"
-#include "closedloop/palpation_history.h"
+#include "closedloop/palpation_loading.h"
 #include "closedloop/palpation_refinement.h"
 #include "closedloop/palpation_search.h"
 #include "closedloop/palpation_solver.h"
 #include "closedloop/palpation_state.h"
 #include "closedloop/palpation_stiffened_response.h"
-#include "mechanics/load_vector.h"
 
 namespace glisson::closedloop {
 namespace {
-
-// One moment at which markers were seen.
-struct Shot {
-  std::size_t trial = 0;
-  Eigen::Index sample = 0;            // of the trial
-  Eigen::Index first_row = 0;         // of the observations
-  std::vector<Eigen::Index> markers;  // among all places of markers
-};
-
-// The history of a trial's load cell.
-struct History {
-  Eigen::VectorXd time_s;
-  Eigen::VectorXd reading_mN;
-  Eigen::Index load = 0;  // the column of its tool among the unit loads
-};
-
-// The columns of unit loads: a mN of each tool, then a mm/s2 of gravity along x, y, z, then a kPa of pressure.
-struct LoadColumns {
-  Eigen::Index tools = 0;
-  [[nodiscard]] Eigen::Index gravity() const { return tools; }
-  [[nodiscard]] Eigen::Index pressure() const { return tools + 3; }
-  [[nodiscard]] Eigen::Index all() const { return tools + 4; }
-};
-
-// How much of each unit load acts at each shot (columns), and its derivatives by the load's own parameters.
-struct Loading {
-  Eigen::MatrixXd amounts;
-  Eigen::MatrixXd by_zero, by_gain;
-  std::vector<Eigen::MatrixXd> by_amplitude, by_time;  // one a creep term
-};
-
-Eigen::Matrix3d rotation(const Eigen::Vector3d& rotation_deg);
-std::array<Eigen::Matrix3d, 3> rotation_derivatives(const Eigen::Vector3d& rotation_deg);
 
 class PalpationModel : public ForwardModel {
  public:
@@ -94,7 +59,9 @@ class PalpationModel : public ForwardModel {
   [[nodiscard]] PalpationState state(const Settings& settings) const {
     return state_of(settings, held_from_kPa_per_mm_);
   }
-  [[nodiscard]] Loading loading(const PalpationState& state) const;
+  [[nodiscard]] Loading loading(const PalpationState& state) const {
+    return loading_of(shots_, histories_, columns_, experiment_.gravity_mm_s2, state);
+  }
   [[nodiscard]] Result<Eigen::MatrixXd> displacements(const Settings& settings) const;
   [[nodiscard]] Result<Fields> linear_derivatives(const Settings& settings) const;
   [[nodiscard]] double promise_of_linear_fit(const Effect& effect, const Settings& active, const Start& start,
@@ -125,9 +92,6 @@ class PalpationModel : public ForwardModel {
 };
 
 bool stiffens(const PalpationState& state) { return state.stiffening && state.stiffening->coefficient != 0; }
-
-Result<std::vector<History>> histories_and_loads(const Palpation& experiment, const SpecimenBody& specimen,
-                                                 LoadColumns& columns, Eigen::MatrixXd& loads_mN);
 
 }  // namespace
 
@@ -312,36 +276,6 @@ SystematicUncertainty PalpationModel::systematic_uncertainty() const {
                               std::sqrt(static_cast<double>(observations_.rows())) / experiment_.noise_mm;
   });
   return uncertainty_;
-}
-
-// What acts at each shot.
-Loading PalpationModel::loading(const PalpationState& state) const {
-  const auto shots = static_cast<Eigen::Index>(shots_.size());
-  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(columns_.all(), shots);
-  Loading loading{none, none, none, {state.creep.size(), none}, {state.creep.size(), none}};
-  for (std::size_t t = 0; t < histories_.size(); ++t) {
-    const History& history = histories_[t];
-    const Eigen::VectorXd force_mN = (history.reading_mN.array() - state.zero_mN) / state.gain;
-    const Eigen::VectorXd effective_mN = effective_load(history.time_s, force_mN, state.creep);
-    const Eigen::VectorXd of_one = effective_load(history.time_s, Eigen::VectorXd::Ones(force_mN.size()), state.creep);
-    std::vector<DelayedLoad> delayed;
-    for (const CreepTerm& term : state.creep) delayed.push_back(delayed_load(history.time_s, force_mN, term.time_s));
-    for (std::size_t s = 0; s < shots_.size(); ++s) {
-      if (shots_[s].trial != t) continue;
-      const auto shot = static_cast<Eigen::Index>(s);
-      const Eigen::Index i = shots_[s].sample;
-      loading.amounts(history.load, shot) = effective_mN[i];
-      loading.by_zero(history.load, shot) = -of_one[i] / state.gain;
-      loading.by_gain(history.load, shot) = -effective_mN[i] / state.gain;
-      for (std::size_t c = 0; c < delayed.size(); ++c) {
-        loading.by_amplitude[c](history.load, shot) = delayed[c].value[i];
-        loading.by_time[c](history.load, shot) = state.creep[c].amplitude * delayed[c].by_time[i];
-      }
-    }
-  }
-  loading.amounts.middleRows<3>(columns_.gravity()).colwise() += experiment_.gravity_mm_s2 + state.gravity_mm_s2;
-  loading.amounts.row(columns_.pressure()).array() += state.pressure_kPa;
-  return loading;
 }
 
 Result<Eigen::MatrixXd> PalpationModel::displacements(const Settings& settings) const {
@@ -536,85 +470,6 @@ Result<Eigen::VectorXd> PalpationModel::predict_further(std::size_t trial, const
   std::vector<bool> asked(static_cast<std::size_t>(further_->observations().trial_count()), false);
   asked[trial] = true;
   return Eigen::VectorXd((*predicted)(rows_of(further_->observations(), asked)) / experiment_.noise_mm);
-}
-
-// --- what the model is made of
-
-Result<std::vector<History>> histories_and_loads(const Palpation& experiment, const SpecimenBody& specimen,
-                                                 LoadColumns& columns, Eigen::MatrixXd& loads_mN) {
-  const mechanics::Body& body = specimen.body;
-  std::vector<mechanics::ToolLoad> tools;
-  std::vector<Eigen::VectorXd> forces;
-  const auto add = [&](const mechanics::Load& load) -> Result<void> {
-    return mechanics::load_vector(body.mesh, body.layout, body.boundary, body.options.density_kg_mm3, {load})
-        .map([&](Eigen::VectorXd force_mN) { forces.push_back(std::move(force_mN)); });
-  };
-  std::vector<History> histories;
-  for (const PalpationTrial& trial : experiment.trials) {
-    History history;
-    const auto samples = static_cast<Eigen::Index>(trial.samples.size());
-    history.time_s.resize(samples);
-    history.reading_mN.resize(samples);
-    for (Eigen::Index s = 0; s < samples; ++s) {
-      history.time_s[s] = trial.samples[static_cast<std::size_t>(s)].time_s;
-      history.reading_mN[s] = trial.samples[static_cast<std::size_t>(s)].force_mN;
-    }
-    const mechanics::ToolLoad tool{trial.tool.center_mm, trial.tool.radius_mm, trial.tool.direction};
-    const auto known = std::find_if(tools.begin(), tools.end(), [&](const mechanics::ToolLoad& other) {
-      return other.center_mm == tool.center_mm && other.radius_mm == tool.radius_mm && other.force_mN == tool.force_mN;
-    });
-    history.load = known - tools.begin();
-    if (known == tools.end()) {
-      if (auto added = add(tool); !added) {
-        Error error = std::move(added.error());
-        error.text = fmt::format("Trial {}: {}", trial.id, error.message());
-        error.arguments.clear();
-        return failure(std::move(error));
-      }
-      tools.push_back(tool);
-    }
-    histories.push_back(std::move(history));
-  }
-  columns.tools = static_cast<Eigen::Index>(tools.size());
-  for (int d = 0; d < 3; ++d) {
-    if (auto added = add(mechanics::GravityLoad{Eigen::Vector3d::Unit(d)}); !added) return failure(added.error());
-  }
-  if (auto added = add(mechanics::PressureLoad{1.0}); !added) return failure(added.error());
-  loads_mN.resize(3 * static_cast<Eigen::Index>(body.layout.nodes()), columns.all());
-  for (std::size_t l = 0; l < forces.size(); ++l) loads_mN.col(static_cast<Eigen::Index>(l)) = forces[l];
-  return histories;
-}
-
-constexpr double radians_per_degree = 0.017453292519943295;
-
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
-
-Eigen::Matrix3d rotation(const Eigen::Vector3d& rotation_deg) {
-  const double angle = radians_per_degree * rotation_deg.norm();
-  if (angle == 0) return Eigen::Matrix3d::Identity();
-  return Eigen::AngleAxisd(angle, rotation_deg.normalized()).toRotationMatrix();
-}
-
-// dR/dv_i = [J_l e_i]x R, J_l the left Jacobian of the rotation group (e.g. J. Sola et al. 2018, A micro Lie theory).
-std::array<Eigen::Matrix3d, 3> rotation_derivatives(const Eigen::Vector3d& rotation_deg) {
-  const double angle = radians_per_degree * rotation_deg.norm();
-  Eigen::Matrix3d jacobian = Eigen::Matrix3d::Identity();
-  if (angle > 1e-8) {
-    const Eigen::Vector3d axis = rotation_deg.normalized();
-    jacobian = std::sin(angle) / angle * Eigen::Matrix3d::Identity() +
-               (1 - std::sin(angle) / angle) * axis * axis.transpose() +
-               (1 - std::cos(angle)) / angle * cross_matrix(axis);
-  }
-  const Eigen::Matrix3d turn = rotation(rotation_deg);
-  std::array<Eigen::Matrix3d, 3> derivatives;
-  for (int i = 0; i < 3; ++i) {
-    derivatives[static_cast<std::size_t>(i)] = radians_per_degree * cross_matrix(jacobian.col(i)) * turn;
-  }
-  return derivatives;
 }
 
 }  // namespace

@@ -61,10 +61,17 @@ class Search {
   [[nodiscard]] Result<std::vector<Candidate>> fit_each(const Settings& active,
                                                         const std::vector<const Effect*>& effects,
                                                         const Progress& progress) const;
-  struct Attempt;
+  // Where the fits of an effect begin, the best first, and what it promises.
+  struct Attempt {
+    const Effect* effect = nullptr;
+    std::vector<Settings> starts;
+    double promise = 0;
+    std::string problem;
+  };
   [[nodiscard]] Attempt begin(const Settings& active, const Effect& effect, const Eigen::VectorXd& residual) const;
   [[nodiscard]] Candidate fit_from(const Attempt& attempt) const;
   void finish(Candidate& candidate) const;
+  void finish_near_the_best(std::vector<Candidate>& candidates) const;
   [[nodiscard]] Candidate judged(Fit fit) const;
   [[nodiscard]] double plain_square(const Eigen::VectorXd& predicted) const;
   [[nodiscard]] bool shows(const Candidate& candidate, const Candidate& current) const;
