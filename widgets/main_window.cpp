@@ -11,6 +11,7 @@
 #include <QSplitter>
 #include <QStackedLayout>
 #include <QStatusBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "base/files.h"
@@ -31,6 +32,7 @@
 #include "views/measure_list.h"
 #include "views/wave_view.h"
 #include "words/language_menu.h"
+#include "words/named.h"
 #include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
@@ -94,6 +96,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file
     word_patient();
     show_figures();
     patient_views_->reword();
+    QTimer::singleShot(0, this, [this] { name_controls(*this); });  // once all of it has its words
   });
 }
 
@@ -165,7 +168,8 @@ Bench MainWindow::bench() {
           .open = [this](const QString& title, auto loader) { load(title, std::move(loader)); },
           .tell_error = [this](const Error& error) { show_error(error); },
           .tell_status = [this](const QString& text) { status_->say(text); },
-          .go_to = [this](const QString& workspace_id) { go_to(workspace_id); }};
+          .go_to = [this](const QString& workspace_id) { go_to(workspace_id); },
+          .list_structures = [this](const auto& drawn) { study_panel_->list(drawn ? *drawn : patient_.structures); }};
 }
 
 void MainWindow::open_path(const fs::path& opened) {

@@ -21,12 +21,12 @@ Outcome describe(const meshing::LiverMesh& mesh) {
        {"watertight", watertight},
        {"hausdorff_mm", mesh.hausdorff_mm},
        {"regions", Json::array()},
-       {"notes", mesh.notes}},
+       {"notes", messages(mesh.notes)}},
       fmt::format("{} points, {} cells, {:.1f} ml, smallest dihedral angle {:.1f} deg, {}, at most {:.2f} mm "
                   "from the labels\n",
                   mesh.body.points_mm.size(), mesh.body.cells.size(), volume_ml, mesh.quality.min_dihedral_deg,
                   watertight ? "watertight" : "NOT watertight", mesh.hausdorff_mm) +
-          bullet_list(mesh.notes)};
+          bullet_list(messages(mesh.notes))};
   for (const auto& region : mesh.regions) {
     outcome.document["regions"].push_back({{"label", region.label},
                                            {"label_volume_ml", region.label_volume_ml},

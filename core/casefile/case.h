@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "base/sentence.h"
 #include "imaging/image.h"
 
 namespace glisson::casefile {
@@ -29,7 +30,7 @@ struct Made {
   std::map<std::string, std::string> options;  // as a person would write them, numbers with a dot
   std::vector<std::string> from;
   std::map<std::string, std::string> sources;
-  std::vector<std::string> notes;  // what a person should know of it ("the liver touches the image border")
+  std::vector<Sentence> notes;  // what a person should know of it ("the liver touches the image border")
 };
 
 struct Entry {

@@ -12,7 +12,13 @@ std::string record_of(const Entry& entry) {
   if (!entry.made.options.empty()) made["options"] = entry.made.options;
   if (!entry.from_sha256.empty()) made["from"] = entry.from_sha256;
   if (!entry.made.sources.empty()) made["sources"] = entry.made.sources;
-  if (!entry.made.notes.empty()) made["notes"] = entry.made.notes;
+  if (!entry.made.notes.empty()) {
+    // For whoever reads the file, and apart from it in the pieces that other languages need.
+    made["notes"] = messages(entry.made.notes);
+    for (const Sentence& note : entry.made.notes) {
+      made["note_pieces"].push_back({{"text", note.text}, {"arguments", note.arguments}});
+    }
+  }
   return Json{{"id", entry.id}, {"file", entry.file.generic_string()}, {"sha256", entry.sha256}, {"made", made}}.dump();
 }
 
@@ -29,7 +35,16 @@ Result<Entry> entry_of(std::string_view text, const fs::path& file) {
     entry.when_utc = made.value("when", "");
     entry.made.options = made.value("options", std::map<std::string, std::string>{});
     entry.made.sources = made.value("sources", std::map<std::string, std::string>{});
-    entry.made.notes = made.value("notes", std::vector<std::string>{});
+    if (made.contains("note_pieces")) {
+      for (const Json& note : made.at("note_pieces")) {
+        entry.made.notes.push_back(
+            {note.at("text").get<std::string>(), note.at("arguments").get<std::vector<std::string>>()});
+      }
+    } else {
+      for (std::string& note : made.value("notes", std::vector<std::string>{})) {
+        entry.made.notes.push_back({std::move(note), {}});
+      }
+    }
     entry.from_sha256 = made.value("from", std::map<std::string, std::string>{});
     for (const auto& [source, content] : entry.from_sha256) entry.made.from.push_back(source);
     const bool escapes = entry.file.is_absolute() || std::any_of(entry.file.begin(), entry.file.end(),

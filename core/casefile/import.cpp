@@ -254,7 +254,8 @@ Result<std::vector<Chosen>> choose(const Study& study, const ImportChoice& choic
 }
 
 Made made_from(const Series& series) {
-  Made made{"import", {{"series", series.uid}, {"description", series.description}}, {}, {}, series.problems};
+  Made made{"import", {{"series", series.uid}, {"description", series.description}}, {}, {}, {}};
+  for (const std::string& problem : series.problems) made.notes.push_back({problem, {}});
   for (const auto& file : series.files) {
     made.sources[file.filename().string()] = sha256_of_file(file).value_or("unreadable");
   }
@@ -277,8 +278,8 @@ Result<void> import_mean_as_anatomy(Case& patient, const Chosen& chosen, std::ve
     }
   }
   Made made = made_from(series);
-  made.notes.emplace_back("The mean of the elastography's magnitude images serves as the anatomy.");
-  imported.push_back({chosen.id, chosen.role, mean.grid, made.notes});
+  made.notes.push_back({GLISSON_TEXT("The mean of the elastography's magnitude images serves as the anatomy."), {}});
+  imported.push_back({chosen.id, chosen.role, mean.grid, messages(made.notes)});
   return patient.add(chosen.id, ".nrrd", std::move(made),
                      [&](const auto& file) { return imaging::write_volume_file(file, mean); });
 }
@@ -301,7 +302,7 @@ Result<void> import_series(Case& patient, const Chosen& chosen, std::vector<Impo
     if (chosen.role == Role::mre_stiffness) {
       auto stiffness = imaging::stiffness_in_kPa(std::move(*volume), series.unit_evidence);
       if (!stiffness) return failure(stiffness.error());
-      made.notes.push_back(stiffness->evidence);
+      made.notes.push_back({stiffness->evidence, {}});
       volume = std::move(stiffness->shear_kPa);
     }
     if (!series.motion.empty()) put_motion(series.motion[static_cast<std::size_t>(index)], made.options);
@@ -311,7 +312,7 @@ Result<void> import_series(Case& patient, const Chosen& chosen, std::vector<Impo
     auto added =
         patient.add(id, ".nrrd", made, [&](const auto& file) { return imaging::write_volume_file(file, *volume); });
     if (!added) return added;
-    imported.push_back({id, chosen.role, volume->grid, made.notes});
+    imported.push_back({id, chosen.role, volume->grid, messages(made.notes)});
   }
   return {};
 }

@@ -51,13 +51,15 @@ Result<meshing::LiverMesh> mesh_liver(Case& patient, const meshing::MeshOptions&
   Made made{"mesh", {{"target-cells", std::to_string(options.target_cells)}}, {}, {}, meshed->notes};
   for (const Structure& structure : *structures) made.from.push_back("labels/" + structure.name);
   for (const std::string& lesion : whole.added) {
-    made.notes.push_back(fmt::format("{} was not wholly inside the liver; it was meshed as part of it.", lesion));
+    made.notes.push_back({GLISSON_TEXT("{0} was not wholly inside the liver; it was meshed as part of it."), {lesion}});
   }
   for (const meshing::LabelName& region : named.names) {
     made.options[fmt::format("region-{}", region.label)] = region.name;
   }
   // A liver that is cut by the image may lack its upper rear; then the scenario must say what holds it.
-  if (auto marked = rehearsal::mark_attachments(meshed->body); !marked) made.notes.push_back(marked.error().message());
+  if (auto marked = rehearsal::mark_attachments(meshed->body); !marked) {
+    made.notes.push_back({marked.error().text, marked.error().arguments});
+  }
 
   progress.report(0.9, GLISSON_TEXT("Saving the mesh"));
   auto saved = patient.add("meshes/liver", ".vtu", made,

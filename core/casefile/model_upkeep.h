@@ -32,7 +32,7 @@ struct ModelFacts {
   geometry::Surface surface;     // the boundary, cell field "youngs_modulus_kPa"
   geometry::Surface held;        // its part that is held still
   geometry::Surface on_springs;  // its part on an elastic foundation
-  std::vector<std::string> notes;
+  std::vector<Sentence> notes;
 };
 // Fails where there is no model, as file_of does, or it cannot be read.
 Result<ModelFacts> model_facts(const Case& patient, const Progress& progress = {});

@@ -53,7 +53,7 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
       notes.push_back({GLISSON_TEXT("The growing left {0} out; it was added to the liver."), {lesion}});
     }
   }
-  made.notes = messages(notes);
+  made.notes = notes;
   auto saved = save_structure(patient, segmentation::make_structure(name, std::move(grown->mask)), std::move(made));
   if (saved) saved->notes = std::move(notes);
   return saved;

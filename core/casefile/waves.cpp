@@ -108,7 +108,7 @@ Result<InvertedWaves> inverted_waves(const Case& patient, const elastography::As
   auto map = elastography::invert(sorted->frequencies, organ, options, progress.part(0.1, 1));
   if (!map) return failure(map.error());
   map->notes.insert(map->notes.begin(), sorted->notes.begin(), sorted->notes.end());
-  made.notes = messages(map->notes);
+  made.notes = map->notes;
   for (std::size_t f = 0; f < map->frequencies_Hz.size(); ++f) {
     const std::string name = f == 0 ? "frequency_Hz" : fmt::format("frequency_Hz-{}", f + 1);
     made.options[name] = fmt::format("{:g}", map->frequencies_Hz[f]);

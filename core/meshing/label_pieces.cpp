@@ -22,7 +22,7 @@ struct IndexBox {
 
 Result<void> check_grid(const LabelMap& labels);
 IndexBox box_of_labelled(const LabelMap& labels);
-std::string note_on_cut(const Grid& grid, const IndexBox& box);
+std::vector<Sentence> notes_on_cuts(const Grid& grid, const IndexBox& box);
 LabelMap cropped(const LabelMap& labels, const IndexBox& box, int margin);
 
 // Voxels of one value that hang together by faces, numbered from 0.
@@ -37,8 +37,8 @@ Components components_of(const std::vector<std::uint16_t>& values, const Grid& g
 template <typename Visit>
 void for_each_neighbour(const Grid& grid, std::size_t voxel, Visit&& visit);
 
-void keep_largest_part(LabelMap& body, const std::vector<LabelName>& names, std::vector<std::string>& notes);
-void fill_holes(LabelMap& body, std::uint16_t with, std::vector<std::string>& notes);
+void keep_largest_part(LabelMap& body, const std::vector<LabelName>& names, std::vector<Sentence>& notes);
+void fill_holes(LabelMap& body, std::uint16_t with, std::vector<Sentence>& notes);
 std::uint16_t largest_label(const LabelMap& body);
 
 // The pieces of the body, specks already given to their neighbours.
@@ -60,10 +60,10 @@ Result<PieceMap> find_pieces(const LabelMap& labels, const PieceOptions& options
   PieceMap map;
   for (const LabelName& named : options.names) {
     if (std::find(labels.values.begin(), labels.values.end(), named.label) == labels.values.end()) {
-      map.notes.push_back(fmt::format("{} holds no voxels.", display_name(named.label, options.names)));
+      map.notes.push_back({GLISSON_TEXT("{0} holds no voxels."), {display_name(named.label, options.names)}});
     }
   }
-  if (std::string cut = note_on_cut(labels.grid, box); !cut.empty()) map.notes.push_back(std::move(cut));
+  for (Sentence& cut : notes_on_cuts(labels.grid, box)) map.notes.push_back(std::move(cut));
 
   LabelMap body = cropped(labels, box, PieceMap::margin);
   keep_largest_part(body, options.names, map.notes);
@@ -140,16 +140,19 @@ IndexBox box_of_labelled(const LabelMap& labels) {
   return box;
 }
 
-std::string note_on_cut(const Grid& grid, const IndexBox& box) {
-  std::vector<std::string> sides;
+std::vector<Sentence> notes_on_cuts(const Grid& grid, const IndexBox& box) {
+  constexpr std::array<const char*, 3> first{GLISSON_TEXT("first i"), GLISSON_TEXT("first j"), GLISSON_TEXT("first k")};
+  constexpr std::array<const char*, 3> last{GLISSON_TEXT("last i"), GLISSON_TEXT("last j"), GLISSON_TEXT("last k")};
+  std::vector<Sentence> notes;
+  const auto add = [&](const char* side) {
+    notes.push_back(
+        {GLISSON_TEXT("The image cuts the body at its {0} side; it is closed there by a flat cap."), {side}});
+  };
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const char name = "ijk"[axis];
-    if (box.first[axis] == 0) sides.push_back(fmt::format("first {}", name));
-    if (box.last[axis] == grid.size[axis] - 1) sides.push_back(fmt::format("last {}", name));
+    if (box.first[axis] == 0) add(first[axis]);
+    if (box.last[axis] == grid.size[axis] - 1) add(last[axis]);
   }
-  if (sides.empty()) return {};
-  return fmt::format("The image cuts the body at its {} side{}; it is closed there by a flat cap.",
-                     fmt::join(sides, ", "), sides.size() > 1 ? "s" : "");
+  return notes;
 }
 
 LabelMap cropped(const LabelMap& labels, const IndexBox& box, int margin) {
@@ -210,7 +213,7 @@ Components components_of(const std::vector<std::uint16_t>& values, const Grid& g
   return found;
 }
 
-void keep_largest_part(LabelMap& body, const std::vector<LabelName>& names, std::vector<std::string>& notes) {
+void keep_largest_part(LabelMap& body, const std::vector<LabelName>& names, std::vector<Sentence>& notes) {
   std::vector<std::uint16_t> labelled(body.values.size());
   std::transform(body.values.begin(), body.values.end(), labelled.begin(),
                  [](std::uint16_t label) -> std::uint16_t { return label == 0 ? 0 : 1; });
@@ -235,13 +238,13 @@ void keep_largest_part(LabelMap& body, const std::vector<LabelName>& names, std:
   std::vector<std::string> volumes;
   for (const auto& [label, voxels] : left_out) {
     const double volume_ml = units::ml_from_mm3(static_cast<double>(voxels) * body.grid.voxel_volume_mm3());
-    volumes.push_back(fmt::format("{:.3g} ml of {}", volume_ml, display_name(label, names)));
+    volumes.push_back(fmt::format("{}: {:.3g} ml", display_name(label, names), volume_ml));
   }
-  notes.push_back(fmt::format("The body falls in {} parts; the largest is kept, and {} left out: {}.", count,
-                              count == 2 ? "the other is" : "the others are", fmt::join(volumes, ", ")));
+  notes.push_back({GLISSON_TEXT("The body falls in {0} parts; the largest is kept, and the rest is left out: {1}."),
+                   {std::to_string(count), fmt::format("{}", fmt::join(volumes, ", "))}});
 }
 
-void fill_holes(LabelMap& body, std::uint16_t with, std::vector<std::string>& notes) {
+void fill_holes(LabelMap& body, std::uint16_t with, std::vector<Sentence>& notes) {
   std::vector<std::uint16_t> outside(body.values.size());
   std::transform(body.values.begin(), body.values.end(), outside.begin(),
                  [](std::uint16_t label) -> std::uint16_t { return label == 0 ? 1 : 0; });
@@ -254,8 +257,9 @@ void fill_holes(LabelMap& body, std::uint16_t with, std::vector<std::string>& no
     ++filled;
   }
   if (filled == 0) return;
-  notes.push_back(fmt::format("Holes without a label inside the body, {:.3g} ml together, are filled.",
-                              units::ml_from_mm3(static_cast<double>(filled) * body.grid.voxel_volume_mm3())));
+  const double filled_ml = units::ml_from_mm3(static_cast<double>(filled) * body.grid.voxel_volume_mm3());
+  notes.push_back({GLISSON_TEXT("Holes without a label inside the body, {0} ml together, are filled."),
+                   {fmt::format("{:.3g}", filled_ml)}});
 }
 
 std::uint16_t largest_label(const LabelMap& body) {
@@ -302,9 +306,12 @@ void cut_into_pieces(const LabelMap& body, std::uint16_t liver, const PieceOptio
       values[voxel] = new_value[static_cast<std::size_t>(parts.of_voxel[voxel])];
     }
     parts = components_of(values, body.grid);
-    map.notes.push_back(fmt::format("{} speck{} of fewer than {} voxels ({} voxels together) became part of what {}.",
-                                    specks, specks == 1 ? "" : "s", options.speck_voxels, speck_voxels,
-                                    specks == 1 ? "it touches" : "they touch"));
+    map.notes.push_back(
+        {specks == 1
+             ? GLISSON_TEXT("{0} speck of fewer than {1} voxels ({2} voxels together) became part of what it touches.")
+             : GLISSON_TEXT(
+                   "{0} specks of fewer than {1} voxels ({2} voxels together) became part of what they touch."),
+         {std::to_string(specks), std::to_string(options.speck_voxels), std::to_string(speck_voxels)}});
   }
 
   std::vector<std::size_t> order;

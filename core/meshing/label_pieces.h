@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "base/sentence.h"
 #include "imaging/image.h"
 
 namespace glisson::meshing {
@@ -26,7 +27,7 @@ struct PieceMap {
   imaging::Grid grid;                // the part of the image that holds the body, and `margin` voxels around it
   std::vector<std::uint16_t> piece;  // a voxel: 0 outside, else 1 + the index of its piece
   std::vector<Piece> pieces;         // the first is the largest piece of the largest label: the liver itself
-  std::vector<std::string> notes;    // one sentence each, on what was left out, filled or cut
+  std::vector<Sentence> notes;       // one sentence each, on what was left out, filled or cut
 
   static constexpr int margin = 4;
 };

@@ -94,12 +94,13 @@ Result<LiverMesh> mesh_labels(const imaging::LabelMap& labels, const MeshOptions
   const double cells_of_target = static_cast<double>(local.cells.size()) / options.target_cells;
   if (std::abs(cells_of_target - 1) > promised_count) {
     liver.notes.push_back(
-        fmt::format("The mesh has {} cells instead of {}; its shape and inner structures ask for them.",
-                    local.cells.size(), options.target_cells));
+        {GLISSON_TEXT("The mesh has {0} cells instead of {1}; its shape and inner structures ask for them."),
+         {std::to_string(local.cells.size()), std::to_string(options.target_cells)}});
   }
   if (removed > 0) {
     liver.notes.push_back(
-        fmt::format("{} cells were taken away where the body touched itself in a point or an edge.", removed));
+        {GLISSON_TEXT("{0} cells were taken away where the body touched itself in a point or an edge."),
+         {std::to_string(removed)}});
   }
   liver.body = in_patient_coordinates(std::move(local), map);
   liver.surface = boundary_surface(liver.body);
@@ -170,11 +171,15 @@ void dissolve_what_costs_too_much(PieceMap& map, const MeshOptions& options) {
     dissolve_piece(map, thinnest);
   }
   for (const auto& [label, loss] : losses) {
-    map.notes.push_back(fmt::format(
-        "{}: {} piece{} ({:.3g} ml) too thin for {} cells got no cells of {} own; about {:.0f} cells would show {}.",
-        display_name(label, options.names), loss.pieces, loss.pieces == 1 ? "" : "s",
-        units::ml_from_mm3(loss.volume_mm3), options.target_cells, loss.pieces == 1 ? "its" : "their",
-        in_hundreds(loss.cells / std::max(options.inner_share, 0.05)), loss.pieces == 1 ? "it" : "them"));
+    map.notes.push_back(
+        {loss.pieces == 1
+             ? GLISSON_TEXT("{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about "
+                            "{4} cells would show it.")
+             : GLISSON_TEXT("{0}: {1} pieces ({2} ml) too thin for {3} cells got no cells of their own; "
+                            "about {4} cells would show them."),
+         {display_name(label, options.names), std::to_string(loss.pieces),
+          fmt::format("{:.3g}", units::ml_from_mm3(loss.volume_mm3)), std::to_string(options.target_cells),
+          fmt::format("{:.0f}", in_hundreds(loss.cells / std::max(options.inner_share, 0.05)))}});
   }
 }
 

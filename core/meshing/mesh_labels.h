@@ -48,7 +48,7 @@ struct LiverMesh {
   double mean_distance_mm = 0;
 
   std::vector<RegionVolume> regions;  // by label
-  std::vector<std::string> notes;     // one sentence each: what was cut, left out, filled, or got no cells of its own
+  std::vector<Sentence> notes;        // one sentence each: what was cut, left out, filled, or got no cells of its own
 };
 
 // All labels other than 0 together are the body, the largest of them the liver, the others structures inside.

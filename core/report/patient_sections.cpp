@@ -94,7 +94,7 @@ Result<void> add_model(Page& page, const Case& patient) {
   for (const char* id : {"meshes/liver", "meshes/model"}) {
     const Entry* made = patient.find(id);
     if (made == nullptr) continue;
-    for (const std::string& note : made->made.notes) page.blocks.push_back(Paragraph{note});
+    for (const Sentence& note : made->made.notes) page.blocks.push_back(Paragraph{note.message()});
   }
   return {};
 }

@@ -34,7 +34,10 @@ IndexBox draw(imaging::Mask& mask, const Dab& dab, Paint paint, const std::optio
   if (!(dab.radius_mm > 0) || !dab.from_mm.allFinite() || !dab.to_mm.allFinite()) return {};
   const Grid& grid = mask.grid;
   Vector3d from_mm = dab.from_mm, to_mm = dab.to_mm;
-  const Vector3d reach = (Vector3d::Constant(dab.radius_mm).cwiseQuotient(grid.spacing_mm).array() + 1e-9).matrix();
+  const Vector3d normal = dab.plane_normal.value_or(Vector3d::Zero());
+  const double thickness_mm = dab.plane_normal ? half_extent_mm(grid, normal) : 0;
+  const Vector3d reach =
+      (Vector3d::Constant(dab.radius_mm + thickness_mm).cwiseQuotient(grid.spacing_mm).array() + 1e-9).matrix();
   Vector3d a = grid.index_of(from_mm), b = grid.index_of(to_mm);
   if (dab.layer_axis) {
     // Within the layer both ends count as lying in the middle of it.
@@ -49,7 +52,13 @@ IndexBox draw(imaging::Mask& mask, const Dab& dab, Paint paint, const std::optio
   for (int k = box.first[2]; k <= box.last[2]; ++k) {
     for (int j = box.first[1]; j <= box.last[1]; ++j) {
       for (int i = box.first[0]; i <= box.last[0]; ++i) {
-        const double distance_mm2 = squared_distance_mm2(grid.position_mm(i, j, k), from_mm, to_mm - from_mm);
+        Vector3d center_mm = grid.position_mm(i, j, k);
+        if (dab.plane_normal) {
+          const double off_mm = normal.dot(center_mm - to_mm);
+          if (std::abs(off_mm) > thickness_mm * (1 + 1e-12)) continue;
+          center_mm -= off_mm * normal;
+        }
+        const double distance_mm2 = squared_distance_mm2(center_mm, from_mm, to_mm - from_mm);
         if (distance_mm2 > dab.radius_mm * dab.radius_mm * (1 + 1e-12)) continue;
         if (only) {
           const double grey = static_cast<double>(only->image.at(i, j, k));
@@ -60,6 +69,10 @@ IndexBox draw(imaging::Mask& mask, const Dab& dab, Paint paint, const std::optio
     }
   }
   return box;
+}
+
+double half_extent_mm(const Grid& grid, const Vector3d& unit_normal) {
+  return 0.5 * (grid.direction.transpose() * unit_normal).cwiseAbs().dot(grid.spacing_mm);
 }
 
 std::optional<GreyRange> grey_range_at(const imaging::Volume& image, const Vector3d& click_mm,

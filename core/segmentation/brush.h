@@ -26,6 +26,9 @@ struct Dab {
   // A ball reaches into the neighbouring slices; a disc stays in the layer of voxels that `to_mm` lies in, counted
   // along this axis of the grid.
   std::optional<int> layer_axis;
+  // A disc in a slice that is tilted against the grid: round the voxels that the plane through `to_mm` with this unit
+  // normal goes through. Instead of layer_axis.
+  std::optional<Eigen::Vector3d> plane_normal = {};
 };
 
 // Grey values, both ends included.
@@ -47,6 +50,9 @@ struct LikenessOptions {
                                                      const LikenessOptions& options = {});
 
 enum class Paint { add, take_away };
+
+// How far from a plane the centre of a voxel may lie that the plane still goes through, in mm.
+[[nodiscard]] double half_extent_mm(const imaging::Grid& grid, const Eigen::Vector3d& unit_normal);
 
 // Sets or clears the voxels whose centre lies within the radius of the way from `from_mm` to `to_mm`, and returns the
 // box of those looked at. With `only`, those of them alone whose grey value in `image` (same grid: asserts) lies in

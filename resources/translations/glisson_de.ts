@@ -3689,6 +3689,86 @@
         <source>Leave out the grain or the friction.</source>
         <translation>Die Faserrichtung oder die Reibung weglassen.</translation>
     </message>
+    <message>
+        <source>The mean of the elastography&apos;s magnitude images serves as the anatomy.</source>
+        <translation>Als Anatomie dient das Mittel der Magnitudenbilder der Elastografie.</translation>
+    </message>
+    <message>
+        <source>{0} was not wholly inside the liver; it was meshed as part of it.</source>
+        <translation>{0} lag nicht ganz in der Leber und wurde als Teil von ihr vernetzt.</translation>
+    </message>
+    <message>
+        <source>{0} holds no voxels.</source>
+        <translation>{0} enthält keine Voxel.</translation>
+    </message>
+    <message>
+        <source>first i</source>
+        <translation>ersten (i)</translation>
+    </message>
+    <message>
+        <source>first j</source>
+        <translation>ersten (j)</translation>
+    </message>
+    <message>
+        <source>first k</source>
+        <translation>ersten (k)</translation>
+    </message>
+    <message>
+        <source>last i</source>
+        <translation>letzten (i)</translation>
+    </message>
+    <message>
+        <source>last j</source>
+        <translation>letzten (j)</translation>
+    </message>
+    <message>
+        <source>last k</source>
+        <translation>letzten (k)</translation>
+    </message>
+    <message>
+        <source>The image cuts the body at its {0} side; it is closed there by a flat cap.</source>
+        <translation>Das Bild schneidet den Körper an seiner {0} Seite ab; dort ist er durch eine ebene Fläche geschlossen.</translation>
+    </message>
+    <message>
+        <source>The body falls in {0} parts; the largest is kept, and the rest is left out: {1}.</source>
+        <translation>Der Körper zerfällt in {0} Teile; der größte bleibt, der Rest fällt weg: {1}.</translation>
+    </message>
+    <message>
+        <source>Holes without a label inside the body, {0} ml together, are filled.</source>
+        <translation>Löcher ohne Label im Körper, zusammen {0} ml, sind gefüllt.</translation>
+    </message>
+    <message>
+        <source>{0} speck of fewer than {1} voxels ({2} voxels together) became part of what it touches.</source>
+        <translation>{0} Fleck mit weniger als {1} Voxeln (zusammen {2} Voxel) wurde Teil dessen, was er berührt.</translation>
+    </message>
+    <message>
+        <source>{0} specks of fewer than {1} voxels ({2} voxels together) became part of what they touch.</source>
+        <translation>{0} Flecken mit weniger als {1} Voxeln (zusammen {2} Voxel) wurden Teil dessen, was sie berühren.</translation>
+    </message>
+    <message>
+        <source>The mesh has {0} cells instead of {1}; its shape and inner structures ask for them.</source>
+        <translation>Das Netz hat {0} Zellen statt {1}; Form und innere Strukturen verlangen sie.</translation>
+    </message>
+    <message>
+        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
+        <translation>{0} Zellen wurden entfernt, wo der Körper sich selbst in einem Punkt oder einer Kante berührte.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
+        <translation>{0}: {1} Stück ({2} ml) ist für {3} Zellen zu dünn und bekam keine eigenen; mit etwa {4} Zellen wäre es zu sehen.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} pieces ({2} ml) too thin for {3} cells got no cells of their own; about {4} cells would show them.</source>
+        <translation>{0}: {1} Stücke ({2} ml) sind für {3} Zellen zu dünn und bekamen keine eigenen; mit etwa {4} Zellen wären sie zu sehen.</translation>
+    </message>
+    <message>
+        <source>Another way of touching</source>
+        <translation>Andere Art der Berührung</translation>
+    </message>
+    <message>
+        <source>Place another tool</source>
+        <translation>Weiteres Werkzeug platzieren</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -4232,6 +4312,18 @@
     <message>
         <source>No further trial is known that would tell the leading explanations apart.</source>
         <translation>Kein weiterer Versuch ist bekannt, der die führenden Erklärungen unterschiede.</translation>
+    </message>
+    <message>
+        <source>Trial that is shown</source>
+        <translation>Gezeigter Versuch</translation>
+    </message>
+    <message>
+        <source>What is left, in space</source>
+        <translation>Was übrig bleibt, im Raum</translation>
+    </message>
+    <message>
+        <source>The error before and after</source>
+        <translation>Der Fehler vorher und nachher</translation>
     </message>
 </context>
 <context>
@@ -6532,8 +6624,8 @@ figures</source>
         <translation>Einen Moment: Die letzte Änderung wird noch ausgeführt.</translation>
     </message>
     <message>
-        <source>This slice is turned: drawing needs one along the image&apos;s own slices.</source>
-        <translation>Diese Schicht ist gedreht: Zum Zeichnen braucht es eine entlang der Schichten des Bildes.</translation>
+        <source>This slice is tilted: here scissors cut through all slices. Choose that, or make it straight.</source>
+        <translation>Diese Schicht ist gekippt: Hier schneidet die Schere durch alle Schichten. Wählen Sie das, oder richten Sie die Schicht gerade.</translation>
     </message>
 </context>
 <context>

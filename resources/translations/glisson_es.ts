@@ -3689,6 +3689,86 @@
         <source>Leave out the grain or the friction.</source>
         <translation>Quite la dirección de las fibras o la fricción.</translation>
     </message>
+    <message>
+        <source>The mean of the elastography&apos;s magnitude images serves as the anatomy.</source>
+        <translation>La media de las imágenes de magnitud de la elastografía sirve de anatomía.</translation>
+    </message>
+    <message>
+        <source>{0} was not wholly inside the liver; it was meshed as part of it.</source>
+        <translation>{0} no estaba del todo dentro del hígado; se malló como parte de él.</translation>
+    </message>
+    <message>
+        <source>{0} holds no voxels.</source>
+        <translation>{0} no contiene ningún vóxel.</translation>
+    </message>
+    <message>
+        <source>first i</source>
+        <translation>primer (i)</translation>
+    </message>
+    <message>
+        <source>first j</source>
+        <translation>primer (j)</translation>
+    </message>
+    <message>
+        <source>first k</source>
+        <translation>primer (k)</translation>
+    </message>
+    <message>
+        <source>last i</source>
+        <translation>último (i)</translation>
+    </message>
+    <message>
+        <source>last j</source>
+        <translation>último (j)</translation>
+    </message>
+    <message>
+        <source>last k</source>
+        <translation>último (k)</translation>
+    </message>
+    <message>
+        <source>The image cuts the body at its {0} side; it is closed there by a flat cap.</source>
+        <translation>La imagen corta el cuerpo en su {0} lado; allí se cierra con una superficie plana.</translation>
+    </message>
+    <message>
+        <source>The body falls in {0} parts; the largest is kept, and the rest is left out: {1}.</source>
+        <translation>El cuerpo se divide en {0} partes; se conserva la mayor y se descarta el resto: {1}.</translation>
+    </message>
+    <message>
+        <source>Holes without a label inside the body, {0} ml together, are filled.</source>
+        <translation>Los huecos sin etiqueta dentro del cuerpo, {0} ml en total, se rellenan.</translation>
+    </message>
+    <message>
+        <source>{0} speck of fewer than {1} voxels ({2} voxels together) became part of what it touches.</source>
+        <translation>{0} mota de menos de {1} vóxeles ({2} vóxeles en total) pasó a formar parte de lo que toca.</translation>
+    </message>
+    <message>
+        <source>{0} specks of fewer than {1} voxels ({2} voxels together) became part of what they touch.</source>
+        <translation>{0} motas de menos de {1} vóxeles ({2} vóxeles en total) pasaron a formar parte de lo que tocan.</translation>
+    </message>
+    <message>
+        <source>The mesh has {0} cells instead of {1}; its shape and inner structures ask for them.</source>
+        <translation>La malla tiene {0} celdas en vez de {1}; su forma y sus estructuras internas las requieren.</translation>
+    </message>
+    <message>
+        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
+        <translation>Se quitaron {0} celdas donde el cuerpo se tocaba a sí mismo en un punto o una arista.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
+        <translation>{0}: {1} trozo ({2} ml), demasiado fino para {3} celdas, no tiene celdas propias; con unas {4} celdas se vería.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} pieces ({2} ml) too thin for {3} cells got no cells of their own; about {4} cells would show them.</source>
+        <translation>{0}: {1} trozos ({2} ml), demasiado finos para {3} celdas, no tienen celdas propias; con unas {4} celdas se verían.</translation>
+    </message>
+    <message>
+        <source>Another way of touching</source>
+        <translation>Otra manera de tocar</translation>
+    </message>
+    <message>
+        <source>Place another tool</source>
+        <translation>Colocar otra herramienta</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -4232,6 +4312,18 @@
     <message>
         <source>No further trial is known that would tell the leading explanations apart.</source>
         <translation>No se conoce otro ensayo que distinga las explicaciones principales.</translation>
+    </message>
+    <message>
+        <source>Trial that is shown</source>
+        <translation>Ensayo mostrado</translation>
+    </message>
+    <message>
+        <source>What is left, in space</source>
+        <translation>Lo que queda, en el espacio</translation>
+    </message>
+    <message>
+        <source>The error before and after</source>
+        <translation>El error antes y después</translation>
     </message>
 </context>
 <context>
@@ -6535,8 +6627,8 @@ supuestas</translation>
         <translation>Un momento: se está aplicando el último cambio.</translation>
     </message>
     <message>
-        <source>This slice is turned: drawing needs one along the image&apos;s own slices.</source>
-        <translation>Este corte está girado: para dibujar hace falta uno alineado con los cortes de la imagen.</translation>
+        <source>This slice is tilted: here scissors cut through all slices. Choose that, or make it straight.</source>
+        <translation>Este corte está inclinado: aquí las tijeras cortan a través de todos los cortes. Elija eso o enderécelo.</translation>
     </message>
 </context>
 <context>

@@ -3683,11 +3683,91 @@
     </message>
     <message>
         <source>Tools with friction are not there for a body with a grain.</source>
-        <translation>Il n'y a pas d'outils avec frottement pour un corps à fibres orientées.</translation>
+        <translation>Il n&apos;y a pas d&apos;outils avec frottement pour un corps à fibres orientées.</translation>
     </message>
     <message>
         <source>Leave out the grain or the friction.</source>
         <translation>Retirez la direction des fibres ou le frottement.</translation>
+    </message>
+    <message>
+        <source>The mean of the elastography&apos;s magnitude images serves as the anatomy.</source>
+        <translation>La moyenne des images d’amplitude de l’élastographie sert d’anatomie.</translation>
+    </message>
+    <message>
+        <source>{0} was not wholly inside the liver; it was meshed as part of it.</source>
+        <translation>{0} n’était pas entièrement dans le foie ; cette structure a été maillée comme en faisant partie.</translation>
+    </message>
+    <message>
+        <source>{0} holds no voxels.</source>
+        <translation>{0} ne contient aucun voxel.</translation>
+    </message>
+    <message>
+        <source>first i</source>
+        <translation>première (i)</translation>
+    </message>
+    <message>
+        <source>first j</source>
+        <translation>première (j)</translation>
+    </message>
+    <message>
+        <source>first k</source>
+        <translation>première (k)</translation>
+    </message>
+    <message>
+        <source>last i</source>
+        <translation>dernière (i)</translation>
+    </message>
+    <message>
+        <source>last j</source>
+        <translation>dernière (j)</translation>
+    </message>
+    <message>
+        <source>last k</source>
+        <translation>dernière (k)</translation>
+    </message>
+    <message>
+        <source>The image cuts the body at its {0} side; it is closed there by a flat cap.</source>
+        <translation>L’image coupe le corps à sa {0} face ; il y est fermé par une surface plane.</translation>
+    </message>
+    <message>
+        <source>The body falls in {0} parts; the largest is kept, and the rest is left out: {1}.</source>
+        <translation>Le corps se divise en {0} parties ; la plus grande est gardée, le reste est écarté : {1}.</translation>
+    </message>
+    <message>
+        <source>Holes without a label inside the body, {0} ml together, are filled.</source>
+        <translation>Les trous sans étiquette à l’intérieur du corps, {0} ml au total, sont comblés.</translation>
+    </message>
+    <message>
+        <source>{0} speck of fewer than {1} voxels ({2} voxels together) became part of what it touches.</source>
+        <translation>{0} îlot de moins de {1} voxels ({2} voxels au total) a été rattaché à ce qu’il touche.</translation>
+    </message>
+    <message>
+        <source>{0} specks of fewer than {1} voxels ({2} voxels together) became part of what they touch.</source>
+        <translation>{0} îlots de moins de {1} voxels ({2} voxels au total) ont été rattachés à ce qu’ils touchent.</translation>
+    </message>
+    <message>
+        <source>The mesh has {0} cells instead of {1}; its shape and inner structures ask for them.</source>
+        <translation>Le maillage a {0} cellules au lieu de {1} ; sa forme et ses structures internes les demandent.</translation>
+    </message>
+    <message>
+        <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
+        <translation>{0} cellules ont été retirées là où le corps se touchait lui-même en un point ou une arête.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
+        <translation>{0} : {1} morceau ({2} ml) trop mince pour {3} cellules n’a pas de cellules propres ; environ {4} cellules le montreraient.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} pieces ({2} ml) too thin for {3} cells got no cells of their own; about {4} cells would show them.</source>
+        <translation>{0} : {1} morceaux ({2} ml) trop minces pour {3} cellules n’ont pas de cellules propres ; environ {4} cellules les montreraient.</translation>
+    </message>
+    <message>
+        <source>Another way of touching</source>
+        <translation>Autre manière de toucher</translation>
+    </message>
+    <message>
+        <source>Place another tool</source>
+        <translation>Placer un autre outil</translation>
     </message>
 </context>
 <context>
@@ -4232,6 +4312,18 @@
     <message>
         <source>No further trial is known that would tell the leading explanations apart.</source>
         <translation>On ne connaît pas d&apos;autre essai qui départagerait les meilleures explications.</translation>
+    </message>
+    <message>
+        <source>Trial that is shown</source>
+        <translation>Essai montré</translation>
+    </message>
+    <message>
+        <source>What is left, in space</source>
+        <translation>Ce qui reste, dans l’espace</translation>
+    </message>
+    <message>
+        <source>The error before and after</source>
+        <translation>L’erreur avant et après</translation>
     </message>
 </context>
 <context>
@@ -6535,8 +6627,8 @@ supposés</translation>
         <translation>Un instant : la dernière modification est en cours.</translation>
     </message>
     <message>
-        <source>This slice is turned: drawing needs one along the image&apos;s own slices.</source>
-        <translation>Cette coupe est tournée : pour dessiner, il en faut une alignée sur les coupes de l&apos;image.</translation>
+        <source>This slice is tilted: here scissors cut through all slices. Choose that, or make it straight.</source>
+        <translation>Cette coupe est inclinée : ici, les ciseaux coupent à travers toutes les coupes. Choisissez cela, ou redressez-la.</translation>
     </message>
 </context>
 <context>

@@ -28,7 +28,8 @@ class CaseTest : public testing::Test {
 TEST_F(CaseTest, OpensWithAllThatWasSaved) {
   auto made = Case::create(folder_);
   ASSERT_TRUE(made);
-  ASSERT_TRUE(made->add("volumes/anatomy", ".nrrd", {"import", {{"series", "1.2"}}, {}, {{"a.dcm", "00"}}, {"a note"}},
+  ASSERT_TRUE(made->add("volumes/anatomy", ".nrrd",
+                        {"import", {{"series", "1.2"}}, {}, {{"a.dcm", "00"}}, {{"a note on {0}", {"liver"}}}},
                         text_writer("voxels")));
   ASSERT_TRUE(made->set_origin("SIMULATED"));
 
@@ -38,7 +39,8 @@ TEST_F(CaseTest, OpensWithAllThatWasSaved) {
   const Entry& entry = opened->entries().front();
   EXPECT_EQ(entry.sha256, sha256_of_text("voxels"));
   EXPECT_EQ(entry.made.options.at("series"), "1.2");
-  EXPECT_EQ(entry.made.notes.front(), "a note");
+  EXPECT_EQ(entry.made.notes.front().message(), "a note on liver");
+  EXPECT_EQ(entry.made.notes.front().arguments, std::vector<std::string>{"liver"});
   EXPECT_EQ(opened->origin(), "SIMULATED");
   EXPECT_EQ(read_text_file(opened->file_of("volumes/anatomy").value()).value(), "voxels");
 }

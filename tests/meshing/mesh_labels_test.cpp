@@ -55,7 +55,7 @@ TEST(MeshLabels, ABallInABallHasTheVolumesOfTheClosedForms) {
   // Half a voxel's diagonal, 1.7 mm, is what the steps of the labels alone make; the mesh adds little to it.
   EXPECT_LT(mesh->hausdorff_mm, 2.5);
   EXPECT_LT(mesh->mean_distance_mm, 0.6);
-  EXPECT_THAT(mesh->notes, IsEmpty());
+  EXPECT_THAT(messages(mesh->notes), IsEmpty());
 }
 
 TEST(MeshLabels, TheNumberOfCellsIsWithin15PercentOfTheTarget) {
@@ -69,7 +69,7 @@ TEST(MeshLabels, TheNumberOfCellsIsWithin15PercentOfTheTarget) {
 TEST(MeshLabels, ATargetThatTheShapeDoesNotAllowIsSaidToBeMissed) {
   const auto mesh = mesh_labels(ball_with_inner_ball(8), {.target_cells = 800, .inner_share = 0.9});
   ASSERT_TRUE(mesh) << mesh.error().message();
-  EXPECT_THAT(mesh->notes, Contains(HasSubstr("cells instead of 800")));
+  EXPECT_THAT(messages(mesh->notes), Contains(HasSubstr("cells instead of 800")));
 }
 
 TEST(MeshLabels, AnInclusionIsNotLostInACoarseMesh) {
@@ -130,7 +130,7 @@ TEST(MeshLabels, ABodyCutByTheImageIsClosedByAFlatCapAndSaidToBe) {
   const auto mesh = mesh_labels(labels, {.target_cells = 5000});
   ASSERT_TRUE(mesh) << mesh.error().message();
   expect_sound(*mesh);
-  EXPECT_THAT(mesh->notes, Contains(AllOf(HasSubstr("cuts the body at its first k"), HasSubstr("flat cap"))));
+  EXPECT_THAT(messages(mesh->notes), Contains(AllOf(HasSubstr("cuts the body at its first k"), HasSubstr("flat cap"))));
   // The slice reaches half a spacing beyond its voxels' centres: the cap is at z = -41 mm.
   const double half_ball_ml = 0.5 * ball_ml(35) + std::numbers::pi * 35 * 35 * 1.0 * 1e-3;
   EXPECT_NEAR(volume_mm3(mesh->body) * 1e-3, half_ball_ml, 0.02 * half_ball_ml);
@@ -153,9 +153,9 @@ TEST(MeshLabels, TheLargestPartIsKeptAndTheOthersAreNamedWithTheirVolumes) {
   const auto mesh = mesh_labels(labels, {.target_cells = 3000, .names = {{1, "liver"}, {3, "tumour-1"}, {4, "cyst"}}});
   ASSERT_TRUE(mesh) << mesh.error().message();
   expect_sound(*mesh);
-  EXPECT_THAT(mesh->notes, Contains(AllOf(HasSubstr("3 parts"), HasSubstr("ml of liver (label 1)"),
-                                          HasSubstr("ml of tumour-1 (label 3)"))));
-  EXPECT_THAT(mesh->notes, Contains(HasSubstr("cyst (label 4) holds no voxels")));
+  EXPECT_THAT(messages(mesh->notes),
+              Contains(AllOf(HasSubstr("3 parts"), HasSubstr("liver (label 1): "), HasSubstr("tumour-1 (label 3): "))));
+  EXPECT_THAT(messages(mesh->notes), Contains(HasSubstr("cyst (label 4) holds no voxels")));
   EXPECT_NEAR(volume_mm3(mesh->body) * 1e-3, ball_ml(35), 0.03 * ball_ml(35));
 }
 
@@ -185,8 +185,8 @@ TEST(MeshLabels, HolesAreFilledAndSpecksJoinWhatTheyTouch) {
   const auto mesh = mesh_labels(labels, {.target_cells = 3000});
   ASSERT_TRUE(mesh) << mesh.error().message();
   expect_sound(*mesh);
-  EXPECT_THAT(mesh->notes, Contains(AllOf(HasSubstr("Holes"), HasSubstr("filled"))));
-  EXPECT_THAT(mesh->notes, Contains(HasSubstr("1 speck of fewer than 8 voxels")));
+  EXPECT_THAT(messages(mesh->notes), Contains(AllOf(HasSubstr("Holes"), HasSubstr("filled"))));
+  EXPECT_THAT(messages(mesh->notes), Contains(HasSubstr("1 speck of fewer than 8 voxels")));
   EXPECT_EQ(mesh->regions.size(), 1U);
 }
 
@@ -206,7 +206,8 @@ TEST(MeshLabels, AVesselTooThinForTheTargetIsSaidToHaveNoCells) {
   const auto mesh = mesh_labels(ball_with_vessel(), {.target_cells = 2000, .names = {{4, "portal-vein"}}});
   ASSERT_TRUE(mesh) << mesh.error().message();
   expect_sound(*mesh);
-  EXPECT_THAT(mesh->notes, Contains(AllOf(HasSubstr("portal-vein (label 4)"), HasSubstr("too thin for 2000 cells"))));
+  EXPECT_THAT(messages(mesh->notes),
+              Contains(AllOf(HasSubstr("portal-vein (label 4)"), HasSubstr("too thin for 2000 cells"))));
   ASSERT_EQ(mesh->regions.size(), 2U);
   EXPECT_EQ(mesh->regions[1].mesh_volume_ml, 0);
   EXPECT_NEAR(volume_mm3(mesh->body) * 1e-3, ball_ml(50), 0.04 * ball_ml(50));  // the liver has its place
@@ -216,7 +217,7 @@ TEST(MeshLabels, TheSameVesselIsFollowedWhereCellsAllowIt) {
   const auto mesh = mesh_labels(ball_with_vessel(), {.target_cells = 20000});
   ASSERT_TRUE(mesh) << mesh.error().message();
   expect_sound(*mesh);
-  EXPECT_THAT(mesh->notes, IsEmpty());
+  EXPECT_THAT(messages(mesh->notes), IsEmpty());
   EXPECT_NEAR(mesh->regions[1].mesh_volume_ml, mesh->regions[1].label_volume_ml,
               0.15 * mesh->regions[1].label_volume_ml);
 }

@@ -42,7 +42,7 @@ TEST_P(SlabLiver, IsMeshedAndItsCutEndsAreSaid) {
   const auto mesh = mesh_labels(only(*labels, liver_label), {.target_cells = 20000, .names = {{liver_label, "liver"}}});
   ASSERT_TRUE(mesh) << mesh.error().message();
   expect_sound(*mesh, 20000);
-  EXPECT_THAT(mesh->notes, Contains(HasSubstr("The image cuts the body")));
+  EXPECT_THAT(messages(mesh->notes), Contains(HasSubstr("The image cuts the body")));
   // Voxels of 3 mm: the corner of a voxel that stands alone is up to a voxel's diagonal, 5.2 mm, from a smooth surface.
   EXPECT_LT(mesh->hausdorff_mm, 6.0);
   EXPECT_LT(mesh->mean_distance_mm, 0.8);

@@ -56,6 +56,39 @@ TEST(Brush, DrawsABallAlongItsWayAndNamesTheBoxItMayHaveChanged) {
   EXPECT_EQ(voxel_count(mask), 0u);
 }
 
+// In a slice that is tilted against the grid: the voxels that its plane goes through, round as it is looked at.
+TEST(Brush, ADiscInATiltedPlaneIsRoundThereAndOneVoxelThick) {
+  const Grid grid = slanted_grid();
+  const Vector3d normal = (grid.direction * Vector3d(0.3, 0.5, 0.8)).normalized();
+  const Vector3d middle = grid.position_mm(Vector3d(14.2, 12.1, 8.6));
+  const Vector3d along = normal.unitOrthogonal();
+  const Dab dab{middle - 3 * along, middle + 3 * along, 5.05, {}, normal};
+  Mask mask = empty_mask();
+  const IndexBox box = draw(mask, dab, Paint::add);
+  std::size_t drawn = 0;
+  for (int k = 0; k < grid.size[2]; ++k)
+    for (int j = 0; j < grid.size[1]; ++j)
+      for (int i = 0; i < grid.size[0]; ++i) {
+        // The plane goes through a voxel whose corners lie on both of its sides.
+        bool above = false, below = false;
+        for (int corner = 0; corner < 8; ++corner) {
+          const Vector3d at(i + (corner & 1) - 0.5, j + ((corner >> 1) & 1) - 0.5, k + (corner >> 2) - 0.5);
+          const double height = normal.dot(grid.position_mm(at) - middle);
+          above = above || height >= 0;
+          below = below || height <= 0;
+        }
+        const Vector3d center = grid.position_mm(i, j, k);
+        const Vector3d in_plane = center - normal * normal.dot(center - middle);
+        const bool expected = above && below && near_way(in_plane, dab.from_mm, dab.to_mm, dab.radius_mm);
+        ASSERT_EQ(mask.at(i, j, k) != 0, expected) << i << " " << j << " " << k;
+        if (!expected) continue;
+        ++drawn;
+        ASSERT_TRUE(box.first[0] <= i && i <= box.last[0] && box.first[1] <= j && j <= box.last[1] &&
+                    box.first[2] <= k && k <= box.last[2]);
+      }
+  EXPECT_GT(drawn, 30u);
+}
+
 TEST(Brush, ADiscStaysInItsLayerOnEachAxis) {
   const Grid grid = slanted_grid();
   for (const int axis : {0, 1, 2}) {

@@ -65,6 +65,16 @@ class KeepingTest : public QObject {
     QVERIFY(recent_cases().empty());
   }
 
+  void a_case_is_listed_once_whatever_way_led_to_it() {
+    const fs::path folder = empty_case(folder_.path() / "one.glisson");
+    fs::create_directory_symlink(folder_.path(), folder_.path() / "link");
+    remember_case(folder);
+    remember_case(folder_.path() / "link" / "one.glisson");
+    remember_case(folder_.path() / "." / "one.glisson");
+    QCOMPARE(recent_cases().size(), std::size_t{1});
+    forget_recent_cases();
+  }
+
   void settings_hold_at_once() {
     SettingsWindow window;
     window.show();

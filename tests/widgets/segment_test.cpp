@@ -178,6 +178,33 @@ class SegmentTest : public QObject {
     undo();
   }
 
+  void draws_in_a_tilted_slice_what_its_plane_goes_through() {
+    const Eigen::Matrix3d tilt = Eigen::AngleAxisd(EIGEN_PI / 6, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    window_->views().set_axes(tilt);
+    key(Qt::Key_B);
+    press({-10, -10});
+    move({10, -10});
+    release({10, -10});
+    settle();
+    QVERIFY(test::voxels_of(folder_, "liver") > start_);
+    const imaging::Mask& mask = *panel_->editor().structures().front().mask;
+    const imaging::Mask before = test::ball_mask(12);
+    const Eigen::Vector3d normal = transverse().normal();
+    const double reach_mm = segmentation::half_extent_mm(mask.grid, normal);
+    for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+      if (mask.values[voxel] == before.values[voxel]) continue;
+      const auto v = static_cast<int>(voxel);
+      const Eigen::Vector3d at_mm = mask.grid.position_mm(v % 64, v / 64 % 56, v / (64 * 56));
+      QVERIFY(std::abs(normal.dot(at_mm - transverse().crosshair_mm())) <= reach_mm + 1e-9);
+    }
+    // The list beside the views has the volume of what is drawn.
+    auto* beside = child<QTreeWidget>("structures");
+    QCOMPARE(beside->topLevelItem(0)->text(1), child<QTreeWidget>("segment_structures")->topLevelItem(0)->text(1));
+    undo();
+    QCOMPARE(beside->topLevelItem(0)->text(1), child<QTreeWidget>("segment_structures")->topLevelItem(0)->text(1));
+    window_->views().straighten();
+  }
+
   void what_was_drawn_is_what_others_show_afterwards() {
     key(Qt::Key_B);
     stroke({0, 16}, {9, 16});

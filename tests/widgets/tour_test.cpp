@@ -76,10 +76,19 @@ class TourTest : public QObject {
   void settle() {
     QTest::qWait(400);
     QTRY_VERIFY_WITH_TIMEOUT(!window_->work().busy(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->rehearsal().solving() != Solving::solving, patience_ms);
     QTest::qWait(600);
   }
 
-  QImage shown() { return window_->grab().toImage().convertToFormat(QImage::Format_RGB888); }
+  // With each view as it is now, however long its drawing takes.
+  QImage shown() {
+    LinkedViews& views = window_->views();
+    if (views.space().isVisible()) (void)views.space().picture();
+    for (SliceView* slice : views.slices()) {
+      if (slice->isVisible()) (void)slice->picture();
+    }
+    return window_->grab().toImage().convertToFormat(QImage::Format_RGB888);
+  }
 
   std::unique_ptr<MainWindow> window_;
   QStringList pictures_that_differ_;

@@ -6,8 +6,8 @@
 
 #include "base/files.h"
 #include "main_window.h"
+#include "modelled_case.h"
 #include "run_test.h"
-#include "small_case.h"
 
 namespace glisson::widgets {
 namespace {
@@ -63,6 +63,52 @@ class UndoTest : public QObject {
     QCOMPARE(seen.toDouble(), 3.5);
   }
 
+  // Two tools, the second moved; each step goes back and forth again, also where one tool is left.
+  void gives_several_rigid_tools_back() {
+    window_.reset();
+    folder_ = test::modelled_case(modelled_.path());
+    open_window();
+    window_->go_to("rehearse");
+    LiveRehearsal& rehearsal = window_->rehearsal();
+    QVERIFY(rehearsal.knows_rigid_tools());
+    rehearsal.set_touch(Touch::rigid);
+    const auto on_surface = [&](const Eigen::Vector3d& outward) {
+      const Eigen::Vector3d middle_mm = test::small_middle_mm();
+      return ToolInHand{"palpation-probe", middle_mm + 12 * outward, outward, 4, -outward, 0.05};
+    };
+    const ToolInHand first = on_surface({0, -1, 0}), second = on_surface({1, 0, 0});
+    ToolInHand pressed = second;
+    pressed.force_N = 0.08;
+    using Tools = std::vector<ToolInHand>;
+    const auto becomes = [&](const Tools& wanted) {
+      if (!QTest::qWaitFor([&] { return rehearsal.tools() == wanted && rehearsal.solving() != Solving::solving; },
+                           patience_ms)) {
+        return false;
+      }
+      QTest::qWait(600);  // a rest makes a step of it
+      settle();
+      return true;
+    };
+    rehearsal.hold(first);
+    QVERIFY(becomes({first}));
+    rehearsal.keep_tool();
+    rehearsal.hold(second);
+    QVERIFY(becomes({first, second}));
+    rehearsal.set_force_N(0.08);
+    QVERIFY(becomes({first, pressed}));
+    QCOMPARE(window_->undo().undo_action()->text(), "&Undo: Change the force");
+    window_->undo().undo();
+    QVERIFY(becomes({first, second}));
+    QCOMPARE(window_->undo().undo_action()->text(), "&Undo: Place another tool");
+    window_->undo().undo();
+    QVERIFY(becomes({first}));
+    window_->undo().redo();
+    QVERIFY(becomes({first, second}));
+    window_->undo().redo();
+    QVERIFY(becomes({first, pressed}));
+    QCOMPARE(rehearsal.touch(), Touch::rigid);
+  }
+
  private:
   void open_window() {
     window_ = std::make_unique<MainWindow>();
@@ -87,7 +133,7 @@ class UndoTest : public QObject {
     return false;
   }
 
-  TemporaryFolder temporary_;
+  TemporaryFolder temporary_, modelled_;
   std::filesystem::path folder_;
   std::size_t start_ = 0, first_ = 0;
   std::unique_ptr<MainWindow> window_;

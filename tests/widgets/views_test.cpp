@@ -137,6 +137,50 @@ class ViewsTest : public QObject {
     QCOMPARE(choice->currentText(), "Automatic");
   }
 
+  void grey_values_are_kept_when_the_case_is_read_again_and_for_each_image() {
+    Patient patient = block_patient({3, 2, 2}, {{"hilum", {8, 40, 40}}}, {});
+    patient.name = "Read twice";
+    patient.anatomy = slope("HU");
+    patient.stiffness = slope("kPa");
+    window_->show_patient(patient);
+    views().set_window(17, 9);
+    auto* image = child<QComboBox>("slice_image");
+    image->setFocus();
+    QTest::keyClick(image, Qt::Key_Down);
+    QVERIFY(slice().window_width() != 9.0);  // an image of its own
+    views().set_window(3, 4);
+    QTest::keyClick(image, Qt::Key_Up);
+    QCOMPARE(slice().window_center(), 17.0);
+    QCOMPARE(slice().window_width(), 9.0);
+    QTest::keyClick(image, Qt::Key_Down);
+    QCOMPARE(slice().window_width(), 4.0);
+    patient.anatomy = slope("HU");  // the same patient after a change
+    window_->show_patient(patient);
+    QCOMPARE(slice().window_width(), 9.0);
+    patient.name = "Another";
+    window_->show_patient(patient);
+    QVERIFY(slice().window_width() != 9.0);
+  }
+
+  // As much is seen after two views stood side by side as before, though the camera was turned in between.
+  void the_patient_is_as_large_after_side_by_side_as_before() {
+    SpaceView& space = views().space();
+    space.frame_all();
+    QTest::qWait(50);
+    const double before_mm = space.view().camera().visible_height_mm;
+    views().show_twin(true);
+    QTRY_VERIFY(space.width() < space.height());
+    space.setFocus();
+    QTest::keyClick(&space, Qt::Key_Left);
+    const double beside_mm = space.view().camera().visible_height_mm;
+    QVERIFY(beside_mm > 1.2 * before_mm);
+    views().show_twin(false);
+    QTRY_VERIFY(space.width() > space.height());
+    QTest::qWait(50);
+    QVERIFY2(std::abs(space.view().camera().visible_height_mm / before_mm - 1) < 0.25,
+             qPrintable(QString("%1 %2").arg(space.view().camera().visible_height_mm).arg(before_mm)));
+  }
+
   void knobs_tilt_the_other_slices_and_letters_follow() {
     // The knobs of the coronal slice turn the transverse and the sagittal one about the line of sight.
     SliceView& coronal = views().slice(SliceDirection::coronal);

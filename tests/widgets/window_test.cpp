@@ -3,6 +3,7 @@
 // The body is a block of 120 x 80 x 80 mm that is held at its left end, with a "tumour" in its free end; its patient
 // twin is softer than its atlas twin, so that the two part.
 
+#include <QAccessible>
 #include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -16,6 +17,7 @@
 #include "run_test.h"
 #include "shown.h"
 #include "support/shapes.h"
+#include "words/named.h"
 
 namespace glisson::widgets {
 namespace {
@@ -230,6 +232,22 @@ class WindowTest : public QObject {
     const auto* notice = window_->findChild<QLabel*>("notice_text");
     QTRY_VERIFY(notice->isVisible());
     QVERIFY(notice->text().contains(empty.path()));
+  }
+
+  // Whoever has the window read aloud hears what each control is.
+  void every_control_has_a_name() {
+    QTest::qWait(50);
+    QStringList unnamed;
+    int controls = 0;
+    for (QWidget* widget : window_->findChildren<QWidget*>()) {
+      if (!is_control(*widget) || qobject_cast<TourCard*>(widget->parentWidget()) != nullptr) continue;
+      ++controls;
+      QAccessibleInterface* heard = QAccessible::queryAccessibleInterface(widget);
+      if (heard != nullptr && !heard->text(QAccessible::Name).isEmpty()) continue;
+      unnamed << QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName());
+    }
+    QVERIFY(controls > 100);
+    QVERIFY2(unnamed.isEmpty(), qPrintable(unnamed.join(", ")));
   }
 
   void shuts_down_cleanly() { window_.reset(); }

@@ -161,6 +161,13 @@ void EvidenceAnswer::show_drawings() {
 }
 
 void EvidenceAnswer::word() {
+  before_->setText(tr("Before"));
+  after_->setText(tr("After"));
+  suspects_title_->setText(tr("Suspects"));
+  suspects_->setAccessibleName(tr("Suspects"));
+  trial_->setAccessibleName(tr("Trial that is shown"));
+  space_->setAccessibleName(tr("What is left, in space"));
+  errors_->setAccessibleName(tr("The error before and after"));
   if (!record_) return;
   const EvidenceRecord& record = *record_;
   const QString before = with_unit(record.before.rms, record), after = with_unit(record.after.rms, record);
@@ -182,11 +189,8 @@ void EvidenceAnswer::word() {
                             (record.shape_after.empty()
                                  ? QString()
                                  : " " + tr("What is left at the end: %1.").arg(shape(record.shape_after))));
-  before_->setText(tr("Before"));
-  after_->setText(tr("After"));
   errors_->show_record(record);
   found_->show_record(record);
-  suspects_title_->setText(tr("Suspects"));
   suspects_->show_record(record);
   for (QWidget* each : std::initializer_list<QWidget*>{suspects_title_, suspects_}) {
     each->setVisible(!record.ranking.empty());

@@ -403,7 +403,7 @@ void ModelPanel::word_state() {
                            : QString()));
   moduli_->show_values(facts.youngs_kPa, tr("Young's modulus of a cell, kPa"));
   QStringList notes;
-  for (const std::string& note : facts.notes) notes << told(note);
+  for (const Sentence& note : facts.notes) notes << told(note);
   notes_->setText(notes.join("\n"));
 }
 

@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QVBoxLayout>
+#include <set>
 
 #include "panels/parts.h"
 #include "panels/swatch.h"
@@ -73,11 +74,23 @@ void StudyPanel::show_patient(const Patient& patient) {
 
   const QSignalBlocker quiet(structures_);
   structures_->clear();
-  for (const PatientStructure& structure : patient.structures) {
+  list(patient.structures);
+}
+
+void StudyPanel::list(const std::vector<PatientStructure>& structures) {
+  const QSignalBlocker quiet(structures_);
+  std::set<QString> hidden;
+  for (int k = 0; k < structures_->topLevelItemCount(); ++k) {
+    const QTreeWidgetItem* row = structures_->topLevelItem(k);
+    if (row->checkState(0) == Qt::Unchecked) hidden.insert(row->data(0, Qt::UserRole).toString());
+  }
+  structures_->clear();
+  for (const PatientStructure& structure : structures) {
     auto* row = new QTreeWidgetItem(structures_);
+    const QString name = QString::fromStdString(structure.name);
     row->setIcon(0, swatch(scene::appearance_of(structure.name).colour));
-    row->setData(0, Qt::UserRole, QString::fromStdString(structure.name));
-    row->setCheckState(0, Qt::Checked);
+    row->setData(0, Qt::UserRole, name);
+    row->setCheckState(0, hidden.count(name) == 0 ? Qt::Checked : Qt::Unchecked);
     row->setText(1, QLocale().toString(structure.volume_ml, 'f', structure.volume_ml < 100 ? 1 : 0));
     row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
   }

@@ -18,6 +18,8 @@ class StudyPanel : public QWidget {
   explicit StudyPanel(QWidget* parent = nullptr);
 
   void show_patient(const Patient& patient);
+  // These with their volumes, in the place of the patient's; what was unticked stays so.
+  void list(const std::vector<PatientStructure>& structures);
 
  Q_SIGNALS:
   void slice_image_chosen(glisson::widgets::SliceImage image);

@@ -12,7 +12,9 @@ QIcon swatch(const scene::Colour& colour) {
   painter.setBrush(QColor::fromRgbF(float(colour.red), float(colour.green), float(colour.blue)));
   painter.setPen(Qt::NoPen);
   painter.drawRoundedRect(4, 4, 20, 20, 5, 5);
-  return QIcon(pixmap);
+  QIcon icon(pixmap);
+  icon.addPixmap(pixmap, QIcon::Selected);  // the colour says what it is: not tinted where the row is chosen
+  return icon;
 }
 
 }  // namespace glisson::widgets

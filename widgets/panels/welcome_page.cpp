@@ -1,5 +1,6 @@
 #include "panels/welcome_page.h"
 
+#include <algorithm>
 #include <QIcon>
 
 #include "settings/settings.h"
@@ -89,8 +90,14 @@ void WelcomePage::offer_lost(const fs::path& case_folder) {
 void WelcomePage::list_recent() {
   const std::vector<fs::path> cases = recent_cases();
   recent_->setVisible(!cases.empty());
+  // Cases of one name are told apart by the folder that they lie in.
+  const auto is_one_of_several = [&](const fs::path& path) {
+    return std::count_if(cases.begin(), cases.end(), [&](const auto& each) { return each.stem() == path.stem(); }) > 1;
+  };
   for (std::size_t k = 0; k < std::min(cases.size(), most_listed); ++k) {
-    auto* button = new QPushButton(text_of(cases[k].stem()));
+    const QString name = text_of(cases[k].stem());
+    auto* button = new QPushButton(
+        is_one_of_several(cases[k]) ? QString("%1  (%2)").arg(name, text_of(cases[k].parent_path())) : name);
     button->setObjectName("recent_case");
     button->setFlat(true);
     button->setToolTip(text_of(cases[k]));

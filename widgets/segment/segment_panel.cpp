@@ -169,6 +169,7 @@ void SegmentPanel::showEvent(QShowEvent* event) {
   overlay_.set_on(true);
   if (to_open_) editor_.open(patient_);
   to_open_ = false;
+  tell_volumes();
   show_space();
 }
 
@@ -177,6 +178,7 @@ void SegmentPanel::hideEvent(QHideEvent* event) {
   if (event->spontaneous() || !window()->isVisible()) return;  // minimised, or closed: nobody looks elsewhere
   choose_tool(Tool::none);
   overlay_.set_on(false);
+  bench_.list_structures(std::nullopt);
   bench_.patient_views.set_workspace_scene(std::nullopt);
   // A patient without a model is shown by the outlines; one with a model by that, until it is built anew.
   if (!has_drawn_ || patient_.rehearsal != nullptr) return;
@@ -209,7 +211,18 @@ void SegmentPanel::list_structures() {
     row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
   }
   list_->setCurrentItem(editor_.active() < 0 ? nullptr : list_->topLevelItem(editor_.active()));
+  tell_volumes();
   show_state();
+}
+
+// The list of the patient beside the views, as drawn.
+void SegmentPanel::tell_volumes() {
+  if (!isVisible() || editor_.structures().empty()) return;
+  std::vector<PatientStructure> drawn;
+  for (const EditedStructure& structure : editor_.structures()) {
+    drawn.push_back({structure.name, structure.surface, structure.volume_ml});
+  }
+  bench_.list_structures(drawn);
 }
 
 void SegmentPanel::list_names(QMenu& menu, const std::function<void(const std::string&)>& chosen) {

@@ -44,6 +44,7 @@ class SegmentPanel : public QWidget {
   void connect_parts();
   void word();
   void list_structures();
+  void tell_volumes();
   void list_names(QMenu& menu, const std::function<void(const std::string&)>& chosen);
   void name_otherwise(const std::function<void(const std::string&)>& chosen);
   void choose_tool(Tool tool);

@@ -1,6 +1,8 @@
 #include "segment/slice_overlay.h"
 
 #include <algorithm>
+#include <Eigen/Geometry>
+#include <limits>
 
 #include "scene/anatomy.h"
 
@@ -11,6 +13,45 @@ constexpr std::uint8_t faint = 46, strong = 96;  // how much a fill covers, of 2
 
 segmentation::IndexBox whole(const imaging::Grid& grid) {
   return {{0, 0, 0}, {grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1}};
+}
+
+// The part of the plane through `center_mm` that the image reaches, in squares as wide as its voxels are at the least.
+imaging::Grid grid_in_plane(const imaging::Grid& image, const Eigen::Vector3d& center_mm,
+                            const Eigen::Vector3d& normal) {
+  constexpr int most_squares = 640;
+  const Eigen::Vector3d across = normal.unitOrthogonal(), along = normal.cross(across);
+  Eigen::Vector2d low(std::numeric_limits<double>::max(), std::numeric_limits<double>::max()), high = -low;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d index((corner & 1) * image.size[0] - 0.5, ((corner >> 1) & 1) * image.size[1] - 0.5,
+                                (corner >> 2) * image.size[2] - 0.5);
+    const Eigen::Vector3d from_center_mm = image.position_mm(index) - center_mm;
+    const Eigen::Vector2d place(from_center_mm.dot(across), from_center_mm.dot(along));
+    low = low.cwiseMin(place);
+    high = high.cwiseMax(place);
+  }
+  const double edge_mm = std::max(image.spacing_mm.minCoeff(), (high - low).maxCoeff() / most_squares);
+  imaging::Grid plane;
+  plane.size = {static_cast<int>((high - low).x() / edge_mm) + 1, static_cast<int>((high - low).y() / edge_mm) + 1, 1};
+  plane.spacing_mm = {edge_mm, edge_mm, edge_mm};
+  plane.direction << across, along, normal;
+  plane.origin_mm = center_mm + low.x() * across + low.y() * along;
+  return plane;
+}
+
+// Whether the slice goes through the voxels of a box.
+bool goes_through(const SliceView& view, const imaging::Grid& grid, const segmentation::IndexBox& box) {
+  bool above = false, below = false;
+  for (int corner = 0; corner < 8; ++corner) {
+    Eigen::Vector3d index;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const bool high = ((corner >> axis) & 1) != 0;
+      index[static_cast<Eigen::Index>(axis)] = high ? box.last[axis] + 0.5 : box.first[axis] - 0.5;
+    }
+    const double height_mm = view.normal().dot(grid.position_mm(index) - view.crosshair_mm());
+    above = above || height_mm >= 0;
+    below = below || height_mm <= 0;
+  }
+  return above && below;
 }
 
 std::array<std::uint8_t, 4> cell_colour(const std::string& name, bool active) {
@@ -67,6 +108,8 @@ void SliceOverlay::refresh(Shown& shown) {
   shown.outlines.assign(editor_.structures().size(), {});
   shown.cells = {};
   shown.layer.reset();
+  shown.tilted.reset();
+  shown.sampled.clear();
   const imaging::Volume* anatomy = editor_.anatomy();
   if (on_ && anatomy != nullptr) shown.layer = layer_of(*shown.view, anatomy->grid);
   if (shown.layer) {
@@ -84,8 +127,54 @@ void SliceOverlay::refresh(Shown& shown) {
       colour_cells(shown, whole(grid));
     }
     for (std::size_t k = 0; k < shown.outlines.size(); ++k) outline(shown, k);
+  } else if (on_ && anatomy != nullptr) {
+    refresh_tilted(shown);
   }
   hand_over(shown);
+}
+
+void SliceOverlay::refresh_tilted(Shown& shown) {
+  shown.tilted = grid_in_plane(editor_.anatomy()->grid, shown.view->crosshair_mm(), shown.view->normal());
+  shown.sampled.resize(editor_.structures().size());
+  shown.cells.layer = *shown.tilted;
+  for (std::size_t k = 0; k < shown.sampled.size(); ++k) sample(shown, k);
+  colour_tilted_cells(shown);
+}
+
+// The structure in the squares of the tilted plane, each as the voxel is that its middle lies in.
+void SliceOverlay::sample(Shown& shown, std::size_t structure) {
+  const EditedStructure& drawn = editor_.structures()[structure];
+  const bool active = static_cast<int>(structure) == editor_.active();
+  shown.sampled[structure].reset();
+  shown.outlines[structure] = {{}, scene::appearance_of(drawn.name).colour, active ? 2.2 : 1.3};
+  if (!drawn.shown) return;
+  const imaging::Grid& plane = *shown.tilted;
+  const imaging::Mask& mask = *drawn.mask;
+  imaging::Mask sampled{plane, std::vector<std::uint8_t>(plane.voxels(), 0)};
+  const Eigen::Vector3d first = mask.grid.index_of(plane.position_mm(0, 0, 0));
+  const Eigen::Vector3d right = mask.grid.index_of(plane.position_mm(1, 0, 0)) - first;
+  const Eigen::Vector3d up = mask.grid.index_of(plane.position_mm(0, 1, 0)) - first;
+  std::size_t square = 0;
+  for (int b = 0; b < plane.size[1]; ++b) {
+    for (int a = 0; a < plane.size[0]; ++a, ++square) {
+      const Eigen::Vector3i voxel = (first + a * right + b * up).array().round().cast<int>();
+      if (!mask.grid.contains(voxel.x(), voxel.y(), voxel.z())) continue;
+      sampled.values[square] = mask.values[mask.grid.offset(voxel.x(), voxel.y(), voxel.z())];
+    }
+  }
+  shown.outlines[structure].ends_mm = scene::outline_in_layer(sampled, 2, 0);
+  shown.sampled[structure] = std::move(sampled);
+}
+
+void SliceOverlay::colour_tilted_cells(Shown& shown) {
+  shown.cells.colours.assign(shown.tilted->voxels(), {0, 0, 0, 0});
+  for (std::size_t k = 0; k < shown.sampled.size(); ++k) {
+    if (!shown.sampled[k]) continue;
+    const auto colour = cell_colour(editor_.structures()[k].name, static_cast<int>(k) == editor_.active());
+    for (std::size_t square = 0; square < shown.cells.colours.size(); ++square) {
+      if (shown.sampled[k]->values[square] != 0) shown.cells.colours[square] = colour;
+    }
+  }
 }
 
 void SliceOverlay::refresh_part(int structure, const segmentation::IndexBox& box) {
@@ -93,7 +182,15 @@ void SliceOverlay::refresh_part(int structure, const segmentation::IndexBox& box
   const auto drawn = static_cast<std::size_t>(structure);
   const imaging::Mask& mask = *editor_.structures()[drawn].mask;
   for (Shown& shown : shown_) {
-    if (!shown.layer || drawn >= shown.outlines.size()) continue;
+    if (drawn >= shown.outlines.size()) continue;
+    if (shown.tilted) {
+      if (!box.empty() && !goes_through(*shown.view, mask.grid, box)) continue;
+      sample(shown, drawn);
+      colour_tilted_cells(shown);
+      hand_over(shown);
+      continue;
+    }
+    if (!shown.layer) continue;
     const auto n = static_cast<std::size_t>(shown.layer->axis);
     const bool touched = box.empty() || (box.first[n] <= shown.layer->index && shown.layer->index <= box.last[n]);
     if (!touched) continue;

@@ -31,12 +31,18 @@ class SliceOverlay : public QObject {
   struct Shown {
     SliceView* view = nullptr;
     std::optional<Layer> layer;
+    // Where the slice is tilted against the image: its plane as a grid of one layer, and the structures on that.
+    std::optional<imaging::Grid> tilted;
+    std::vector<std::optional<imaging::Mask>> sampled;
     scene::DrawnCells cells;
     std::vector<scene::DrawnLines> outlines;  // one a structure
     std::vector<scene::DrawnLines> sketch;
   };
   void refresh(Shown& shown);
   void refresh_part(int structure, const segmentation::IndexBox& box);
+  void refresh_tilted(Shown& shown);
+  void sample(Shown& shown, std::size_t structure);
+  void colour_tilted_cells(Shown& shown);
   void colour_cells(Shown& shown, const segmentation::IndexBox& box);
   void outline(Shown& shown, std::size_t structure);
   void hand_over(const Shown& shown);

@@ -111,8 +111,9 @@ bool SliceTools::press(SliceView* view, const QPointF& at, bool opposite) {
     Q_EMIT refused(tr("One moment: the last change is being worked off."));
     return true;
   }
-  if (!overlay_.layer_of(*view, active->mask->grid)) {
-    Q_EMIT refused(tr("This slice is turned: drawing needs one along the image's own slices."));
+  if (tool_ == Tool::scissors && options_.depth == ToolOptions::Depth::this_slice &&
+      !overlay_.layer_of(*view, active->mask->grid)) {
+    Q_EMIT refused(tr("This slice is tilted: here scissors cut through all slices. Choose that, or make it straight."));
     return true;
   }
   if (tool_ == Tool::piece) {
@@ -152,10 +153,13 @@ void SliceTools::drag(SliceView* view, const QPointF& at) {
 }
 
 void SliceTools::dab(SliceView* view, const Eigen::Vector3d& to_mm) {
-  segmentation::Dab dab{last_mm_, to_mm, options_.radius_mm, std::nullopt};
+  segmentation::Dab dab{last_mm_, to_mm, options_.radius_mm, std::nullopt, std::nullopt};
   if (options_.shape == ToolOptions::Shape::disc) {
-    if (const auto layer = overlay_.layer_of(*view, editor_.active_structure()->mask->grid))
+    if (const auto layer = overlay_.layer_of(*view, editor_.active_structure()->mask->grid)) {
       dab.layer_axis = layer->axis;
+    } else {
+      dab.plane_normal = view->normal();
+    }
   }
   editor_.draw(dab, paint_, only_);
   last_mm_ = to_mm;

@@ -118,6 +118,20 @@ void LiveRehearsal::set_direction(const Eigen::Vector3d& unit) {
   change_tool([&](ToolInHand& tool) { tool.direction = unit; });
 }
 
+void LiveRehearsal::hold_all(const std::vector<ToolInHand>& wanted) {
+  if (!body_ || frozen_) return;
+  go_on();
+  const auto [differs, _] = std::mismatch(tools_.begin(), tools_.end(), wanted.begin(), wanted.end());
+  const auto same = static_cast<std::size_t>(differs - tools_.begin());
+  if (same == tools_.size() && same == wanted.size()) return;
+  // The first that differs is moved; what came to hand after it is taken away and, if wanted, placed again.
+  while (tools_.size() > std::min(same + 1, wanted.size())) take_tool_away();
+  for (std::size_t k = same; k < wanted.size(); ++k) {
+    takes_another_ = k == tools_.size() && k > 0;
+    hold(wanted[k]);
+  }
+}
+
 void LiveRehearsal::keep_tool() { takes_another_ = touch_ == Touch::rigid && !tools_.empty(); }
 
 void LiveRehearsal::take_tool_away() {

@@ -44,6 +44,8 @@ class LiveRehearsal : public QObject {
   void set_force_N(double force_N);
   void set_direction(const Eigen::Vector3d& unit);  // of the force
   void take_tool_away();                            // the one in hand; another that was kept comes to hand
+  // These tools and no others, with as few movements as lead there; at most one where tools are patches.
+  void hold_all(const std::vector<ToolInHand>& tools);
   // The tool stays where it is, and the next one held is another. With rigid tools only.
   void keep_tool();
 

@@ -8,12 +8,43 @@ namespace {
 
 constexpr int rest_ms = 400;
 constexpr const char* key = "rehearse/tool";
+constexpr const char* rigid = "rigid";
 
 QJsonArray json_of(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
 Eigen::Vector3d vector_of(const QJsonValue& value) {
   const QJsonArray numbers = value.toArray();
   return {numbers.at(0).toDouble(), numbers.at(1).toDouble(), numbers.at(2).toDouble()};
+}
+
+QJsonObject json_of(const ToolInHand& tool) {
+  return {{"preset", QString::fromStdString(tool.preset)},
+          {"center_mm", json_of(tool.center_mm)},
+          {"outward", json_of(tool.outward)},
+          {"radius_mm", tool.radius_mm},
+          {"force_N", tool.force_N},
+          {"direction", json_of(tool.direction)}};
+}
+
+ToolInHand tool_of(const QJsonObject& json) {
+  ToolInHand tool;
+  tool.preset = json["preset"].toString().toStdString();
+  tool.center_mm = vector_of(json["center_mm"]);
+  tool.outward = vector_of(json["outward"]);
+  tool.radius_mm = json["radius_mm"].toDouble();
+  tool.force_N = json["force_N"].toDouble();
+  tool.direction = vector_of(json["direction"]);
+  return tool;
+}
+
+Sentence name_of(const QJsonObject& before, const QJsonObject& after) {
+  const QJsonArray were = before["tools"].toArray(), are = after["tools"].toArray();
+  if (before["touch"] != after["touch"]) return {GLISSON_TEXT("Another way of touching"), {}};
+  if (were.isEmpty()) return {GLISSON_TEXT("Place the tool"), {}};
+  if (were.size() < are.size()) return {GLISSON_TEXT("Place another tool"), {}};
+  if (were.size() > are.size()) return {GLISSON_TEXT("Take the tool away"), {}};
+  const bool moved = were.last().toObject()["center_mm"] != are.last().toObject()["center_mm"];
+  return {moved ? GLISSON_TEXT("Move the tool") : GLISSON_TEXT("Change the force"), {}};
 }
 
 }  // namespace
@@ -33,46 +64,32 @@ void RehearsalUndo::begin() {
 }
 
 QJsonValue RehearsalUndo::state() const {
-  if (!rehearsal_.has_tool()) return {};
-  const ToolInHand& tool = rehearsal_.tools().back();
-  return QJsonObject{{"preset", QString::fromStdString(tool.preset)},
-                     {"center_mm", json_of(tool.center_mm)},
-                     {"outward", json_of(tool.outward)},
-                     {"radius_mm", tool.radius_mm},
-                     {"force_N", tool.force_N},
-                     {"direction", json_of(tool.direction)}};
+  QJsonArray tools;
+  for (const ToolInHand& tool : rehearsal_.tools()) tools.append(json_of(tool));
+  return QJsonObject{{"touch", rehearsal_.touch() == Touch::rigid ? rigid : "patch"}, {"tools", tools}};
 }
 
 void RehearsalUndo::note() {
-  if (rehearsal_.touch() != Touch::patch || rehearsal_.shown_moment() || rehearsal_.solving() == Solving::solving)
-    return;
+  if (!rehearsal_.body() || rehearsal_.shown_moment() || rehearsal_.solving() == Solving::solving) return;
   const QJsonValue now = state();
   if (now == known_) return;
-  const QJsonObject before = known_.toObject(), after = now.toObject();
-  const Sentence name = known_.isNull()                             ? Sentence{GLISSON_TEXT("Place the tool"), {}}
-                        : now.isNull()                              ? Sentence{GLISSON_TEXT("Take the tool away"), {}}
-                        : before["center_mm"] != after["center_mm"] ? Sentence{GLISSON_TEXT("Move the tool"), {}}
-                                                                    : Sentence{GLISSON_TEXT("Change the force"), {}};
-  undo_.value_changed(name, key, known_, now);
+  undo_.value_changed(name_of(known_.toObject(), now.toObject()), key, known_, now);
   known_ = now;
 }
 
 void RehearsalUndo::apply(const QJsonValue& wanted) {
   known_ = wanted;
-  if (!rehearsal_.body() || rehearsal_.touch() != Touch::patch) return;
-  if (wanted.isNull() || wanted.isUndefined()) {
-    if (rehearsal_.has_tool()) rehearsal_.take_tool_away();
-    return;
+  if (!rehearsal_.body()) return;
+  const QJsonObject state = wanted.toObject();
+  std::vector<ToolInHand> tools;
+  for (const QJsonValue& tool : state["tools"].toArray()) tools.push_back(tool_of(tool.toObject()));
+  if (state.contains("preset")) tools.push_back(tool_of(state));  // a history from when there was one tool
+  const Touch touch = state["touch"].toString() == rigid ? Touch::rigid : Touch::patch;
+  if (touch != rehearsal_.touch()) {
+    rehearsal_.hold_all({});
+    rehearsal_.set_touch(touch);
   }
-  const QJsonObject tool = wanted.toObject();
-  ToolInHand hand;
-  hand.preset = tool["preset"].toString().toStdString();
-  hand.center_mm = vector_of(tool["center_mm"]);
-  hand.outward = vector_of(tool["outward"]);
-  hand.radius_mm = tool["radius_mm"].toDouble();
-  hand.force_N = tool["force_N"].toDouble();
-  hand.direction = vector_of(tool["direction"]);
-  rehearsal_.hold(hand);
+  rehearsal_.hold_all(tools);
 }
 
 }  // namespace glisson::widgets

@@ -1,6 +1,7 @@
 #pragma once
-// Where the tool stands and how it pulls, as a small value of the case's history: a drag is one step of undo. For the
-// one tool of a patch; rigid tools have a session of their own, whose track is gone through instead.
+// Where the tools stand and how they pull, as a small value of the case's history: a drag is one step of undo. Rigid
+// tools go back to where they were; the shape that the liver then takes may depend on the way, and the track keeps
+// that.
 
 #include <QJsonValue>
 #include <QObject>

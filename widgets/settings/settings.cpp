@@ -1,5 +1,6 @@
 #include "settings/settings.h"
 
+#include <algorithm>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QStringList>
@@ -37,15 +38,17 @@ void keep_threads(int threads) {
 std::vector<fs::path> recent_cases() {
   std::vector<fs::path> there;
   for (const QString& folder : settings().value(recent_key).toStringList()) {
-    const fs::path path = path_of(folder);
     std::error_code problem;
-    if (fs::exists(path / "case.json", problem)) there.push_back(path);
+    const fs::path path = fs::weakly_canonical(path_of(folder), problem);  // one case, whatever way led to it
+    if (!fs::exists(path / "case.json", problem)) continue;
+    if (std::find(there.begin(), there.end(), path) == there.end()) there.push_back(path);
   }
   return there;
 }
 
 void remember_case(const fs::path& folder) {
-  const QString text = text_of(fs::absolute(folder).lexically_normal());
+  std::error_code problem;
+  const QString text = text_of(fs::weakly_canonical(folder, problem));
   QStringList folders = settings().value(recent_key).toStringList();
   folders.removeAll(text);
   folders.prepend(text);

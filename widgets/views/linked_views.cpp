@@ -15,6 +15,7 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
   space_ = new SpaceView;
   twin_ = new SpaceView;
   twin_->setObjectName("twin_view");
+  twin_->set_follower();
   // The accents are those of the crosshair's lines (slice_view.cpp).
   frames_ = {new ViewFrame(QColor(107, 166, 250), slices_[0]), new ViewFrame({}, space_),
              new ViewFrame(QColor(115, 204, 128), slices_[1]), new ViewFrame(QColor(237, 140, 102), slices_[2]),

@@ -59,7 +59,12 @@ double arrow_force_N(double length_mm) { return std::max(0.0, (length_mm - short
 PatientViews::PatientViews(LinkedViews& views, QObject* parent) : QObject(parent), views_(views) {}
 
 void PatientViews::show_patient(const Patient& patient) {
+  const bool another = patient.folder != patient_.folder || patient.name != patient_.name;
   patient_ = patient;
+  if (another) {
+    windows_.clear();
+    in_slices_.reset();
+  }
   bodies_ = Bodies::patient;
   liver_colour_ = LiverColour::tissue;
   slice_image_ = SliceImage::anatomy;
@@ -251,8 +256,14 @@ scene::Scene PatientViews::space_scene(Bodies bodies) const {
 void PatientViews::rebuild_slices() {
   SliceContent content;
   content.volume = slice_image_ == SliceImage::stiffness ? patient_.stiffness : patient_.anatomy;
+  // The person's own window is kept for each image, also when the case is read again after a change.
+  const SliceView& any = *views_.slices().front();
+  if (in_slices_) windows_[*in_slices_] = {any.window_center(), any.window_width()};
+  in_slices_.reset();
   if (content.volume) {
-    const GreyWindow window = usual_window(*content.volume);
+    in_slices_ = slice_image_;
+    const auto kept = windows_.find(slice_image_);
+    const GreyWindow window = kept != windows_.end() ? kept->second : usual_window(*content.volume);
     content.window_center = window.center;
     content.window_width = window.width;
   }

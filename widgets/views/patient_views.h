@@ -2,6 +2,7 @@
 // A patient in the four views, moving with the rehearsal: which of the two bodies is shown (with the patient's own
 // stiffness, the atlas, or both in red and blue), the tool, and the landmarks.
 
+#include <map>
 #include <QObject>
 #include <set>
 #include <string>
@@ -101,6 +102,8 @@ class PatientViews : public QObject {
   Bodies bodies_ = Bodies::patient;
   LiverColour liver_colour_ = LiverColour::tissue;
   SliceImage slice_image_ = SliceImage::anatomy;
+  std::optional<SliceImage> in_slices_;       // what they show now
+  std::map<SliceImage, GreyWindow> windows_;  // of what they have shown of this patient
   std::optional<WorkspaceScene> workspace_;
   std::set<std::string> hidden_;
   std::string marked_landmark_;

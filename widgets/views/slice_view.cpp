@@ -73,12 +73,7 @@ void SliceView::set_roll_deg(double roll_deg) {
 
 void SliceView::show_content(const SliceContent& content) {
   const bool same_volume = content.volume == content_.volume;
-  const SliceContent before = content_;
   content_ = content;
-  if (same_volume) {  // the person's own window is kept
-    content_.window_center = before.window_center;
-    content_.window_width = before.window_width;
-  }
   scene::Scene scene;
   if (content.volume) {
     scene::SliceItem slice;

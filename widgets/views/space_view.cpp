@@ -119,7 +119,17 @@ void SpaceView::frame_all() {
 
 void SpaceView::resizeEvent(QResizeEvent* event) {
   RenderWidget::resizeEvent(event);
-  if (keeps_all_in_view_) look_from(scene::PatientView::surgeon);
+  if (keeps_all_in_view_) {
+    look_from(scene::PatientView::surgeon);
+    return;
+  }
+  // As much is in view as was, across the shorter side.
+  const auto shorter_share = [](const QSize& size) {
+    return std::min(1.0, static_cast<double>(std::max(1, size.width())) / std::max(1, size.height()));
+  };
+  if (!event->oldSize().isValid() || follows_) return;
+  zoom(shorter_share(event->oldSize()) / shorter_share(event->size()));
+  Q_EMIT camera_changed();
 }
 
 void SpaceView::camera_moved_by_hand() {

@@ -24,6 +24,8 @@ class SpaceView : public RenderWidget {
   void frame_all();
   // As the other view of the same patient looks; says nothing of it.
   void follow(const scene::Camera& camera);
+  // Another size leaves the camera to the view that this one follows.
+  void set_follower() { follows_ = true; }
 
   // The ends of a tool's arrow, which can be dragged: the one that touches slides over what is under the mouse, the
   // free one moves in parallel with the picture.
@@ -70,6 +72,7 @@ class SpaceView : public RenderWidget {
   Grips at_press_;  // tissue yields under a drag; measured from where it is then, the force would run away
   Grip held_ = Grip::none;
   bool keeps_all_in_view_ = false;
+  bool follows_ = false;
 };
 
 }  // namespace glisson::widgets

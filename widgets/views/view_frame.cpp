@@ -3,6 +3,7 @@
 #include <QMouseEvent>
 #include <QVBoxLayout>
 
+#include "views/render_widget.h"
 #include "words/worded.h"
 
 namespace glisson::widgets {
@@ -48,7 +49,10 @@ ViewFrame::ViewFrame(const QColor& accent, QWidget* view, QWidget* parent) : QFr
   });
 }
 
-void ViewFrame::set_name(const QString& name) { name_->setText(name); }
+void ViewFrame::set_name(const QString& name) {
+  name_->setText(name);
+  findChild<RenderWidget*>()->setAccessibleName(name);
+}
 
 QToolButton* ViewFrame::add_button() {
   auto* button = new QToolButton(this);

@@ -47,6 +47,8 @@ struct Bench {
   std::function<void(const Error&)> tell_error;
   std::function<void(const QString&)> tell_status;
   std::function<void(const QString& workspace_id)> go_to;
+  // In the list on the left, with their volumes: these in the place of the patient's, or the patient's own again.
+  std::function<void(const std::optional<std::vector<PatientStructure>>&)> list_structures;
 };
 
 }  // namespace glisson::widgets

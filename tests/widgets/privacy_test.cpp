@@ -1,0 +1,131 @@
+// Every way out of the window, with a patient whose name must not take it: pictures of the views, tables of a
+// rehearsal, the log and the report of a problem, the report as a page and in print. The name is in the folder's name,
+// as a person would have it. In the window itself it is shown.
+
+#include <QCheckBox>
+#include <QSignalSpy>
+#include <QTextBrowser>
+#include <QtTest>
+
+#include "base/files.h"
+#include "modelled_case.h"
+#include "panels/landmark_table.h"
+#include "report/report_view.h"
+#include "run_test.h"
+#include "settings/settings.h"
+#include "shown.h"
+
+namespace glisson::widgets {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int patience_ms = 20000;
+constexpr const char* surname = "Meierhoff";
+
+class PrivacyTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    named_ = temporary_.path() / "Meierhoff-Anna.glisson";
+    fs::rename(test::modelled_case(temporary_.path()), named_);
+    fs::copy(named_, temporary_.path() / "other.glisson", fs::copy_options::recursive);
+    window_ = shown_window();
+    open(named_);
+    QVERIFY(window_->windowTitle().contains(surname));
+  }
+
+  // The same case under another name gives the same pictures to the bit.
+  void pictures_do_not_show_it() {
+    const std::vector<QImage> with_name = pictures();
+    open(temporary_.path() / "other.glisson");
+    const std::vector<QImage> without = pictures();
+    for (std::size_t k = 0; k < without.size(); ++k)
+      QVERIFY2(with_name[k] == without[k], qPrintable(QString::number(k)));
+    open(named_);
+  }
+
+  void tables_of_a_rehearsal_do_not_hold_it() {
+    QSignalSpy placed(&window_->rehearsal(), &LiveRehearsal::placed);
+    const auto& surface = window_->rehearsal().body()->surface();
+    window_->rehearsal().hold({"palpation-probe", surface.points_mm.front(), {0, -1, 0}, 6, {0, 1, 0}, 1.5});
+    QVERIFY(placed.wait(patience_ms));
+    QVERIFY(!mentions(landmark_csv(*window_->rehearsal().frame())));
+    QVERIFY(!mentions(window_->rehearsal().track().csv({"tumour-1"})));
+  }
+
+  void log_and_report_of_a_problem_do_not_hold_it() {
+    // An error that names the file, and so the patient, where the person sees it.
+    const fs::path broken = temporary_.path() / "Meierhoff-broken.glisson";
+    fs::create_directories(broken);
+    QVERIFY(bool(write_text_file(broken / "case.json", "{")));
+    window_->open_path(broken);
+    QTRY_VERIFY_WITH_TIMEOUT(child_of<QLabel>(*window_, "notice_text")->text().contains(surname), patience_ms);
+    QVERIFY(window_->diary().entries().size() > 2);
+    QVERIFY(!mentions(problem_report(window_->diary(), "llvmpipe").toStdString()));
+    const auto log = read_text_file(own_folder() / "glisson.log");
+    QVERIFY(log && log->size() > 100);
+    QVERIFY(!mentions(*log));
+  }
+
+  void reports_hold_it_only_when_asked() {
+    window_->go_to("report");
+    auto* view = window_->findChild<ReportView*>();
+    auto* paper = child_of<QTextBrowser>(*view, "paper");
+    QTRY_VERIFY_WITH_TIMEOUT(paper->toPlainText().contains("name withheld"), patience_ms);
+    QVERIFY(!mentions(paper->toPlainText().toStdString()));
+    QVERIFY(!mentions(web_page(*view)));
+    QVERIFY(!mentions(print(*view)));
+    QTest::mouseClick(child_of<QCheckBox>(*view, "report_name"), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
+    QTRY_VERIFY_WITH_TIMEOUT(paper->toPlainText().contains(surname), patience_ms);
+    QVERIFY(mentions(web_page(*view)));
+  }
+
+  void shuts_down_cleanly() { window_.reset(); }
+
+ private:
+  void open(const fs::path& folder) {
+    window_->open_path(folder);
+    const QString name = QString::fromStdString(folder.stem().string());
+    QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().startsWith(name) && !window_->work().busy(), patience_ms);
+    QTest::qWait(100);
+  }
+
+  std::vector<QImage> pictures() {
+    std::vector<QImage> all{window_->views().space().picture()};
+    for (SliceView* slice : window_->views().slices()) all.push_back(slice->picture());
+    return all;
+  }
+
+  std::string web_page(const ReportView& view) {
+    const fs::path file = temporary_.path() / "report.html";
+    if (!view.save_html(file)) return surname;
+    return read_text_file(file, 1 << 26).value_or(surname);
+  }
+
+  std::string print(const ReportView& view) {
+    const fs::path file = temporary_.path() / "report.pdf";
+    view.print_pdf(QString::fromStdString(file.string()));
+    return read_text_file(file, 1 << 26).value_or(surname);
+  }
+
+  // As letters of 8 or 16 bits, which is how the properties of a PDF are written.
+  static bool mentions(const std::string& text) {
+    const std::string name(surname);
+    std::string wide;
+    for (const char letter : name) wide += std::string{'\0', letter};
+    return text.find(name) != std::string::npos || text.find(wide) != std::string::npos;
+  }
+
+  TemporaryFolder temporary_;
+  fs::path named_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace
+}  // namespace glisson::widgets
+
+int main(int argc, char** argv) { return glisson::widgets::run_test<glisson::widgets::PrivacyTest>(argc, argv); }
+
+#include "privacy_test.moc"
