@@ -58,8 +58,8 @@ enum class Along { nearly, exactly };
 // Failures: "cut-misses" (one that opens nothing, by its number), "cut-invalid".
 Result<OpenedBody> open_cuts(const geometry::TetMesh& mesh, const std::vector<Cut>& cuts, Along along);
 
-// Between points that were one: how far apart they are, and how far the walls have passed through each other, which
-// nothing keeps them from. Zeros without walls.
+// Between points that were one: how far apart they are, and how far the walls have passed through each other, unless
+// something kept them apart (large_contact.h). Zeros without walls.
 struct CutOpening {
   double largest_opening_mm = 0;
   double largest_overlap_mm = 0;

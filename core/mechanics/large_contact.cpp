@@ -35,20 +35,32 @@ LargeContact outcome(const Pressing& pressing, StaticResult state, const std::ve
 Result<LargeContact> find_equilibrium_in_contact(const Body& body, const std::vector<Material>& materials,
                                                  const AppliedLoads& loads,
                                                  const std::vector<std::vector<HandTool>>& stations,
-                                                 const ContactOptions& options, const Progress& progress) {
+                                                 const ContactOptions& options, const Progress& progress,
+                                                 const std::vector<OpenedBody::Wall>& walls) {
   GLISSON_ASSERT(!stations.empty());
   const Stopwatch watch;
-  auto standing = find_equilibrium(body, materials, loads, {}, progress.part(0.0, 0.1));
-  if (!standing) return failure(std::move(standing.error()));
-  if (!standing->may_be_used()) return LargeContact{std::move(*standing), {}, {}};
-  auto pressing = Pressing::create(body, stations.front(), options, nodal_displacements(body, *standing));
+  Eigen::VectorXd from_mm = Eigen::VectorXd::Zero(loads.dead_mN.size());
+  if (walls.empty()) {
+    auto standing = find_equilibrium(body, materials, loads, {}, progress.part(0.0, 0.1));
+    if (!standing) return failure(std::move(standing.error()));
+    if (!standing->may_be_used()) return LargeContact{std::move(*standing), {}, {}};
+    from_mm = nodal_displacements(body, *standing);
+  }
+  auto pressing = Pressing::create(body, stations.front(), options, std::move(from_mm), walls);
   if (!pressing) return failure(std::move(pressing.error()));
   AppliedLoads all = loads;
+  std::size_t station_now = 0;
   const auto rest_under = [&](const std::vector<HandTool>& tools) {
-    all = pressing->with_pulls(loads, tools);
+    AppliedLoads standing_loads = loads;
+    if (!walls.empty()) {
+      const double part = static_cast<double>(++station_now) / static_cast<double>(stations.size());
+      standing_loads.dead_mN *= part;
+      standing_loads.gas_kPa *= part;
+    }
+    all = pressing->with_pulls(std::move(standing_loads), tools);
     const BodyLandscape alone(body, materials, all);
-    const auto settle = [&](const Landscape& with_tools, double scale_mN, const Eigen::VectorXd& from_mm) {
-      return descend(with_tools, body.resolved.held, scale_mN, from_mm,
+    const auto settle = [&](const Landscape& with_tools, double scale_mN, const Eigen::VectorXd& start_mm) {
+      return descend(with_tools, body.resolved.held, scale_mN, start_mm,
                      {residual_of_a_round, newton_steps_of_a_round, body.options.memory_limit_bytes}, progress);
     };
     return pressing->rest_under(tools, {alone, alone.scale_mN(), settle});

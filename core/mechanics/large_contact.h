@@ -31,10 +31,15 @@ struct LargeContact {
 // The tools go through the stations, one set of the same tools after the other; between two none should move by more
 // than half its rods' radius. The result did not converge where a station was not reached, and `why_stopped` says
 // which. Failures: those of find_equilibrium; "tool-invalid", "tool-touches-nothing".
+//
+// `walls`, those of a body's cuts, slide along each other without passing through by more than the tolerance, by the
+// same springs between each of their points and the triangle across from it. The way begins at rest then, with the
+// loads growing from station to station.
 Result<LargeContact> find_equilibrium_in_contact(const Body& body, const std::vector<Material>& materials,
                                                  const AppliedLoads& loads,
                                                  const std::vector<std::vector<HandTool>>& stations,
-                                                 const ContactOptions& options = {}, const Progress& progress = {});
+                                                 const ContactOptions& options = {}, const Progress& progress = {},
+                                                 const std::vector<OpenedBody::Wall>& walls = {});
 
 // What meshfree frames can be touched with. Failure: "not-available" (a grasper whose displacement is given).
 Result<void> check_tools_on_frames(const std::vector<HandTool>& tools);

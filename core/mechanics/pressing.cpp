@@ -42,8 +42,8 @@ Vector3d off_mm(const HeldPatch& patch, const VectorXd& u_mm);
 class BearingBody : public Landscape {
  public:
   BearingBody(const Landscape& alone, const std::vector<Bearing>& bearings, const std::vector<HeldPatch>& patches,
-              double stiffness_mN_mm)
-      : alone_(alone), bearings_(bearings), patches_(patches), k_(stiffness_mN_mm) {}
+              const std::vector<Meeting>& meetings, double stiffness_mN_mm)
+      : alone_(alone), bearings_(bearings), patches_(patches), meetings_(meetings), k_(stiffness_mN_mm) {}
 
   [[nodiscard]] double energy_uJ(const VectorXd& u_mm) const override {
     double sum = alone_.energy_uJ(u_mm);
@@ -53,6 +53,10 @@ class BearingBody : public Landscape {
     }
     for (const HeldPatch& patch : patches_) {
       sum += (force_of(patch, u_mm).squaredNorm() - patch.force_mN.squaredNorm()) / (2 * k_);
+    }
+    for (const Meeting& meeting : meetings_) {
+      const double force = force_of(meeting, u_mm);
+      sum += (force * force - meeting.force_mN * meeting.force_mN) / (2 * k_);
     }
     return sum;
   }
@@ -88,6 +92,13 @@ class BearingBody : public Landscape {
         }
       }
     }
+    for (const Meeting& meeting : meetings_) {
+      if (force_of(meeting, u_mm) == 0) continue;
+      const Matrix3d block = k_ * meeting.normal * meeting.normal.transpose();
+      for (const auto& [a, a_share] : meeting.shares()) {
+        for (const auto& [b, b_share] : meeting.shares()) add(a, b, a_share * b_share * block);
+      }
+    }
     Eigen::SparseMatrix<double> springs(u_mm.size(), u_mm.size());
     springs.setFromTriplets(entries.begin(), entries.end());
     return alone_.tangent(u_mm, which) + springs;
@@ -98,11 +109,15 @@ class BearingBody : public Landscape {
       scale += (bearing.force_mN * bearing.force_mN + bearing.drag_mN.squaredNorm()) / k_;
     }
     for (const HeldPatch& patch : patches_) scale += patch.force_mN.squaredNorm() / k_;
+    for (const Meeting& meeting : meetings_) scale += meeting.force_mN * meeting.force_mN / k_;
     return scale;
   }
 
   [[nodiscard]] double force_of(const Bearing& bearing, const Gap& gap) const {
     return std::max(0.0, bearing.force_mN - k_ * gap.mm);
+  }
+  [[nodiscard]] double force_of(const Meeting& meeting, const VectorXd& u_mm) const {
+    return std::max(0.0, meeting.force_mN - k_ * meeting.gap_mm(u_mm));
   }
   [[nodiscard]] Vector3d force_of(const HeldPatch& patch, const VectorXd& u_mm) const {
     return patch.force_mN - k_ * off_mm(patch, u_mm);
@@ -120,6 +135,10 @@ class BearingBody : public Landscape {
         sum.segment<3>(3 * patch.nodes[i]) += patch.weights[i] * force;
       }
     }
+    for (const Meeting& meeting : meetings_) {
+      const Vector3d force = force_of(meeting, u_mm) * meeting.normal;
+      for (const auto& [node, share] : meeting.shares()) sum.segment<3>(3 * node) += share * force;
+    }
     return sum;
   }
 
@@ -127,14 +146,25 @@ class BearingBody : public Landscape {
   const Landscape& alone_;
   const std::vector<Bearing>& bearings_;
   const std::vector<HeldPatch>& patches_;
+  const std::vector<Meeting>& meetings_;
   double k_;
 };
 
 }  // namespace
 
 Result<Pressing> Pressing::create(const Body& body, const std::vector<HandTool>& tools, const ContactOptions& options,
-                                  VectorXd u_mm) {
+                                  VectorXd u_mm, const std::vector<OpenedBody::Wall>& walls) {
   Pressing pressing(body, options, std::move(u_mm));
+  if (!walls.empty()) {
+    std::vector<std::uint8_t> on_wall(body.mesh.points_mm.size(), 0);
+    for (const OpenedBody::Wall& wall : walls) on_wall[wall.below] = on_wall[wall.above] = 1;
+    std::vector<int> wall_points;
+    const auto& mesh_points = geometry::find_field(pressing.surface_.point_fields, "mesh_point")->values;
+    for (std::size_t p = 0; p < mesh_points.size(); ++p) {
+      if (on_wall[static_cast<std::size_t>(mesh_points[p])] != 0) wall_points.push_back(static_cast<int>(p));
+    }
+    pressing.walls_ = MeetingWalls(pressing.surface_, pressing.node_of_point_, wall_points);
+  }
   for (std::size_t t = 0; t < tools.size(); ++t) {
     if (const auto* touching = std::get_if<TouchingTool>(&tools[t].what)) {
       if (auto checked = check_tool(touching->shape, touching->pose); !checked) {
@@ -244,7 +274,7 @@ Result<bool> Pressing::rest_at_advances(const std::vector<HandTool>& tools, cons
     const Pose pose = pose_of(bearing.place.tool, tools);
     bearing.from_mm = pose.rotation * bearing.from_on_tool_mm + pose.position_mm;
   }
-  constexpr int most_rounds = 40;
+  constexpr int most_rounds = 40, rounds_that_wander = 6;
   for (int round = 0; round < most_rounds; ++round) {
     bear(tools);
     for (Bearing& bearing : bearings_) {
@@ -253,7 +283,10 @@ Result<bool> Pressing::rest_at_advances(const std::vector<HandTool>& tools, cons
       bearing.normal = gap_of(bearing, u_mm_).normal;
       bearing.drag_mN -= bearing.drag_mN.dot(bearing.normal) * bearing.normal;
     }
-    const BearingBody landscape(ground.alone, bearings_, patches_, k_mN_mm_);
+    walls_.find(u_mm_, round == 0                   ? MeetingWalls::Search::anew
+                       : round < rounds_that_wander ? MeetingWalls::Search::again
+                                                    : MeetingWalls::Search::more);
+    const BearingBody landscape(ground.alone, bearings_, patches_, walls_.meetings(), k_mN_mm_);
     const double scale_mN = ground.scale_mN +
                             of_the_free(body_->resolved.held, landscape.tools_force_mN(u_mm_)).norm() +
                             k_mN_mm_ * hair_mm;
@@ -283,7 +316,13 @@ Result<bool> Pressing::rest_at_advances(const std::vector<HandTool>& tools, cons
       patch.force_mN = force_mN;
       farthest_off_mm = std::max(farthest_off_mm, off_mm(patch, u_mm_).norm());
     }
-    report_.penetration_mm = 0;
+    for (Meeting& meeting : walls_.meetings()) {
+      const double force_mN = landscape.force_of(meeting, u_mm_);
+      changed_mN += std::abs(force_mN - meeting.force_mN);
+      all_mN += force_mN;
+      meeting.force_mN = force_mN;
+    }
+    report_.penetration_mm = walls_.find(u_mm_, MeetingWalls::Search::more);
     for (const NearPlace& place : places_near(surface_, tools, advance_mm_, surface_mm(u_mm_), 0.0)) {
       report_.penetration_mm = std::max(report_.penetration_mm, -place.gap_mm);
     }
@@ -362,6 +401,10 @@ VectorXd Pressing::force_mN() const {
     for (std::size_t i = 0; i < patch.nodes.size(); ++i) {
       sum.segment<3>(3 * patch.nodes[i]) += patch.weights[i] * patch.force_mN;
     }
+  }
+  for (const Meeting& meeting : walls_.meetings()) {
+    const Vector3d force = meeting.force_mN * meeting.normal;
+    for (const auto& [node, share] : meeting.shares()) sum.segment<3>(3 * node) += share * force;
   }
   return sum;
 }

@@ -7,6 +7,7 @@
 
 #include "mechanics/contact.h"
 #include "mechanics/large_contact.h"
+#include "mechanics/meeting_walls.h"
 #include "mechanics/newton.h"
 #include "mechanics/tool_search.h"
 
@@ -50,9 +51,10 @@ struct Ground {
 // Moved on from station to station.
 class Pressing {
  public:
-  // `tools` are those of the first station. Failures: "tool-invalid", "tool-touches-nothing".
+  // `tools` are those of the first station; the walls of cuts are kept apart. Failures: "tool-invalid",
+  // "tool-touches-nothing".
   static Result<Pressing> create(const Body& body, const std::vector<HandTool>& tools, const ContactOptions& options,
-                                 Eigen::VectorXd u_mm);
+                                 Eigen::VectorXd u_mm, const std::vector<OpenedBody::Wall>& walls = {});
 
   // What graspers that pull add to the loads.
   [[nodiscard]] AppliedLoads with_pulls(AppliedLoads loads, const std::vector<HandTool>& tools) const;
@@ -85,6 +87,7 @@ class Pressing {
   std::vector<Gripped> grips_;
   std::vector<Bearing> bearings_;
   std::vector<HeldPatch> patches_;
+  MeetingWalls walls_;
   ContactReport report_;
 };
 

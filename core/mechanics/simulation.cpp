@@ -59,6 +59,14 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
                                            : large_equilibrium;
   auto answer = options.data ? equilibrium_from_data(mesh, *options.data, scenario, *places, progress)
                              : compute(mesh, *youngs_kPa, scenario, *places, progress);
+  // Walls that nothing presses together need no more than that.
+  const bool may_be_kept_apart =
+      !scenario.cuts.empty() && !meshfree && !scenario.motion && !options.data && !scenario.grain;
+  if (answer && may_be_kept_apart &&
+      opening_of(*body, answer->result.displacement_mm).largest_overlap_mm >
+          ContactOptions().penetration_tolerance_mm) {
+    answer = equilibrium_of_walls(mesh, *youngs_kPa, scenario, *places, body->walls, progress);
+  }
   if (!answer) return failure(std::move(answer.error()));
   progress.report(1.0, GLISSON_TEXT("Solved"));
 
@@ -74,9 +82,10 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   if (!scenario.cuts.empty()) {
     simulation.cut = opening_of(*body, simulation.result.displacement_mm);
     if (simulation.cut->largest_overlap_mm > 0.5) {
-      simulation.result.notes.push_back(
-          fmt::format("The walls of the cuts pass through each other by up to {:.1f} mm: nothing keeps them apart.",
-                      simulation.cut->largest_overlap_mm));
+      simulation.result.notes.push_back(fmt::format(
+          "The walls of the cuts pass through each other by up to {:.1f} mm: finite elements in equilibrium keep them "
+          "apart, this does not.",
+          simulation.cut->largest_overlap_mm));
     }
   }
   for (const DisplacedLandmark& landmark : simulation.landmarks) {

@@ -15,7 +15,7 @@ namespace glisson::mechanics {
 namespace {
 
 int steps_for(const std::vector<ToolInHand>& tools, double largest_move_mm);
-std::vector<std::vector<HandTool>> stations_of(const std::vector<ToolInHand>& tools);
+std::vector<std::vector<HandTool>> stations_of(const std::vector<ToolInHand>& tools, int fewest = 1);
 
 }  // namespace
 
@@ -59,12 +59,20 @@ Result<Answer> small_contact_equilibrium(const geometry::TetMesh& mesh, std::vec
 
 Result<Answer> large_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
                                          const Scenario& scenario, const Places& places, const Progress& progress) {
+  return equilibrium_of_walls(mesh, std::move(youngs_kPa), scenario, places, {}, progress);
+}
+
+Result<Answer> equilibrium_of_walls(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                    const Scenario& scenario, const Places& places,
+                                    const std::vector<OpenedBody::Wall>& walls, const Progress& progress) {
   const auto prepared = material_body(mesh, std::move(youngs_kPa), scenario);
   if (!prepared) return failure(prepared.error());
   const auto& [body, materials, setup_s] = *prepared;
   const auto loads = applied_loads(body, scenario.loads, gas_on(materials));
   if (!loads) return failure(loads.error());
-  auto contact = find_equilibrium_in_contact(body, materials, *loads, stations_of(scenario.tools), {}, progress);
+  constexpr int fewest_stations_of_walls = 4;
+  const auto stations = stations_of(scenario.tools, walls.empty() ? 1 : fewest_stations_of_walls);
+  auto contact = find_equilibrium_in_contact(body, materials, *loads, stations, {}, progress, walls);
   if (!contact) return failure(std::move(contact.error()));
   contact->result.setup_s = setup_s;
   auto landmarks_mm = displacement_at(body, contact->result, places);
@@ -139,8 +147,8 @@ int steps_for(const std::vector<ToolInHand>& tools, double largest_move_mm) {
   return std::max(1, static_cast<int>(std::ceil(farthest_mm / largest_move_mm)));
 }
 
-std::vector<std::vector<HandTool>> stations_of(const std::vector<ToolInHand>& tools) {
-  const int steps = steps_for(tools, 0.5 * thinnest_rod_mm(tools));
+std::vector<std::vector<HandTool>> stations_of(const std::vector<ToolInHand>& tools, int fewest) {
+  const int steps = std::max(fewest, steps_for(tools, 0.5 * thinnest_rod_mm(tools)));
   std::vector<std::vector<HandTool>> stations;
   for (int step = 1; step <= steps; ++step) stations.push_back(tools_at(tools, double(step) / steps));
   return stations;

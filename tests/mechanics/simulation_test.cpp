@@ -4,7 +4,9 @@
 
 #include <gmock/gmock.h>
 #include <cmath>
+#include <Eigen/LU>
 #include <limits>
+#include <set>
 
 #include "mechanics/bodies.h"
 #include "mechanics/large_contact.h"
@@ -142,6 +144,78 @@ TEST_F(Simulating, APartOpenCutPartsUnderTheToolInEveryMaterialAndBothEngines) {
   scenario.engine = Engine::fem;
   scenario.cuts = {{{90, 0, 0}, {1, 0, 0}}};
   EXPECT_THAT(refusal(), HasSubstr("cut-misses: Cut 1 opens the body nowhere"));
+}
+
+// The deepest that a point of either half's wall lies within the other half, as they are now: cell by cell.
+double overlap_of_halves_mm(const geometry::TetMesh& rest, const std::vector<Vector3d>& moved_mm, double at_x_mm) {
+  const auto is_left = [&](const std::array<int, 4>& cell) {
+    double x = 0;
+    for (const int point : cell) x += 0.25 * rest.points_mm[point].x();
+    return x < at_x_mm;
+  };
+  std::vector<std::array<Vector3d, 3>> wall[2];
+  std::vector<std::array<Vector3d, 4>> cells[2];
+  std::set<int> points[2];
+  for (const auto& cell : rest.cells) {
+    const int side = is_left(cell) ? 0 : 1;
+    std::vector<int> on_wall;
+    for (const int point : cell) {
+      if (std::abs(rest.points_mm[point].x() - at_x_mm) < 1e-6) on_wall.push_back(point);
+    }
+    cells[side].push_back({moved_mm[cell[0]], moved_mm[cell[1]], moved_mm[cell[2]], moved_mm[cell[3]]});
+    if (on_wall.size() == 3) {
+      wall[side].push_back({moved_mm[on_wall[0]], moved_mm[on_wall[1]], moved_mm[on_wall[2]]});
+    }
+    points[side].insert(on_wall.begin(), on_wall.end());
+  }
+  double deepest_mm = 0;
+  for (const int side : {0, 1}) {
+    for (const int point : points[side]) {
+      const Vector3d& here = moved_mm[point];
+      const bool inside = std::any_of(cells[1 - side].begin(), cells[1 - side].end(), [&](const auto& corner) {
+        Eigen::Matrix3d edges;
+        edges << corner[1] - corner[0], corner[2] - corner[0], corner[3] - corner[0];
+        const Vector3d at = edges.inverse() * (here - corner[0]);
+        return at.minCoeff() >= 0 && at.sum() <= 1;
+      });
+      if (!inside) continue;
+      double to_wall_mm = 1e9;
+      for (const auto& triangle : wall[1 - side]) {
+        to_wall_mm = std::min(to_wall_mm, nearest_of(Rod{here, here, 0}, triangle).distance_mm);
+      }
+      deepest_mm = std::max(deepest_mm, to_wall_mm);
+    }
+  }
+  return deepest_mm;
+}
+
+TEST_F(Simulating, HalvesOfACutThatArePressedTogetherDoNotPassThroughEachOther) {
+  // The right half is pushed at its top against the left one, by which alone (poor in contact) it would go through it
+  // by millimetres. Together they give way by less than it alone and by more than the block in one piece.
+  scenario.poisson_ratio = 0.3;
+  const std::vector<ToolInHand> probe = {
+      {"probe", RigidToolInHand{palpation_probe(8), {42, 15, 24}, {-1, 0, 0}, 8, {}}}};
+  for (const bool touched : {false, true}) {
+    scenario.loads = touched ? Loads{} : Loads{ToolLoad{{30, 15, 25}, 8, {-120, 0, 0}}};
+    scenario.tools = touched ? probe : std::vector<ToolInHand>{};
+    for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::neo_hookean}) {
+      if (touched && law != MaterialLaw::linear) continue;
+      scenario.material = law;
+      scenario.cuts = {};
+      const double whole_mm = simulate(mesh, scenario)->result.max_displacement_mm;
+      scenario.cuts = {{{15, 0, 0}, {1, 0, 0}}};
+      const auto cut = simulate(mesh, scenario).value();
+      ASSERT_TRUE(cut.result.may_be_used()) << cut.result.why_stopped;
+      EXPECT_GT(cut.result.displacement_mm[test::point_at(mesh, {0, 15, 30})].norm(), 0.3);  // the left half is pushed
+      EXPECT_GT(cut.result.max_displacement_mm, touched ? 0.0 : whole_mm);
+      std::vector<Vector3d> moved_mm = cut.mesh.points_mm;
+      for (std::size_t p = 0; p < moved_mm.size(); ++p) moved_mm[p] += cut.result.displacement_mm[p];
+      EXPECT_LE(overlap_of_halves_mm(cut.mesh, moved_mm, 15), 0.1);
+      EXPECT_LE(cut.contact->penetration_mm, 0.1);
+      const Vector3d pushed = touched ? cut.tools[0].force_mN : Vector3d(-120, 0, 0);
+      EXPECT_LT((cut.result.held_reaction_mN + pushed).norm(), 0.01 * pushed.norm());
+    }
+  }
 }
 
 TEST_F(Simulating, ASheetThroughPointsOfAPlaneCutsAsThePlaneDoesAndABentOneElsewhere) {
