@@ -5,7 +5,7 @@
     <name>Workspace</name>
     <message>
         <source>Needs a model of the liver: build it first.</source>
-        <translation>Braucht ein Modell der Leber: bauen Sie es zuerst.</translation>
+        <translation>Braucht ein Modell der Leber: Erstellen Sie es zuerst.</translation>
     </message>
 </context>
 <context>
@@ -36,7 +36,7 @@
     </message>
     <message>
         <source>Camera and specimen misaligned</source>
-        <translation>Kamera und Probe verschoben</translation>
+        <translation>Kamera und Prüfkörper verschoben</translation>
     </message>
     <message>
         <source>Stiffer along one direction</source>
@@ -535,11 +535,11 @@
     </message>
     <message>
         <source>The specimen is stiffer or softer than declared, everywhere and at every load.</source>
-        <translation>Die Probe ist steifer oder weicher als angegeben, überall und bei jeder Last.</translation>
+        <translation>Der Prüfkörper ist steifer oder weicher als angegeben, überall und bei jeder Last.</translation>
     </message>
     <message>
         <source>The specimen is not equally stiff under tension and under compression.</source>
-        <translation>Die Probe ist auf Zug und auf Druck nicht gleich steif.</translation>
+        <translation>Der Prüfkörper ist auf Zug und auf Druck nicht gleich steif.</translation>
     </message>
     <message>
         <source>The tissue gets stiffer (or softer) the further it is deformed: its law is not a straight line.</source>
@@ -563,7 +563,7 @@
     </message>
     <message>
         <source>The specimen was already loaded when the test began.</source>
-        <translation>Die Probe war schon belastet, als der Versuch begann.</translation>
+        <translation>Der Prüfkörper war schon belastet, als der Versuch begann.</translation>
     </message>
     <message>
         <source>The mode &quot;{0}&quot; is not known.</source>
@@ -583,11 +583,11 @@
     </message>
     <message>
         <source>{0} gives &quot;{1}&quot;, which needs the specimen&apos;s {2}.</source>
-        <translation>{0} gibt &quot;{1}&quot; an; dazu wird {2} der Probe gebraucht.</translation>
+        <translation>{0} gibt &quot;{1}&quot; an; dazu wird {2} des Prüfkörpers gebraucht.</translation>
     </message>
     <message>
         <source>Give the specimen&apos;s diameter_mm (or width_mm and thickness_mm, or area_mm2) and height_mm.</source>
-        <translation>Geben Sie diameter_mm der Probe an (oder width_mm und thickness_mm, oder area_mm2) sowie height_mm.</translation>
+        <translation>Geben Sie diameter_mm des Prüfkörpers an (oder width_mm und thickness_mm, oder area_mm2) sowie height_mm.</translation>
     </message>
     <message>
         <source>In {0} stress and strain mostly have opposite signs.</source>
@@ -607,7 +607,7 @@
     </message>
     <message>
         <source>Line {0} of {1} gives a stretch of {2}, which no specimen survives.</source>
-        <translation>Zeile {0} von {1} gibt eine Streckung von {2} an, die keine Probe übersteht.</translation>
+        <translation>Zeile {0} von {1} gibt eine Streckung von {2} an, die kein Prüfkörper übersteht.</translation>
     </message>
     <message>
         <source>Is it strain, or a percentage? Stretch is length over length at rest.</source>
@@ -619,7 +619,7 @@
     </message>
     <message>
         <source>The specimen in {0} is {1} mm across.</source>
-        <translation>Die Probe in {0} misst {1} mm.</translation>
+        <translation>Der Prüfkörper in {0} misst {1} mm.</translation>
     </message>
     <message>
         <source>Is the mesh in metres or micrometres?</source>
@@ -651,7 +651,7 @@
     </message>
     <message>
         <source>All markers of {0} lie within {1} mm (line 2 on), on a specimen of {2} mm.</source>
-        <translation>Alle Marker von {0} liegen innerhalb von {1} mm (ab Zeile 2), auf einer Probe von {2} mm.</translation>
+        <translation>Alle Marker von {0} liegen innerhalb von {1} mm (ab Zeile 2), auf einem Prüfkörper von {2} mm.</translation>
     </message>
     <message>
         <source>Are they in metres?</source>
@@ -659,7 +659,7 @@
     </message>
     <message>
         <source>Line {0} of {1}: marker {2} lies {3} mm outside the specimen at rest.</source>
-        <translation>Zeile {0} von {1}: Marker {2} liegt {3} mm außerhalb der ruhenden Probe.</translation>
+        <translation>Zeile {0} von {1}: Marker {2} liegt {3} mm außerhalb des ruhenden Prüfkörpers.</translation>
     </message>
     <message>
         <source>Are markers and mesh in one frame (patient coordinates) and both in mm?</source>
@@ -667,7 +667,7 @@
     </message>
     <message>
         <source>Line {0} of {1}: marker {2} moved by {3} mm, more than the specimen is long.</source>
-        <translation>Zeile {0} von {1}: Marker {2} hat sich um {3} mm bewegt, mehr als die Länge der Probe.</translation>
+        <translation>Zeile {0} von {1}: Marker {2} hat sich um {3} mm bewegt, mehr als die Länge des Prüfkörpers.</translation>
     </message>
     <message>
         <source>Are the positions in another unit or frame than the positions at rest?</source>
@@ -675,7 +675,7 @@
     </message>
     <message>
         <source>{0}: a force of {1} N presses no soft specimen.</source>
-        <translation>{0}: Eine Kraft von {1} N drückt auf keine weiche Probe.</translation>
+        <translation>{0}: Eine Kraft von {1} N drückt auf keinen weichen Prüfkörper.</translation>
     </message>
     <message>
         <source>Was it given in mN?</source>
@@ -707,7 +707,7 @@
     </message>
     <message>
         <source>Preparing the specimen</source>
-        <translation>Probe wird vorbereitet</translation>
+        <translation>Prüfkörper wird vorbereitet</translation>
     </message>
     <message>
         <source>No sample of the experiment has markers.</source>
@@ -715,15 +715,15 @@
     </message>
     <message>
         <source>Solved the declared specimen</source>
-        <translation>Angegebene Probe gelöst</translation>
+        <translation>Angegebener Prüfkörper gelöst</translation>
     </message>
     <message>
         <source>The specimen&apos;s equations are too badly conditioned to be solved.</source>
-        <translation>Die Gleichungen der Probe sind zu schlecht konditioniert, um gelöst zu werden.</translation>
+        <translation>Die Gleichungen des Prüfkörpers sind zu schlecht konditioniert, um gelöst zu werden.</translation>
     </message>
     <message>
         <source>No equilibrium of a specimen that stiffens so strongly was found under these loads.</source>
-        <translation>Für eine Probe, die sich so stark versteift, wurde unter diesen Lasten kein Gleichgewicht gefunden.</translation>
+        <translation>Für einen Prüfkörper, der sich so stark versteift, wurde unter diesen Lasten kein Gleichgewicht gefunden.</translation>
     </message>
     <message>
         <source>The battery&apos;s voltage falls under load: its own resistance turns energy into heat.</source>
@@ -827,7 +827,7 @@
     </message>
     <message>
         <source>it changes across the specimen</source>
-        <translation>es ändert sich über die Probe hinweg</translation>
+        <translation>es ändert sich über den Prüfkörper hinweg</translation>
     </message>
     <message>
         <source>it differs from trial to trial</source>
@@ -1583,7 +1583,7 @@
     </message>
     <message>
         <source>The tool at ({0}, {1}, {2}) mm with radius {3} mm touches nothing: the centre of the nearest face of the surface is {4} mm away.</source>
-        <translation>Das Werkzeug bei ({0}, {1}, {2}) mm mit dem Radius {3} mm berührt nichts: Die Mitte der nächsten Fläche der Oberfläche ist {4} mm entfernt.</translation>
+        <translation>Das Instrument bei ({0}, {1}, {2}) mm mit dem Radius {3} mm berührt nichts: Die Mitte der nächsten Fläche der Oberfläche ist {4} mm entfernt.</translation>
     </message>
     <message>
         <source>Move its centre onto the surface, or make its radius larger than {4} mm.</source>
@@ -1627,7 +1627,7 @@
     </message>
     <message>
         <source>The tool at ({0}, {1}, {2}) mm meets no surface on its way.</source>
-        <translation>Das Werkzeug bei ({0}, {1}, {2}) mm trifft auf seinem Weg keine Oberfläche.</translation>
+        <translation>Das Instrument bei ({0}, {1}, {2}) mm trifft auf seinem Weg keine Oberfläche.</translation>
     </message>
     <message>
         <source>Move it in front of the liver, or turn it towards it.</source>
@@ -1671,11 +1671,11 @@
     </message>
     <message>
         <source>The tool of load {0} needs a finite centre and force.</source>
-        <translation>Das Werkzeug der Last {0} braucht eine endliche Mitte und Kraft.</translation>
+        <translation>Das Instrument der Last {0} braucht eine endliche Mitte und Kraft.</translation>
     </message>
     <message>
         <source>The tool of load {0} needs a radius above zero.</source>
-        <translation>Das Werkzeug der Last {0} braucht einen Radius größer als null.</translation>
+        <translation>Das Instrument der Last {0} braucht einen Radius größer als null.</translation>
     </message>
     <message>
         <source>The pressure of load {0} is not a finite number.</source>
@@ -1735,7 +1735,7 @@
     </message>
     <message>
         <source>A tool needs rods with finite ends and a radius above zero, and a pose that turns and moves it.</source>
-        <translation>Ein Werkzeug braucht Stäbe mit endlichen Enden und einem Radius größer als null und eine Lage, die es dreht und bewegt.</translation>
+        <translation>Ein Instrument braucht Stäbe mit endlichen Enden und einem Radius größer als null und eine Lage, die es dreht und bewegt.</translation>
     </message>
     <message>
         <source>{0} must be a name in quotes.</source>
@@ -2591,7 +2591,7 @@
     </message>
     <message>
         <source>The step did not converge: after {0} rounds a tool still reaches {1} mm into the surface, which still moves by {2} mm.</source>
-        <translation>Der Schritt ist nicht konvergiert: Nach {0} Runden reicht ein Werkzeug noch {1} mm in die Oberfläche, die sich noch um {2} mm bewegt.</translation>
+        <translation>Der Schritt ist nicht konvergiert: Nach {0} Runden reicht ein Instrument noch {1} mm in die Oberfläche, die sich noch um {2} mm bewegt.</translation>
     </message>
     <message>
         <source>Placing landmarks and structures</source>
@@ -2627,11 +2627,11 @@
     </message>
     <message>
         <source>There is no tool {0}.</source>
-        <translation>Es gibt kein Werkzeug {0}.</translation>
+        <translation>Es gibt kein Instrument {0}.</translation>
     </message>
     <message>
         <source>The tools are: {1}.</source>
-        <translation>Die Werkzeuge sind: {1}.</translation>
+        <translation>Die Instrumente sind: {1}.</translation>
     </message>
     <message>
         <source>A case has no scene named {0}; it has {1}.</source>
@@ -2695,7 +2695,7 @@
     </message>
     <message>
         <source>Smoothing the outline</source>
-        <translation>Kontur wird geglättet</translation>
+        <translation>Umriss wird geglättet</translation>
     </message>
     <message>
         <source>There is no image value around seed {0}.</source>
@@ -3087,7 +3087,7 @@
     </message>
     <message>
         <source>Moving the tools</source>
-        <translation>Werkzeuge werden bewegt</translation>
+        <translation>Instrumente werden bewegt</translation>
     </message>
     <message>
         <source>Command {0} led to another state than was recorded.</source>
@@ -3183,7 +3183,7 @@
     </message>
     <message>
         <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments, tools or the meshfree engine.</source>
-        <translation>Direkt aus Daten gibt es Gleichgewichte mit finiten Elementen: ohne Bewegung, Kapsel, Bänder, Werkzeuge oder das netzfreie Verfahren.</translation>
+        <translation>Direkt aus Daten gibt es Gleichgewichte mit finiten Elementen: ohne Bewegung, Kapsel, Bänder, Instrumente oder das netzfreie Verfahren.</translation>
     </message>
     <message>
         <source>At {0} Hz the phase of {1} % of the tissue does not come back to itself over a period; those voxels were left out.</source>
@@ -3399,7 +3399,7 @@
     </message>
     <message>
         <source>With a ratio of {0} along the grain no stable material is left at a Poisson&apos;s ratio of {1}.</source>
-        <translation>Mit einem Verhältnis von {0} entlang der Fasern bleibt bei einer Querdehnzahl von {1} kein stabiles Material.</translation>
+        <translation>Mit einem Verhältnis von {0} entlang der Fasern bleibt bei einer Querkontraktionszahl von {1} kein stabiles Material.</translation>
     </message>
     <message>
         <source>A grain is there for equilibrium by finite elements, with the material &quot;linear&quot; and without ligaments.</source>
@@ -3455,7 +3455,7 @@
     </message>
     <message>
         <source>Reading the experiment</source>
-        <translation>Versuch wird gelesen</translation>
+        <translation>Experiment wird gelesen</translation>
     </message>
     <message>
         <source>{0} landmarks seen in fewer than three frames were left out</source>
@@ -3471,7 +3471,7 @@
     </message>
     <message>
         <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULIERT: die Form der Leber eines wirklichen Patienten, die nach einer Formel atmet und von einem Werkzeug eingedrückt wird. Die „vorgegebene“ Registrierung ist die wahre, in die links im Bild ein Fehler eingebaut wurde.</translation>
+        <translation>SIMULIERT: die Form der Leber eines wirklichen Patienten, die nach einer Formel atmet und von einem Instrument eingedrückt wird. Die „vorgegebene“ Registrierung ist die wahre, in die links im Bild ein Fehler eingebaut wurde.</translation>
     </message>
     <message>
         <source>The movie {0} cannot be written.</source>
@@ -3503,15 +3503,15 @@
     </message>
     <message>
         <source>The liver&apos;s shape with the tools there was not found: {0}</source>
-        <translation>Die Form der Leber mit den Werkzeugen dort wurde nicht gefunden: {0}</translation>
+        <translation>Die Form der Leber mit den Instrumenten dort wurde nicht gefunden: {0}</translation>
     </message>
     <message>
         <source>Press less, or move the tool by smaller steps.</source>
-        <translation>Drücken Sie weniger, oder bewegen Sie das Werkzeug in kleineren Schritten.</translation>
+        <translation>Drücken Sie weniger, oder bewegen Sie das Instrument in kleineren Schritten.</translation>
     </message>
     <message>
         <source>A rigid tool that only touches the liver cannot pull it.</source>
-        <translation>Ein starres Werkzeug, das die Leber nur berührt, kann sie nicht ziehen.</translation>
+        <translation>Ein starres Instrument, das die Leber nur berührt, kann sie nicht ziehen.</translation>
     </message>
     <message>
         <source>Push into the surface, or take the grasper.</source>
@@ -3519,11 +3519,11 @@
     </message>
     <message>
         <source>Tool {0} would move by {1} mm a step, past a surface that it should meet.</source>
-        <translation>Das Werkzeug {0} würde sich in einem Schritt um {1} mm bewegen, an einer Oberfläche vorbei, auf die es treffen sollte.</translation>
+        <translation>Das Instrument {0} würde sich in einem Schritt um {1} mm bewegen, an einer Oberfläche vorbei, auf die es treffen sollte.</translation>
     </message>
     <message>
         <source>Take more steps: at most half the radius of the tool&apos;s rods in each.</source>
-        <translation>Nehmen Sie mehr Schritte: in jedem höchstens den halben Radius der Stäbe des Werkzeugs.</translation>
+        <translation>Nehmen Sie mehr Schritte: in jedem höchstens den halben Radius der Stäbe des Instruments.</translation>
     </message>
     <message>
         <source>Comparing the files with what they were made from</source>
@@ -3535,7 +3535,7 @@
     </message>
     <message>
         <source>Open an experiment to make one; it holds report.json, report.html and model.json.</source>
-        <translation>Öffnen Sie einen Versuch, um einen zu erstellen; er enthält report.json, report.html und model.json.</translation>
+        <translation>Öffnen Sie ein Experiment, um einen zu erstellen; er enthält report.json, report.html und model.json.</translation>
     </message>
     <message>
         <source>Two series are to be the {0}: {1} is the second.</source>
@@ -3623,15 +3623,15 @@
     </message>
     <message>
         <source>Place the tool</source>
-        <translation>Werkzeug platzieren</translation>
+        <translation>Instrument platzieren</translation>
     </message>
     <message>
         <source>Take the tool away</source>
-        <translation>Werkzeug wegnehmen</translation>
+        <translation>Instrument wegnehmen</translation>
     </message>
     <message>
         <source>Move the tool</source>
-        <translation>Werkzeug bewegen</translation>
+        <translation>Instrument bewegen</translation>
     </message>
     <message>
         <source>Change the force</source>
@@ -3767,7 +3767,7 @@
     </message>
     <message>
         <source>Place another tool</source>
-        <translation>Weiteres Werkzeug platzieren</translation>
+        <translation>Weiteres Instrument platzieren</translation>
     </message>
 </context>
 <context>
@@ -4001,7 +4001,7 @@
     </message>
     <message>
         <source>Map: confidence</source>
-        <translation>Karte: Vertrauen</translation>
+        <translation>Karte: Konfidenz</translation>
     </message>
     <message>
         <source>MRE magnitude</source>
@@ -4193,7 +4193,7 @@
     </message>
     <message>
         <source>Save a report of the problem...</source>
-        <translation>Bericht über das Problem speichern...</translation>
+        <translation>Bericht über das Problem speichern …</translation>
     </message>
     <message>
         <source>Save a report of the problem</source>
@@ -4342,11 +4342,11 @@
     </message>
     <message>
         <source>Open an experiment...</source>
-        <translation>Versuch öffnen ...</translation>
+        <translation>Experiment öffnen …</translation>
     </message>
     <message>
         <source>A file that says what was measured and which model was assumed (Help, Closing the loop)</source>
-        <translation>Eine Datei, die sagt, was gemessen und welches Modell angenommen wurde (Hilfe, Closing the loop)</translation>
+        <translation>Eine Datei, die sagt, was gemessen und welches Modell angenommen wurde (Hilfe, Den Kreis mit Messungen schließen)</translation>
     </message>
     <message>
         <source>Try the example</source>
@@ -4358,7 +4358,7 @@
     </message>
     <message>
         <source>Open a report...</source>
-        <translation>Bericht öffnen ...</translation>
+        <translation>Bericht öffnen …</translation>
     </message>
     <message>
         <source>A folder with report.json and model.json, written here or by glisson-cli explain</source>
@@ -4370,7 +4370,7 @@
     </message>
     <message>
         <source>Accept for this patient</source>
-        <translation>Für diesen Patienten annehmen</translation>
+        <translation>Für diesen Patienten übernehmen</translation>
     </message>
     <message>
         <source>Take back</source>
@@ -4382,22 +4382,22 @@
     </message>
     <message>
         <source>Predict other trials...</source>
-        <translation>Andere Versuche vorhersagen ...</translation>
+        <translation>Andere Versuche vorhersagen …</translation>
     </message>
     <message>
         <source>An experiment of the same kind; where it was measured, both models are compared with it</source>
-        <translation>Ein Versuch derselben Art; wo gemessen wurde, werden beide Modelle damit verglichen</translation>
+        <translation>Ein Experiment derselben Art; wo gemessen wurde, werden beide Modelle damit verglichen</translation>
     </message>
     <message>
         <source>Save the report...</source>
-        <translation>Bericht speichern ...</translation>
+        <translation>Bericht speichern …</translation>
     </message>
     <message>
         <source>Open measurements of a palpation, a material test or a wearable computer.
 Glisson says how far the declared model is off, what it lacks, and how sure that is.
 
 No measurements at hand? Try the example: silicone of liver-like stiffness in compression.</source>
-        <translation>Öffnen Sie Messungen einer Palpation, eines Materialversuchs oder eines tragbaren Rechners.
+        <translation>Öffnen Sie Messungen einer Palpation, eines Materialversuchs oder eines am Körper getragenen Rechners.
 Glisson sagt, wie weit das angegebene Modell danebenliegt, was ihm fehlt und wie sicher das ist.
 
 Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnlicher Steifigkeit unter Druck.</translation>
@@ -4412,7 +4412,7 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnliche
     </message>
     <message>
         <source>Nothing was found missing that could be accepted.</source>
-        <translation>Nichts Fehlendes gefunden, das angenommen werden könnte.</translation>
+        <translation>Nichts Fehlendes gefunden, das übernommen werden könnte.</translation>
     </message>
     <message>
         <source>What was found is of a computer, not of a patient.</source>
@@ -4424,7 +4424,7 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnliche
     </message>
     <message>
         <source>Needs a model of the liver: build it first.</source>
-        <translation>Braucht ein Modell der Leber: bauen Sie es zuerst.</translation>
+        <translation>Braucht ein Modell der Leber: Erstellen Sie es zuerst.</translation>
     </message>
     <message>
         <source>Tick an effect among what was found.</source>
@@ -4444,7 +4444,7 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnliche
     </message>
     <message>
         <source>A wearable computer</source>
-        <translation>Ein tragbarer Rechner</translation>
+        <translation>Ein am Körper getragener Rechner</translation>
     </message>
     <message>
         <source>Nothing is open.</source>
@@ -4456,7 +4456,7 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnliche
     </message>
     <message>
         <source>Nothing was accepted for this patient.</source>
-        <translation>Für diesen Patienten wurde nichts angenommen.</translation>
+        <translation>Für diesen Patienten wurde nichts übernommen.</translation>
     </message>
     <message>
         <source>The organ is again what it was before</source>
@@ -4464,11 +4464,11 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnliche
     </message>
     <message>
         <source>Accepted: %1</source>
-        <translation>Angenommen: %1</translation>
+        <translation>Übernommen: %1</translation>
     </message>
     <message>
         <source>Accepted, but left out: %1</source>
-        <translation>Angenommen, aber ausgelassen: %1</translation>
+        <translation>Übernommen, aber ausgelassen: %1</translation>
     </message>
     <message>
         <source>About %1 s left</source>
@@ -4480,7 +4480,7 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnliche
     </message>
     <message>
         <source>Accepting the evidence</source>
-        <translation>Befund wird angenommen</translation>
+        <translation>Befund wird übernommen</translation>
     </message>
     <message>
         <source>Taking the evidence back</source>
@@ -4512,11 +4512,11 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnliche
     </message>
     <message>
         <source>Open an experiment</source>
-        <translation>Versuch öffnen</translation>
+        <translation>Experiment öffnen</translation>
     </message>
     <message>
         <source>Experiments (*.json)</source>
-        <translation>Versuche (*.json)</translation>
+        <translation>Experimente (*.json)</translation>
     </message>
     <message>
         <source>Open a report (a folder with report.json)</source>
@@ -4724,8 +4724,8 @@ mm</translation>
     <message>
         <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
 Ctrl+wheel: zoom. Shift+drag: shift. Ctrl+drag: turn. Knobs of the crosshair: tilt the other slices.</source>
-        <translation>Klick: Fadenkreuz. Rechts ziehen: Helligkeit und Kontrast. Rad: nächste Schicht.
-Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fadenkreuz: die anderen Schichten kippen.</translation>
+        <translation>Klick: Fadenkreuz. Mit rechter Taste ziehen: Helligkeit und Kontrast. Rad: nächste Schicht.
+Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fadenkreuz: die anderen Schichten kippen.</translation>
     </message>
     <message>
         <source>Save the picture</source>
@@ -4796,11 +4796,11 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fa
     </message>
     <message>
         <source>Click on the liver where the tool is to touch it.</source>
-        <translation>Klicken Sie auf die Leber, wo das Werkzeug sie berühren soll.</translation>
+        <translation>Klicken Sie auf die Leber, wo das Instrument sie berühren soll.</translation>
     </message>
     <message>
         <source>Tool placed in %1 ms.</source>
-        <translation>Werkzeug in %1 ms gesetzt.</translation>
+        <translation>Instrument in %1 ms gesetzt.</translation>
     </message>
     <message>
         <source>Open a case (a folder NAME.glisson)</source>
@@ -4864,7 +4864,7 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fa
     </message>
     <message>
         <source>Pull with a tool, and see what moves and how far.</source>
-        <translation>Mit einem Werkzeug ziehen und sehen, was sich wie weit bewegt.</translation>
+        <translation>Mit einem Instrument ziehen und sehen, was sich wie weit bewegt.</translation>
     </message>
     <message>
         <source>Platform</source>
@@ -4884,15 +4884,15 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fa
     </message>
     <message>
         <source>Se&amp;ttings...</source>
-        <translation>&amp;Einstellungen...</translation>
+        <translation>&amp;Einstellungen …</translation>
     </message>
     <message>
         <source>&amp;Keys...</source>
-        <translation>&amp;Tasten...</translation>
+        <translation>&amp;Tasten …</translation>
     </message>
     <message>
         <source>&amp;Log and problems...</source>
-        <translation>&amp;Protokoll und Probleme...</translation>
+        <translation>&amp;Protokoll und Probleme …</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -4985,7 +4985,7 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fa
     </message>
     <message>
         <source>Cells, stiffness and supports of the liver, and building them anew.</source>
-        <translation>Zellen, Steifigkeit und Lagerung der Leber, und wie sie neu gebaut werden.</translation>
+        <translation>Zellen, Steifigkeit und Lagerung der Leber, und wie sie neu erstellt werden.</translation>
     </message>
     <message>
         <source>Needs an outline of the liver: make it in Segment.</source>
@@ -5045,11 +5045,11 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fa
     </message>
     <message>
         <source>Elastography waves...</source>
-        <translation>Elastographie-Wellen ...</translation>
+        <translation>Elastographie-Wellen …</translation>
     </message>
     <message>
         <source>Build</source>
-        <translation>Bauen</translation>
+        <translation>Erstellen</translation>
     </message>
     <message>
         <source> cells</source>
@@ -5081,11 +5081,11 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fa
     </message>
     <message>
         <source>Needs a case: open one, or the demo patient.</source>
-        <translation>Braucht einen Fall: Öffnen Sie einen, oder den Demo-Patienten.</translation>
+        <translation>Braucht einen Fall: Öffnen Sie einen, oder den Demopatienten.</translation>
     </message>
     <message>
         <source>There is no model yet. Build it from the outline.</source>
-        <translation>Es gibt noch kein Modell. Bauen Sie es aus dem Umriss.</translation>
+        <translation>Es gibt noch kein Modell. Erstellen Sie es aus dem Umriss.</translation>
     </message>
     <message>
         <source>✓ The model is up to date.</source>
@@ -5105,11 +5105,11 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fa
     </message>
     <message>
         <source>▲ Out of date: %1 changed since it was built.</source>
-        <translation>▲ Veraltet: %1 hat sich geändert, seit es gebaut wurde.</translation>
+        <translation>▲ Veraltet: %1 hat sich geändert, seit es erstellt wurde.</translation>
     </message>
     <message>
         <source>Build it anew</source>
-        <translation>Neu bauen</translation>
+        <translation>Neu erstellen</translation>
     </message>
     <message>
         <source>Build the model</source>
@@ -5125,7 +5125,7 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fa
     </message>
     <message>
         <source>Needs cells: build the model first</source>
-        <translation>Braucht Zellen: Bauen Sie zuerst das Modell</translation>
+        <translation>Braucht Zellen: Erstellen Sie zuerst das Modell</translation>
     </message>
     <message>
         <source>Makes the cells anew and gives them the stiffness chosen above</source>
@@ -5180,7 +5180,7 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Knöpfe am Fa
     </message>
     <message>
         <source>Next: build the model of the liver from its outline and stiffness.</source>
-        <translation>Als Nächstes: Erstellen Sie das Modell der Leber aus ihrer Kontur und Steifigkeit.</translation>
+        <translation>Als Nächstes: Erstellen Sie das Modell der Leber aus ihrem Umriss und ihrer Steifigkeit.</translation>
     </message>
     <message>
         <source>Outline the liver from here</source>
@@ -5701,7 +5701,7 @@ figures</source>
     </message>
     <message>
         <source>Open another...</source>
-        <translation>Andere öffnen...</translation>
+        <translation>Andere öffnen …</translation>
     </message>
     <message>
         <source>Another sequence.json in place of this one</source>
@@ -5745,7 +5745,7 @@ figures</source>
     </message>
     <message>
         <source>One moment...</source>
-        <translation>Einen Augenblick...</translation>
+        <translation>Einen Augenblick …</translation>
     </message>
     <message>
         <source>Click a triangle to see its history; hover over it for its figures</source>
@@ -5804,11 +5804,11 @@ figures</source>
     </message>
     <message>
         <source>This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the tracks of landmarks, and the model that is registered. glisson-cli sequence makes one of a stereo video and its calibration. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
-        <translation>Dazu braucht es eine Sequenz: eine sequence.json, die die Bilder eines Stereovideos nennt, zu jedem eine Punktwolke, die Spuren von Landmarken und das Modell, das registriert wird. glisson-cli sequence macht eine aus einem Stereovideo und seiner Kalibrierung. Ohne Video zeigt ein Beispiel, worum es geht: die Leber des Demopatienten, wie sie atmet und von einem Werkzeug eingedrückt wird, simuliert.</translation>
+        <translation>Dazu braucht es eine Sequenz: eine sequence.json, die die Bilder eines Stereovideos nennt, zu jedem eine Punktwolke, die Spuren von Landmarken und das Modell, das registriert wird. glisson-cli sequence macht eine aus einem Stereovideo und seiner Kalibrierung. Ohne Video zeigt ein Beispiel, worum es geht: die Leber des Demopatienten, wie sie atmet und von einem Instrument eingedrückt wird, simuliert.</translation>
     </message>
     <message>
         <source>Open a sequence...</source>
-        <translation>Eine Sequenz öffnen...</translation>
+        <translation>Eine Sequenz öffnen …</translation>
     </message>
     <message>
         <source>A sequence.json with its clouds, tracks and pictures beside it</source>
@@ -5847,7 +5847,7 @@ figures</source>
     </message>
     <message>
         <source>Place the tool to see what moves.</source>
-        <translation>Setzen Sie das Werkzeug, um zu sehen, was sich bewegt.</translation>
+        <translation>Setzen Sie das Instrument, um zu sehen, was sich bewegt.</translation>
     </message>
     <message>
         <source>The liver moves by up to %1 mm.</source>
@@ -5918,11 +5918,11 @@ figures</source>
     </message>
     <message>
         <source>Save as a web page...</source>
-        <translation>Als Webseite speichern ...</translation>
+        <translation>Als Webseite speichern …</translation>
     </message>
     <message>
         <source>Print to PDF...</source>
-        <translation>Als PDF drucken ...</translation>
+        <translation>Als PDF drucken …</translation>
     </message>
     <message>
         <source>All that was done for this patient on one page.</source>
@@ -5930,7 +5930,7 @@ figures</source>
     </message>
     <message>
         <source>Needs a case: open one, or the demo patient.</source>
-        <translation>Braucht einen Fall: Öffnen Sie einen, oder den Demo-Patienten.</translation>
+        <translation>Braucht einen Fall: Öffnen Sie einen, oder den Demopatienten.</translation>
     </message>
     <message>
         <source>Collecting the report</source>
@@ -5938,7 +5938,7 @@ figures</source>
     </message>
     <message>
         <source>Open a case, or the demo patient, to see its page.</source>
-        <translation>Öffnen Sie einen Fall oder den Demo-Patienten, um die Seite zu sehen.</translation>
+        <translation>Öffnen Sie einen Fall oder den Demopatienten, um die Seite zu sehen.</translation>
     </message>
     <message>
         <source>The page is being collected.</source>
@@ -5985,7 +5985,7 @@ figures</source>
     </message>
     <message>
         <source>Needs a model of the liver. Build it first, or open the demo patient.</source>
-        <translation>Braucht ein Modell der Leber. Bauen Sie es zuerst, oder öffnen Sie den Demo-Patienten.</translation>
+        <translation>Braucht ein Modell der Leber. Erstellen Sie es zuerst, oder öffnen Sie den Demopatienten.</translation>
     </message>
     <message>
         <source>Resect</source>
@@ -5997,7 +5997,7 @@ figures</source>
     </message>
     <message>
         <source>Apart</source>
-        <translation>Abstand</translation>
+        <translation>Auseinander</translation>
     </message>
     <message>
         <source>Draws the part that is removed away from the rest</source>
@@ -6057,7 +6057,7 @@ figures</source>
     </message>
     <message>
         <source>Planning...</source>
-        <translation>Wird geplant ...</translation>
+        <translation>Wird geplant …</translation>
     </message>
     <message>
         <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
@@ -6183,7 +6183,7 @@ figures</source>
     </message>
     <message>
         <source>Another name...</source>
-        <translation>Anderer Name ...</translation>
+        <translation>Anderer Name …</translation>
     </message>
     <message>
         <source>Name of the structure</source>
@@ -6524,7 +6524,7 @@ figures</source>
     </message>
     <message>
         <source>%1 volumes</source>
-        <translation>%1 Volumen</translation>
+        <translation>%1 Volumina</translation>
     </message>
     <message>
         <source>Use %1 as</source>
@@ -6636,7 +6636,7 @@ figures</source>
     </message>
     <message>
         <source>○ No tool</source>
-        <translation>○ Kein Werkzeug</translation>
+        <translation>○ Kein Instrument</translation>
     </message>
     <message>
         <source>◐ Solving</source>
@@ -6714,7 +6714,7 @@ figures</source>
     </message>
     <message>
         <source>Look in a folder...</source>
-        <translation>In einem Ordner suchen ...</translation>
+        <translation>In einem Ordner suchen …</translation>
     </message>
     <message>
         <source>A folder, a DICOMDIR or one file; dropping it on the window does the same</source>
@@ -6918,7 +6918,7 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     <name>glisson::widgets::ToolControls</name>
     <message>
         <source>Tool</source>
-        <translation>Werkzeug</translation>
+        <translation>Instrument</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -6934,7 +6934,7 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     </message>
     <message>
         <source>Then click on the liver where the tool is to touch it. By key: Ctrl+T, at the crosshair</source>
-        <translation>Klicken Sie dann auf die Stelle der Leber, die das Werkzeug berühren soll. Per Taste: Strg+T, am Fadenkreuz</translation>
+        <translation>Klicken Sie dann auf die Stelle der Leber, die das Instrument berühren soll. Per Taste: Strg+T, am Fadenkreuz</translation>
     </message>
     <message>
         <source>Hoist segment VI</source>
@@ -6942,7 +6942,7 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     </message>
     <message>
         <source>Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head</source>
-        <translation>Setzt das Werkzeug unter den rechten, unteren, hinteren Teil der Leber und hebt ihn nach vorn und kopfwärts an</translation>
+        <translation>Setzt das Instrument unter den rechten, unteren, hinteren Teil der Leber und hebt ihn nach vorn und kopfwärts an</translation>
     </message>
     <message>
         <source>Hoist to front and head</source>
@@ -6966,11 +6966,11 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     </message>
     <message>
         <source>Touch with the rigid tool itself</source>
-        <translation>Mit dem starren Werkzeug selbst berühren</translation>
+        <translation>Mit dem starren Instrument selbst berühren</translation>
     </message>
     <message>
         <source>The tool&apos;s solid in contact with the liver, and several tools at once. Otherwise the force is spread over a patch.</source>
-        <translation>Der Körper des Werkzeugs in Berührung mit der Leber, und mehrere Werkzeuge zugleich. Sonst verteilt sich die Kraft auf eine Fläche.</translation>
+        <translation>Der Körper des Instruments in Berührung mit der Leber, und mehrere Instrumente zugleich. Sonst verteilt sich die Kraft auf eine Fläche.</translation>
     </message>
     <message>
         <source>Keep it, take another</source>
@@ -6978,11 +6978,11 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     </message>
     <message>
         <source>Several tools at once need rigid tools</source>
-        <translation>Mehrere Werkzeuge zugleich gehen nur mit starren Werkzeugen</translation>
+        <translation>Mehrere Instrumente zugleich gehen nur mit starren Instrumenten</translation>
     </message>
     <message>
         <source>Take the tool away</source>
-        <translation>Werkzeug wegnehmen</translation>
+        <translation>Instrument wegnehmen</translation>
     </message>
 </context>
 <context>
@@ -7016,7 +7016,7 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     </message>
     <message>
         <source>Nothing moves the tool while you look around</source>
-        <translation>Nichts bewegt das Werkzeug, während Sie sich umsehen</translation>
+        <translation>Nichts bewegt das Instrument, während Sie sich umsehen</translation>
     </message>
     <message>
         <source>▶ Play</source>
@@ -7040,7 +7040,7 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     </message>
     <message>
         <source>Saves every moment as CSV: tools, forces (N), landmarks (mm)</source>
-        <translation>Speichert jeden Moment als CSV: Werkzeuge, Kräfte (N), Landmarken (mm)</translation>
+        <translation>Speichert jeden Moment als CSV: Instrumente, Kräfte (N), Landmarken (mm)</translation>
     </message>
     <message>
         <source>Forget</source>
@@ -7048,7 +7048,7 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     </message>
     <message>
         <source>Forgets what was done so far; the tool stays</source>
-        <translation>Vergisst, was bisher getan wurde; das Werkzeug bleibt</translation>
+        <translation>Vergisst, was bisher getan wurde; das Instrument bleibt</translation>
     </message>
     <message>
         <source>Stop (%1 %)</source>
@@ -7088,7 +7088,7 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     </message>
     <message>
         <source>Move a tool first: there is nothing to show yet</source>
-        <translation>Bewegen Sie zuerst ein Werkzeug: Es gibt noch nichts zu zeigen</translation>
+        <translation>Bewegen Sie zuerst ein Instrument: Es gibt noch nichts zu zeigen</translation>
     </message>
     <message>
         <source>Movie...</source>
@@ -7111,7 +7111,7 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
     </message>
     <message>
         <source>Atlas off</source>
-        <translation>Atlas daneben</translation>
+        <translation>Atlas irrt</translation>
     </message>
     <message>
         <source>Force</source>
@@ -7278,7 +7278,7 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>Turns the three slices to where the surgeon stands. By hand: drag the knobs of the crosshair, or Ctrl and drag</source>
-        <translation>Dreht die drei Schichten dorthin, wo der Chirurg steht. Von Hand: an den Knöpfen des Fadenkreuzes ziehen, oder Strg und ziehen</translation>
+        <translation>Dreht die drei Schichten dorthin, wo der Chirurg steht. Von Hand: an den Griffen des Fadenkreuzes ziehen, oder Strg und ziehen</translation>
     </message>
     <message>
         <source>S&amp;traight</source>
@@ -7595,11 +7595,11 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>A retractor hoists segment VI with 2 N. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
-        <translation>Ein Retraktor hebt Segment VI mit 2 N. Ändern Sie die Kraft oder setzen Sie das Werkzeug mit einem Klick woanders an: Die Tabelle verfolgt jeden Tumor und jedes Gefäß und markiert, was 5 mm oder mehr abweicht.</translation>
+        <translation>Ein Retraktor hebt Segment VI mit 2 N. Ändern Sie die Kraft oder setzen Sie das Instrument mit einem Klick woanders an: Die Tabelle verfolgt jeden Tumor und jedes Gefäß und markiert, was 5 mm oder mehr abweicht.</translation>
     </message>
     <message>
         <source>Resect: what is left</source>
-        <translation>Resezieren: was übrig bleibt</translation>
+        <translation>Resektion: was übrig bleibt</translation>
     </message>
     <message>
         <source>A cutting surface divides the liver: volumes of specimen and remnant, the smallest margin to each tumour, and the vessels that are crossed.</source>
@@ -7619,15 +7619,15 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>Which wearable computer carries this case for as long as the operation takes: frames a second, battery and heat, and why the others do not.</source>
-        <translation>Welcher tragbare Rechner diesen Fall trägt, so lange die Operation dauert: Bilder pro Sekunde, Akku und Wärme, und warum die anderen es nicht tun.</translation>
+        <translation>Welcher am Körper getragene Rechner diesen Fall so lange bewältigt, wie die Operation dauert: Bilder pro Sekunde, Akku und Wärme, und warum die anderen es nicht tun.</translation>
     </message>
     <message>
         <source>Evidence: where the model is wrong</source>
-        <translation>Evidenz: wo das Modell irrt</translation>
+        <translation>Befunde: wo das Modell irrt</translation>
     </message>
     <message>
         <source>Measurements are held against the model. What it cannot explain is traced to a cause; you accept that cause for this patient, and can take it back.</source>
-        <translation>Messungen werden dem Modell gegenübergestellt. Was es nicht erklären kann, wird auf eine Ursache zurückgeführt; Sie nehmen sie für diesen Patienten an und können es widerrufen.</translation>
+        <translation>Messungen werden dem Modell gegenübergestellt. Was es nicht erklären kann, wird auf eine Ursache zurückgeführt; Sie übernehmen sie für diesen Patienten und können sie zurücknehmen.</translation>
     </message>
     <message>
         <source>Report: one page</source>

@@ -791,7 +791,7 @@
     </message>
     <message>
         <source>Line {0} of {1} gives a {2} of {3}, which no worn computer reaches.</source>
-        <translation>La línea {0} de {1} da {2} = {3}, algo que ningún ordenador portátil sobre el cuerpo alcanza.</translation>
+        <translation>La línea {0} de {1} da {2} = {3}, algo que ningún ordenador corporal alcanza.</translation>
     </message>
     <message>
         <source>{0} has no column for a quantity whose noise is given.</source>
@@ -999,7 +999,7 @@
     </message>
     <message>
         <source>No smooth sheet passes through the points of the cut.</source>
-        <translation>Ninguna superficie suave pasa por los puntos del corte.</translation>
+        <translation>Ninguna superficie suave pasa por los puntos de la sección.</translation>
     </message>
     <message>
         <source>The surface is in pieces, between which there is no way along it.</source>
@@ -2343,7 +2343,7 @@
     </message>
     <message>
         <source>Remove the frame from the sequence (and number the tracks anew), or add it.</source>
-        <translation>Quite el fotograma de la secuencia (y renumere los seguimientos) o añádalo.</translation>
+        <translation>Quite el fotograma de la secuencia (y renumere las trayectorias) o añádalo.</translation>
     </message>
     <message>
         <source>it names no file of landmarks</source>
@@ -2579,15 +2579,15 @@
     </message>
     <message>
         <source>The cut passes the liver by.</source>
-        <translation>El corte pasa de largo del hígado.</translation>
+        <translation>La sección no pasa por el hígado.</translation>
     </message>
     <message>
         <source>Move it through the liver; positions are patient coordinates (LPS, mm).</source>
-        <translation>Muévalo a través del hígado; las posiciones son coordenadas del paciente (LPS, mm).</translation>
+        <translation>Muévala a través del hígado; las posiciones son coordenadas del paciente (LPS, mm).</translation>
     </message>
     <message>
         <source>The point of the specimen lies on the cut, or is not finite.</source>
-        <translation>El punto de la pieza quirúrgica está sobre el corte o no es finito.</translation>
+        <translation>El punto de la pieza quirúrgica está sobre la sección o no es finito.</translation>
     </message>
     <message>
         <source>The step did not converge: after {0} rounds a tool still reaches {1} mm into the surface, which still moves by {2} mm.</source>
@@ -3071,7 +3071,7 @@
     </message>
     <message>
         <source>The points of a cut need three columns: x_mm, y_mm, z_mm.</source>
-        <translation>Los puntos de un corte necesitan tres columnas: x_mm, y_mm, z_mm.</translation>
+        <translation>Los puntos de una sección necesitan tres columnas: x_mm, y_mm, z_mm.</translation>
     </message>
     <message>
         <source>Reading the liver</source>
@@ -3079,7 +3079,7 @@
     </message>
     <message>
         <source>Cutting</source>
-        <translation>Cortando</translation>
+        <translation>Seccionando</translation>
     </message>
     <message>
         <source>Reading the model</source>
@@ -3155,11 +3155,11 @@
     </message>
     <message>
         <source>Cut {0} opens the body nowhere.</source>
-        <translation>El corte {0} no abre el cuerpo en ninguna parte.</translation>
+        <translation>La sección {0} no abre el cuerpo en ninguna parte.</translation>
     </message>
     <message>
         <source>Move it through the body, or open it wider; positions are LPS, in mm.</source>
-        <translation>Muévalo a través del cuerpo o ábralo más; las posiciones son LPS, en mm.</translation>
+        <translation>Muévala a través del cuerpo o ábrala más; las posiciones son LPS, en mm.</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;normal&quot; (a plane) and &quot;points_mm&quot; (a sheet through them).</source>
@@ -3615,23 +3615,23 @@
     </message>
     <message>
         <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
-        <translation>Las estructuras han cambiado desde que se creó el modelo y {0} puntos de referencia quedan fuera de él: se omiten. Vuelva a crear el modelo.</translation>
+        <translation>Las estructuras han cambiado desde que se construyó el modelo y {0} puntos de referencia quedan fuera de él: se omiten. Vuelva a construir el modelo.</translation>
     </message>
     <message>
         <source>The model cannot be used. Build it anew.</source>
-        <translation>El modelo no se puede usar. Vuelva a crearlo.</translation>
+        <translation>El modelo no se puede usar. Vuelva a construirlo.</translation>
     </message>
     <message>
         <source>Place the tool</source>
-        <translation>Colocar la herramienta</translation>
+        <translation>Colocar el instrumento</translation>
     </message>
     <message>
         <source>Take the tool away</source>
-        <translation>Retirar la herramienta</translation>
+        <translation>Retirar el instrumento</translation>
     </message>
     <message>
         <source>Move the tool</source>
-        <translation>Mover la herramienta</translation>
+        <translation>Mover el instrumento</translation>
     </message>
     <message>
         <source>Change the force</source>
@@ -3865,7 +3865,7 @@
     </message>
     <message>
         <source>What</source>
-        <translation>Qué</translation>
+        <translation>Elemento</translation>
     </message>
     <message>
         <source>State</source>
@@ -4193,7 +4193,7 @@
     </message>
     <message>
         <source>Save a report of the problem...</source>
-        <translation>Guardar un informe del problema...</translation>
+        <translation>Guardar un informe del problema…</translation>
     </message>
     <message>
         <source>Save a report of the problem</source>
@@ -4342,11 +4342,11 @@
     </message>
     <message>
         <source>Open an experiment...</source>
-        <translation>Abrir un experimento...</translation>
+        <translation>Abrir un experimento…</translation>
     </message>
     <message>
         <source>A file that says what was measured and which model was assumed (Help, Closing the loop)</source>
-        <translation>Un archivo que dice qué se midió y qué modelo se supuso (Ayuda, Closing the loop)</translation>
+        <translation>Un archivo que dice qué se midió y qué modelo se supuso (Ayuda, Cerrar el círculo con mediciones)</translation>
     </message>
     <message>
         <source>Try the example</source>
@@ -4358,7 +4358,7 @@
     </message>
     <message>
         <source>Open a report...</source>
-        <translation>Abrir un informe...</translation>
+        <translation>Abrir un informe…</translation>
     </message>
     <message>
         <source>A folder with report.json and model.json, written here or by glisson-cli explain</source>
@@ -4382,7 +4382,7 @@
     </message>
     <message>
         <source>Predict other trials...</source>
-        <translation>Predecir otros ensayos...</translation>
+        <translation>Predecir otros ensayos…</translation>
     </message>
     <message>
         <source>An experiment of the same kind; where it was measured, both models are compared with it</source>
@@ -4390,14 +4390,14 @@
     </message>
     <message>
         <source>Save the report...</source>
-        <translation>Guardar el informe...</translation>
+        <translation>Guardar el informe…</translation>
     </message>
     <message>
         <source>Open measurements of a palpation, a material test or a wearable computer.
 Glisson says how far the declared model is off, what it lacks, and how sure that is.
 
 No measurements at hand? Try the example: silicone of liver-like stiffness in compression.</source>
-        <translation>Abra mediciones de una palpación, un ensayo de material o un ordenador portátil en el cuerpo.
+        <translation>Abra mediciones de una palpación, un ensayo de material o un ordenador corporal.
 Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué certeza.
 
 ¿No tiene mediciones a mano? Pruebe el ejemplo: silicona de rigidez parecida al hígado, en compresión.</translation>
@@ -4444,7 +4444,7 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     </message>
     <message>
         <source>A wearable computer</source>
-        <translation>Un ordenador portátil en el cuerpo</translation>
+        <translation>Un ordenador corporal</translation>
     </message>
     <message>
         <source>Nothing is open.</source>
@@ -4727,7 +4727,7 @@ mm</translation>
         <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
 Ctrl+wheel: zoom. Shift+drag: shift. Ctrl+drag: turn. Knobs of the crosshair: tilt the other slices.</source>
         <translation>Clic: cruz. Arrastrar con el derecho: brillo y contraste. Rueda: corte siguiente.
-Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Botones de la cruz: inclinar los otros cortes.</translation>
+Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores de la cruz: inclinar los otros cortes.</translation>
     </message>
     <message>
         <source>Save the picture</source>
@@ -4886,15 +4886,15 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Botones de
     </message>
     <message>
         <source>Se&amp;ttings...</source>
-        <translation>&amp;Ajustes...</translation>
+        <translation>&amp;Ajustes…</translation>
     </message>
     <message>
         <source>&amp;Keys...</source>
-        <translation>&amp;Teclas...</translation>
+        <translation>&amp;Teclas…</translation>
     </message>
     <message>
         <source>&amp;Log and problems...</source>
-        <translation>&amp;Registro y problemas...</translation>
+        <translation>&amp;Registro y problemas…</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -5047,7 +5047,7 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Botones de
     </message>
     <message>
         <source>Elastography waves...</source>
-        <translation>Ondas de elastografía...</translation>
+        <translation>Ondas de elastografía…</translation>
     </message>
     <message>
         <source>Build</source>
@@ -5151,7 +5151,7 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Botones de
     </message>
     <message>
         <source>%1 ml in cells, %2 ml outlined (%3 %)</source>
-        <translation>%1 ml en celdas, %2 ml delineados (%3 %)</translation>
+        <translation>%1 ml en celdas, %2 ml delimitados (%3 %)</translation>
     </message>
     <message>
         <source>Smallest dihedral angle %1°</source>
@@ -5684,7 +5684,7 @@ supuestas</translation>
     </message>
     <message>
         <source>See how good a registration of a video is, place by place.</source>
-        <translation>Ver qué tan bueno es el registro de un vídeo, lugar por lugar.</translation>
+        <translation>Ver qué calidad tiene el registro de un vídeo, lugar por lugar.</translation>
     </message>
     <message>
         <source>Opening the sequence</source>
@@ -5704,7 +5704,7 @@ supuestas</translation>
     </message>
     <message>
         <source>Open another...</source>
-        <translation>Abrir otra...</translation>
+        <translation>Abrir otra…</translation>
     </message>
     <message>
         <source>Another sequence.json in place of this one</source>
@@ -5720,7 +5720,7 @@ supuestas</translation>
     </message>
     <message>
         <source>Click a triangle to see its history.</source>
-        <translation>Haga clic en un triángulo para ver su historia.</translation>
+        <translation>Haga clic en un triángulo para ver su evolución.</translation>
     </message>
     <message>
         <source>%1 mm in this frame</source>
@@ -5748,11 +5748,11 @@ supuestas</translation>
     </message>
     <message>
         <source>One moment...</source>
-        <translation>Un momento...</translation>
+        <translation>Un momento…</translation>
     </message>
     <message>
         <source>Click a triangle to see its history; hover over it for its figures</source>
-        <translation>Haga clic en un triángulo para ver su historia; pase por encima para ver sus cifras</translation>
+        <translation>Haga clic en un triángulo para ver su evolución; pase por encima para ver sus cifras</translation>
     </message>
     <message>
         <source>Not registered yet: press &quot;Register and judge&quot;.</source>
@@ -5803,7 +5803,7 @@ supuestas</translation>
     <name>glisson::widgets::RegisterWelcome</name>
     <message>
         <source>How good is a registration of a video?</source>
-        <translation>¿Qué tan bueno es el registro de un vídeo?</translation>
+        <translation>¿Qué calidad tiene el registro de un vídeo?</translation>
     </message>
     <message>
         <source>This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the tracks of landmarks, and the model that is registered. glisson-cli sequence makes one of a stereo video and its calibration. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
@@ -5811,7 +5811,7 @@ supuestas</translation>
     </message>
     <message>
         <source>Open a sequence...</source>
-        <translation>Abrir una secuencia...</translation>
+        <translation>Abrir una secuencia…</translation>
     </message>
     <message>
         <source>A sequence.json with its clouds, tracks and pictures beside it</source>
@@ -5921,11 +5921,11 @@ supuestas</translation>
     </message>
     <message>
         <source>Save as a web page...</source>
-        <translation>Guardar como página web...</translation>
+        <translation>Guardar como página web…</translation>
     </message>
     <message>
         <source>Print to PDF...</source>
-        <translation>Imprimir a PDF...</translation>
+        <translation>Imprimir a PDF…</translation>
     </message>
     <message>
         <source>All that was done for this patient on one page.</source>
@@ -6060,7 +6060,7 @@ supuestas</translation>
     </message>
     <message>
         <source>Planning...</source>
-        <translation>Planificando...</translation>
+        <translation>Planificando…</translation>
     </message>
     <message>
         <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
@@ -6147,7 +6147,7 @@ supuestas</translation>
     </message>
     <message>
         <source>The cut crosses no vessel that was outlined.</source>
-        <translation>La sección no cruza ningún vaso delineado.</translation>
+        <translation>La sección no cruza ningún vaso delimitado.</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1 ml&lt;/b&gt; removed (%2 %)</source>
@@ -6186,7 +6186,7 @@ supuestas</translation>
     </message>
     <message>
         <source>Another name...</source>
-        <translation>Otro nombre...</translation>
+        <translation>Otro nombre…</translation>
     </message>
     <message>
         <source>Name of the structure</source>
@@ -6202,7 +6202,7 @@ supuestas</translation>
     </message>
     <message>
         <source>Click into the structure first, in any slice.</source>
-        <translation>Pulse primero dentro de la estructura, en cualquier corte.</translation>
+        <translation>Haga clic primero dentro de la estructura, en cualquier corte.</translation>
     </message>
     <message>
         <source>Replaces the outline by the tissue around the points</source>
@@ -6210,11 +6210,11 @@ supuestas</translation>
     </message>
     <message>
         <source>Click into the tissue, away from large vessels. Points so far: %1</source>
-        <translation>Pulse en el tejido, lejos de los grandes vasos. Puntos hasta ahora: %1</translation>
+        <translation>Haga clic en el tejido, lejos de los grandes vasos. Puntos hasta ahora: %1</translation>
     </message>
     <message>
         <source>Click on the piece that is to stay; all others go.</source>
-        <translation>Pulse en el trozo que debe quedar; los demás se quitan.</translation>
+        <translation>Haga clic en el trozo que debe quedar; los demás se quitan.</translation>
     </message>
     <message>
         <source>Choose a tool to draw in the slices. Without one, clicks move the crosshair.</source>
@@ -6322,7 +6322,7 @@ supuestas</translation>
     </message>
     <message>
         <source>Click on the piece that is to stay; all others go</source>
-        <translation>Pulse en el trozo que debe quedar; los demás se quitan</translation>
+        <translation>Haga clic en el trozo que debe quedar; los demás se quitan</translation>
     </message>
     <message>
         <source>%1 (key %2)</source>
@@ -6717,7 +6717,7 @@ supuestas</translation>
     </message>
     <message>
         <source>Look in a folder...</source>
-        <translation>Buscar en una carpeta...</translation>
+        <translation>Buscar en una carpeta…</translation>
     </message>
     <message>
         <source>A folder, a DICOMDIR or one file; dropping it on the window does the same</source>
@@ -7114,7 +7114,7 @@ Módulo de Young %2 kPa (media)</translation>
     </message>
     <message>
         <source>Atlas off</source>
-        <translation>Desvío del atlas</translation>
+        <translation>Error del atlas</translation>
     </message>
     <message>
         <source>Force</source>
@@ -7145,7 +7145,7 @@ Módulo de Young %2 kPa (media)</translation>
     </message>
     <message>
         <source>The triangle of the left picture whose history is drawn; or click one in a picture</source>
-        <translation>El triángulo de la imagen izquierda cuya historia se dibuja; o haga clic en uno en una imagen</translation>
+        <translation>El triángulo de la imagen izquierda cuya evolución se dibuja; o haga clic en uno en una imagen</translation>
     </message>
     <message>
         <source>Error (mm)</source>
@@ -7264,7 +7264,7 @@ Módulo de Young %2 kPa (media)</translation>
     <message>
         <source>Brightness and contrast of the slices. The presets are for CT; MR has no fixed scale.
 By hand: drag with the right button</source>
-        <translation>Brillo y contraste de los cortes. Los ajustes son para TC; la RM no tiene escala fija.
+        <translation>Brillo y contraste de los cortes. Los valores predefinidos son para TC; la RM no tiene escala fija.
 A mano: arrastre con el botón derecho</translation>
     </message>
     <message>
@@ -7281,7 +7281,7 @@ A mano: arrastre con el botón derecho</translation>
     </message>
     <message>
         <source>Turns the three slices to where the surgeon stands. By hand: drag the knobs of the crosshair, or Ctrl and drag</source>
-        <translation>Gira los tres cortes hacia donde está el cirujano. A mano: arrastre los botones de la cruz, o Ctrl y arrastrar</translation>
+        <translation>Gira los tres cortes hacia donde está el cirujano. A mano: arrastre los tiradores de la cruz, o Ctrl y arrastrar</translation>
     </message>
     <message>
         <source>S&amp;traight</source>
@@ -7598,11 +7598,11 @@ A mano: arrastre con el botón derecho</translation>
     </message>
     <message>
         <source>A retractor hoists segment VI with 2 N. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
-        <translation>Un retractor levanta el segmento VI con 2 N. Cambie la fuerza o coloque el instrumento en otro lugar con un clic: la tabla sigue cada tumor y cada vaso, y marca lo que se desvía 5 mm o más.</translation>
+        <translation>Un separador eleva el segmento VI con 2 N. Cambie la fuerza o coloque el instrumento en otro lugar con un clic: la tabla sigue cada tumor y cada vaso, y marca lo que se desvía 5 mm o más.</translation>
     </message>
     <message>
         <source>Resect: what is left</source>
-        <translation>Resecar: lo que queda</translation>
+        <translation>Resección: lo que queda</translation>
     </message>
     <message>
         <source>A cutting surface divides the liver: volumes of specimen and remnant, the smallest margin to each tumour, and the vessels that are crossed.</source>
@@ -7622,7 +7622,7 @@ A mano: arrastre con el botón derecho</translation>
     </message>
     <message>
         <source>Which wearable computer carries this case for as long as the operation takes: frames a second, battery and heat, and why the others do not.</source>
-        <translation>Qué ordenador corporal sirve para este caso mientras dure la operación: imágenes por segundo, batería y calor, y por qué los demás no sirven.</translation>
+        <translation>Qué ordenador corporal sirve para este caso mientras dure la operación: fotogramas por segundo, batería y calor, y por qué los demás no sirven.</translation>
     </message>
     <message>
         <source>Evidence: where the model is wrong</source>
