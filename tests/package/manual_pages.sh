@@ -39,5 +39,5 @@ while read -r file line; do
   for option in $(grep -oE -- '(^| )--[a-z][A-Za-z0-9-]*' <<<"$line" || true); do
     grep -qE -- "(^|[ ,])$option( |:|$)" <<<"$help" || { echo "$file: glisson-cli ${commands[*]} has no $option"; failed=1; }
   done
-done < <(cd "$2" && grep -oE 'glisson-cli [a-z][^`#]*' README.md resources/manual/*.md | sed 's/:glisson-cli / /')
+done < <(cd "$2" && grep -oE 'glisson-cli [a-z][^`#]*' README.md resources/manual/{,??/}*.md | sed 's/:glisson-cli / /')
 exit $failed

@@ -1,7 +1,8 @@
 #pragma once
 // The manual in a window of its own: pages on the left, found by the words they hold, and the page chosen beside them.
 //
-// The pages are Markdown files of resources/manual, readable as they are; a page's title is its first line.
+// The pages are Markdown files of resources/manual, readable as they are; a page's title is its first line. A page in
+// another language stands in the folder named by it (de/01-start.md); one that is not there is shown in English.
 
 #include <filesystem>
 #include <QWidget>
@@ -9,28 +10,37 @@
 
 class QLineEdit;
 class QListWidget;
-class QTextBrowser;
 
 namespace glisson::widgets {
+
+class PageText;
 
 class ManualWindow : public QWidget {
   Q_OBJECT
 
  public:
-  // Reads the pages of a folder, in the order of their file names. Without any it says that the manual is missing.
+  // Reads the pages of a folder, in the order of their file names and in the language of the window, and again when
+  // that changes: the page that is read stays open. Without any it says that the manual is missing.
   explicit ManualWindow(const std::filesystem::path& folder, QWidget* parent = nullptr);
 
  private:
   struct ManualPage {
+    std::filesystem::path file;
     QString title, markdown;
   };
+  void read_pages();
   void search(const QString& words);
-  void show_page(int row);
+  void follow_language();
+  void show_row(int row);
+  void show_page(int page);
 
+  std::filesystem::path folder_;
+  QString language_;  // that the pages were read in
   std::vector<ManualPage> pages_;
+  int open_page_ = -1;  // none while no page holds the words
   QLineEdit* words_ = nullptr;
   QListWidget* titles_ = nullptr;
-  QTextBrowser* text_ = nullptr;
+  PageText* text_ = nullptr;
 };
 
 }  // namespace glisson::widgets

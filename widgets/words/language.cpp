@@ -38,9 +38,14 @@ void install(const QString& file, const QString& folder) {
   }
 }
 
+QString& language_now() {
+  static QString code = "en";
+  return code;
+}
+
 void speak(const QString& code) {
+  const QString language = language_now() = spoken(code) ? code : system_language();
   for (auto* before : QCoreApplication::instance()->findChildren<QTranslator*>("words")) delete before;
-  const QString language = spoken(code) ? code : system_language();
   // Qt's own dialogs first: what is installed last is asked first.
   install("qtbase_" + language, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
   install("glisson_" + language, ":/translations");
@@ -55,6 +60,8 @@ const std::vector<Language>& languages() {
 }
 
 QString kept_language() { return settings().value(language_key).toString(); }
+
+QString spoken_language() { return language_now(); }
 
 void choose_language(const QString& code) {
   settings().setValue(language_key, code);

@@ -20,6 +20,9 @@ struct Language {
 // What was chosen the last time; empty for the system's.
 [[nodiscard]] QString kept_language();
 
+// What the window speaks now, as a code of languages(); English until one is chosen or begun in.
+[[nodiscard]] QString spoken_language();
+
 // Keeps the choice and speaks that language from now on. Every widget gets QEvent::LanguageChange (see worded.h).
 void choose_language(const QString& code);
 
