@@ -4,8 +4,8 @@
 #
 #   tests/benchmarks/closed_loop.sh [FOLDER [SEEDS [SIZES [SPECIMENS]]]]    # build/closed-loop "1 2 3" 4,2,8 block,pillar,lobe,small
 #
-# The rules were tuned on seeds 1 to 3 (palpation), 1 to 10 (material, platform) and 31 (palpation, only looked at): ask for
-# others to judge them. It may be stopped and taken up again: cases made once stay, and what a program said of a case is
+# The rules were tuned on seeds 1 to 3 (palpation), 1 to 10 (material, platform) and 201 to 203 (throttling): ask for others
+# to judge them. It may be stopped and taken up again: cases made once stay, and what a program said of a case is
 # asked again only of another program (judge.py). The table stands in FOLDER/table-KIND.txt after each specimen. Making the
 # cases of one seed takes about an hour of one core (large strain most of it), judging them as long. Needs calculix-ccx,
 # python3-numpy.
