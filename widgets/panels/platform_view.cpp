@@ -64,7 +64,9 @@ PlatformView::PlatformView(std::vector<Device> devices, platform::ConvergenceCur
   auto* across = new QHBoxLayout(this);
   across->setContentsMargins(0, 0, 0, 0);
   across->setSpacing(0);
-  across->addWidget(make_question());
+  QScrollArea* question = scrolled(make_question());
+  question->setFixedWidth(330);
+  across->addWidget(question);
   across->addWidget(make_answer(), 1);
   set_accuracy_range();
   accuracy_->set_value(5);
@@ -130,7 +132,6 @@ void PlatformView::add_devices(std::vector<Device> devices) {
 QWidget* PlatformView::make_question() {
   auto* panel = new QWidget;
   panel->setObjectName("panel");
-  panel->setFixedWidth(330);
   auto* column = new QVBoxLayout(panel);
   column->setContentsMargins(14, 14, 14, 14);
   column->setSpacing(8);

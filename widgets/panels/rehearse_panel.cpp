@@ -71,8 +71,9 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   answers->setStretchFactor(0, 1);
   answers->setSizes({1000, 1});  // the plot as small as it can be read
   inner->addWidget(answers, 1);
-  column->addWidget(controls_, 1);
-  column->addStretch(0);
+  // On a small screen the panel scrolls, so that nothing in it is cut off.
+  controls_->setObjectName("panel");
+  column->addWidget(scrolled(controls_), 1);
 
   connect(tool_, &ToolControls::placing_changed, this, &RehearsePanel::placing_changed);
   connect(tool_, &ToolControls::place_at_crosshair, this, &RehearsePanel::place_at_crosshair);

@@ -116,10 +116,16 @@ void HeatVideo::paintEvent(QPaintEvent* /*event*/) {
     painter.setClipping(false);
   }
   if (remark_.isEmpty()) return;
-  const QRect band(margin, height() - margin - 3 * fontMetrics().height(), width() - 2 * margin,
-                   3 * fontMetrics().height());
+  // Over the picture, which is dark in every theme.
+  QRect band(margin, height() - margin - 3 * fontMetrics().height(), width() - 2 * margin, 3 * fontMetrics().height());
+  if (!size_px_.isEmpty()) {
+    const QRect picture = place().toRect();
+    band.setLeft(picture.left());
+    band.setRight(picture.right());
+    band.moveBottom(picture.bottom());
+  }
   painter.fillRect(band, QColor(20, 23, 28, 215));
-  painter.setPen(palette().color(QPalette::Text));
+  painter.setPen(QColor(233, 237, 242));
   painter.drawText(band, static_cast<int>(Qt::AlignCenter) | static_cast<int>(Qt::TextWordWrap), remark_);
 }
 
