@@ -150,6 +150,10 @@ struct Scenario {
   std::optional<Motion> motion;
   std::vector<Landmark> landmarks;
   std::vector<Cut> cuts;  // opened in the body before anything acts on it, one after the other
+  // Apart: walls that would pass through each other slide along each other; equilibrium by finite elements, by Newton's
+  // method and therefore far slower. Free: nothing keeps them apart, and the result says how far they passed.
+  enum class Walls { free, apart };
+  Walls cut_walls = Walls::free;
   std::vector<ToolInHand> tools;
   MeshfreeOptions meshfree;  // read where the engine is meshfree
 };

@@ -81,6 +81,7 @@ std::string scenario_text(const Scenario& scenario) {
     json["landmarks"].push_back({{"id", landmark.id}, {"position_mm", {p.x(), p.y(), p.z()}}});
   }
   for (const Cut& cut : scenario.cuts) json["cuts"].push_back(json_of(cut));
+  if (scenario.cut_walls == Scenario::Walls::apart) json["cut_walls"] = "apart";
   for (const ToolInHand& tool : scenario.tools) json["tools"].push_back(json_of(tool));
   if (scenario.engine == Engine::meshfree) {
     if (scenario.meshfree.nodes > 0) json["meshfree"]["nodes"] = scenario.meshfree.nodes;
@@ -105,10 +106,11 @@ void refuse_same_ids(const std::vector<Named>& named, const char* each) {
 }
 
 Scenario scenario_from(const Json& json) {
-  known_keys(json,
-             {"engine", "material", "strain_stiffening", "poisson_ratio", "density_kg_m3", "youngs_modulus_kPa",
-              "tissue", "supports", "capsule", "grain", "loads", "motion", "landmarks", "cuts", "tools", "meshfree"},
-             "The scenario");
+  known_keys(
+      json,
+      {"engine", "material", "strain_stiffening", "poisson_ratio", "density_kg_m3", "youngs_modulus_kPa", "tissue",
+       "supports", "capsule", "grain", "loads", "motion", "landmarks", "cuts", "cut_walls", "tools", "meshfree"},
+      "The scenario");
   Scenario scenario;
   if (json.contains("engine")) {
     scenario.engine = one_of<Engine>(json["engine"], "engine", {{"fem", Engine::fem}, {"meshfree", Engine::meshfree}});
@@ -157,6 +159,10 @@ Scenario scenario_from(const Json& json) {
   scenario.loads = list_of<Load>(json, "loads", "load", load_from);
   scenario.landmarks = list_of<Landmark>(json, "landmarks", "landmark", landmark_from);
   scenario.cuts = list_of<Cut>(json, "cuts", "cut", cut_from);
+  if (json.contains("cut_walls")) {
+    scenario.cut_walls = one_of<Scenario::Walls>(json["cut_walls"], "cut_walls",
+                                                 {{"free", Scenario::Walls::free}, {"apart", Scenario::Walls::apart}});
+  }
   scenario.tools = list_of<ToolInHand>(json, "tools", "tool", tool_from);
   if (json.contains("meshfree")) scenario.meshfree = meshfree_from(json["meshfree"], "meshfree");
   if (json.contains("motion")) scenario.motion = motion_from(json["motion"], "motion");

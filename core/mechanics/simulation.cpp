@@ -20,6 +20,7 @@ bool is_linear(const Scenario& scenario);
 bool has_friction(const Scenario& scenario);
 Result<void> check_tools(const Scenario& scenario);
 Result<void> check_grain(const Scenario& scenario, const SimulationOptions& options);
+Result<void> check_walls(const Scenario& scenario, const SimulationOptions& options);
 Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
                                  const Scenario& scenario, const Places& places, const Progress& progress);
 Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
@@ -39,6 +40,7 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   if (auto checked = geometry::check_tetrahedra(whole); !checked) return failure(std::move(checked.error()));
   if (auto available = check_tools(scenario); !available) return failure(std::move(available.error()));
   if (auto available = check_grain(scenario, options); !available) return failure(std::move(available.error()));
+  if (auto available = check_walls(scenario, options); !available) return failure(std::move(available.error()));
   const bool meshfree = scenario.engine == Engine::meshfree;
   const auto body = open_cuts(whole, scenario.cuts, meshfree ? Along::exactly : Along::nearly);
   if (!body) return failure(body.error());
@@ -60,9 +62,7 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   auto answer = options.data ? equilibrium_from_data(mesh, *options.data, scenario, *places, progress)
                              : compute(mesh, *youngs_kPa, scenario, *places, progress);
   // Walls that nothing presses together need no more than that.
-  const bool may_be_kept_apart =
-      !scenario.cuts.empty() && !meshfree && !scenario.motion && !options.data && !scenario.grain;
-  if (answer && may_be_kept_apart &&
+  if (answer && scenario.cut_walls == Scenario::Walls::apart &&
       opening_of(*body, answer->result.displacement_mm).largest_overlap_mm >
           ContactOptions().penetration_tolerance_mm) {
     answer = equilibrium_of_walls(mesh, *youngs_kPa, scenario, *places, body->walls, progress);
@@ -82,10 +82,11 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   if (!scenario.cuts.empty()) {
     simulation.cut = opening_of(*body, simulation.result.displacement_mm);
     if (simulation.cut->largest_overlap_mm > 0.5) {
-      simulation.result.notes.push_back(fmt::format(
-          "The walls of the cuts pass through each other by up to {:.1f} mm: finite elements in equilibrium keep them "
-          "apart, this does not.",
-          simulation.cut->largest_overlap_mm));
+      simulation.result.notes.push_back(
+          fmt::format("The walls of the cuts pass through each other by up to {:.1f} mm. \"cut_walls\": \"apart\" "
+                      "keeps them apart, "
+                      "in equilibrium by finite elements.",
+                      simulation.cut->largest_overlap_mm));
     }
   }
   for (const DisplacedLandmark& landmark : simulation.landmarks) {
@@ -209,6 +210,15 @@ Result<void> check_grain(const Scenario& scenario, const SimulationOptions& opti
       "not-available",
       GLISSON_TEXT("A grain is there for equilibrium by finite elements, with the material \"linear\" and without "
                    "ligaments."));
+}
+
+Result<void> check_walls(const Scenario& scenario, const SimulationOptions& options) {
+  const bool can_be = scenario.engine == Engine::fem && !scenario.motion && !scenario.grain && !options.data;
+  if (scenario.cut_walls == Scenario::Walls::free || can_be) return {};
+  return failure(
+      "not-available",
+      GLISSON_TEXT("The walls of cuts can be kept apart in equilibrium by finite elements, without a grain and "
+                   "not straight from data."));
 }
 
 std::string names_of(const geometry::Fields& fields) {

@@ -3769,6 +3769,10 @@
         <source>Place another tool</source>
         <translation>Weiteres Instrument platzieren</translation>
     </message>
+    <message>
+        <source>The walls of cuts can be kept apart in equilibrium by finite elements, without a grain and not straight from data.</source>
+        <translation>Die Wände von Schnitten können im Gleichgewicht mit finiten Elementen auseinandergehalten werden, ohne Faserrichtung und nicht unmittelbar aus Daten.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

@@ -3769,6 +3769,10 @@
         <source>Place another tool</source>
         <translation>Colocar otra herramienta</translation>
     </message>
+    <message>
+        <source>The walls of cuts can be kept apart in equilibrium by finite elements, without a grain and not straight from data.</source>
+        <translation>Las paredes de las secciones pueden mantenerse separadas en equilibrio con elementos finitos, sin dirección de fibras y no directamente a partir de datos.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

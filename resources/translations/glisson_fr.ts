@@ -5,7 +5,7 @@
     <name>Workspace</name>
     <message>
         <source>Needs a model of the liver: build it first.</source>
-        <translation>Il faut un modèle du foie : construisez-le d’abord.</translation>
+        <translation>Il faut un modèle du foie&#xa0;: construisez-le d’abord.</translation>
     </message>
 </context>
 <context>
@@ -111,7 +111,7 @@
     <name>errors</name>
     <message>
         <source>There is no column &quot;{0}&quot;.</source>
-        <translation>Il n’y a pas de colonne « {0} ».</translation>
+        <translation>Il n’y a pas de colonne «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>The columns are {1}.</source>
@@ -135,7 +135,7 @@
     </message>
     <message>
         <source>{0} cannot be written: {1}.</source>
-        <translation>{0} ne peut pas être écrit : {1}.</translation>
+        <translation>{0} ne peut pas être écrit&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Check the folder, your rights there and the free space.</source>
@@ -147,7 +147,7 @@
     </message>
     <message>
         <source>The file {0} has {1} bytes; at most {2} are read.</source>
-        <translation>Le fichier {0} a {1} octets ; {2} au plus sont lus.</translation>
+        <translation>Le fichier {0} a {1} octets&#xa0;; {2} au plus sont lus.</translation>
     </message>
     <message>
         <source>The files that ship with Glisson were not found.</source>
@@ -179,11 +179,11 @@
     </message>
     <message>
         <source>{0} has a key that is not known: &quot;{1}&quot;.</source>
-        <translation>{0} a une clé inconnue : « {1} ».</translation>
+        <translation>{0} a une clé inconnue&#xa0;: «&#xa0;{1}&#xa0;».</translation>
     </message>
     <message>
         <source>Did you mean &quot;{2}&quot;?</source>
-        <translation>Vouliez-vous dire « {2} » ?</translation>
+        <translation>Vouliez-vous dire «&#xa0;{2}&#xa0;»&#xa0;?</translation>
     </message>
     <message>
         <source>Cancelled.</source>
@@ -199,7 +199,7 @@
     </message>
     <message>
         <source>The folder {0} cannot be made: {1}.</source>
-        <translation>Le dossier {0} ne peut pas être créé : {1}.</translation>
+        <translation>Le dossier {0} ne peut pas être créé&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>it holds no case.json</source>
@@ -227,23 +227,23 @@
     </message>
     <message>
         <source>{0} cannot be put in its place: {1}.</source>
-        <translation>{0} ne peut pas être mis à sa place : {1}.</translation>
+        <translation>{0} ne peut pas être mis à sa place&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>{0} names a file outside the case folder: {1}.</source>
-        <translation>{0} désigne un fichier hors du dossier du cas : {1}.</translation>
+        <translation>{0} désigne un fichier hors du dossier du cas&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: {1}.</source>
-        <translation>{0} est endommagé : {1}.</translation>
+        <translation>{0} est endommagé&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>{0} is not a Glisson case: {1}.</source>
-        <translation>{0} n’est pas un cas Glisson : {1}.</translation>
+        <translation>{0} n’est pas un cas Glisson&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Make one with: glisson-cli import STUDY --case NAME.glisson</source>
-        <translation>Créez-en un avec : glisson-cli import ETUDE --case NOM.glisson</translation>
+        <translation>Créez-en un avec&#xa0;: glisson-cli import ETUDE --case NOM.glisson</translation>
     </message>
     <message>
         <source>{0} holds nothing that could be written as {1}.</source>
@@ -271,7 +271,7 @@
     </message>
     <message>
         <source>{0} series could be the {1}:{2}</source>
-        <translation>{0} séries pourraient être {1} :{2}</translation>
+        <translation>{0} séries pourraient être {1}&#xa0;:{2}</translation>
     </message>
     <message>
         <source>Name one with {3} UID.</source>
@@ -331,7 +331,7 @@
     </message>
     <message>
         <source>{0} does not hold a simulation&apos;s result: {1}.</source>
-        <translation>{0} ne contient pas de résultat de simulation : {1}.</translation>
+        <translation>{0} ne contient pas de résultat de simulation&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Make one with glisson-cli simulate --out DIR.</source>
@@ -351,7 +351,7 @@
     </message>
     <message>
         <source>The growing left {0} out; it was added to the liver.</source>
-        <translation>La croissance avait laissé de côté {0} ; la structure a été ajoutée au foie.</translation>
+        <translation>La croissance avait laissé de côté {0}&#xa0;; la structure a été ajoutée au foie.</translation>
     </message>
     <message>
         <source>Reading the labels</source>
@@ -371,11 +371,11 @@
     </message>
     <message>
         <source>{0} has no label {2}; it holds {1}.</source>
-        <translation>{0} n’a pas d’étiquette {2} ; il contient {1}.</translation>
+        <translation>{0} n’a pas d’étiquette {2}&#xa0;; il contient {1}.</translation>
     </message>
     <message>
         <source>{0} holds several labels: {1}.</source>
-        <translation>{0} contient plusieurs étiquettes : {1}.</translation>
+        <translation>{0} contient plusieurs étiquettes&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Choose one with --label-value.</source>
@@ -411,7 +411,7 @@
     </message>
     <message>
         <source>There is no kind of experiment called &quot;{0}&quot;.</source>
-        <translation>Il n’y a pas de type d’expérience nommé « {0} ».</translation>
+        <translation>Il n’y a pas de type d’expérience nommé «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>The kinds are palpation, material and platform.</source>
@@ -423,7 +423,7 @@
     </message>
     <message>
         <source>Files are looked for beside the experiment: was it copied without them, or is the name misspelt?</source>
-        <translation>Les fichiers sont cherchés à côté de l’expérience : a-t-elle été copiée sans eux, ou le nom est-il mal écrit ?</translation>
+        <translation>Les fichiers sont cherchés à côté de l’expérience&#xa0;: a-t-elle été copiée sans eux, ou le nom est-il mal écrit&#xa0;?</translation>
     </message>
     <message>
         <source>{0} lacks &quot;{1}&quot;.</source>
@@ -455,31 +455,31 @@
     </message>
     <message>
         <source>Two trials have the id &quot;{0}&quot;.</source>
-        <translation>Deux essais ont l’identifiant « {0} ».</translation>
+        <translation>Deux essais ont l’identifiant «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>{0} has no column &quot;{1}&quot;, which the experiment names for {2}; line {3} has: {4}.</source>
-        <translation>{0} n’a pas de colonne « {1} », que l’expérience nomme pour {2} ; la ligne {3} contient : {4}.</translation>
+        <translation>{0} n’a pas de colonne «&#xa0;{1}&#xa0;», que l’expérience nomme pour {2}&#xa0;; la ligne {3} contient&#xa0;: {4}.</translation>
     </message>
     <message>
         <source>Is the name misspelt, or is this the table of another trial?</source>
-        <translation>Le nom est-il mal écrit, ou est-ce la table d’un autre essai ?</translation>
+        <translation>Le nom est-il mal écrit, ou est-ce la table d’un autre essai&#xa0;?</translation>
     </message>
     <message>
         <source>Line {0} of {1} has no number under &quot;{2}&quot;.</source>
-        <translation>La ligne {0} de {1} n’a pas de nombre sous « {2} ».</translation>
+        <translation>La ligne {0} de {1} n’a pas de nombre sous «&#xa0;{2}&#xa0;».</translation>
     </message>
     <message>
         <source>Is the table cut off, or written with decimal commas?</source>
-        <translation>La table est-elle tronquée, ou écrite avec des virgules décimales ?</translation>
+        <translation>La table est-elle tronquée, ou écrite avec des virgules décimales&#xa0;?</translation>
     </message>
     <message>
         <source>Time goes back at line {0} of {1}: from {2} s to {3} s.</source>
-        <translation>Le temps recule à la ligne {0} de {1} : de {2} s à {3} s.</translation>
+        <translation>Le temps recule à la ligne {0} de {1}&#xa0;: de {2} s à {3} s.</translation>
     </message>
     <message>
         <source>Are two recordings in one table, or is this not the column of times?</source>
-        <translation>Y a-t-il deux enregistrements dans une table, ou n’est-ce pas la colonne des temps ?</translation>
+        <translation>Y a-t-il deux enregistrements dans une table, ou n’est-ce pas la colonne des temps&#xa0;?</translation>
     </message>
     <message>
         <source>{0} is {1} kPa, stiffer than any soft tissue.</source>
@@ -487,7 +487,7 @@
     </message>
     <message>
         <source>Was it given in Pa?</source>
-        <translation>A-t-il été donné en Pa ?</translation>
+        <translation>A-t-il été donné en Pa&#xa0;?</translation>
     </message>
     <message>
         <source>Use the model.json that glisson-cli explain wrote for an experiment of this kind.</source>
@@ -523,7 +523,7 @@
     </message>
     <message>
         <source>The search for parameters failed: {0}.</source>
-        <translation>La recherche des paramètres a échoué : {0}.</translation>
+        <translation>La recherche des paramètres a échoué&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>The model has no solution where the search ended.</source>
@@ -543,7 +543,7 @@
     </message>
     <message>
         <source>The tissue gets stiffer (or softer) the further it is deformed: its law is not a straight line.</source>
-        <translation>Le tissu devient plus rigide (ou plus souple) à mesure qu’il se déforme : sa loi n’est pas une droite.</translation>
+        <translation>Le tissu devient plus rigide (ou plus souple) à mesure qu’il se déforme&#xa0;: sa loi n’est pas une droite.</translation>
     </message>
     <message>
         <source>The tissue gives way slowly under a load that is held, and recovers slowly after it.</source>
@@ -559,7 +559,7 @@
     </message>
     <message>
         <source>The load cell is at fault: it does not read zero without load, or its scale is off.</source>
-        <translation>Le capteur de force est en défaut : il n’indique pas zéro à vide, ou son échelle est fausse.</translation>
+        <translation>Le capteur de force est en défaut&#xa0;: il n’indique pas zéro à vide, ou son échelle est fausse.</translation>
     </message>
     <message>
         <source>The specimen was already loaded when the test began.</source>
@@ -567,7 +567,7 @@
     </message>
     <message>
         <source>The mode &quot;{0}&quot; is not known.</source>
-        <translation>Le mode « {0} » n’est pas connu.</translation>
+        <translation>Le mode «&#xa0;{0}&#xa0;» n’est pas connu.</translation>
     </message>
     <message>
         <source>The modes are compression, tension and shear.</source>
@@ -575,7 +575,7 @@
     </message>
     <message>
         <source>The declared law &quot;{0}&quot; is not known.</source>
-        <translation>La loi déclarée « {0} » n’est pas connue.</translation>
+        <translation>La loi déclarée «&#xa0;{0}&#xa0;» n’est pas connue.</translation>
     </message>
     <message>
         <source>The laws are linear and neo-hookean.</source>
@@ -611,7 +611,7 @@
     </message>
     <message>
         <source>Is it strain, or a percentage? Stretch is length over length at rest.</source>
-        <translation>Est-ce une déformation, ou un pourcentage ? L’élongation est la longueur divisée par la longueur au repos.</translation>
+        <translation>Est-ce une déformation, ou un pourcentage&#xa0;? L’élongation est la longueur divisée par la longueur au repos.</translation>
     </message>
     <message>
         <source>The material law is used beyond the stretch it allows.</source>
@@ -623,11 +623,11 @@
     </message>
     <message>
         <source>Is the mesh in metres or micrometres?</source>
-        <translation>Le maillage est-il en mètres ou en micromètres ?</translation>
+        <translation>Le maillage est-il en mètres ou en micromètres&#xa0;?</translation>
     </message>
     <message>
         <source>{0} has no cell array &quot;{1}&quot; with one number a cell.</source>
-        <translation>{0} n’a pas de tableau de cellules « {1} » avec un nombre par cellule.</translation>
+        <translation>{0} n’a pas de tableau de cellules «&#xa0;{1}&#xa0;» avec un nombre par cellule.</translation>
     </message>
     <message>
         <source>Young&apos;s modulus must be above zero in every cell.</source>
@@ -639,7 +639,7 @@
     </message>
     <message>
         <source>Line 1 of {0} names no column &quot;{1}&quot;.</source>
-        <translation>La ligne 1 de {0} ne nomme pas de colonne « {1} ».</translation>
+        <translation>La ligne 1 de {0} ne nomme pas de colonne «&#xa0;{1}&#xa0;».</translation>
     </message>
     <message>
         <source>A table of markers has id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</source>
@@ -655,31 +655,31 @@
     </message>
     <message>
         <source>Are they in metres?</source>
-        <translation>Sont-ils en mètres ?</translation>
+        <translation>Sont-ils en mètres&#xa0;?</translation>
     </message>
     <message>
         <source>Line {0} of {1}: marker {2} lies {3} mm outside the specimen at rest.</source>
-        <translation>Ligne {0} de {1} : le marqueur {2} est à {3} mm hors de l’échantillon au repos.</translation>
+        <translation>Ligne {0} de {1}&#xa0;: le marqueur {2} est à {3} mm hors de l’échantillon au repos.</translation>
     </message>
     <message>
         <source>Are markers and mesh in one frame (patient coordinates) and both in mm?</source>
-        <translation>Marqueurs et maillage sont-ils dans le même repère (coordonnées du patient) et tous deux en mm ?</translation>
+        <translation>Marqueurs et maillage sont-ils dans le même repère (coordonnées du patient) et tous deux en mm&#xa0;?</translation>
     </message>
     <message>
         <source>Line {0} of {1}: marker {2} moved by {3} mm, more than the specimen is long.</source>
-        <translation>Ligne {0} de {1} : le marqueur {2} s’est déplacé de {3} mm, plus que la longueur de l’échantillon.</translation>
+        <translation>Ligne {0} de {1}&#xa0;: le marqueur {2} s’est déplacé de {3} mm, plus que la longueur de l’échantillon.</translation>
     </message>
     <message>
         <source>Are the positions in another unit or frame than the positions at rest?</source>
-        <translation>Les positions sont-elles dans une autre unité ou un autre repère que les positions au repos ?</translation>
+        <translation>Les positions sont-elles dans une autre unité ou un autre repère que les positions au repos&#xa0;?</translation>
     </message>
     <message>
         <source>{0}: a force of {1} N presses no soft specimen.</source>
-        <translation>{0} : une force de {1} N ne s’exerce sur aucun échantillon mou.</translation>
+        <translation>{0}&#xa0;: une force de {1} N ne s’exerce sur aucun échantillon mou.</translation>
     </message>
     <message>
         <source>Was it given in mN?</source>
-        <translation>A-t-elle été donnée en mN ?</translation>
+        <translation>A-t-elle été donnée en mN&#xa0;?</translation>
     </message>
     <message>
         <source>{0} must not be zero.</source>
@@ -691,7 +691,7 @@
     </message>
     <message>
         <source>Was the recording interrupted?</source>
-        <translation>L’enregistrement a-t-il été interrompu ?</translation>
+        <translation>L’enregistrement a-t-il été interrompu&#xa0;?</translation>
     </message>
     <message>
         <source>In trial {0} (line {1} of {2}) time goes back at sample {3}.</source>
@@ -699,7 +699,7 @@
     </message>
     <message>
         <source>Are two recordings in one trial?</source>
-        <translation>Y a-t-il deux enregistrements dans un essai ?</translation>
+        <translation>Y a-t-il deux enregistrements dans un essai&#xa0;?</translation>
     </message>
     <message>
         <source>No sample of trial {0} (line {1} of {2}) names markers.</source>
@@ -727,7 +727,7 @@
     </message>
     <message>
         <source>The battery&apos;s voltage falls under load: its own resistance turns energy into heat.</source>
-        <translation>La tension de la batterie baisse en charge : sa résistance interne change l’énergie en chaleur.</translation>
+        <translation>La tension de la batterie baisse en charge&#xa0;: sa résistance interne change l’énergie en chaleur.</translation>
     </message>
     <message>
         <source>The battery&apos;s voltage falls under load, and what is lost there is what warms it.</source>
@@ -779,11 +779,11 @@
     </message>
     <message>
         <source>Give voltage_V, temperature_C or power_W: the standard deviation of that reading.</source>
-        <translation>Indiquez voltage_V, temperature_C ou power_W : l’écart-type de cette mesure.</translation>
+        <translation>Indiquez voltage_V, temperature_C ou power_W&#xa0;: l’écart-type de cette mesure.</translation>
     </message>
     <message>
         <source>The law of platforms is constant: a battery that gives all of its energy at any load.</source>
-        <translation>La loi des plates-formes est constante : une batterie qui donne toute son énergie sous toute charge.</translation>
+        <translation>La loi des plates-formes est constante&#xa0;: une batterie qui donne toute son énergie sous toute charge.</translation>
     </message>
     <message>
         <source>{0} must not be below zero.</source>
@@ -863,7 +863,7 @@
     </message>
     <message>
         <source>No voxel of the stiffness map is reliable: none is positive, confident, inside the organ and {0} mm away from its border at once.</source>
-        <translation>Aucun voxel de la carte de rigidité n’est fiable : aucun n’est à la fois positif, de confiance, dans l’organe et à {0} mm de son bord.</translation>
+        <translation>Aucun voxel de la carte de rigidité n’est fiable&#xa0;: aucun n’est à la fois positif, de confiance, dans l’organe et à {0} mm de son bord.</translation>
     </message>
     <message>
         <source>Check that map, confidence mask and segmentation belong together, or trust voxels nearer to the border.</source>
@@ -871,11 +871,11 @@
     </message>
     <message>
         <source>The model does not lie in the stiffness map: {0} mm are between their boxes (model around {1}, map around {2}).</source>
-        <translation>Le modèle n’est pas dans la carte de rigidité : {0} mm séparent leurs boîtes (modèle autour de {1}, carte autour de {2}).</translation>
+        <translation>Le modèle n’est pas dans la carte de rigidité&#xa0;: {0} mm séparent leurs boîtes (modèle autour de {1}, carte autour de {2}).</translation>
     </message>
     <message>
         <source>They are probably in different frames of reference: take the stiffness series of the same study, or register the two.</source>
-        <translation>Ils sont probablement dans des référentiels différents : prenez la série de rigidité de la même étude, ou recalez les deux.</translation>
+        <translation>Ils sont probablement dans des référentiels différents&#xa0;: prenez la série de rigidité de la même étude, ou recalez les deux.</translation>
     </message>
     <message>
         <source>There are no cells to give a stiffness to.</source>
@@ -891,7 +891,7 @@
     </message>
     <message>
         <source>Poisson&apos;s ratio must lie in (-1, 0.5], the border must not be negative and the averaging length must be positive; they are {0}, {1} mm and {2} mm.</source>
-        <translation>Le coefficient de Poisson doit être dans (-1, 0.5], le bord ne doit pas être négatif et la longueur de moyenne doit être positive ; ils valent {0}, {1} mm et {2} mm.</translation>
+        <translation>Le coefficient de Poisson doit être dans (-1, 0.5], le bord ne doit pas être négatif et la longueur de moyenne doit être positive&#xa0;; ils valent {0}, {1} mm et {2} mm.</translation>
     </message>
     <message>
         <source>There are no wave or phase images.</source>
@@ -919,7 +919,7 @@
     </message>
     <message>
         <source>Not one voxel could be inverted with confidence: there is no wave in these images, or it drowns in noise.</source>
-        <translation>Aucun voxel n’a pu être inversé avec confiance : il n’y a pas d’onde dans ces images, ou elle se noie dans le bruit.</translation>
+        <translation>Aucun voxel n’a pu être inversé avec confiance&#xa0;: il n’y a pas d’onde dans ces images, ou elle se noie dans le bruit.</translation>
     </message>
     <message>
         <source>Check that the phase series and the frequency are the right ones.</source>
@@ -943,7 +943,7 @@
     </message>
     <message>
         <source>Give it with --frequency-Hz; liver scans mostly use 60.</source>
-        <translation>Indiquez-la avec --frequency-Hz ; pour le foie, c’est le plus souvent 60.</translation>
+        <translation>Indiquez-la avec --frequency-Hz&#xa0;; pour le foie, c’est le plus souvent 60.</translation>
     </message>
     <message>
         <source>A vibration of {0} Hz is not possible.</source>
@@ -955,7 +955,7 @@
     </message>
     <message>
         <source>Say how many directions were measured with --directions; mostly 1 or 3.</source>
-        <translation>Indiquez avec --directions combien de directions ont été mesurées ; le plus souvent 1 ou 3.</translation>
+        <translation>Indiquez avec --directions combien de directions ont été mesurées&#xa0;; le plus souvent 1 ou 3.</translation>
     </message>
     <message>
         <source>{0} wave images cannot be shared out among {1} directions.</source>
@@ -967,7 +967,7 @@
     </message>
     <message>
         <source>Only {0} instants of the wave were measured; at least {1} are needed to tell the wave from noise.</source>
-        <translation>Seuls {0} instants de l’onde ont été mesurés ; il en faut au moins {1} pour distinguer l’onde du bruit.</translation>
+        <translation>Seuls {0} instants de l’onde ont été mesurés&#xa0;; il en faut au moins {1} pour distinguer l’onde du bruit.</translation>
     </message>
     <message>
         <source>The curl needs the motion along three known directions, in at least three slices.</source>
@@ -983,7 +983,7 @@
     </message>
     <message>
         <source>A cutting sheet needs 3 to {0} points; there are {1}.</source>
-        <translation>Une surface de coupe exige de 3 à {0} points ; il y en a {1}.</translation>
+        <translation>Une surface de coupe exige de 3 à {0} points&#xa0;; il y en a {1}.</translation>
     </message>
     <message>
         <source>A point of the cutting sheet is not finite.</source>
@@ -991,11 +991,11 @@
     </message>
     <message>
         <source>The points of the cutting sheet lie almost on a line, which does not say which way to cut: add points away from it, or give a plane.</source>
-        <translation>Les points de la surface de coupe sont presque alignés, ce qui ne dit pas comment couper : ajoutez des points à l’écart, ou donnez un plan.</translation>
+        <translation>Les points de la surface de coupe sont presque alignés, ce qui ne dit pas comment couper&#xa0;: ajoutez des points à l’écart, ou donnez un plan.</translation>
     </message>
     <message>
         <source>Points {0} and {1} of the cutting sheet lie above each other: no smooth sheet over their plane passes through both.</source>
-        <translation>Les points {0} et {1} de la surface de coupe sont l’un au-dessus de l’autre : aucune surface lisse au-dessus de leur plan ne passe par les deux.</translation>
+        <translation>Les points {0} et {1} de la surface de coupe sont l’un au-dessus de l’autre&#xa0;: aucune surface lisse au-dessus de leur plan ne passe par les deux.</translation>
     </message>
     <message>
         <source>No smooth sheet passes through the points of the cut.</source>
@@ -1011,15 +1011,15 @@
     </message>
     <message>
         <source>Triangle {0} does not fit its neighbours: an edge has more than two triangles, or they are turned against each other.</source>
-        <translation>Le triangle {0} ne s’accorde pas avec ses voisins : une arête a plus de deux triangles, ou ils sont orientés en sens contraire.</translation>
+        <translation>Le triangle {0} ne s’accorde pas avec ses voisins&#xa0;: une arête a plus de deux triangles, ou ils sont orientés en sens contraire.</translation>
     </message>
     <message>
         <source>Heat cannot spread over the surface: it has flat triangles.</source>
-        <translation>La chaleur ne peut pas se propager sur la surface : elle a des triangles plats.</translation>
+        <translation>La chaleur ne peut pas se propager sur la surface&#xa0;: elle a des triangles plats.</translation>
     </message>
     <message>
         <source>{0} cannot be read as a mesh: {1}.</source>
-        <translation>{0} ne peut pas être lu comme maillage : {1}.</translation>
+        <translation>{0} ne peut pas être lu comme maillage&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Open it in ParaView to see whether it is damaged.</source>
@@ -1067,7 +1067,7 @@
     </message>
     <message>
         <source>Cell {1} of {0} is a {2} of {3} points; only tetrahedra are used.</source>
-        <translation>La cellule {1} de {0} est un {2} de {3} points ; seuls les tétraèdres sont utilisés.</translation>
+        <translation>La cellule {1} de {0} est un {2} de {3} points&#xa0;; seuls les tétraèdres sont utilisés.</translation>
     </message>
     <message>
         <source>Cut it into tetrahedra first, for example with ParaView&apos;s Tetrahedralize.</source>
@@ -1079,11 +1079,11 @@
     </message>
     <message>
         <source>The header of {0} announces {1} items; a file of {2} bytes cannot hold them.</source>
-        <translation>L’en-tête de {0} annonce {1} éléments ; un fichier de {2} octets ne peut pas les contenir.</translation>
+        <translation>L’en-tête de {0} annonce {1} éléments&#xa0;; un fichier de {2} octets ne peut pas les contenir.</translation>
     </message>
     <message>
         <source>The file is damaged or cut off; get it again from where it came.</source>
-        <translation>Le fichier est endommagé ou tronqué ; récupérez-le à sa source.</translation>
+        <translation>Le fichier est endommagé ou tronqué&#xa0;; récupérez-le à sa source.</translation>
     </message>
     <message>
         <source>Line {1} of {0} is neither a point nor a face.</source>
@@ -1103,7 +1103,7 @@
     </message>
     <message>
         <source>Triangle {0} names point {1}; the surface has {2} points.</source>
-        <translation>Le triangle {0} nomme le point {1} ; la surface a {2} points.</translation>
+        <translation>Le triangle {0} nomme le point {1}&#xa0;; la surface a {2} points.</translation>
     </message>
     <message>
         <source>The surface holds no triangles.</source>
@@ -1115,7 +1115,7 @@
     </message>
     <message>
         <source>Tetrahedron {0} names point {1}; the mesh has {2} points.</source>
-        <translation>Le tétraèdre {0} nomme le point {1} ; le maillage a {2} points.</translation>
+        <translation>Le tétraèdre {0} nomme le point {1}&#xa0;; le maillage a {2} points.</translation>
     </message>
     <message>
         <source>Point {0} of the mesh has no finite position.</source>
@@ -1123,11 +1123,11 @@
     </message>
     <message>
         <source>Tetrahedron {0} is flat or inside out: its volume is {1} mm3.</source>
-        <translation>Le tétraèdre {0} est plat ou retourné : son volume est de {1} mm3.</translation>
+        <translation>Le tétraèdre {0} est plat ou retourné&#xa0;: son volume est de {1} mm3.</translation>
     </message>
     <message>
         <source>The face of the points {0}, {1} and {2} belongs to {3} tetrahedra; at most two can.</source>
-        <translation>La face des points {0}, {1} et {2} appartient à {3} tétraèdres ; deux au plus sont possibles.</translation>
+        <translation>La face des points {0}, {1} et {2} appartient à {3} tétraèdres&#xa0;; deux au plus sont possibles.</translation>
     </message>
     <message>
         <source>The mesh falls in {0} parts that share no face, of {1} tetrahedra.</source>
@@ -1163,11 +1163,11 @@
     </message>
     <message>
         <source>{0} is damaged: an item stands outside a sequence at byte {1}.</source>
-        <translation>{0} est endommagé : un élément se trouve hors d’une séquence à l’octet {1}.</translation>
+        <translation>{0} est endommagé&#xa0;: un élément se trouve hors d’une séquence à l’octet {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: a value without a length stands at byte {1}.</source>
-        <translation>{0} est endommagé : une valeur sans longueur se trouve à l’octet {1}.</translation>
+        <translation>{0} est endommagé&#xa0;: une valeur sans longueur se trouve à l’octet {1}.</translation>
     </message>
     <message>
         <source>{0} ends at byte {1}, in the middle of its header.</source>
@@ -1175,7 +1175,7 @@
     </message>
     <message>
         <source>{0} is damaged: the length at byte {1} leaves what encloses it.</source>
-        <translation>{0} est endommagé : la longueur à l’octet {1} dépasse ce qui l’entoure.</translation>
+        <translation>{0} est endommagé&#xa0;: la longueur à l’octet {1} dépasse ce qui l’entoure.</translation>
     </message>
     <message>
         <source>{0} ends at byte {1}, in the middle of a sequence.</source>
@@ -1183,19 +1183,19 @@
     </message>
     <message>
         <source>{0} is damaged: a sequence holds something else than items at byte {1}.</source>
-        <translation>{0} est endommagé : une séquence contient autre chose que des éléments à l’octet {1}.</translation>
+        <translation>{0} est endommagé&#xa0;: une séquence contient autre chose que des éléments à l’octet {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: its pixels are not stored in the way its transfer syntax {1} says.</source>
-        <translation>{0} est endommagé : ses pixels ne sont pas stockés comme le dit sa syntaxe de transfert {1}.</translation>
+        <translation>{0} est endommagé&#xa0;: ses pixels ne sont pas stockés comme le dit sa syntaxe de transfert {1}.</translation>
     </message>
     <message>
         <source>{0} is cut short: {1} of {2} bytes of its pixels are there.</source>
-        <translation>{0} est tronqué : {1} octets de ses pixels sur {2} sont là.</translation>
+        <translation>{0} est tronqué&#xa0;: {1} octets de ses pixels sur {2} sont là.</translation>
     </message>
     <message>
         <source>{0} is damaged: its compressed pixels are broken at byte {1}.</source>
-        <translation>{0} est endommagé : ses pixels compressés sont corrompus à l’octet {1}.</translation>
+        <translation>{0} est endommagé&#xa0;: ses pixels compressés sont corrompus à l’octet {1}.</translation>
     </message>
     <message>
         <source>The pixels of {0} are in too many pieces.</source>
@@ -1207,7 +1207,7 @@
     </message>
     <message>
         <source>{0} is damaged: no value type is known for what stands at byte {1}.</source>
-        <translation>{0} est endommagé : aucun type de valeur n’est connu pour ce qui se trouve à l’octet {1}.</translation>
+        <translation>{0} est endommagé&#xa0;: aucun type de valeur n’est connu pour ce qui se trouve à l’octet {1}.</translation>
     </message>
     <message>
         <source>{0} nests its sequences more than {1} deep, which no image does.</source>
@@ -1255,7 +1255,7 @@
     </message>
     <message>
         <source>{0} cannot be read: {1}.</source>
-        <translation>{0} ne peut pas être lu : {1}.</translation>
+        <translation>{0} ne peut pas être lu&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Check the path and your rights there.</source>
@@ -1267,11 +1267,11 @@
     </message>
     <message>
         <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
-        <translation>{0} déclare une taille impossible : {1} x {2} pixels en {3} images.</translation>
+        <translation>{0} déclare une taille impossible&#xa0;: {1} x {2} pixels en {3} images.</translation>
     </message>
     <message>
         <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
-        <translation>{0} déclare des pixels impossibles : {1} bits sur {2}, le plus haut {3}.</translation>
+        <translation>{0} déclare des pixels impossibles&#xa0;: {1} bits sur {2}, le plus haut {3}.</translation>
     </message>
     <message>
         <source>{0} declares compressed pictures too large to be true.</source>
@@ -1287,7 +1287,7 @@
     </message>
     <message>
         <source>{0} is damaged: its header cannot be understood.</source>
-        <translation>{0} est endommagé : son en-tête est incompréhensible.</translation>
+        <translation>{0} est endommagé&#xa0;: son en-tête est incompréhensible.</translation>
     </message>
     <message>
         <source>{0} is DICOM, but holds no picture ({1}).</source>
@@ -1315,7 +1315,7 @@
     </message>
     <message>
         <source>The segmentation {0} names no segment, or too many for its size: {1}.</source>
-        <translation>La segmentation {0} ne nomme aucun segment, ou trop pour sa taille : {1}.</translation>
+        <translation>La segmentation {0} ne nomme aucun segment, ou trop pour sa taille&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>The headers of {0} are damaged.</source>
@@ -1323,7 +1323,7 @@
     </message>
     <message>
         <source>The segmentation {0} does not say where its frames are: {1}.</source>
-        <translation>La segmentation {0} n’indique pas où sont ses images : {1}.</translation>
+        <translation>La segmentation {0} n’indique pas où sont ses images&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>rows, columns, frames or bits</source>
@@ -1359,7 +1359,7 @@
     </message>
     <message>
         <source>The segments {0} and {1} lie on different grids; one file holds one grid.</source>
-        <translation>Les segments {0} et {1} sont sur des grilles différentes ; un fichier contient une seule grille.</translation>
+        <translation>Les segments {0} et {1} sont sur des grilles différentes&#xa0;; un fichier contient une seule grille.</translation>
     </message>
     <message>
         <source>The grid of the segment {0} is skewed, left-handed or too large for DICOM.</source>
@@ -1367,11 +1367,11 @@
     </message>
     <message>
         <source>The volume holds no voxels, so no series can be written to {0}.</source>
-        <translation>Le volume ne contient aucun voxel ; aucune série ne peut donc être écrite dans {0}.</translation>
+        <translation>Le volume ne contient aucun voxel&#xa0;; aucune série ne peut donc être écrite dans {0}.</translation>
     </message>
     <message>
         <source>The slices have {0} x {1} voxels; DICOM counts rows and columns up to 65535.</source>
-        <translation>Les coupes ont {0} x {1} voxels ; DICOM compte les lignes et les colonnes jusqu’à 65535.</translation>
+        <translation>Les coupes ont {0} x {1} voxels&#xa0;; DICOM compte les lignes et les colonnes jusqu’à 65535.</translation>
     </message>
     <message>
         <source>The series {0} needs the identifiers of its study, of itself and of its frame of reference.</source>
@@ -1379,7 +1379,7 @@
     </message>
     <message>
         <source>The volume holds values that are not finite; DICOM cannot.</source>
-        <translation>Le volume contient des valeurs non finies ; DICOM ne le permet pas.</translation>
+        <translation>Le volume contient des valeurs non finies&#xa0;; DICOM ne le permet pas.</translation>
     </message>
     <message>
         <source>Slice {0} holds the value {1}, which the rescale {2} x + {3} cannot hold in 16 bits.</source>
@@ -1391,7 +1391,7 @@
     </message>
     <message>
         <source>{0} cannot be opened: it has gone, or is no ordinary file.</source>
-        <translation>{0} ne peut pas être ouvert : il a disparu, ou n’est pas un fichier ordinaire.</translation>
+        <translation>{0} ne peut pas être ouvert&#xa0;: il a disparu, ou n’est pas un fichier ordinaire.</translation>
     </message>
     <message>
         <source>{0} is not any more as it was when the folder was scanned.</source>
@@ -1471,7 +1471,7 @@
     </message>
     <message>
         <source>It cannot be decided whether the stiffness map is in Pa or kPa: its median, {0}, is no stiffness of soft tissue in either.</source>
-        <translation>On ne peut décider si la carte de rigidité est en Pa ou en kPa : sa médiane, {0}, n’est une rigidité de tissu mou dans aucune des deux.</translation>
+        <translation>On ne peut décider si la carte de rigidité est en Pa ou en kPa&#xa0;: sa médiane, {0}, n’est une rigidité de tissu mou dans aucune des deux.</translation>
     </message>
     <message>
         <source>The stiffness map is marked as {0}, but its median, {1}, is a stiffness of soft tissue only in {2}.</source>
@@ -1483,7 +1483,7 @@
     </message>
     <message>
         <source>{0} is not a label map: it holds the value {1}.</source>
-        <translation>{0} n’est pas une carte d’étiquettes : elle contient la valeur {1}.</translation>
+        <translation>{0} n’est pas une carte d’étiquettes&#xa0;: elle contient la valeur {1}.</translation>
     </message>
     <message>
         <source>A label map holds whole numbers from 0 to 65535.</source>
@@ -1511,7 +1511,7 @@
     </message>
     <message>
         <source>{0} holds {1} values at each voxel; one is needed.</source>
-        <translation>{0} contient {1} valeurs par voxel ; il en faut une.</translation>
+        <translation>{0} contient {1} valeurs par voxel&#xa0;; il en faut une.</translation>
     </message>
     <message>
         <source>Save one component (or a grey image in place of a colour one).</source>
@@ -1519,7 +1519,7 @@
     </message>
     <message>
         <source>{0} is not a three-dimensional volume: it has {1} axes.</source>
-        <translation>{0} n’est pas un volume à trois dimensions : il a {1} axes.</translation>
+        <translation>{0} n’est pas un volume à trois dimensions&#xa0;: il a {1} axes.</translation>
     </message>
     <message>
         <source>Save one volume (one point in time) to a file.</source>
@@ -1527,7 +1527,7 @@
     </message>
     <message>
         <source>The header of {0} gives no usable grid: sizes and spacings must be positive and the axes at right angles.</source>
-        <translation>L’en-tête de {0} ne donne pas de grille utilisable : tailles et espacements doivent être positifs et les axes perpendiculaires.</translation>
+        <translation>L’en-tête de {0} ne donne pas de grille utilisable&#xa0;: tailles et espacements doivent être positifs et les axes perpendiculaires.</translation>
     </message>
     <message>
         <source>Resample the volume onto a regular grid and save it again.</source>
@@ -1535,7 +1535,7 @@
     </message>
     <message>
         <source>{0} is too short: its header declares {1} bytes of voxels and the file can hold {2} at most.</source>
-        <translation>{0} est trop court : son en-tête déclare {1} octets de voxels et le fichier peut en contenir {2} au plus.</translation>
+        <translation>{0} est trop court&#xa0;: son en-tête déclare {1} octets de voxels et le fichier peut en contenir {2} au plus.</translation>
     </message>
     <message>
         <source>its numbers are of an unknown type</source>
@@ -1543,7 +1543,7 @@
     </message>
     <message>
         <source>The supports do not hold the body: it {0}, so no equilibrium exists.</source>
-        <translation>Les appuis ne tiennent pas le corps : il {0}, donc aucun équilibre n’existe.</translation>
+        <translation>Les appuis ne tiennent pas le corps&#xa0;: il {0}, donc aucun équilibre n’existe.</translation>
     </message>
     <message>
         <source>Hold more of it, or put a foundation under part of its surface.</source>
@@ -1551,7 +1551,7 @@
     </message>
     <message>
         <source>The mesh has {0} cells; at most {1} can be solved.</source>
-        <translation>Le maillage a {0} cellules ; {1} au plus peuvent être résolues.</translation>
+        <translation>Le maillage a {0} cellules&#xa0;; {1} au plus peuvent être résolues.</translation>
     </message>
     <message>
         <source>Mesh with fewer cells.</source>
@@ -1559,7 +1559,7 @@
     </message>
     <message>
         <source>Poisson&apos;s ratio must lie between -1 and 0.5, both excluded; it is {0}.</source>
-        <translation>Le coefficient de Poisson doit être compris entre -1 et 0.5, bornes exclues ; il vaut {0}.</translation>
+        <translation>Le coefficient de Poisson doit être compris entre -1 et 0.5, bornes exclues&#xa0;; il vaut {0}.</translation>
     </message>
     <message>
         <source>For tissue that is nearly incompressible take 0.45 to 0.499.</source>
@@ -1575,7 +1575,7 @@
     </message>
     <message>
         <source>Young&apos;s modulus of cell {0} is {1} kPa; it must be a number above zero.</source>
-        <translation>Le module de Young de la cellule {0} est de {1} kPa ; il doit être un nombre supérieur à zéro.</translation>
+        <translation>Le module de Young de la cellule {0} est de {1} kPa&#xa0;; il doit être un nombre supérieur à zéro.</translation>
     </message>
     <message>
         <source>Fill the cells without data before simulating.</source>
@@ -1583,7 +1583,7 @@
     </message>
     <message>
         <source>The tool at ({0}, {1}, {2}) mm with radius {3} mm touches nothing: the centre of the nearest face of the surface is {4} mm away.</source>
-        <translation>L’instrument en ({0}, {1}, {2}) mm, de rayon {3} mm, ne touche rien : le centre de la face la plus proche de la surface est à {4} mm.</translation>
+        <translation>L’instrument en ({0}, {1}, {2}) mm, de rayon {3} mm, ne touche rien&#xa0;: le centre de la face la plus proche de la surface est à {4} mm.</translation>
     </message>
     <message>
         <source>Move its centre onto the surface, or make its radius larger than {4} mm.</source>
@@ -1595,7 +1595,7 @@
     </message>
     <message>
         <source>Solving for {0} unknowns would take {1} GB of memory; the limit is {2} GB.</source>
-        <translation>La résolution pour {0} inconnues exigerait {1} Go de mémoire ; la limite est de {2} Go.</translation>
+        <translation>La résolution pour {0} inconnues exigerait {1} Go de mémoire&#xa0;; la limite est de {2} Go.</translation>
     </message>
     <message>
         <source>Factorising</source>
@@ -1607,7 +1607,7 @@
     </message>
     <message>
         <source>Poisson&apos;s ratio may be too near 1/2, or cells may be flat: look at the mesh&apos;s quality.</source>
-        <translation>Le coefficient de Poisson est peut-être trop proche de 1/2, ou des cellules sont plates : regardez la qualité du maillage.</translation>
+        <translation>Le coefficient de Poisson est peut-être trop proche de 1/2, ou des cellules sont plates&#xa0;: regardez la qualité du maillage.</translation>
     </message>
     <message>
         <source>The solver ran out of memory for {0} unknowns.</source>
@@ -1623,7 +1623,7 @@
     </message>
     <message>
         <source>The body&apos;s answer to a force on its surface was not found: the relative residual stayed at {0}.</source>
-        <translation>La réponse du corps à une force sur sa surface n’a pas été trouvée : le résidu relatif est resté à {0}.</translation>
+        <translation>La réponse du corps à une force sur sa surface n’a pas été trouvée&#xa0;: le résidu relatif est resté à {0}.</translation>
     </message>
     <message>
         <source>The tool at ({0}, {1}, {2}) mm meets no surface on its way.</source>
@@ -1715,7 +1715,7 @@
     </message>
     <message>
         <source>{0} nodes in this body need more than 5e8 voxels: take fewer.</source>
-        <translation>{0} nœuds dans ce corps exigent plus de 5e8 voxels : prenez-en moins.</translation>
+        <translation>{0} nœuds dans ce corps exigent plus de 5e8 voxels&#xa0;: prenez-en moins.</translation>
     </message>
     <message>
         <source>Spreading the nodes</source>
@@ -1727,7 +1727,7 @@
     </message>
     <message>
         <source>{0} nodes, {1} voxels a node and an overlap of {2} cannot be: the last two must be at least 1 and above 1.</source>
-        <translation>{0} nœuds, {1} voxels par nœud et un recouvrement de {2} sont impossibles : les deux derniers doivent être au moins 1 et supérieur à 1.</translation>
+        <translation>{0} nœuds, {1} voxels par nœud et un recouvrement de {2} sont impossibles&#xa0;: les deux derniers doivent être au moins 1 et supérieur à 1.</translation>
     </message>
     <message>
         <source>One linear solve a step moves the materials &quot;linear&quot; and &quot;corotational&quot;, without ligaments or a capsule.</source>
@@ -1751,15 +1751,15 @@
     </message>
     <message>
         <source>{0} goes with the material &quot;veronda-westmann&quot;: give both or neither.</source>
-        <translation>{0} va avec le matériau &quot;veronda-westmann&quot; : donnez les deux ou aucun.</translation>
+        <translation>{0} va avec le matériau &quot;veronda-westmann&quot;&#xa0;: donnez les deux ou aucun.</translation>
     </message>
     <message>
         <source>{0} and &quot;youngs_modulus_kPa&quot; both say how stiff the body is: give one.</source>
-        <translation>{0} et &quot;youngs_modulus_kPa&quot; disent tous deux la rigidité du corps : n’en donnez qu’un.</translation>
+        <translation>{0} et &quot;youngs_modulus_kPa&quot; disent tous deux la rigidité du corps&#xa0;: n’en donnez qu’un.</translation>
     </message>
     <message>
         <source>{0} has the same id &quot;{1}&quot; as another.</source>
-        <translation>{0} a le même identifiant « {1} » qu’un autre.</translation>
+        <translation>{0} a le même identifiant «&#xa0;{1}&#xa0;» qu’un autre.</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;point_array&quot;, &quot;sphere&quot; and &quot;box&quot;.</source>
@@ -1771,11 +1771,11 @@
     </message>
     <message>
         <source>{0} is a ligament: it takes neither &quot;foundation_kPa_per_mm&quot; nor &quot;directions&quot;.</source>
-        <translation>{0} est un ligament : il ne prend ni &quot;foundation_kPa_per_mm&quot; ni &quot;directions&quot;.</translation>
+        <translation>{0} est un ligament&#xa0;: il ne prend ni &quot;foundation_kPa_per_mm&quot; ni &quot;directions&quot;.</translation>
     </message>
     <message>
         <source>{0} has both &quot;foundation_kPa_per_mm&quot; and &quot;directions&quot;: a foundation acts in all directions.</source>
-        <translation>{0} a à la fois &quot;foundation_kPa_per_mm&quot; et &quot;directions&quot; : une fondation agit dans toutes les directions.</translation>
+        <translation>{0} a à la fois &quot;foundation_kPa_per_mm&quot; et &quot;directions&quot;&#xa0;: une fondation agit dans toutes les directions.</translation>
     </message>
     <message>
         <source>The directions of {0} must be a list such as [&quot;x&quot;, &quot;z&quot;].</source>
@@ -1791,7 +1791,7 @@
     </message>
     <message>
         <source>{0} has both &quot;left_tilt_deg&quot; and &quot;right_tilt_deg&quot;: give one.</source>
-        <translation>{0} a à la fois &quot;left_tilt_deg&quot; et &quot;right_tilt_deg&quot; : n’en donnez qu’un.</translation>
+        <translation>{0} a à la fois &quot;left_tilt_deg&quot; et &quot;right_tilt_deg&quot;&#xa0;: n’en donnez qu’un.</translation>
     </message>
     <message>
         <source>{0} must be true or false.</source>
@@ -1811,7 +1811,7 @@
     </message>
     <message>
         <source>Give the scenario &quot;youngs_modulus_kPa&quot;, a number or the name of a cell array; the mesh&apos;s cell arrays are: {1}.</source>
-        <translation>Donnez au scénario &quot;youngs_modulus_kPa&quot;, un nombre ou le nom d’un tableau de cellules ; les tableaux de cellules du maillage sont : {1}.</translation>
+        <translation>Donnez au scénario &quot;youngs_modulus_kPa&quot;, un nombre ou le nom d’un tableau de cellules&#xa0;; les tableaux de cellules du maillage sont&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>The position of landmark {0} is not a finite point.</source>
@@ -1839,11 +1839,11 @@
     </message>
     <message>
         <source>A ligament only pulls, so it is not linear: look for the equilibrium by steps.</source>
-        <translation>Un ligament ne fait que tirer, il n’est donc pas linéaire : cherchez l’équilibre par pas.</translation>
+        <translation>Un ligament ne fait que tirer, il n’est donc pas linéaire&#xa0;: cherchez l’équilibre par pas.</translation>
     </message>
     <message>
         <source>Nodal loads need {0} values: three a node.</source>
-        <translation>Les charges nodales exigent {0} valeurs : trois par nœud.</translation>
+        <translation>Les charges nodales exigent {0} valeurs&#xa0;: trois par nœud.</translation>
     </message>
     <message>
         <source>A nodal load is not a finite number.</source>
@@ -1863,7 +1863,7 @@
     </message>
     <message>
         <source>The foundation of support {0} covers no face: no face of the surface has all three points named.</source>
-        <translation>La fondation de l’appui {0} ne couvre aucune face : aucune face de la surface n’a ses trois points nommés.</translation>
+        <translation>La fondation de l’appui {0} ne couvre aucune face&#xa0;: aucune face de la surface n’a ses trois points nommés.</translation>
     </message>
     <message>
         <source>Move or enlarge its region.</source>
@@ -1875,7 +1875,7 @@
     </message>
     <message>
         <source>The mesh&apos;s point arrays are: {2}.</source>
-        <translation>Les tableaux de points du maillage sont : {2}.</translation>
+        <translation>Les tableaux de points du maillage sont&#xa0;: {2}.</translation>
     </message>
     <message>
         <source>The point array {0} is not a number at point {1}.</source>
@@ -1903,11 +1903,11 @@
     </message>
     <message>
         <source>The tissues are: {1}.</source>
-        <translation>Les tissus sont : {1}.</translation>
+        <translation>Les tissus sont&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>{0} nodes in {1} rounds cannot be made; both must be at least 1.</source>
-        <translation>{0} nœuds en {1} tours sont impossibles ; les deux doivent être au moins 1.</translation>
+        <translation>{0} nœuds en {1} tours sont impossibles&#xa0;; les deux doivent être au moins 1.</translation>
     </message>
     <message>
         <source>The body holds no voxels.</source>
@@ -1919,7 +1919,7 @@
     </message>
     <message>
         <source>The mesh generator gave up: {0}.</source>
-        <translation>Le mailleur a abandonné : {0}.</translation>
+        <translation>Le mailleur a abandonné&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Ask for another number of cells, or smooth the labels.</source>
@@ -1967,11 +1967,11 @@
     </message>
     <message>
         <source>A mesh of {0} cells cannot be made; from {1} to {2} can.</source>
-        <translation>Un maillage de {0} cellules est impossible ; de {1} à {2}, c’est possible.</translation>
+        <translation>Un maillage de {0} cellules est impossible&#xa0;; de {1} à {2}, c’est possible.</translation>
     </message>
     <message>
         <source>The share of cells for inner structures is {0}; it must be in 0 to 1.</source>
-        <translation>La part des cellules pour les structures internes est {0} ; elle doit être comprise entre 0 et 1.</translation>
+        <translation>La part des cellules pour les structures internes est {0}&#xa0;; elle doit être comprise entre 0 et 1.</translation>
     </message>
     <message>
         <source>Filling the body with tetrahedra</source>
@@ -1979,7 +1979,7 @@
     </message>
     <message>
         <source>A piece of {0} has {1} ml, but its cells only {2} ml: the mesh has lost it.</source>
-        <translation>Un morceau de {0} fait {1} ml, mais ses cellules seulement {2} ml : le maillage l’a perdu.</translation>
+        <translation>Un morceau de {0} fait {1} ml, mais ses cellules seulement {2} ml&#xa0;: le maillage l’a perdu.</translation>
     </message>
     <message>
         <source>Ask for more cells.</source>
@@ -2023,7 +2023,7 @@
     </message>
     <message>
         <source>A convergence curve has 2 to {0} points; this one has {1}.</source>
-        <translation>Une courbe de convergence a de 2 à {0} points ; celle-ci en a {1}.</translation>
+        <translation>Une courbe de convergence a de 2 à {0} points&#xa0;; celle-ci en a {1}.</translation>
     </message>
     <message>
         <source>Point {0} of the convergence curve, {1} mm3 and {2} mm, is not positive or does not increase from the point before.</source>
@@ -2043,7 +2043,7 @@
     </message>
     <message>
         <source>Device {0} has {1} {2}; it must lie between {3} and {4}.</source>
-        <translation>L’appareil {0} a {1} {2} ; ce doit être entre {3} et {4}.</translation>
+        <translation>L’appareil {0} a {1} {2}&#xa0;; ce doit être entre {3} et {4}.</translation>
     </message>
     <message>
         <source>Correct that figure in the device&apos;s file.</source>
@@ -2059,7 +2059,7 @@
     </message>
     <message>
         <source>Two devices have the id &quot;{0}&quot;.</source>
-        <translation>Deux appareils ont l’identifiant « {0} ».</translation>
+        <translation>Deux appareils ont l’identifiant «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>Give each its own.</source>
@@ -2067,7 +2067,7 @@
     </message>
     <message>
         <source>{0} has the id &quot;{1}&quot;.</source>
-        <translation>{0} a l’identifiant « {1} ».</translation>
+        <translation>{0} a l’identifiant «&#xa0;{1}&#xa0;».</translation>
     </message>
     <message>
         <source>Use up to 64 small letters, digits and dashes.</source>
@@ -2075,7 +2075,7 @@
     </message>
     <message>
         <source>{0} is worn &quot;{1}&quot;.</source>
-        <translation>{0} est porté « {1} ».</translation>
+        <translation>{0} est porté «&#xa0;{1}&#xa0;».</translation>
     </message>
     <message>
         <source>Use head, belt or back.</source>
@@ -2099,7 +2099,7 @@
     </message>
     <message>
         <source>The battery is not discharging: unplug the machine to measure by its gauge.</source>
-        <translation>La batterie ne se décharge pas : débranchez la machine pour mesurer par sa jauge.</translation>
+        <translation>La batterie ne se décharge pas&#xa0;: débranchez la machine pour mesurer par sa jauge.</translation>
     </message>
     <message>
         <source>No battery gauge at {0}.</source>
@@ -2123,7 +2123,7 @@
     </message>
     <message>
         <source>{0} has &quot;{1}&quot; {2}; it must lie between {3} and {4}.</source>
-        <translation>{0} a &quot;{1}&quot; {2} ; ce doit être entre {3} et {4}.</translation>
+        <translation>{0} a &quot;{1}&quot; {2}&#xa0;; ce doit être entre {3} et {4}.</translation>
     </message>
     <message>
         <source>{0} has &quot;{1}&quot; empty or longer than {2} characters.</source>
@@ -2131,7 +2131,7 @@
     </message>
     <message>
         <source>{0} has the source &quot;{1}&quot;.</source>
-        <translation>{0} a la source « {1} ».</translation>
+        <translation>{0} a la source «&#xa0;{1}&#xa0;».</translation>
     </message>
     <message>
         <source>Idle power</source>
@@ -2139,7 +2139,7 @@
     </message>
     <message>
         <source>Nothing on this machine tells its energy: idle and active power are assumed. Measure them with a current clamp or a power meter, and give them.</source>
-        <translation>Rien sur cette machine n’indique son énergie : les puissances au repos et en charge sont supposées. Mesurez-les avec une pince ampèremétrique ou un wattmètre, et indiquez-les.</translation>
+        <translation>Rien sur cette machine n’indique son énergie&#xa0;: les puissances au repos et en charge sont supposées. Mesurez-les avec une pince ampèremétrique ou un wattmètre, et indiquez-les.</translation>
     </message>
     <message>
         <source>Memory bandwidth</source>
@@ -2151,7 +2151,7 @@
     </message>
     <message>
         <source>Other work disturbed the timing: batches usually took {0} times as long as the fastest one. Measure again on a quiet machine.</source>
-        <translation>Un autre travail a perturbé le chronométrage : les lots ont en général duré {0} fois plus que le plus rapide. Mesurez de nouveau sur une machine au calme.</translation>
+        <translation>Un autre travail a perturbé le chronométrage&#xa0;: les lots ont en général duré {0} fois plus que le plus rapide. Mesurez de nouveau sur une machine au calme.</translation>
     </message>
     <message>
         <source>The grid holds no problem.</source>
@@ -2159,7 +2159,7 @@
     </message>
     <message>
         <source>{0} of {1} problems are larger than the memory allowed and were left out; beyond {2} nodes the plan goes on in proportion.</source>
-        <translation>{0} problèmes sur {1} dépassent la mémoire permise et ont été omis ; au-delà de {2} nœuds, le plan continue en proportion.</translation>
+        <translation>{0} problèmes sur {1} dépassent la mémoire permise et ont été omis&#xa0;; au-delà de {2} nœuds, le plan continue en proportion.</translation>
     </message>
     <message>
         <source>This build has no OpenCL.</source>
@@ -2175,11 +2175,11 @@
     </message>
     <message>
         <source>There is no OpenCL device &quot;{0}&quot;.</source>
-        <translation>Il n’y a pas d’appareil OpenCL « {0} ».</translation>
+        <translation>Il n’y a pas d’appareil OpenCL «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>Found: {1}. A device shows once its driver is installed (pocl-opencl-icd for processors).</source>
-        <translation>Trouvé : {1}. Un appareil apparaît une fois son pilote installé (pocl-opencl-icd pour les processeurs).</translation>
+        <translation>Trouvé&#xa0;: {1}. Un appareil apparaît une fois son pilote installé (pocl-opencl-icd pour les processeurs).</translation>
     </message>
     <message>
         <source>{0} of {1} is not between {2} and {3}.</source>
@@ -2195,19 +2195,19 @@
     </message>
     <message>
         <source>It draws {0} W when idle; its battery allows {1} W over {2} h, and is empty after {3} h without computing anything.</source>
-        <translation>Il consomme {0} W au repos ; sa batterie permet {1} W pendant {2} h, et elle est vide au bout de {3} h sans rien calculer.</translation>
+        <translation>Il consomme {0} W au repos&#xa0;; sa batterie permet {1} W pendant {2} h, et elle est vide au bout de {3} h sans rien calculer.</translation>
     </message>
     <message>
         <source>Its battery is empty after {0} h of {1} h: only {2} W of headroom over idling.</source>
-        <translation>Sa batterie est vide au bout de {0} h sur {1} h : seulement {2} W de marge au-dessus du repos.</translation>
+        <translation>Sa batterie est vide au bout de {0} h sur {1} h&#xa0;: seulement {2} W de marge au-dessus du repos.</translation>
     </message>
     <message>
         <source>It reaches {0} C when idle; the limit is {1} C.</source>
-        <translation>Il atteint {0} C au repos ; la limite est de {1} C.</translation>
+        <translation>Il atteint {0} C au repos&#xa0;; la limite est de {1} C.</translation>
     </message>
     <message>
         <source>It reaches {0} C; the limit is {1} C.</source>
-        <translation>Il atteint {0} C ; la limite est de {1} C.</translation>
+        <translation>Il atteint {0} C&#xa0;; la limite est de {1} C.</translation>
     </message>
     <message>
         <source>It computes {0} frames a second of {1}.</source>
@@ -2215,19 +2215,19 @@
     </message>
     <message>
         <source>{0} mm is coarser than the convergence study reaches; planned is its coarsest resolution, {1} mm3 a node.</source>
-        <translation>{0} mm est plus grossier que ce qu’atteint l’étude de convergence ; le plan prend sa résolution la plus grossière, {1} mm3 par nœud.</translation>
+        <translation>{0} mm est plus grossier que ce qu’atteint l’étude de convergence&#xa0;; le plan prend sa résolution la plus grossière, {1} mm3 par nœud.</translation>
     </message>
     <message>
         <source>A frame is {0} block products as in the dissertation, without the vector updates of conjugate gradients; a simulation that couples 27 nodes moves {1} times as much.</source>
-        <translation>Une image fait {0} produits par blocs comme dans la thèse, sans les mises à jour de vecteurs du gradient conjugué ; une simulation qui couple 27 nœuds déplace {1} fois plus de données.</translation>
+        <translation>Une image fait {0} produits par blocs comme dans la thèse, sans les mises à jour de vecteurs du gradient conjugué&#xa0;; une simulation qui couple 27 nœuds déplace {1} fois plus de données.</translation>
     </message>
     <message>
         <source>{0} holds with next to no headroom: its battery allows {1} W over {2} h, and idling takes {3} W of them.</source>
-        <translation>{0} tient presque sans marge : sa batterie permet {1} W pendant {2} h, et le repos en prend {3} W.</translation>
+        <translation>{0} tient presque sans marge&#xa0;: sa batterie permet {1} W pendant {2} h, et le repos en prend {3} W.</translation>
     </message>
     <message>
         <source>{0}: after {1} s comes {2} s.</source>
-        <translation>{0} : après {1} s vient {2} s.</translation>
+        <translation>{0}&#xa0;: après {1} s vient {2} s.</translation>
     </message>
     <message>
         <source>Give the column that holds the time, or cut the file there.</source>
@@ -2239,7 +2239,7 @@
     </message>
     <message>
         <source>Check the columns; at most every tenth row may be empty.</source>
-        <translation>Vérifiez les colonnes ; au plus une ligne sur dix peut être vide.</translation>
+        <translation>Vérifiez les colonnes&#xa0;; au plus une ligne sur dix peut être vide.</translation>
     </message>
     <message>
         <source>The trace holds {0} runs, the log {1}.</source>
@@ -2263,11 +2263,11 @@
     </message>
     <message>
         <source>Record pauses between the runs; check that the right column was read.</source>
-        <translation>Enregistrez des pauses entre les exécutions ; vérifiez que la bonne colonne a été lue.</translation>
+        <translation>Enregistrez des pauses entre les exécutions&#xa0;; vérifiez que la bonne colonne a été lue.</translation>
     </message>
     <message>
         <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
-        <translation>L’enregistrement a {0} lacunes ; les exécutions s’y arrêtent et rien n’est inventé pour les combler.</translation>
+        <translation>L’enregistrement a {0} lacunes&#xa0;; les exécutions s’y arrêtent et rien n’est inventé pour les combler.</translation>
     </message>
     <message>
         <source>{0} rows held no reading.</source>
@@ -2275,11 +2275,11 @@
     </message>
     <message>
         <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
-        <translation>{0} exécutions atteignent la limite de la plage d’un canal : leur puissance est une borne inférieure. Recommencez avec une plage plus grande.</translation>
+        <translation>{0} exécutions atteignent la limite de la plage d’un canal&#xa0;: leur puissance est une borne inférieure. Recommencez avec une plage plus grande.</translation>
     </message>
     <message>
         <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
-        <translation>La puissance au repos varie de {0} W pendant l’enregistrement ; chaque exécution est comparée aux pauses voisines.</translation>
+        <translation>La puissance au repos varie de {0} W pendant l’enregistrement&#xa0;; chaque exécution est comparée aux pauses voisines.</translation>
     </message>
     <message>
         <source>A liver of {0} cm3 is outside {1} to {2} cm3.</source>
@@ -2287,7 +2287,7 @@
     </message>
     <message>
         <source>Check the volume and its unit: 1 litre is 1000 cm3.</source>
-        <translation>Vérifiez le volume et son unité : 1 litre vaut 1000 cm3.</translation>
+        <translation>Vérifiez le volume et son unité&#xa0;: 1 litre vaut 1000 cm3.</translation>
     </message>
     <message>
         <source>A node cannot stand for {0} mm3.</source>
@@ -2311,11 +2311,11 @@
     </message>
     <message>
         <source>Make one: glisson-cli sirgn SEQUENCE.json --method icp --out FOLDER.</source>
-        <translation>Produisez-en un : glisson-cli sirgn SEQUENCE.json --method icp --out DOSSIER.</translation>
+        <translation>Produisez-en un&#xa0;: glisson-cli sirgn SEQUENCE.json --method icp --out DOSSIER.</translation>
     </message>
     <message>
         <source>{0}: {1}.</source>
-        <translation>{0} : {1}.</translation>
+        <translation>{0}&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>A sequence names frames with a cloud each, and landmarks.</source>
@@ -2339,7 +2339,7 @@
     </message>
     <message>
         <source>Frame {0} is missing: there is no file {1}.</source>
-        <translation>L’image {0} manque : il n’y a pas de fichier {1}.</translation>
+        <translation>L’image {0} manque&#xa0;: il n’y a pas de fichier {1}.</translation>
     </message>
     <message>
         <source>Remove the frame from the sequence (and number the tracks anew), or add it.</source>
@@ -2363,7 +2363,7 @@
     </message>
     <message>
         <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
-        <translation>{0} repères ont été vus dans trois images ou plus ; il en faut quatre non alignés.</translation>
+        <translation>{0} repères ont été vus dans trois images ou plus&#xa0;; il en faut quatre non alignés.</translation>
     </message>
     <message>
         <source>Track more features, or mark them by hand.</source>
@@ -2379,11 +2379,11 @@
     </message>
     <message>
         <source>{0} frames are too few to correlate; {1} are needed.</source>
-        <translation>{0} images sont trop peu pour une corrélation ; il en faut {1}.</translation>
+        <translation>{0} images sont trop peu pour une corrélation&#xa0;; il en faut {1}.</translation>
     </message>
     <message>
         <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
-        <translation>L’image {0} a {1} points, et {2} après recalage : ils doivent correspondre un à un.</translation>
+        <translation>L’image {0} a {1} points, et {2} après recalage&#xa0;: ils doivent correspondre un à un.</translation>
     </message>
     <message>
         <source>Landmark {0} was followed through {1} frames of {2}.</source>
@@ -2407,7 +2407,7 @@
     </message>
     <message>
         <source>{0} frames show something; {1} are needed.</source>
-        <translation>{0} images montrent quelque chose ; il en faut {1}.</translation>
+        <translation>{0} images montrent quelque chose&#xa0;; il en faut {1}.</translation>
     </message>
     <message>
         <source>No feature could be followed through {0} frames.</source>
@@ -2451,7 +2451,7 @@
     </message>
     <message>
         <source>The {0} has {1} points to match; {2} is the most.</source>
-        <translation>{0} a {1} points à mettre en correspondance ; le maximum est {2}.</translation>
+        <translation>{0} a {1} points à mettre en correspondance&#xa0;; le maximum est {2}.</translation>
     </message>
     <message>
         <source>Some points of the {0} are not connected over the surface.</source>
@@ -2475,7 +2475,7 @@
     </message>
     <message>
         <source>The written-out field needs {0} MB; {1} MB are allowed.</source>
-        <translation>Le champ développé exige {0} Mo ; {1} Mo sont permis.</translation>
+        <translation>Le champ développé exige {0} Mo&#xa0;; {1} Mo sont permis.</translation>
     </message>
     <message>
         <source>No point of one surface has a partner on the other.</source>
@@ -2535,7 +2535,7 @@
     </message>
     <message>
         <source>{0} points are too many for a spline; {1} is the most.</source>
-        <translation>{0} points sont trop pour une spline ; le maximum est {1}.</translation>
+        <translation>{0} points sont trop pour une spline&#xa0;; le maximum est {1}.</translation>
     </message>
     <message>
         <source>A spline needs four matched points that do not lie in one plane.</source>
@@ -2543,7 +2543,7 @@
     </message>
     <message>
         <source>A result that did not converge cannot be compared: {0}</source>
-        <translation>Un résultat qui n’a pas convergé ne peut pas être comparé : {0}</translation>
+        <translation>Un résultat qui n’a pas convergé ne peut pas être comparé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>A result lacks the point array {0} with three values a point.</source>
@@ -2555,11 +2555,11 @@
     </message>
     <message>
         <source>The two results are not of the same mesh: {0} points and {1} cells against {2} and {3}.</source>
-        <translation>Les deux résultats ne sont pas du même maillage : {0} points et {1} cellules contre {2} et {3}.</translation>
+        <translation>Les deux résultats ne sont pas du même maillage&#xa0;: {0} points et {1} cellules contre {2} et {3}.</translation>
     </message>
     <message>
         <source>The two results are not of the same mesh: point {0} rests at different places.</source>
-        <translation>Les deux résultats ne sont pas du même maillage : le point {0} repose à des endroits différents.</translation>
+        <translation>Les deux résultats ne sont pas du même maillage&#xa0;: le point {0} repose à des endroits différents.</translation>
     </message>
     <message>
         <source>No part of the surface looks like the liver&apos;s bare area (its upper rear).</source>
@@ -2571,7 +2571,7 @@
     </message>
     <message>
         <source>{0} of the session cannot be read: {1}.</source>
-        <translation>{0} de la séance ne peut pas être lu : {1}.</translation>
+        <translation>{0} de la séance ne peut pas être lu&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} or {&quot;undo&quot;: true}.</source>
@@ -2583,7 +2583,7 @@
     </message>
     <message>
         <source>Move it through the liver; positions are patient coordinates (LPS, mm).</source>
-        <translation>Déplacez-la à travers le foie ; les positions sont des coordonnées du patient (LPS, mm).</translation>
+        <translation>Déplacez-la à travers le foie&#xa0;; les positions sont des coordonnées du patient (LPS, mm).</translation>
     </message>
     <message>
         <source>The point of the specimen lies on the cut, or is not finite.</source>
@@ -2591,7 +2591,7 @@
     </message>
     <message>
         <source>The step did not converge: after {0} rounds a tool still reaches {1} mm into the surface, which still moves by {2} mm.</source>
-        <translation>Le pas n’a pas convergé : après {0} tours, un instrument pénètre encore de {1} mm dans la surface, qui bouge encore de {2} mm.</translation>
+        <translation>Le pas n’a pas convergé&#xa0;: après {0} tours, un instrument pénètre encore de {1} mm dans la surface, qui bouge encore de {2} mm.</translation>
     </message>
     <message>
         <source>Placing landmarks and structures</source>
@@ -2607,7 +2607,7 @@
     </message>
     <message>
         <source>A bent rod that lies under the liver as a hook some centimetres across, sold in several sizes. We found no published drawing and no measured force: that it spreads its pull over a disc of 70 mm is our assumption, and 2 N is the weight of 190 ml of liver (1.06 kg/l), what lifting the lower part of segment VI takes. On a real liver&apos;s shape with a uniform 6 kPa, 2 N hoist it by 18 mm; linear elasticity is strained beyond.</source>
-        <translation>Une tige coudée placée sous le foie comme un crochet de quelques centimètres, vendue en plusieurs tailles. Nous n’avons trouvé ni dessin publié ni force mesurée : qu’elle répartisse sa traction sur un disque de 70 mm est notre hypothèse, et 2 N est le poids de 190 ml de foie (1.06 kg/l), ce qu’exige le soulèvement de la partie inférieure du segment VI. Sur la forme d’un vrai foie de 6 kPa uniformes, 2 N le soulèvent de 18 mm ; au-delà, l’élasticité linéaire n’est plus valable.</translation>
+        <translation>Une tige coudée placée sous le foie comme un crochet de quelques centimètres, vendue en plusieurs tailles. Nous n’avons trouvé ni dessin publié ni force mesurée&#xa0;: qu’elle répartisse sa traction sur un disque de 70 mm est notre hypothèse, et 2 N est le poids de 190 ml de foie (1.06 kg/l), ce qu’exige le soulèvement de la partie inférieure du segment VI. Sur la forme d’un vrai foie de 6 kPa uniformes, 2 N le soulèvent de 18 mm&#xa0;; au-delà, l’élasticité linéaire n’est plus valable.</translation>
     </message>
     <message>
         <source>Grasper</source>
@@ -2615,7 +2615,7 @@
     </message>
     <message>
         <source>Grip forces in porcine laparoscopic liver resection: 1.75 N on average, 3.38 N at most (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). The jaw&apos;s patch of 12 mm is our assumption.</source>
-        <translation>Forces de préhension lors de résections hépatiques laparoscopiques chez le porc : 1.75 N en moyenne, 3.38 N au plus (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). Le contact du mors, de 12 mm, est notre hypothèse.</translation>
+        <translation>Forces de préhension lors de résections hépatiques laparoscopiques chez le porc&#xa0;: 1.75 N en moyenne, 3.38 N au plus (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). Le contact du mors, de 12 mm, est notre hypothèse.</translation>
     </message>
     <message>
         <source>Palpation probe</source>
@@ -2623,7 +2623,7 @@
     </message>
     <message>
         <source>A sphere of 10 mm pressed lightly; size and force are our assumption.</source>
-        <translation>Une sphère de 10 mm appuyée légèrement ; taille et force sont notre hypothèse.</translation>
+        <translation>Une sphère de 10 mm appuyée légèrement&#xa0;; taille et force sont notre hypothèse.</translation>
     </message>
     <message>
         <source>There is no tool {0}.</source>
@@ -2631,11 +2631,11 @@
     </message>
     <message>
         <source>The tools are: {1}.</source>
-        <translation>Les instruments sont : {1}.</translation>
+        <translation>Les instruments sont&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>A case has no scene named {0}; it has {1}.</source>
-        <translation>Un cas n’a pas de scène nommée {0} ; il a {1}.</translation>
+        <translation>Un cas n’a pas de scène nommée {0}&#xa0;; il a {1}.</translation>
     </message>
     <message>
         <source>{0} has no displacement.</source>
@@ -2643,19 +2643,19 @@
     </message>
     <message>
         <source>A picture has from {0} to {1} pixels a side; {2} x {3} were asked for.</source>
-        <translation>Une image a de {0} à {1} pixels de côté ; {2} x {3} ont été demandés.</translation>
+        <translation>Une image a de {0} à {1} pixels de côté&#xa0;; {2} x {3} ont été demandés.</translation>
     </message>
     <message>
         <source>There is nothing to draw with: neither EGL with OpenGL 3.2 nor an X server.</source>
-        <translation>Il n’y a rien pour dessiner : ni EGL avec OpenGL 3.2, ni serveur X.</translation>
+        <translation>Il n’y a rien pour dessiner&#xa0;: ni EGL avec OpenGL 3.2, ni serveur X.</translation>
     </message>
     <message>
         <source>Install Mesa&apos;s drivers (on Debian: libegl-mesa0 and libgl1-mesa-dri).</source>
-        <translation>Installez les pilotes de Mesa (sous Debian : libegl-mesa0 et libgl1-mesa-dri).</translation>
+        <translation>Installez les pilotes de Mesa (sous Debian&#xa0;: libegl-mesa0 et libgl1-mesa-dri).</translation>
     </message>
     <message>
         <source>The picture could not be written: {0}.</source>
-        <translation>L’image n’a pas pu être écrite : {0}.</translation>
+        <translation>L’image n’a pas pu être écrite&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Choose a folder that you may write to, on a disk with room.</source>
@@ -2663,7 +2663,7 @@
     </message>
     <message>
         <source>This is not a PNG picture that can be read: {0}.</source>
-        <translation>Ce n’est pas une image PNG lisible : {0}.</translation>
+        <translation>Ce n’est pas une image PNG lisible&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Check that the file is whole.</source>
@@ -2675,11 +2675,11 @@
     </message>
     <message>
         <source>The picture cannot be drawn: {0}.</source>
-        <translation>L’image ne peut pas être dessinée : {0}.</translation>
+        <translation>L’image ne peut pas être dessinée&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Every voxel of the image has the same value: there is nothing to grow in.</source>
-        <translation>Tous les voxels de l’image ont la même valeur : il n’y a rien où croître.</translation>
+        <translation>Tous les voxels de l’image ont la même valeur&#xa0;: il n’y a rien où croître.</translation>
     </message>
     <message>
         <source>Growing</source>
@@ -2703,27 +2703,27 @@
     </message>
     <message>
         <source>Seed {0} is much brighter ({1}) than seed {2} ({3}): one of them is probably not in the liver. Take it away.</source>
-        <translation>Le germe {0} est bien plus clair ({1}) que le germe {2} ({3}) : l’un d’eux n’est probablement pas dans le foie. Retirez-le.</translation>
+        <translation>Le germe {0} est bien plus clair ({1}) que le germe {2} ({3})&#xa0;: l’un d’eux n’est probablement pas dans le foie. Retirez-le.</translation>
     </message>
     <message>
         <source>Nothing grew from seed {0}: the tissue around it is too thin or uneven. Move it to the middle of the liver.</source>
-        <translation>Rien n’a crû à partir du germe {0} : le tissu autour est trop mince ou irrégulier. Déplacez-le au milieu du foie.</translation>
+        <translation>Rien n’a crû à partir du germe {0}&#xa0;: le tissu autour est trop mince ou irrégulier. Déplacez-le au milieu du foie.</translation>
     </message>
     <message>
         <source>The region reaches the side of the image: it has probably leaked into the body wall. Cut it there, or raise neck_radius_mm.</source>
-        <translation>La région atteint le côté de l’image : elle a probablement débordé dans la paroi abdominale. Coupez-la à cet endroit, ou augmentez neck_radius_mm.</translation>
+        <translation>La région atteint le côté de l’image&#xa0;: elle a probablement débordé dans la paroi abdominale. Coupez-la à cet endroit, ou augmentez neck_radius_mm.</translation>
     </message>
     <message>
         <source>The region reaches the first or last slice: the liver is not wholly in the image, and its volume is that of the part seen.</source>
-        <translation>La région atteint la première ou la dernière coupe : le foie n’est pas entièrement dans l’image, et son volume est celui de la partie visible.</translation>
+        <translation>La région atteint la première ou la dernière coupe&#xa0;: le foie n’est pas entièrement dans l’image, et son volume est celui de la partie visible.</translation>
     </message>
     <message>
         <source>{0} ml is more than a liver holds: the region has probably leaked into a neighbour. Raise neck_radius_mm, or cut it by hand.</source>
-        <translation>{0} ml, c’est plus que n’en contient un foie : la région a probablement débordé dans un organe voisin. Augmentez neck_radius_mm, ou coupez-la à la main.</translation>
+        <translation>{0} ml, c’est plus que n’en contient un foie&#xa0;: la région a probablement débordé dans un organe voisin. Augmentez neck_radius_mm, ou coupez-la à la main.</translation>
     </message>
     <message>
         <source>{0} ml is less than an adult&apos;s liver holds: the growth has probably stopped early. Add a seed in the part that is missing, or raise tolerance_sd.</source>
-        <translation>{0} ml, c’est moins que n’en contient le foie d’un adulte : la croissance s’est probablement arrêtée trop tôt. Ajoutez un germe dans la partie manquante, ou augmentez tolerance_sd.</translation>
+        <translation>{0} ml, c’est moins que n’en contient le foie d’un adulte&#xa0;: la croissance s’est probablement arrêtée trop tôt. Ajoutez un germe dans la partie manquante, ou augmentez tolerance_sd.</translation>
     </message>
     <message>
         <source>An image of {0} x {1} x {2} voxels is too thin to grow in.</source>
@@ -2787,7 +2787,7 @@
     </message>
     <message>
         <source>None of the {0} patients could be used; the first one: {1}</source>
-        <translation>Aucun des {0} patients n’a pu être utilisé ; le premier : {1}</translation>
+        <translation>Aucun des {0} patients n’a pu être utilisé&#xa0;; le premier&#xa0;: {1}</translation>
     </message>
     <message>
         <source>{0} holds files that are not an earlier demo&apos;s.</source>
@@ -2811,7 +2811,7 @@
     </message>
     <message>
         <source>{0} does not list the demo&apos;s landmarks: {1}.</source>
-        <translation>{0} ne donne pas les repères de la démonstration : {1}.</translation>
+        <translation>{0} ne donne pas les repères de la démonstration&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>reading the anatomy</source>
@@ -2843,15 +2843,15 @@
     </message>
     <message>
         <source>None of the trials could be compared; the first one: {0}</source>
-        <translation>Aucun des essais n’a pu être comparé ; le premier : {0}</translation>
+        <translation>Aucun des essais n’a pu être comparé&#xa0;; le premier&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The phantom&apos;s equilibrium was not reached: {0}</source>
-        <translation>L’équilibre du fantôme n’a pas été atteint : {0}</translation>
+        <translation>L’équilibre du fantôme n’a pas été atteint&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The two judge different videos: {0} and {1}.</source>
-        <translation>Les deux jugent des vidéos différentes : {0} et {1}.</translation>
+        <translation>Les deux jugent des vidéos différentes&#xa0;: {0} et {1}.</translation>
     </message>
     <message>
         <source>Judge both registrations on the same sequence.json.</source>
@@ -2895,7 +2895,7 @@
     </message>
     <message>
         <source>A board has from {0} to {1} points a side and a positive spacing; {2} x {3} at {4} mm were given.</source>
-        <translation>Une mire a de {0} à {1} points de côté et un espacement positif ; {2} x {3} à {4} mm ont été donnés.</translation>
+        <translation>Une mire a de {0} à {1} points de côté et un espacement positif&#xa0;; {2} x {3} à {4} mm ont été donnés.</translation>
     </message>
     <message>
         <source>The picture shows no board of {0} x {1} points.</source>
@@ -2903,7 +2903,7 @@
     </message>
     <message>
         <source>Count inner corners or circles, columns first; the board must be sharp and lit.</source>
-        <translation>Comptez les coins intérieurs ou les cercles, colonnes d’abord ; la mire doit être nette et éclairée.</translation>
+        <translation>Comptez les coins intérieurs ou les cercles, colonnes d’abord&#xa0;; la mire doit être nette et éclairée.</translation>
     </message>
     <message>
         <source>{0} has {1} x {2} pixels, the first picture has {3} x {4}.</source>
@@ -2911,15 +2911,15 @@
     </message>
     <message>
         <source>{0} of {1} pairs show the board to both eyes; {2} are needed.</source>
-        <translation>{0} paires sur {1} montrent la mire aux deux yeux ; il en faut {2}.</translation>
+        <translation>{0} paires sur {1} montrent la mire aux deux yeux&#xa0;; il en faut {2}.</translation>
     </message>
     <message>
         <source>Check the board&apos;s kind, its columns and rows; take it from several sides.</source>
-        <translation>Vérifiez le type de mire, ses colonnes et ses lignes ; prenez-la sous plusieurs angles.</translation>
+        <translation>Vérifiez le type de mire, ses colonnes et ses lignes&#xa0;; prenez-la sous plusieurs angles.</translation>
     </message>
     <message>
         <source>The calibration did not converge: {0}.</source>
-        <translation>Le calibrage n’a pas convergé : {0}.</translation>
+        <translation>Le calibrage n’a pas convergé&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>By these pictures the right eye lies to the left of the left one.</source>
@@ -2931,7 +2931,7 @@
     </message>
     <message>
         <source>The calibration {0} has no {1}.</source>
-        <translation>Il manque au calibrage {0} : {1}.</translation>
+        <translation>Il manque au calibrage {0}&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>It needs left and right, each with a matrix and distortion, and left_to_right.</source>
@@ -2947,11 +2947,11 @@
     </message>
     <message>
         <source>Both eyes are in one place: there is no depth to see.</source>
-        <translation>Les deux yeux sont au même endroit : aucune profondeur n’est visible.</translation>
+        <translation>Les deux yeux sont au même endroit&#xa0;: aucune profondeur n’est visible.</translation>
     </message>
     <message>
         <source>left_to_right does not hold a rotation: R R^T or the last row is off by {0}.</source>
-        <translation>left_to_right ne contient pas de rotation : R R^T ou la dernière ligne s’écarte de {0}.</translation>
+        <translation>left_to_right ne contient pas de rotation&#xa0;: R R^T ou la dernière ligne s’écarte de {0}.</translation>
     </message>
     <message>
         <source>The picture {0} cannot be read.</source>
@@ -2983,7 +2983,7 @@
     </message>
     <message>
         <source>The video {0} cannot be decoded: {1}.</source>
-        <translation>La vidéo {0} ne peut pas être décodée : {1}.</translation>
+        <translation>La vidéo {0} ne peut pas être décodée&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>A picture of {0} has {1} x {2} pixels, the first has {3} x {4}.</source>
@@ -2991,11 +2991,11 @@
     </message>
     <message>
         <source>The pair could not be matched: {0}.</source>
-        <translation>La paire n’a pas pu être mise en correspondance : {0}.</translation>
+        <translation>La paire n’a pas pu être mise en correspondance&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>The calibration is not of these pictures: half of the {0} features that both show miss their epipolar lines by {1} pixels or more.</source>
-        <translation>Le calibrage n’est pas celui de ces images : la moitié des {0} points communs aux deux manquent leur ligne épipolaire de {1} pixels ou plus.</translation>
+        <translation>Le calibrage n’est pas celui de ces images&#xa0;: la moitié des {0} points communs aux deux manquent leur ligne épipolaire de {1} pixels ou plus.</translation>
     </message>
     <message>
         <source>Check that the calibration is this camera&apos;s, at this size of picture, and that left and right are not exchanged.</source>
@@ -3003,7 +3003,7 @@
     </message>
     <message>
         <source>By the calibration, {0} % of what both pictures show would lie behind the camera.</source>
-        <translation>D’après le calibrage, {0} % de ce que montrent les deux images serait derrière la caméra.</translation>
+        <translation>D’après le calibrage, {0}&#xa0;% de ce que montrent les deux images serait derrière la caméra.</translation>
     </message>
     <message>
         <source>Left and right pictures are exchanged, or the calibration is of another camera.</source>
@@ -3015,7 +3015,7 @@
     </message>
     <message>
         <source>The calibration is of pictures of another size: its principal point {0}, {1} lies outside {2} x {3} pixels.</source>
-        <translation>Le calibrage est celui d’images d’une autre taille : son point principal {0}, {1} est hors de {2} x {3} pixels.</translation>
+        <translation>Le calibrage est celui d’images d’une autre taille&#xa0;: son point principal {0}, {1} est hors de {2} x {3} pixels.</translation>
     </message>
     <message>
         <source>Calibrate at the size of the video, or scale the calibration&apos;s matrices.</source>
@@ -3027,11 +3027,11 @@
     </message>
     <message>
         <source>The images are {0} x {1} pixels; {2} x {3} were expected.</source>
-        <translation>Les images ont {0} x {1} pixels ; {2} x {3} étaient attendus.</translation>
+        <translation>Les images ont {0} x {1} pixels&#xa0;; {2} x {3} étaient attendus.</translation>
     </message>
     <message>
         <source>There are {0} left and {1} right pictures: they must be taken in pairs.</source>
-        <translation>Il y a {0} images gauches et {1} droites : elles doivent être prises par paires.</translation>
+        <translation>Il y a {0} images gauches et {1} droites&#xa0;: elles doivent être prises par paires.</translation>
     </message>
     <message>
         <source>calibrating</source>
@@ -3043,7 +3043,7 @@
     </message>
     <message>
         <source>--channel wants COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], not &quot;{0}&quot;.</source>
-        <translation>--channel attend COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], et non « {0} ».</translation>
+        <translation>--channel attend COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], et non «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>A column that holds watts is just COLUMN.</source>
@@ -3055,7 +3055,7 @@
     </message>
     <message>
         <source>There is no device &quot;{0}&quot;.</source>
-        <translation>Il n’y a pas d’appareil « {0} ».</translation>
+        <translation>Il n’y a pas d’appareil «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>glisson-cli platform list shows their ids.</source>
@@ -3063,7 +3063,7 @@
     </message>
     <message>
         <source>A result has no scene named {0}; it has displacement.</source>
-        <translation>Un résultat n’a pas de scène nommée {0} ; il a displacement.</translation>
+        <translation>Un résultat n’a pas de scène nommée {0}&#xa0;; il a displacement.</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -3071,7 +3071,7 @@
     </message>
     <message>
         <source>The points of a cut need three columns: x_mm, y_mm, z_mm.</source>
-        <translation>Les points d’une section exigent trois colonnes : x_mm, y_mm, z_mm.</translation>
+        <translation>Les points d’une section exigent trois colonnes&#xa0;: x_mm, y_mm, z_mm.</translation>
     </message>
     <message>
         <source>Reading the liver</source>
@@ -3099,15 +3099,15 @@
     </message>
     <message>
         <source>{0} wants a position X,Y,Z in mm, not &quot;{1}&quot;.</source>
-        <translation>{0} attend une position X,Y,Z en mm, et non « {1} ».</translation>
+        <translation>{0} attend une position X,Y,Z en mm, et non «&#xa0;{1}&#xa0;».</translation>
     </message>
     <message>
         <source>--size wants WxH in pixels, 16 to 16384 each, not &quot;{0}&quot;.</source>
-        <translation>--size attend LxH en pixels, de 16 à 16384 chacun, et non « {0} ».</translation>
+        <translation>--size attend LxH en pixels, de 16 à 16384 chacun, et non «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>The computation did not converge: {0}</source>
-        <translation>Le calcul n’a pas convergé : {0}</translation>
+        <translation>Le calcul n’a pas convergé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The sequence names no registered clouds.</source>
@@ -3123,7 +3123,7 @@
     </message>
     <message>
         <source>Add &quot;model&quot;: a surface file.</source>
-        <translation>Ajoutez &quot;model&quot; : un fichier de surface.</translation>
+        <translation>Ajoutez &quot;model&quot;&#xa0;: un fichier de surface.</translation>
     </message>
     <message>
         <source>Frame {0} shares too few landmarks with the others.</source>
@@ -3151,7 +3151,7 @@
     </message>
     <message>
         <source>Known are: {1}</source>
-        <translation>Sont connues : {1}</translation>
+        <translation>Sont connues&#xa0;: {1}</translation>
     </message>
     <message>
         <source>Cut {0} opens the body nowhere.</source>
@@ -3159,7 +3159,7 @@
     </message>
     <message>
         <source>Move it through the body, or open it wider; positions are LPS, in mm.</source>
-        <translation>Déplacez-la à travers le corps, ou ouvrez-la davantage ; les positions sont en LPS, en mm.</translation>
+        <translation>Déplacez-la à travers le corps, ou ouvrez-la davantage&#xa0;; les positions sont en LPS, en mm.</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;normal&quot; (a plane) and &quot;points_mm&quot; (a sheet through them).</source>
@@ -3167,7 +3167,7 @@
     </message>
     <message>
         <source>{0} is a sheet: its &quot;center_mm&quot; needs the &quot;radius_mm&quot; that it is open within.</source>
-        <translation>{0} est une surface : son &quot;center_mm&quot; exige le &quot;radius_mm&quot; dans lequel elle est ouverte.</translation>
+        <translation>{0} est une surface&#xa0;: son &quot;center_mm&quot; exige le &quot;radius_mm&quot; dans lequel elle est ouverte.</translation>
     </message>
     <message>
         <source>{0} must be a list of three points or more.</source>
@@ -3183,27 +3183,27 @@
     </message>
     <message>
         <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments, tools or the meshfree engine.</source>
-        <translation>Directement à partir de données, il y a des équilibres par éléments finis : sans mouvement, capsule, ligaments, instruments ni moteur sans maillage.</translation>
+        <translation>Directement à partir de données, il y a des équilibres par éléments finis&#xa0;: sans mouvement, capsule, ligaments, instruments ni moteur sans maillage.</translation>
     </message>
     <message>
         <source>At {0} Hz the phase of {1} % of the tissue does not come back to itself over a period; those voxels were left out.</source>
-        <translation>À {0} Hz, la phase de {1} % du tissu ne revient pas à elle-même sur une période ; ces voxels ont été omis.</translation>
+        <translation>À {0} Hz, la phase de {1}&#xa0;% du tissu ne revient pas à elle-même sur une période&#xa0;; ces voxels ont été omis.</translation>
     </message>
     <message>
         <source>The loss came out negative, as when the instants run backwards in time; its sign was turned.</source>
-        <translation>La perte est sortie négative, comme si les instants remontaient le temps ; son signe a été inversé.</translation>
+        <translation>La perte est sortie négative, comme si les instants remontaient le temps&#xa0;; son signe a été inversé.</translation>
     </message>
     <message>
         <source>The headers name no directions: the {0} images were taken as {1} x {2} instants in their order.</source>
-        <translation>Les en-têtes ne nomment pas de directions : les {0} images ont été prises comme {1} x {2} instants dans leur ordre.</translation>
+        <translation>Les en-têtes ne nomment pas de directions&#xa0;: les {0} images ont été prises comme {1} x {2} instants dans leur ordre.</translation>
     </message>
     <message>
         <source>The phase images have no unit: their full range, {0} to {1}, was taken as one turn.</source>
-        <translation>Les images de phase n’ont pas d’unité : leur plage entière, de {0} à {1}, a été prise pour un tour.</translation>
+        <translation>Les images de phase n’ont pas d’unité&#xa0;: leur plage entière, de {0} à {1}, a été prise pour un tour.</translation>
     </message>
     <message>
         <source>The plan has no figure for the effect {0}; it is left out.</source>
-        <translation>Le plan n’a pas de chiffre pour l’effet {0} ; il est omis.</translation>
+        <translation>Le plan n’a pas de chiffre pour l’effet {0}&#xa0;; il est omis.</translation>
     </message>
     <message>
         <source>{0} was not learnt from the recordings of a platform.</source>
@@ -3219,15 +3219,15 @@
     </message>
     <message>
         <source>These recordings are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
-        <translation>Les effets trouvés n’expliquent pas ces enregistrements : ils enlèvent une partie de l’erreur et ne prouvent aucune cause.</translation>
+        <translation>Les effets trouvés n’expliquent pas ces enregistrements&#xa0;: ils enlèvent une partie de l’erreur et ne prouvent aucune cause.</translation>
     </message>
     <message>
         <source>The experiment is not of kind &quot;material&quot;: it holds no strain and stress.</source>
-        <translation>L’expérience n’est pas de type &quot;material&quot; : elle ne contient ni déformation ni contrainte.</translation>
+        <translation>L’expérience n’est pas de type &quot;material&quot;&#xa0;: elle ne contient ni déformation ni contrainte.</translation>
     </message>
     <message>
         <source>A shear test cannot be used straight: take compression or tension.</source>
-        <translation>Un essai de cisaillement ne peut pas être employé directement : prenez une compression ou une traction.</translation>
+        <translation>Un essai de cisaillement ne peut pas être employé directement&#xa0;: prenez une compression ou une traction.</translation>
     </message>
     <message>
         <source>A figure is measured, computed, from the dissertation (dissertation), or assumed.</source>
@@ -3239,7 +3239,7 @@
     </message>
     <message>
         <source>The resolution for {0} mm in tissue of {1} kPa comes from this curve ({2}): {3}</source>
-        <translation>La résolution pour {0} mm dans un tissu de {1} kPa vient de cette courbe ({2}) : {3}</translation>
+        <translation>La résolution pour {0} mm dans un tissu de {1} kPa vient de cette courbe ({2})&#xa0;: {3}</translation>
     </message>
     <message>
         <source>No beam of 50 x 10 x 10 mm fits into the liver.</source>
@@ -3247,7 +3247,7 @@
     </message>
     <message>
         <source>A beam found no equilibrium: {0}</source>
-        <translation>Une poutre n’a pas trouvé d’équilibre : {0}</translation>
+        <translation>Une poutre n’a pas trouvé d’équilibre&#xa0;: {0}</translation>
     </message>
     <message>
         <source>Resolutions must grow from 0.5 mm3 or more to 600 mm3 or less, in 2 to 100 steps.</source>
@@ -3255,7 +3255,7 @@
     </message>
     <message>
         <source>With {0} nodes the beam did not converge: {1}</source>
-        <translation>Avec {0} nœuds, la poutre n’a pas convergé : {1}</translation>
+        <translation>Avec {0} nœuds, la poutre n’a pas convergé&#xa0;: {1}</translation>
     </message>
     <message>
         <source>Looking for the softest, stiffest and most uneven parts</source>
@@ -3271,7 +3271,7 @@
     </message>
     <message>
         <source>{0} has no effect that could be accepted: nothing is missing.</source>
-        <translation>{0} ne contient aucun effet à accepter : il ne manque rien.</translation>
+        <translation>{0} ne contient aucun effet à accepter&#xa0;: il ne manque rien.</translation>
     </message>
     <message>
         <source>The effect {0} was not accepted into {1}.</source>
@@ -3279,7 +3279,7 @@
     </message>
     <message>
         <source>The accepted evidence of {0} cannot be read: {1}</source>
-        <translation>Les constats acceptés de {0} ne peuvent pas être lus : {1}</translation>
+        <translation>Les constats acceptés de {0} ne peuvent pas être lus&#xa0;: {1}</translation>
     </message>
     <message>
         <source>Take it back (glisson-cli accept CASE --take-back) and accept it again.</source>
@@ -3287,23 +3287,23 @@
     </message>
     <message>
         <source>The model was made anew after this evidence had been accepted: see whether it still holds.</source>
-        <translation>Le modèle a été refait après l’acceptation de ces constats : vérifiez qu’ils valent encore.</translation>
+        <translation>Le modèle a été refait après l’acceptation de ces constats&#xa0;: vérifiez qu’ils valent encore.</translation>
     </message>
     <message>
         <source>The scenario says itself what holds the organ: the effect {0} is left out.</source>
-        <translation>Le scénario dit lui-même ce qui tient l’organe : l’effet {0} est écarté.</translation>
+        <translation>Le scénario dit lui-même ce qui tient l’organe&#xa0;: l’effet {0} est écarté.</translation>
     </message>
     <message>
         <source>The scenario says itself how stiff the organ is: the effect {0} is left out.</source>
-        <translation>Le scénario dit lui-même la rigidité de l’organe : l’effet {0} est écarté.</translation>
+        <translation>Le scénario dit lui-même la rigidité de l’organe&#xa0;: l’effet {0} est écarté.</translation>
     </message>
     <message>
         <source>The scenario says itself what skin the organ has: the effect {0} is left out.</source>
-        <translation>Le scénario dit lui-même quelle enveloppe a l’organe : l’effet {0} est écarté.</translation>
+        <translation>Le scénario dit lui-même quelle enveloppe a l’organe&#xa0;: l’effet {0} est écarté.</translation>
     </message>
     <message>
         <source>Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.</source>
-        <translation>Seul un équilibre linéaire par éléments finis peut avoir une direction de fibres : l’effet {0} est écarté.</translation>
+        <translation>Seul un équilibre linéaire par éléments finis peut avoir une direction de fibres&#xa0;: l’effet {0} est écarté.</translation>
     </message>
     <message>
         <source>{0} was not learnt from tissue.</source>
@@ -3311,7 +3311,7 @@
     </message>
     <message>
         <source>Use the model.json that glisson-cli explain wrote for a palpation or a material test; a platform&apos;s goes to glisson-cli platform learn.</source>
-        <translation>Prenez le model.json que glisson-cli explain a écrit pour une palpation ou un essai de matériau ; celui d’une plateforme va à glisson-cli platform learn.</translation>
+        <translation>Prenez le model.json que glisson-cli explain a écrit pour une palpation ou un essai de matériau&#xa0;; celui d’une plateforme va à glisson-cli platform learn.</translation>
     </message>
     <message>
         <source>In {0} no tissue can have such a {1}.</source>
@@ -3323,7 +3323,7 @@
     </message>
     <message>
         <source>The organ stiffens with strain, which this linear rehearsal cannot hold; a scenario can, with the material &quot;veronda-westmann&quot; and &quot;strain_stiffening&quot;: {0}.</source>
-        <translation>L’organe se rigidifie avec la déformation, ce que cette répétition linéaire ne peut pas rendre ; un scénario le peut, avec le matériau &quot;veronda-westmann&quot; et &quot;strain_stiffening&quot;: {0}.</translation>
+        <translation>L’organe se rigidifie avec la déformation, ce que cette répétition linéaire ne peut pas rendre&#xa0;; un scénario le peut, avec le matériau &quot;veronda-westmann&quot; et &quot;strain_stiffening&quot;: {0}.</translation>
     </message>
     <message>
         <source>The organ stiffens with strain, which this linear rehearsal cannot hold.</source>
@@ -3347,7 +3347,7 @@
     </message>
     <message>
         <source>The organ is {0} times as stiff along ({1}, {2}, {3}) as across: the specimen&apos;s axes are taken for the patient&apos;s.</source>
-        <translation>L’organe est {0} fois aussi rigide le long de ({1}, {2}, {3}) qu’en travers : les axes de l’échantillon sont pris pour ceux du patient.</translation>
+        <translation>L’organe est {0} fois aussi rigide le long de ({1}, {2}, {3}) qu’en travers&#xa0;: les axes de l’échantillon sont pris pour ceux du patient.</translation>
     </message>
     <message>
         <source>The whole organ is {0} times as stiff as was declared.</source>
@@ -3355,11 +3355,11 @@
     </message>
     <message>
         <source>Held for long, the organ creeps: it is {0} times as stiff as at once.</source>
-        <translation>Tenu longtemps, l’organe flue : il est alors {0} fois aussi rigide qu’au premier instant.</translation>
+        <translation>Tenu longtemps, l’organe flue&#xa0;: il est alors {0} fois aussi rigide qu’au premier instant.</translation>
     </message>
     <message>
         <source>The specimen&apos;s hard spot has no place in the organ: the specimen is not this organ in this place.</source>
-        <translation>Le point dur de l’échantillon n’a pas de place dans l’organe : l’échantillon n’est pas cet organe à cette place.</translation>
+        <translation>Le point dur de l’échantillon n’a pas de place dans l’organe&#xa0;: l’échantillon n’est pas cet organe à cette place.</translation>
     </message>
     <message>
         <source>A spot of {0} mm radius at ({1}, {2}, {3}) is {4} times as stiff as around it.</source>
@@ -3375,11 +3375,11 @@
     </message>
     <message>
         <source>The load cell was off: that is of the measurement, and leaves the organ as it is.</source>
-        <translation>Le capteur de force était déréglé : cela concerne la mesure et laisse l’organe tel qu’il est.</translation>
+        <translation>Le capteur de force était déréglé&#xa0;: cela concerne la mesure et laisse l’organe tel qu’il est.</translation>
     </message>
     <message>
         <source>The camera&apos;s frame was off: that is of the measurement, and leaves the organ as it is.</source>
-        <translation>Le repère de la caméra était décalé : cela concerne la mesure et laisse l’organe tel qu’il est.</translation>
+        <translation>Le repère de la caméra était décalé&#xa0;: cela concerne la mesure et laisse l’organe tel qu’il est.</translation>
     </message>
     <message>
         <source>This linear rehearsal cannot hold the effect {0}.</source>
@@ -3391,7 +3391,7 @@
     </message>
     <message>
         <source>These measurements are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
-        <translation>Les effets trouvés n’expliquent pas ces mesures : ils enlèvent une partie de l’erreur et ne prouvent aucune cause.</translation>
+        <translation>Les effets trouvés n’expliquent pas ces mesures&#xa0;: ils enlèvent une partie de l’erreur et ne prouvent aucune cause.</translation>
     </message>
     <message>
         <source>A grain needs an axis of some length and a ratio above zero.</source>
@@ -3411,7 +3411,7 @@
     </message>
     <message>
         <source>{0} is open in another window: what is done here cannot be undone.</source>
-        <translation>{0} est ouvert dans une autre fenêtre : ce qui est fait ici ne peut pas être annulé.</translation>
+        <translation>{0} est ouvert dans une autre fenêtre&#xa0;: ce qui est fait ici ne peut pas être annulé.</translation>
     </message>
     <message>
         <source>Close the other window, then open the case anew.</source>
@@ -3427,11 +3427,11 @@
     </message>
     <message>
         <source>{0} has been changed by something else since: what was done before cannot be undone any more.</source>
-        <translation>{0} a été modifié par autre chose depuis : ce qui a été fait auparavant ne peut plus être annulé.</translation>
+        <translation>{0} a été modifié par autre chose depuis&#xa0;: ce qui a été fait auparavant ne peut plus être annulé.</translation>
     </message>
     <message>
         <source>The history of the case cannot be read: {0}.</source>
-        <translation>L’historique du cas ne peut pas être lu : {0}.</translation>
+        <translation>L’historique du cas ne peut pas être lu&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>A stored step of the history does not fit its case.</source>
@@ -3447,7 +3447,7 @@
     </message>
     <message>
         <source>{0} does not hold a planned resection: {1}.</source>
-        <translation>{0} ne contient pas de résection planifiée : {1}.</translation>
+        <translation>{0} ne contient pas de résection planifiée&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Plan it again, or make one with glisson-cli resect.</source>
@@ -3463,7 +3463,7 @@
     </message>
     <message>
         <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
-        <translation>{0} triangles n’ont tous leurs sommets que dans moins de trois images : leur corrélation est 0</translation>
+        <translation>{0} triangles n’ont tous leurs sommets que dans moins de trois images&#xa0;: leur corrélation est 0</translation>
     </message>
     <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
@@ -3471,7 +3471,7 @@
     </message>
     <message>
         <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULÉ : la forme du foie d’un vrai patient, qui respire et qu’un instrument enfonce selon une formule. Le recalage dit « fourni » est le vrai, dans lequel une erreur a été mise à gauche de l’image.</translation>
+        <translation>SIMULÉ&#xa0;: la forme du foie d’un vrai patient, qui respire et qu’un instrument enfonce selon une formule. Le recalage dit «&#xa0;fourni&#xa0;» est le vrai, dans lequel une erreur a été mise à gauche de l’image.</translation>
     </message>
     <message>
         <source>The movie {0} cannot be written.</source>
@@ -3495,7 +3495,7 @@
     </message>
     <message>
         <source>Choose a folder in which you may write, or a name without .mp4: then it becomes a folder of pictures.</source>
-        <translation>Choisissez un dossier où vous pouvez écrire, ou un nom sans .mp4 : ce sera alors un dossier d’images.</translation>
+        <translation>Choisissez un dossier où vous pouvez écrire, ou un nom sans .mp4&#xa0;: ce sera alors un dossier d’images.</translation>
     </message>
     <message>
         <source>Look whether the disk is full.</source>
@@ -3503,7 +3503,7 @@
     </message>
     <message>
         <source>The liver&apos;s shape with the tools there was not found: {0}</source>
-        <translation>La forme du foie avec les instruments à cet endroit n’a pas été trouvée : {0}</translation>
+        <translation>La forme du foie avec les instruments à cet endroit n’a pas été trouvée&#xa0;: {0}</translation>
     </message>
     <message>
         <source>Press less, or move the tool by smaller steps.</source>
@@ -3523,7 +3523,7 @@
     </message>
     <message>
         <source>Take more steps: at most half the radius of the tool&apos;s rods in each.</source>
-        <translation>Prenez plus de pas : dans chacun, au plus la moitié du rayon des tiges de l’instrument.</translation>
+        <translation>Prenez plus de pas&#xa0;: dans chacun, au plus la moitié du rayon des tiges de l’instrument.</translation>
     </message>
     <message>
         <source>Comparing the files with what they were made from</source>
@@ -3531,15 +3531,15 @@
     </message>
     <message>
         <source>{0} does not hold a report of measurements: {1}.</source>
-        <translation>{0} ne contient pas de rapport de mesures : {1}.</translation>
+        <translation>{0} ne contient pas de rapport de mesures&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Open an experiment to make one; it holds report.json, report.html and model.json.</source>
-        <translation>Ouvrez une expérience pour en créer un ; il contient report.json, report.html et model.json.</translation>
+        <translation>Ouvrez une expérience pour en créer un&#xa0;; il contient report.json, report.html et model.json.</translation>
     </message>
     <message>
         <source>Two series are to be the {0}: {1} is the second.</source>
-        <translation>Deux séries doivent être {0} : {1} est la seconde.</translation>
+        <translation>Deux séries doivent être {0}&#xa0;: {1} est la seconde.</translation>
     </message>
     <message>
         <source>Leave one of them out, or give it another role.</source>
@@ -3547,7 +3547,7 @@
     </message>
     <message>
         <source>No series is chosen: give at least one of them a role.</source>
-        <translation>Aucune série n’est choisie : donnez un rôle à au moins une d’elles.</translation>
+        <translation>Aucune série n’est choisie&#xa0;: donnez un rôle à au moins une d’elles.</translation>
     </message>
     <message>
         <source>There is nothing of this structure at that place.</source>
@@ -3615,7 +3615,7 @@
     </message>
     <message>
         <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
-        <translation>Les structures ont changé depuis la construction du modèle, et {0} repères se trouvent maintenant en dehors : ils sont écartés. Refaites le modèle.</translation>
+        <translation>Les structures ont changé depuis la construction du modèle, et {0} repères se trouvent maintenant en dehors&#xa0;: ils sont écartés. Refaites le modèle.</translation>
     </message>
     <message>
         <source>The model cannot be used. Build it anew.</source>
@@ -3643,7 +3643,7 @@
     </message>
     <message>
         <source>By the meshfree engine a grasper pulls with a force; {0} has a displacement.</source>
-        <translation>Avec le moteur sans maillage, une pince tire avec une force ; {0} a un déplacement.</translation>
+        <translation>Avec le moteur sans maillage, une pince tire avec une force&#xa0;; {0} a un déplacement.</translation>
     </message>
     <message>
         <source>Give it a pull, or take finite elements.</source>
@@ -3675,11 +3675,11 @@
     </message>
     <message>
         <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
-        <translation>À la ligne {0}, la colonne « {1} » ne contient pas de nombre.</translation>
+        <translation>À la ligne {0}, la colonne «&#xa0;{1}&#xa0;» ne contient pas de nombre.</translation>
     </message>
     <message>
         <source>A line needs a strain (0.05 for 5 %) and a stress in kPa, numbers with a dot: look for a missing value, a unit, or a decimal comma.</source>
-        <translation>Chaque ligne demande une déformation (0.05 pour 5 %) et une contrainte en kPa, nombres avec un point : cherchez une valeur manquante, une unité ou une virgule décimale.</translation>
+        <translation>Chaque ligne demande une déformation (0.05 pour 5 %) et une contrainte en kPa, nombres avec un point&#xa0;: cherchez une valeur manquante, une unité ou une virgule décimale.</translation>
     </message>
     <message>
         <source>Tools with friction are not there for a body with a grain.</source>
@@ -3695,7 +3695,7 @@
     </message>
     <message>
         <source>{0} was not wholly inside the liver; it was meshed as part of it.</source>
-        <translation>{0} n’était pas entièrement dans le foie ; cette structure a été maillée comme en faisant partie.</translation>
+        <translation>{0} n’était pas entièrement dans le foie&#xa0;; cette structure a été maillée comme en faisant partie.</translation>
     </message>
     <message>
         <source>{0} holds no voxels.</source>
@@ -3727,11 +3727,11 @@
     </message>
     <message>
         <source>The image cuts the body at its {0} side; it is closed there by a flat cap.</source>
-        <translation>L’image coupe le corps à sa {0} face ; il y est fermé par une surface plane.</translation>
+        <translation>L’image coupe le corps à sa {0} face&#xa0;; il y est fermé par une surface plane.</translation>
     </message>
     <message>
         <source>The body falls in {0} parts; the largest is kept, and the rest is left out: {1}.</source>
-        <translation>Le corps se divise en {0} parties ; la plus grande est gardée, le reste est écarté : {1}.</translation>
+        <translation>Le corps se divise en {0} parties&#xa0;; la plus grande est gardée, le reste est écarté&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Holes without a label inside the body, {0} ml together, are filled.</source>
@@ -3747,7 +3747,7 @@
     </message>
     <message>
         <source>The mesh has {0} cells instead of {1}; its shape and inner structures ask for them.</source>
-        <translation>Le maillage a {0} cellules au lieu de {1} ; sa forme et ses structures internes les demandent.</translation>
+        <translation>Le maillage a {0} cellules au lieu de {1}&#xa0;; sa forme et ses structures internes les demandent.</translation>
     </message>
     <message>
         <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
@@ -3755,11 +3755,11 @@
     </message>
     <message>
         <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
-        <translation>{0} : {1} morceau ({2} ml) trop mince pour {3} cellules n’a pas de cellules propres ; environ {4} cellules le montreraient.</translation>
+        <translation>{0}&#xa0;: {1} morceau ({2} ml) trop mince pour {3} cellules n’a pas de cellules propres&#xa0;; environ {4} cellules le montreraient.</translation>
     </message>
     <message>
         <source>{0}: {1} pieces ({2} ml) too thin for {3} cells got no cells of their own; about {4} cells would show them.</source>
-        <translation>{0} : {1} morceaux ({2} ml) trop minces pour {3} cellules n’ont pas de cellules propres ; environ {4} cellules les montreraient.</translation>
+        <translation>{0}&#xa0;: {1} morceaux ({2} ml) trop minces pour {3} cellules n’ont pas de cellules propres&#xa0;; environ {4} cellules les montreraient.</translation>
     </message>
     <message>
         <source>Another way of touching</source>
@@ -3769,20 +3769,24 @@
         <source>Place another tool</source>
         <translation>Placer un autre instrument</translation>
     </message>
+    <message>
+        <source>The walls of cuts can be kept apart in equilibrium by finite elements, without a grain and not straight from data.</source>
+        <translation>Les parois des sections peuvent être tenues séparées à l&apos;équilibre par éléments finis, sans orientation des fibres et pas directement à partir de données.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
     <message>
         <source>ICP: nearest points</source>
-        <translation>ICP : points les plus proches</translation>
+        <translation>ICP&#xa0;: points les plus proches</translation>
     </message>
     <message>
         <source>GEO: distances along the surface</source>
-        <translation>GEO : distances le long de la surface</translation>
+        <translation>GEO&#xa0;: distances le long de la surface</translation>
     </message>
     <message>
         <source>GNRA: all frames by their landmarks</source>
-        <translation>GNRA : toutes les images par leurs repères</translation>
+        <translation>GNRA&#xa0;: toutes les images par leurs repères</translation>
     </message>
     <message>
         <source>Given by the sequence</source>
@@ -3822,7 +3826,7 @@
     </message>
     <message>
         <source>Stops registering; what was computed before stays</source>
-        <translation>Arrête le recalage ; ce qui était déjà calculé reste</translation>
+        <translation>Arrête le recalage&#xa0;; ce qui était déjà calculé reste</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -3854,7 +3858,7 @@
     </message>
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
-        <translation>Recale chaque image par les algorithmes ci-dessus et les juge par SIRGn : jusqu’à une seconde environ par image</translation>
+        <translation>Recale chaque image par les algorithmes ci-dessus et les juge par SIRGn&#xa0;: jusqu’à une seconde environ par image</translation>
     </message>
 </context>
 <context>
@@ -3909,7 +3913,7 @@
     </message>
     <message>
         <source>Stale: %1. They were made from something that has changed since.</source>
-        <translation>Périmés : %1. Ils ont été tirés de quelque chose qui a changé depuis.</translation>
+        <translation>Périmés&#xa0;: %1. Ils ont été tirés de quelque chose qui a changé depuis.</translation>
     </message>
     <message>
         <source>Make the model anew</source>
@@ -3917,11 +3921,11 @@
     </message>
     <message>
         <source>There are no anatomical images: without them nothing can be outlined. Open them on the left.</source>
-        <translation>Il n’y a pas d’images anatomiques : sans elles, rien ne peut être délimité. Ouvrez-les à gauche.</translation>
+        <translation>Il n’y a pas d’images anatomiques&#xa0;: sans elles, rien ne peut être délimité. Ouvrez-les à gauche.</translation>
     </message>
     <message>
         <source>The elastography has not been inverted: File, Elastography waves (Ctrl+W) makes the stiffness of it.</source>
-        <translation>L’élastographie n’a pas été inversée : Fichier, Ondes d’élastographie (Ctrl+W) en tire la rigidité.</translation>
+        <translation>L’élastographie n’a pas été inversée&#xa0;: Fichier, Ondes d’élastographie (Ctrl+W) en tire la rigidité.</translation>
     </message>
     <message>
         <source>The liver is not outlined yet.</source>
@@ -3977,11 +3981,11 @@
     </message>
     <message>
         <source>Outline: %1</source>
-        <translation>Contour : %1</translation>
+        <translation>Contour&#xa0;: %1</translation>
     </message>
     <message>
         <source>Surface: %1</source>
-        <translation>Surface : %1</translation>
+        <translation>Surface&#xa0;: %1</translation>
     </message>
     <message>
         <source>Tetrahedra of the liver</source>
@@ -3989,19 +3993,19 @@
     </message>
     <message>
         <source>Model: stiffness of each cell</source>
-        <translation>Modèle : rigidité de chaque cellule</translation>
+        <translation>Modèle&#xa0;: rigidité de chaque cellule</translation>
     </message>
     <message>
         <source>Images: anatomy</source>
-        <translation>Images : anatomie</translation>
+        <translation>Images&#xa0;: anatomie</translation>
     </message>
     <message>
         <source>Map: stiffness (kPa)</source>
-        <translation>Carte : rigidité (kPa)</translation>
+        <translation>Carte&#xa0;: rigidité (kPa)</translation>
     </message>
     <message>
         <source>Map: confidence</source>
-        <translation>Carte : confiance</translation>
+        <translation>Carte&#xa0;: confiance</translation>
     </message>
     <message>
         <source>MRE magnitude</source>
@@ -4040,7 +4044,7 @@
     </message>
     <message>
         <source>Atlas in red, patient in blue: purple where they agree</source>
-        <translation>Atlas en rouge, patient en bleu : violet là où ils concordent</translation>
+        <translation>Atlas en rouge, patient en bleu&#xa0;: violet là où ils concordent</translation>
     </message>
     <message>
         <source>Side by side</source>
@@ -4048,7 +4052,7 @@
     </message>
     <message>
         <source>Two 3D views that turn together: the patient on the left, the atlas on the right</source>
-        <translation>Deux vues 3D qui tournent ensemble : le patient à gauche, l’atlas à droite</translation>
+        <translation>Deux vues 3D qui tournent ensemble&#xa0;: le patient à gauche, l’atlas à droite</translation>
     </message>
 </context>
 <context>
@@ -4142,11 +4146,11 @@
     </message>
     <message>
         <source>The normal about the axis from feet to head: 0° to the patient&apos;s left, 90° to the back</source>
-        <translation>La normale autour de l’axe pieds-tête : 0° vers la gauche du patient, 90° vers l’arrière</translation>
+        <translation>La normale autour de l’axe pieds-tête&#xa0;: 0° vers la gauche du patient, 90° vers l’arrière</translation>
     </message>
     <message>
         <source>The normal upwards: 90° to the head</source>
-        <translation>La normale vers le haut : 90° vers la tête</translation>
+        <translation>La normale vers le haut&#xa0;: 90° vers la tête</translation>
     </message>
     <message>
         <source>Set points</source>
@@ -4154,7 +4158,7 @@
     </message>
     <message>
         <source>Each click on the liver or in a slice sets a point; points can be dragged</source>
-        <translation>Chaque clic sur le foie ou dans une coupe pose un point ; les points peuvent être déplacés</translation>
+        <translation>Chaque clic sur le foie ou dans une coupe pose un point&#xa0;; les points peuvent être déplacés</translation>
     </message>
     <message>
         <source>Drop the last</source>
@@ -4166,11 +4170,11 @@
     </message>
     <message>
         <source>Points set: %1. Three are needed.</source>
-        <translation>Points posés : %1. Il en faut trois.</translation>
+        <translation>Points posés&#xa0;: %1. Il en faut trois.</translation>
     </message>
     <message>
         <source>Points set: %1. Drag them in any view.</source>
-        <translation>Points posés : %1. Déplacez-les dans n’importe quelle vue.</translation>
+        <translation>Points posés&#xa0;: %1. Déplacez-les dans n’importe quelle vue.</translation>
     </message>
 </context>
 <context>
@@ -4181,7 +4185,7 @@
     </message>
     <message>
         <source>What Glisson did, in English, for those who mend it. It holds nothing about a patient: no names, no paths, no values. Nothing is sent anywhere; you decide who gets it.</source>
-        <translation>Ce que Glisson a fait, en anglais, pour ceux qui le réparent. Rien n’y concerne un patient : ni nom, ni chemin, ni valeur. Rien n’est envoyé nulle part ; vous décidez qui le reçoit.</translation>
+        <translation>Ce que Glisson a fait, en anglais, pour ceux qui le réparent. Rien n’y concerne un patient&#xa0;: ni nom, ni chemin, ni valeur. Rien n’est envoyé nulle part&#xa0;; vous décidez qui le reçoit.</translation>
     </message>
     <message>
         <source>The log</source>
@@ -4267,19 +4271,19 @@
     </message>
     <message>
         <source>Measured less predicted, where this trial was farthest off. Arrows %1 times as long as they are; colours reach to %2 mm, between markers interpolated.</source>
-        <translation>Mesuré moins prédit, là où cet essai s’écarte le plus. Flèches allongées %1 fois ; couleurs jusqu’à %2 mm, interpolées entre les marqueurs.</translation>
+        <translation>Mesuré moins prédit, là où cet essai s’écarte le plus. Flèches allongées %1 fois&#xa0;; couleurs jusqu’à %2 mm, interpolées entre les marqueurs.</translation>
     </message>
     <message>
         <source>Nothing is missing: what the declared model leaves, %1, is noise.</source>
-        <translation>Rien ne manque : ce que laisse le modèle déclaré, %1, est du bruit.</translation>
+        <translation>Rien ne manque&#xa0;: ce que laisse le modèle déclaré, %1, est du bruit.</translation>
     </message>
     <message>
         <source>Explained: the error falls from %1 to %2, as small as the noise.</source>
-        <translation>Expliqué : l’erreur passe de %1 à %2, aussi petite que le bruit.</translation>
+        <translation>Expliqué&#xa0;: l’erreur passe de %1 à %2, aussi petite que le bruit.</translation>
     </message>
     <message>
         <source>Not explained: the error falls from %1 to %2 and stays above the noise. What is named is a part of it, not its cause.</source>
-        <translation>Non expliqué : l’erreur passe de %1 à %2 et reste au-dessus du bruit. Ce qui est nommé en est une partie, pas la cause.</translation>
+        <translation>Non expliqué&#xa0;: l’erreur passe de %1 à %2 et reste au-dessus du bruit. Ce qui est nommé en est une partie, pas la cause.</translation>
     </message>
     <message>
         <source>No test finds anything in it that noise would not do.</source>
@@ -4287,11 +4291,11 @@
     </message>
     <message>
         <source>What the declared model leaves is not noise: %1.</source>
-        <translation>Ce que laisse le modèle déclaré n’est pas du bruit : %1.</translation>
+        <translation>Ce que laisse le modèle déclaré n’est pas du bruit&#xa0;: %1.</translation>
     </message>
     <message>
         <source>What is left at the end: %1.</source>
-        <translation>Ce qui reste à la fin : %1.</translation>
+        <translation>Ce qui reste à la fin&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Before</source>
@@ -4354,7 +4358,7 @@
     </message>
     <message>
         <source>Silicone of liver-like stiffness, compressed: measured, not simulated</source>
-        <translation>Silicone de rigidité proche du foie, comprimé : mesuré, non simulé</translation>
+        <translation>Silicone de rigidité proche du foie, comprimé&#xa0;: mesuré, non simulé</translation>
     </message>
     <message>
         <source>Open a report...</source>
@@ -4386,7 +4390,7 @@
     </message>
     <message>
         <source>An experiment of the same kind; where it was measured, both models are compared with it</source>
-        <translation>Une expérience du même genre ; là où elle a été mesurée, les deux modèles lui sont comparés</translation>
+        <translation>Une expérience du même genre&#xa0;; là où elle a été mesurée, les deux modèles lui sont comparés</translation>
     </message>
     <message>
         <source>Save the report...</source>
@@ -4400,7 +4404,7 @@ No measurements at hand? Try the example: silicone of liver-like stiffness in co
         <translation>Ouvrez des mesures d’une palpation, d’un essai de matériau ou d’un ordinateur porté.
 Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
 
-Pas de mesures sous la main ? Essayez l’exemple : du silicone de rigidité proche du foie, en compression.</translation>
+Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: du silicone de rigidité proche du foie, en compression.</translation>
     </message>
     <message>
         <source>Explaining %1</source>
@@ -4424,7 +4428,7 @@ Pas de mesures sous la main ? Essayez l’exemple : du silicone de rigidité p
     </message>
     <message>
         <source>Needs a model of the liver: build it first.</source>
-        <translation>Il faut un modèle du foie : construisez-le d’abord.</translation>
+        <translation>Il faut un modèle du foie&#xa0;: construisez-le d’abord.</translation>
     </message>
     <message>
         <source>Tick an effect among what was found.</source>
@@ -4464,11 +4468,11 @@ Pas de mesures sous la main ? Essayez l’exemple : du silicone de rigidité p
     </message>
     <message>
         <source>Accepted: %1</source>
-        <translation>Accepté : %1</translation>
+        <translation>Accepté&#xa0;: %1</translation>
     </message>
     <message>
         <source>Accepted, but left out: %1</source>
-        <translation>Accepté, mais laissé de côté : %1</translation>
+        <translation>Accepté, mais laissé de côté&#xa0;: %1</translation>
     </message>
     <message>
         <source>About %1 s left</source>
@@ -4579,7 +4583,7 @@ Pas de mesures sous la main ? Essayez l’exemple : du silicone de rigidité p
     </message>
     <message>
         <source>SIRGn, over the triangles: 1 is best</source>
-        <translation>SIRGn, sur les triangles : 1 est le meilleur</translation>
+        <translation>SIRGn, sur les triangles&#xa0;: 1 est le meilleur</translation>
     </message>
     <message>
         <source>Share of the triangles whose corners are off by %1 mm or more on average</source>
@@ -4587,7 +4591,7 @@ Pas de mesures sous la main ? Essayez l’exemple : du silicone de rigidité p
     </message>
     <message>
         <source>Target registration error: how far registered landmarks are from where they are on the model, mm</source>
-        <translation>Erreur de recalage de la cible (TRE) : distance entre les repères recalés et leur place sur le modèle, mm</translation>
+        <translation>Erreur de recalage de la cible (TRE)&#xa0;: distance entre les repères recalés et leur place sur le modèle, mm</translation>
     </message>
     <message>
         <source>How far the registered cloud is from the model (root mean square), mm</source>
@@ -4697,7 +4701,7 @@ mm</translation>
     </message>
     <message>
         <source>Drag: turn. Shift+drag: shift. Wheel: zoom. Click: crosshair there.</source>
-        <translation>Glisser : tourner. Maj+glisser : décaler. Molette : zoom. Clic : réticule à cet endroit.</translation>
+        <translation>Glisser&#xa0;: tourner. Maj+glisser&#xa0;: décaler. Molette&#xa0;: zoom. Clic&#xa0;: réticule à cet endroit.</translation>
     </message>
     <message>
         <source>Surgeon</source>
@@ -4726,8 +4730,8 @@ mm</translation>
     <message>
         <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
 Ctrl+wheel: zoom. Shift+drag: shift. Ctrl+drag: turn. Knobs of the crosshair: tilt the other slices.</source>
-        <translation>Clic : réticule. Glisser avec le bouton droit : luminosité et contraste. Molette : coupe suivante.
-Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poignées du réticule : incliner les autres coupes.</translation>
+        <translation>Clic&#xa0;: réticule. Glisser avec le bouton droit&#xa0;: luminosité et contraste. Molette&#xa0;: coupe suivante.
+Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tourner. Poignées du réticule&#xa0;: incliner les autres coupes.</translation>
     </message>
     <message>
         <source>Save the picture</source>
@@ -4742,7 +4746,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     <name>glisson::widgets::MainWindow</name>
     <message>
         <source>Opening %1</source>
-        <translation>Ouverture de %1</translation>
+        <translation>Ouverture de&#xa0;%1</translation>
     </message>
     <message>
         <source>Opening the demo patient</source>
@@ -4790,11 +4794,11 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>%1 (%2 %)</source>
-        <translation>%1 (%2 %)</translation>
+        <translation>%1 (%2&#xa0;%)</translation>
     </message>
     <message>
         <source>A defect in Glisson stopped this: %1</source>
-        <translation>Un défaut de Glisson a interrompu cette opération : %1</translation>
+        <translation>Un défaut de Glisson a interrompu cette opération&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Click on the liver where the tool is to touch it.</source>
@@ -4802,7 +4806,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>Tool placed in %1 ms.</source>
-        <translation>Instrument placé en %1 ms.</translation>
+        <translation>Instrument placé en&#xa0;%1 ms.</translation>
     </message>
     <message>
         <source>Open a case (a folder NAME.glisson)</source>
@@ -4822,7 +4826,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>The picture could not be written to %1.</source>
-        <translation>L’image n’a pas pu être écrite dans %1.</translation>
+        <translation>L’image n’a pas pu être écrite dans&#xa0;%1.</translation>
     </message>
     <message>
         <source>About Glisson</source>
@@ -4830,7 +4834,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planning and reviewing liver surgery.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not a medical device.&lt;/b&gt; Not for diagnosis or treatment.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planification et revue de la chirurgie du foie.&lt;/p&gt;&lt;p&gt;&lt;b&gt;N’est pas un dispositif médical.&lt;/b&gt; Ni pour le diagnostic, ni pour le traitement.&lt;/p&gt;&lt;p&gt;Logiciel libre sous la licence publique générale GNU, version 3 ou ultérieure.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Glisson&#xa0;%1&lt;/h3&gt;&lt;p&gt;Planification et revue de la chirurgie du foie.&lt;/p&gt;&lt;p&gt;&lt;b&gt;N’est pas un dispositif médical.&lt;/b&gt; Ni pour le diagnostic, ni pour le traitement.&lt;/p&gt;&lt;p&gt;Logiciel libre sous la licence publique générale GNU, version 3 ou ultérieure.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Something else is still under way. Wait for it, or cancel it first.</source>
@@ -4850,7 +4854,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>Relative residual %1, answered in %2 ms</source>
-        <translation>Résidu relatif %1, réponse en %2 ms</translation>
+        <translation>Résidu relatif&#xa0;%1, réponse en&#xa0;%2 ms</translation>
     </message>
     <message>
         <source>Elastography &amp;waves...</source>
@@ -4968,7 +4972,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>Volume: %1</source>
-        <translation>Volume : %1</translation>
+        <translation>Volume&#xa0;: %1</translation>
     </message>
     <message>
         <source>Takes this measurement away</source>
@@ -4991,7 +4995,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>Needs an outline of the liver: make it in Segment.</source>
-        <translation>Il faut un contour du foie : tracez-le dans Segmenter.</translation>
+        <translation>Il faut un contour du foie&#xa0;: tracez-le dans Segmenter.</translation>
     </message>
     <message>
         <source>The 3D view shows</source>
@@ -5023,11 +5027,11 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>Atlas: 2.1 kPa in shear</source>
-        <translation>Atlas : 2.1 kPa en cisaillement</translation>
+        <translation>Atlas&#xa0;: 2.1 kPa en cisaillement</translation>
     </message>
     <message>
         <source>Atlas: 2.6 kPa in shear</source>
-        <translation>Atlas : 2.6 kPa en cisaillement</translation>
+        <translation>Atlas&#xa0;: 2.6 kPa en cisaillement</translation>
     </message>
     <message>
         <source>One value for all cells</source>
@@ -5059,7 +5063,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>Wanted number of cells: more are finer and slower. 20 000 answer at once.</source>
-        <translation>Nombre de cellules voulu : plus il y en a, plus c’est fin et lent. 20 000 répondent aussitôt.</translation>
+        <translation>Nombre de cellules voulu&#xa0;: plus il y en a, plus c’est fin et lent. 20 000 répondent aussitôt.</translation>
     </message>
     <message>
         <source>Building the model</source>
@@ -5067,7 +5071,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>Opening %1</source>
-        <translation>Ouverture de %1</translation>
+        <translation>Ouverture de&#xa0;%1</translation>
     </message>
     <message>
         <source>Held</source>
@@ -5083,7 +5087,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>Needs a case: open one, or the demo patient.</source>
-        <translation>Il faut un cas : ouvrez-en un, ou le patient de démonstration.</translation>
+        <translation>Il faut un cas&#xa0;: ouvrez-en un, ou le patient de démonstration.</translation>
     </message>
     <message>
         <source>There is no model yet. Build it from the outline.</source>
@@ -5107,7 +5111,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>▲ Out of date: %1 changed since it was built.</source>
-        <translation>▲ Périmé : %1 a changé depuis sa construction.</translation>
+        <translation>▲ Périmé&#xa0;: %1 a changé depuis sa construction.</translation>
     </message>
     <message>
         <source>Build it anew</source>
@@ -5119,7 +5123,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>This case has no stiffness map: import one, or invert its waves</source>
-        <translation>Ce cas n’a pas de carte de rigidité : importez-en une, ou inversez ses ondes</translation>
+        <translation>Ce cas n’a pas de carte de rigidité&#xa0;: importez-en une, ou inversez ses ondes</translation>
     </message>
     <message>
         <source>Keeps the cells and gives each this stiffness</source>
@@ -5127,7 +5131,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>Needs cells: build the model first</source>
-        <translation>Il faut des cellules : construisez d’abord le modèle</translation>
+        <translation>Il faut des cellules&#xa0;: construisez d’abord le modèle</translation>
     </message>
     <message>
         <source>Makes the cells anew and gives them the stiffness chosen above</source>
@@ -5143,7 +5147,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>Assumed from the liver&apos;s shape: the bare area at the vena cava is held, the dome below the diaphragm rests on springs of 1.1 kPa/mm.</source>
-        <translation>Supposé d’après la forme du foie : l’area nuda contre la veine cave est fixée, le dôme sous le diaphragme repose sur des ressorts de 1.1 kPa/mm.</translation>
+        <translation>Supposé d’après la forme du foie&#xa0;: l’area nuda contre la veine cave est fixée, le dôme sous le diaphragme repose sur des ressorts de 1.1 kPa/mm.</translation>
     </message>
     <message>
         <source>%1 cells, %2 points</source>
@@ -5178,11 +5182,11 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     <name>glisson::widgets::NextStepBox</name>
     <message>
         <source>Next: put the crosshair inside the liver, away from large vessels.</source>
-        <translation>Ensuite : placez le réticule dans le foie, loin des gros vaisseaux.</translation>
+        <translation>Ensuite&#xa0;: placez le réticule dans le foie, loin des gros vaisseaux.</translation>
     </message>
     <message>
         <source>Next: build the model of the liver from its outline and stiffness.</source>
-        <translation>Ensuite : construisez le modèle du foie à partir de son contour et de sa rigidité.</translation>
+        <translation>Ensuite&#xa0;: construisez le modèle du foie à partir de son contour et de sa rigidité.</translation>
     </message>
     <message>
         <source>Outline the liver from here</source>
@@ -5208,15 +5212,15 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>Red: one stiffness from the atlas</source>
-        <translation>Rouge : une seule rigidité, de l’atlas</translation>
+        <translation>Rouge&#xa0;: une seule rigidité, de l’atlas</translation>
     </message>
     <message>
         <source>Blue: the patient&apos;s own stiffness</source>
-        <translation>Bleu : la rigidité propre au patient</translation>
+        <translation>Bleu&#xa0;: la rigidité propre au patient</translation>
     </message>
     <message>
         <source>Purple: both agree</source>
-        <translation>Violet : les deux concordent</translation>
+        <translation>Violet&#xa0;: les deux concordent</translation>
     </message>
     <message>
         <source>Shear stiffness (kPa)</source>
@@ -5224,7 +5228,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>%1  %2 mm</source>
-        <translation>%1  %2 mm</translation>
+        <translation>%1 &#xa0;%2 mm</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -5243,7 +5247,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     <name>glisson::widgets::PlatformTable</name>
     <message>
         <source>Assumed: %1 %2 (%3)</source>
-        <translation>Supposé : %1 %2 (%3)</translation>
+        <translation>Supposé&#xa0;:&#xa0;%1&#xa0;%2 (%3)</translation>
     </message>
     <message>
         <source>head</source>
@@ -5283,7 +5287,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>✕ fails: %1</source>
-        <translation>✕ échoue : %1</translation>
+        <translation>✕ échoue&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>heat</source>
@@ -5295,7 +5299,7 @@ Ctrl+molette : zoom. Maj+glisser : déplacer. Ctrl+glisser : tourner. Poigné
     </message>
     <message>
         <source>✓ holds; next limit: %1</source>
-        <translation>✓ tient ; limite : %1</translation>
+        <translation>✓ tient&#xa0;; limite&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Platform</source>
@@ -5379,30 +5383,30 @@ supposés</translation>
     </message>
     <message>
         <source>Figures that nobody measured; ≈ marks what rests on them</source>
-        <translation>Chiffres que personne n’a mesurés ; ≈ marque ce qui en dépend</translation>
+        <translation>Chiffres que personne n’a mesurés&#xa0;; ≈ marque ce qui en dépend</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
+        <translation>%1 sur&#xa0;%2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::PlatformView</name>
     <message>
         <source>Volume and stiffness of %1</source>
-        <translation>Volume et rigidité de %1</translation>
+        <translation>Volume et rigidité de&#xa0;%1</translation>
     </message>
     <message>
         <source>Volume of %1; its stiffness is not known</source>
-        <translation>Volume de %1 ; sa rigidité n’est pas connue</translation>
+        <translation>Volume de&#xa0;%1&#xa0;; sa rigidité n’est pas connue</translation>
     </message>
     <message>
         <source>Stiffness of %1; its volume is not known</source>
-        <translation>Rigidité de %1 ; son volume n’est pas connu</translation>
+        <translation>Rigidité de&#xa0;%1&#xa0;; son volume n’est pas connu</translation>
     </message>
     <message>
         <source>%1 has no outlined liver yet: type its volume</source>
-        <translation>%1 n’a pas encore de foie délimité : saisissez son volume</translation>
+        <translation>%1 n’a pas encore de foie délimité&#xa0;: saisissez son volume</translation>
     </message>
     <message>
         <source>The case</source>
@@ -5410,7 +5414,7 @@ supposés</translation>
     </message>
     <message>
         <source>No case is open: type its figures</source>
-        <translation>Aucun cas n’est ouvert : saisissez ses chiffres</translation>
+        <translation>Aucun cas n’est ouvert&#xa0;: saisissez ses chiffres</translation>
     </message>
     <message>
         <source> cm³</source>
@@ -5514,7 +5518,7 @@ supposés</translation>
     </message>
     <message>
         <source>%1 nodes of %2 mm³. A frame is %3 block products: %4 MB to move, %5 million operations.</source>
-        <translation>%1 nœuds de %2 mm³. Une image fait %3 produits par blocs : %4 Mo à déplacer, %5 millions d’opérations.</translation>
+        <translation>%1 nœuds de&#xa0;%2 mm³. Une image fait&#xa0;%3 produits par blocs&#xa0;:&#xa0;%4 Mo à déplacer,&#xa0;%5 millions d’opérations.</translation>
     </message>
     <message>
         <source>None of these platforms holds.</source>
@@ -5522,19 +5526,19 @@ supposés</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the head: %1</source>
-        <translation>La moins gênante qui tient, sur la tête : %1</translation>
+        <translation>La moins gênante qui tient, sur la tête&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the belt: %1</source>
-        <translation>La moins gênante qui tient, à la ceinture : %1</translation>
+        <translation>La moins gênante qui tient, à la ceinture&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the back: %1</source>
-        <translation>La moins gênante qui tient, sur le dos : %1</translation>
+        <translation>La moins gênante qui tient, sur le dos&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Surface after %1 h at %2 frames/s (°C)</source>
-        <translation>Surface après %1 h à %2 images/s (°C)</translation>
+        <translation>Surface après&#xa0;%1 h à&#xa0;%2 images/s (°C)</translation>
     </message>
     <message>
         <source>%1 °C</source>
@@ -5542,7 +5546,7 @@ supposés</translation>
     </message>
     <message>
         <source>Frames/s that hold for %1 h</source>
-        <translation>Images/s qui tiennent %1 h</translation>
+        <translation>Images/s qui tiennent&#xa0;%1 h</translation>
     </message>
     <message>
         <source>%1 /s</source>
@@ -5550,7 +5554,7 @@ supposés</translation>
     </message>
     <message>
         <source>Battery lasts at %1 frames/s (h)</source>
-        <translation>La batterie dure à %1 images/s (h)</translation>
+        <translation>La batterie dure à&#xa0;%1 images/s (h)</translation>
     </message>
     <message>
         <source>%1 h</source>
@@ -5558,31 +5562,31 @@ supposés</translation>
     </message>
     <message>
         <source>Mean power at %1 frames/s (W)</source>
-        <translation>Puissance moyenne à %1 images/s (W)</translation>
+        <translation>Puissance moyenne à&#xa0;%1 images/s (W)</translation>
     </message>
     <message>
         <source>%1 W: the battery</source>
-        <translation>%1 W : la batterie</translation>
+        <translation>%1 W&#xa0;: la batterie</translation>
     </message>
     <message>
         <source>an operation of at most %1 h</source>
-        <translation>une opération d’au plus %1 h</translation>
+        <translation>une opération d’au plus&#xa0;%1 h</translation>
     </message>
     <message>
         <source>at most %1 frames/s</source>
-        <translation>au plus %1 images/s</translation>
+        <translation>au plus&#xa0;%1 images/s</translation>
     </message>
     <message>
         <source>an accuracy of %1 mm</source>
-        <translation>une précision de %1 mm</translation>
+        <translation>une précision de&#xa0;%1 mm</translation>
     </message>
     <message>
         <source>a battery of %1 Wh</source>
-        <translation>une batterie de %1 Wh</translation>
+        <translation>une batterie de&#xa0;%1 Wh</translation>
     </message>
     <message>
         <source>a heat sink of %1 °C/W</source>
-        <translation>un dissipateur de %1 °C/W</translation>
+        <translation>un dissipateur de&#xa0;%1 °C/W</translation>
     </message>
     <message>
         <source>measured</source>
@@ -5602,15 +5606,15 @@ supposés</translation>
     </message>
     <message>
         <source>Idle first: it draws %1 W of the %2 W that its battery allows over %3 h; it would last %4 h and reach %5 °C without computing anything.</source>
-        <translation>Le repos d’abord : elle consomme %1 W sur les %2 W que sa batterie permet pendant %3 h ; elle durerait %4 h et atteindrait %5 °C sans rien calculer.</translation>
+        <translation>Le repos d’abord&#xa0;: elle consomme&#xa0;%1 W sur les&#xa0;%2 W que sa batterie permet pendant&#xa0;%3 h&#xa0;; elle durerait&#xa0;%4 h et atteindrait&#xa0;%5 °C sans rien calculer.</translation>
     </message>
     <message>
         <source>Frames/s: %1 by its speed, %2 by its battery, %3 by its heat. A frame takes %4 J above idle; mean power %5 W.</source>
-        <translation>Images/s : %1 par sa vitesse, %2 par sa batterie, %3 par sa chaleur. Une image prend %4 J au-dessus du repos ; puissance moyenne %5 W.</translation>
+        <translation>Images/s&#xa0;:&#xa0;%1 par sa vitesse,&#xa0;%2 par sa batterie,&#xa0;%3 par sa chaleur. Une image prend&#xa0;%4 J au-dessus du repos&#xa0;; puissance moyenne&#xa0;%5 W.</translation>
     </message>
     <message>
         <source>Why it fails:</source>
-        <translation>Pourquoi elle échoue :</translation>
+        <translation>Pourquoi elle échoue&#xa0;:</translation>
     </message>
     <message>
         <source>No single figure would make it hold.</source>
@@ -5618,11 +5622,11 @@ supposés</translation>
     </message>
     <message>
         <source>It would hold with one of:</source>
-        <translation>Elle tiendrait avec l’un de ceux-ci :</translation>
+        <translation>Elle tiendrait avec l’un de ceux-ci&#xa0;:</translation>
     </message>
     <message>
         <source>Where its figures come from:</source>
-        <translation>D’où viennent ses chiffres :</translation>
+        <translation>D’où viennent ses chiffres&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -5637,23 +5641,23 @@ supposés</translation>
     </message>
     <message>
         <source>Colours: SIRGn&apos;s correlation</source>
-        <translation>Couleurs : corrélation de SIRGn</translation>
+        <translation>Couleurs&#xa0;: corrélation de SIRGn</translation>
     </message>
     <message>
         <source>Colours: error of the landmarks (mm)</source>
-        <translation>Couleurs : erreur des repères (mm)</translation>
+        <translation>Couleurs&#xa0;: erreur des repères (mm)</translation>
     </message>
     <message>
         <source>Colours: doubt (mm)</source>
-        <translation>Couleurs : doute (mm)</translation>
+        <translation>Couleurs&#xa0;: doute (mm)</translation>
     </message>
     <message>
         <source>Correlation: whether landmarks and warp move alike over time, 1 is best. Error: mean distance of a triangle&apos;s landmarks, as registered, from where they are on the model, mm. Doubt: motion that the registration leaves unexplained, mm, to be compared within one sequence.</source>
-        <translation>Corrélation : si les repères et la déformation bougent de même au cours du temps, 1 est le meilleur. Erreur : distance moyenne des repères recalés d’un triangle à leur place sur le modèle, mm. Doute : mouvement que le recalage laisse inexpliqué, mm, à comparer au sein d’une même séquence.</translation>
+        <translation>Corrélation&#xa0;: si les repères et la déformation bougent de même au cours du temps, 1 est le meilleur. Erreur&#xa0;: distance moyenne des repères recalés d’un triangle à leur place sur le modèle, mm. Doute&#xa0;: mouvement que le recalage laisse inexpliqué, mm, à comparer au sein d’une même séquence.</translation>
     </message>
     <message>
         <source>Tolerance: rejected from</source>
-        <translation>Tolérance : rejet à partir de</translation>
+        <translation>Tolérance&#xa0;: rejet à partir de</translation>
     </message>
     <message>
         <source> mm</source>
@@ -5700,7 +5704,7 @@ supposés</translation>
     </message>
     <message>
         <source>A defect in Glisson stopped this: %1</source>
-        <translation>Un défaut de Glisson a arrêté ceci : %1</translation>
+        <translation>Un défaut de Glisson a arrêté ceci&#xa0;: %1</translation>
     </message>
     <message>
         <source>Open another...</source>
@@ -5740,11 +5744,11 @@ supposés</translation>
     </message>
     <message>
         <source>%1, triangle %2: correlation %3; off by %4 mm on average, %5; %6</source>
-        <translation>%1, triangle %2 : corrélation %3 ; décalé de %4 mm en moyenne, %5 ; %6</translation>
+        <translation>%1, triangle %2&#xa0;: corrélation %3&#xa0;; décalé de %4 mm en moyenne, %5&#xa0;; %6</translation>
     </message>
     <message>
         <source>%1: %2 frames, %3 landmarks</source>
-        <translation>%1 : %2 images, %3 repères</translation>
+        <translation>%1&#xa0;: %2 images, %3 repères</translation>
     </message>
     <message>
         <source>One moment...</source>
@@ -5752,23 +5756,23 @@ supposés</translation>
     </message>
     <message>
         <source>Click a triangle to see its history; hover over it for its figures</source>
-        <translation>Cliquez sur un triangle pour voir son évolution ; survolez-le pour ses chiffres</translation>
+        <translation>Cliquez sur un triangle pour voir son évolution&#xa0;; survolez-le pour ses chiffres</translation>
     </message>
     <message>
         <source>Not registered yet: press &quot;Register and judge&quot;.</source>
-        <translation>Pas encore recalé : cliquez sur « Recaler et juger ».</translation>
+        <translation>Pas encore recalé&#xa0;: cliquez sur «&#xa0;Recaler et juger&#xa0;».</translation>
     </message>
     <message>
         <source>%1: %2 % of %3 triangles rejected at %4 mm</source>
-        <translation>%1 : %2 % de %3 triangles rejetés à %4 mm</translation>
+        <translation>%1&#xa0;: %2 % de %3 triangles rejetés à %4 mm</translation>
     </message>
     <message>
         <source>The sequence names no camera, so that no mesh can be drawn over the video.</source>
-        <translation>La séquence ne nomme aucune caméra : aucun maillage ne peut être dessiné sur la vidéo.</translation>
+        <translation>La séquence ne nomme aucune caméra&#xa0;: aucun maillage ne peut être dessiné sur la vidéo.</translation>
     </message>
     <message>
         <source>The sequence names no pictures; the mesh is drawn on black.</source>
-        <translation>La séquence ne nomme aucune image ; le maillage est dessiné sur fond noir.</translation>
+        <translation>La séquence ne nomme aucune image&#xa0;; le maillage est dessiné sur fond noir.</translation>
     </message>
     <message>
         <source>Correlation</source>
@@ -5796,18 +5800,18 @@ supposés</translation>
     </message>
     <message>
         <source>rejected: off by %1 mm or more</source>
-        <translation>rejeté : décalé de %1 mm ou plus</translation>
+        <translation>rejeté&#xa0;: décalé de %1 mm ou plus</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::RegisterWelcome</name>
     <message>
         <source>How good is a registration of a video?</source>
-        <translation>Que vaut le recalage d’une vidéo ?</translation>
+        <translation>Que vaut le recalage d’une vidéo&#xa0;?</translation>
     </message>
     <message>
         <source>This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the tracks of landmarks, and the model that is registered. glisson-cli sequence makes one of a stereo video and its calibration. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
-        <translation>Il faut une séquence : un sequence.json qui nomme les images d’une vidéo stéréo, un nuage de points pour chacune, les trajectoires de repères et le modèle à recaler. glisson-cli sequence en fait une à partir d’une vidéo stéréo et de son calibrage. Sans vidéo, un exemple montre de quoi il s’agit : le foie du patient de démonstration, qui respire et qu’un instrument enfonce, simulé.</translation>
+        <translation>Il faut une séquence&#xa0;: un sequence.json qui nomme les images d’une vidéo stéréo, un nuage de points pour chacune, les trajectoires de repères et le modèle à recaler. glisson-cli sequence en fait une à partir d’une vidéo stéréo et de son calibrage. Sans vidéo, un exemple montre de quoi il s’agit&#xa0;: le foie du patient de démonstration, qui respire et qu’un instrument enfonce, simulé.</translation>
     </message>
     <message>
         <source>Open a sequence...</source>
@@ -5823,7 +5827,7 @@ supposés</translation>
     </message>
     <message>
         <source>Simulates 40 frames in a few seconds and opens them; 7 MB</source>
-        <translation>Simule 40 images en quelques secondes et les ouvre ; 7 Mo</translation>
+        <translation>Simule 40 images en quelques secondes et les ouvre&#xa0;; 7 Mo</translation>
     </message>
 </context>
 <context>
@@ -5854,23 +5858,23 @@ supposés</translation>
     </message>
     <message>
         <source>The liver moves by up to %1 mm.</source>
-        <translation>Le foie se déplace jusqu’à %1 mm.</translation>
+        <translation>Le foie se déplace jusqu’à&#xa0;%1 mm.</translation>
     </message>
     <message>
         <source>The atlas is off by up to %1 mm.</source>
-        <translation>L’atlas se trompe jusqu’à %1 mm.</translation>
+        <translation>L’atlas se trompe jusqu’à&#xa0;%1 mm.</translation>
     </message>
     <message>
         <source>Strains reach %1 %, more than this linear model is made for.</source>
-        <translation>Les déformations atteignent %1 %, plus que ne le permet ce modèle linéaire.</translation>
+        <translation>Les déformations atteignent&#xa0;%1&#xa0;%, plus que ne le permet ce modèle linéaire.</translation>
     </message>
     <message>
         <source>Changed by evidence: %1</source>
-        <translation>Modifié par les constats : %1</translation>
+        <translation>Modifié par les constats&#xa0;: %1</translation>
     </message>
     <message>
         <source>Evidence to bear in mind: %1</source>
-        <translation>Constats à garder à l’esprit : %1</translation>
+        <translation>Constats à garder à l’esprit&#xa0;: %1</translation>
     </message>
     <message>
         <source>Save...</source>
@@ -5894,7 +5898,7 @@ supposés</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation>Écrit : %1</translation>
+        <translation>Écrit&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -5909,7 +5913,7 @@ supposés</translation>
     </message>
     <message>
         <source>Without it the page names neither the patient nor the case; see the settings too</source>
-        <translation>Sans cela, la page ne nomme ni le patient ni le cas ; voir aussi les réglages</translation>
+        <translation>Sans cela, la page ne nomme ni le patient ni le cas&#xa0;; voir aussi les réglages</translation>
     </message>
     <message>
         <source>Collect again</source>
@@ -5933,7 +5937,7 @@ supposés</translation>
     </message>
     <message>
         <source>Needs a case: open one, or the demo patient.</source>
-        <translation>Il faut un cas : ouvrez-en un, ou le patient de démonstration.</translation>
+        <translation>Il faut un cas&#xa0;: ouvrez-en un, ou le patient de démonstration.</translation>
     </message>
     <message>
         <source>Collecting the report</source>
@@ -5996,7 +6000,7 @@ supposés</translation>
     </message>
     <message>
         <source>Set a cut: what goes, what stays, how near the tumours it passes.</source>
-        <translation>Poser une section : ce qui part, ce qui reste, à quelle distance des tumeurs elle passe.</translation>
+        <translation>Poser une section&#xa0;: ce qui part, ce qui reste, à quelle distance des tumeurs elle passe.</translation>
     </message>
     <message>
         <source>Apart</source>
@@ -6052,7 +6056,7 @@ supposés</translation>
     </message>
     <message>
         <source>Set three or more points where the cut is to pass: on the liver, or in the slices.</source>
-        <translation>Posez trois points ou plus là où doit passer la section : sur le foie ou dans les coupes.</translation>
+        <translation>Posez trois points ou plus là où doit passer la section&#xa0;: sur le foie ou dans les coupes.</translation>
     </message>
     <message>
         <source>Click three places through which the plane is to pass.</source>
@@ -6091,7 +6095,7 @@ supposés</translation>
     </message>
     <message>
         <source>▲ R1: cut through</source>
-        <translation>▲ R1 : sectionné</translation>
+        <translation>▲ R1&#xa0;: sectionné</translation>
     </message>
     <message>
         <source>▲ Stays in the patient</source>
@@ -6099,7 +6103,7 @@ supposés</translation>
     </message>
     <message>
         <source>▲ R1: under 1 mm</source>
-        <translation>▲ R1 : moins de 1 mm</translation>
+        <translation>▲ R1&#xa0;: moins de 1 mm</translation>
     </message>
     <message>
         <source>● Under 5 mm</source>
@@ -6131,7 +6135,7 @@ supposés</translation>
     </message>
     <message>
         <source>R1: a margin under 1 mm counts as tumour at the edge. Under 5 mm is narrow.</source>
-        <translation>R1 : une marge inférieure à 1 mm compte comme tumeur au bord. Moins de 5 mm, c’est étroit.</translation>
+        <translation>R1&#xa0;: une marge inférieure à 1 mm compte comme tumeur au bord. Moins de 5 mm, c’est étroit.</translation>
     </message>
     <message>
         <source>Vessels crossed</source>
@@ -6170,11 +6174,11 @@ supposés</translation>
     </message>
     <message>
         <source>Needs a case: open one, or import images.</source>
-        <translation>Il faut un cas : ouvrez-en un ou importez des images.</translation>
+        <translation>Il faut un cas&#xa0;: ouvrez-en un ou importez des images.</translation>
     </message>
     <message>
         <source>Needs anatomical images: import them in Study.</source>
-        <translation>Il faut des images anatomiques : importez-les dans Étude.</translation>
+        <translation>Il faut des images anatomiques&#xa0;: importez-les dans Étude.</translation>
     </message>
     <message>
         <source>Nothing changed.</source>
@@ -6194,7 +6198,7 @@ supposés</translation>
     </message>
     <message>
         <source>Letters, digits and hyphens:</source>
-        <translation>Lettres, chiffres et traits d’union :</translation>
+        <translation>Lettres, chiffres et traits d’union&#xa0;:</translation>
     </message>
     <message>
         <source>Choose a structure first, or add one.</source>
@@ -6210,11 +6214,11 @@ supposés</translation>
     </message>
     <message>
         <source>Click into the tissue, away from large vessels. Points so far: %1</source>
-        <translation>Cliquez dans le tissu, loin des gros vaisseaux. Points jusqu’ici : %1</translation>
+        <translation>Cliquez dans le tissu, loin des gros vaisseaux. Points jusqu’ici&#xa0;: %1</translation>
     </message>
     <message>
         <source>Click on the piece that is to stay; all others go.</source>
-        <translation>Cliquez sur le morceau à garder ; tous les autres disparaissent.</translation>
+        <translation>Cliquez sur le morceau à garder&#xa0;; tous les autres disparaissent.</translation>
     </message>
     <message>
         <source>Choose a tool to draw in the slices. Without one, clicks move the crosshair.</source>
@@ -6222,7 +6226,7 @@ supposés</translation>
     </message>
     <message>
         <source>Growing: %1</source>
-        <translation>Croissance : %1</translation>
+        <translation>Croissance&#xa0;: %1</translation>
     </message>
     <message>
         <source>Structures</source>
@@ -6262,7 +6266,7 @@ supposés</translation>
     </message>
     <message>
         <source>Takes the chosen structure out of the case; Ctrl+Z brings it back</source>
-        <translation>Retire la structure choisie du cas ; Ctrl+Z la ramène</translation>
+        <translation>Retire la structure choisie du cas&#xa0;; Ctrl+Z la ramène</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -6302,11 +6306,11 @@ supposés</translation>
     </message>
     <message>
         <source>Drag to add. Ctrl: erase instead. Shift+wheel: radius in mm</source>
-        <translation>Glisser pour ajouter. Ctrl : effacer. Maj+molette : rayon en mm</translation>
+        <translation>Glisser pour ajouter. Ctrl&#xa0;: effacer. Maj+molette&#xa0;: rayon en mm</translation>
     </message>
     <message>
         <source>Drag to take away. Ctrl: add instead. Shift+wheel: radius in mm</source>
-        <translation>Glisser pour enlever. Ctrl : ajouter. Maj+molette : rayon en mm</translation>
+        <translation>Glisser pour enlever. Ctrl&#xa0;: ajouter. Maj+molette&#xa0;: rayon en mm</translation>
     </message>
     <message>
         <source>Adds only where the grey values are like those under the click</source>
@@ -6322,7 +6326,7 @@ supposés</translation>
     </message>
     <message>
         <source>Click on the piece that is to stay; all others go</source>
-        <translation>Cliquez sur le morceau à garder ; tous les autres disparaissent</translation>
+        <translation>Cliquez sur le morceau à garder&#xa0;; tous les autres disparaissent</translation>
     </message>
     <message>
         <source>%1 (key %2)</source>
@@ -6624,18 +6628,18 @@ supposés</translation>
     </message>
     <message>
         <source>One moment: the last change is being worked off.</source>
-        <translation>Un instant : la dernière modification est en cours.</translation>
+        <translation>Un instant&#xa0;: la dernière modification est en cours.</translation>
     </message>
     <message>
         <source>This slice is tilted: here scissors cut through all slices. Choose that, or make it straight.</source>
-        <translation>Cette coupe est inclinée : ici, les ciseaux coupent à travers toutes les coupes. Choisissez cela, ou redressez-la.</translation>
+        <translation>Cette coupe est inclinée&#xa0;: ici, les ciseaux coupent à travers toutes les coupes. Choisissez cela, ou redressez-la.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SolvingLight</name>
     <message>
         <source>How far the equations are from balance; what solving and drawing took</source>
-        <translation>L’écart des équations à l’équilibre ; les durées de la résolution et du dessin</translation>
+        <translation>L’écart des équations à l’équilibre&#xa0;; les durées de la résolution et du dessin</translation>
     </message>
     <message>
         <source>○ No tool</source>
@@ -6671,7 +6675,7 @@ supposés</translation>
     </message>
     <message>
         <source>Cells turned inside out: %1. Use less force.</source>
-        <translation>Cellules retournées : %1. Réduisez la force.</translation>
+        <translation>Cellules retournées&#xa0;: %1. Réduisez la force.</translation>
     </message>
 </context>
 <context>
@@ -6721,11 +6725,11 @@ supposés</translation>
     </message>
     <message>
         <source>A folder, a DICOMDIR or one file; dropping it on the window does the same</source>
-        <translation>Un dossier, un DICOMDIR ou un fichier ; le déposer sur la fenêtre fait de même</translation>
+        <translation>Un dossier, un DICOMDIR ou un fichier&#xa0;; le déposer sur la fenêtre fait de même</translation>
     </message>
     <message>
         <source>Patients&apos; names are not shown: they are not read from the images. The images are never written to.</source>
-        <translation>Les noms des patients ne sont pas affichés : ils ne sont pas lus dans les images. Les images ne sont jamais modifiées.</translation>
+        <translation>Les noms des patients ne sont pas affichés&#xa0;: ils ne sont pas lus dans les images. Les images ne sont jamais modifiées.</translation>
     </message>
     <message>
         <source>Keep the case as</source>
@@ -6745,11 +6749,11 @@ supposés</translation>
     </message>
     <message>
         <source>%1: series found: %2</source>
-        <translation>%1 : séries trouvées : %2</translation>
+        <translation>%1&#xa0;: séries trouvées&#xa0;: %2</translation>
     </message>
     <message>
         <source>; files left out: %1</source>
-        <translation>; fichiers écartés : %1</translation>
+        <translation>; fichiers écartés&#xa0;: %1</translation>
     </message>
     <message>
         <source>Give at least one series a role first.</source>
@@ -6757,7 +6761,7 @@ supposés</translation>
     </message>
     <message>
         <source>There is something of that name already: choose another.</source>
-        <translation>Il existe déjà quelque chose de ce nom : choisissez-en un autre.</translation>
+        <translation>Il existe déjà quelque chose de ce nom&#xa0;: choisissez-en un autre.</translation>
     </message>
     <message>
         <source>Copies the chosen series into a new case</source>
@@ -6769,7 +6773,7 @@ supposés</translation>
     </message>
     <message>
         <source>Series of the same role are replaced; Ctrl+Z brings them back</source>
-        <translation>Les séries du même rôle sont remplacées ; Ctrl+Z les ramène</translation>
+        <translation>Les séries du même rôle sont remplacées&#xa0;; Ctrl+Z les ramène</translation>
     </message>
     <message>
         <source>Open a folder of images</source>
@@ -6813,14 +6817,14 @@ supposés</translation>
     <message>
         <source>%1 × %2 × %3 voxels,
 %4 × %5 × %6 mm each</source>
-        <translation>%1 × %2 × %3 voxels
-de %4 × %5 × %6 mm chacun</translation>
+        <translation>%1 ×&#xa0;%2 ×&#xa0;%3 voxels
+de&#xa0;%4 ×&#xa0;%5 ×&#xa0;%6 mm chacun</translation>
     </message>
     <message>
         <source>%1 cells
 Young&apos;s modulus %2 kPa (mean)</source>
         <translation>%1 cellules
-Module de Young %2 kPa (moyenne)</translation>
+Module de Young&#xa0;%2 kPa (moyenne)</translation>
     </message>
 </context>
 <context>
@@ -6855,7 +6859,7 @@ Module de Young %2 kPa (moyenne)</translation>
     </message>
     <message>
         <source>Evidence against the declared model: below -10 is very strong</source>
-        <translation>Preuve contre le modèle déclaré : en dessous de -10, très forte</translation>
+        <translation>Preuve contre le modèle déclaré&#xa0;: en dessous de -10, très forte</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -6863,7 +6867,7 @@ Module de Young %2 kPa (moyenne)</translation>
     </message>
     <message>
         <source>out of the running: %1</source>
-        <translation>hors course : %1</translation>
+        <translation>hors course&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -6937,7 +6941,7 @@ Module de Young %2 kPa (moyenne)</translation>
     </message>
     <message>
         <source>Then click on the liver where the tool is to touch it. By key: Ctrl+T, at the crosshair</source>
-        <translation>Cliquez ensuite sur le foie à l’endroit que l’instrument doit toucher. Au clavier : Ctrl+T, au réticule</translation>
+        <translation>Cliquez ensuite sur le foie à l’endroit que l’instrument doit toucher. Au clavier&#xa0;: Ctrl+T, au réticule</translation>
     </message>
     <message>
         <source>Hoist segment VI</source>
@@ -7027,7 +7031,7 @@ Module de Young %2 kPa (moyenne)</translation>
     </message>
     <message>
         <source>Shows again what was done, from where the time stands; rests are cut to 1 s</source>
-        <translation>Montre à nouveau ce qui a été fait, à partir du temps choisi ; les pauses sont réduites à 1 s</translation>
+        <translation>Montre à nouveau ce qui a été fait, à partir du temps choisi&#xa0;; les pauses sont réduites à 1 s</translation>
     </message>
     <message>
         <source>Any moment of this rehearsal, in seconds</source>
@@ -7043,7 +7047,7 @@ Module de Young %2 kPa (moyenne)</translation>
     </message>
     <message>
         <source>Saves every moment as CSV: tools, forces (N), landmarks (mm)</source>
-        <translation>Enregistre chaque moment en CSV : instruments, forces (N), repères (mm)</translation>
+        <translation>Enregistre chaque moment en CSV&#xa0;: instruments, forces (N), repères (mm)</translation>
     </message>
     <message>
         <source>Forget</source>
@@ -7051,7 +7055,7 @@ Module de Young %2 kPa (moyenne)</translation>
     </message>
     <message>
         <source>Forgets what was done so far; the tool stays</source>
-        <translation>Oublie ce qui a été fait jusqu’ici ; l’instrument reste</translation>
+        <translation>Oublie ce qui a été fait jusqu’ici&#xa0;; l’instrument reste</translation>
     </message>
     <message>
         <source>Stop (%1 %)</source>
@@ -7059,7 +7063,7 @@ Module de Young %2 kPa (moyenne)</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation>Écrit : %1</translation>
+        <translation>Écrit&#xa0;: %1</translation>
     </message>
     <message>
         <source>Save a movie of the rehearsal</source>
@@ -7087,11 +7091,11 @@ Module de Young %2 kPa (moyenne)</translation>
     </message>
     <message>
         <source>A movie of what the 3D view shows, MP4 or pictures</source>
-        <translation>Un film de ce que montre la vue 3D : MP4 ou images</translation>
+        <translation>Un film de ce que montre la vue 3D&#xa0;: MP4 ou images</translation>
     </message>
     <message>
         <source>Move a tool first: there is nothing to show yet</source>
-        <translation>Déplacez d’abord un instrument : il n’y a encore rien à montrer</translation>
+        <translation>Déplacez d’abord un instrument&#xa0;: il n’y a encore rien à montrer</translation>
     </message>
     <message>
         <source>Movie...</source>
@@ -7145,7 +7149,7 @@ Module de Young %2 kPa (moyenne)</translation>
     </message>
     <message>
         <source>The triangle of the left picture whose history is drawn; or click one in a picture</source>
-        <translation>Le triangle de l’image de gauche dont l’évolution est tracée ; ou cliquez-en un dans une image</translation>
+        <translation>Le triangle de l’image de gauche dont l’évolution est tracée&#xa0;; ou cliquez-en un dans une image</translation>
     </message>
     <message>
         <source>Error (mm)</source>
@@ -7165,7 +7169,7 @@ Module de Young %2 kPa (moyenne)</translation>
     </message>
     <message>
         <source>Left: how far the registered corners are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: what SIRGn&apos;s correlation compares, the motion of the landmarks and of the registration&apos;s warp, mm</source>
-        <translation>À gauche : distance des sommets recalés à leur place sur le modèle, mm, avec la tolérance en trait mixte. À droite : ce que compare la corrélation de SIRGn, le mouvement des repères et celui de la déformation du recalage, mm</translation>
+        <translation>À gauche&#xa0;: distance des sommets recalés à leur place sur le modèle, mm, avec la tolérance en trait mixte. À droite&#xa0;: ce que compare la corrélation de SIRGn, le mouvement des repères et celui de la déformation du recalage, mm</translation>
     </message>
     <message>
         <source>Landmarks, %1</source>
@@ -7180,15 +7184,15 @@ Module de Young %2 kPa (moyenne)</translation>
     <name>glisson::widgets::Undo</name>
     <message>
         <source>Undone: %1</source>
-        <translation>Annulé : %1</translation>
+        <translation>Annulé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Done again: %1</source>
-        <translation>Rétabli : %1</translation>
+        <translation>Rétabli&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation>&amp;Annuler : %1</translation>
+        <translation>&amp;Annuler&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -7196,7 +7200,7 @@ Module de Young %2 kPa (moyenne)</translation>
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation>&amp;Rétablir : %1</translation>
+        <translation>&amp;Rétablir&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
@@ -7211,7 +7215,7 @@ Module de Young %2 kPa (moyenne)</translation>
     </message>
     <message>
         <source>A distance in mm: click its two ends, or press Enter at the crosshair; Escape gives up</source>
-        <translation>Une distance en mm : cliquez sur ses deux extrémités, ou appuyez sur Entrée au réticule ; Échap annule</translation>
+        <translation>Une distance en mm&#xa0;: cliquez sur ses deux extrémités, ou appuyez sur Entrée au réticule&#xa0;; Échap annule</translation>
     </message>
     <message>
         <source>Measure an &amp;angle</source>
@@ -7219,7 +7223,7 @@ Module de Young %2 kPa (moyenne)</translation>
     </message>
     <message>
         <source>An angle in degrees: click one side, the vertex, the other side</source>
-        <translation>Un angle en degrés : cliquez sur un côté, le sommet, l’autre côté</translation>
+        <translation>Un angle en degrés&#xa0;: cliquez sur un côté, le sommet, l’autre côté</translation>
     </message>
     <message>
         <source>Measure a &amp;ball</source>
@@ -7227,7 +7231,7 @@ Module de Young %2 kPa (moyenne)</translation>
     </message>
     <message>
         <source>A ball&apos;s volume in ml: click its centre, then a point of its surface</source>
-        <translation>Le volume d’une boule en ml : cliquez sur son centre, puis sur un point de sa surface</translation>
+        <translation>Le volume d’une boule en ml&#xa0;: cliquez sur son centre, puis sur un point de sa surface</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -7264,8 +7268,8 @@ Module de Young %2 kPa (moyenne)</translation>
     <message>
         <source>Brightness and contrast of the slices. The presets are for CT; MR has no fixed scale.
 By hand: drag with the right button</source>
-        <translation>Luminosité et contraste des coupes. Les préréglages sont pour le scanner ; l’IRM n’a pas d’échelle fixe.
-À la main : glissez avec le bouton droit</translation>
+        <translation>Luminosité et contraste des coupes. Les préréglages sont pour le scanner&#xa0;; l’IRM n’a pas d’échelle fixe.
+À la main&#xa0;: glissez avec le bouton droit</translation>
     </message>
     <message>
         <source>Brightness and contrast</source>
@@ -7281,7 +7285,7 @@ By hand: drag with the right button</source>
     </message>
     <message>
         <source>Turns the three slices to where the surgeon stands. By hand: drag the knobs of the crosshair, or Ctrl and drag</source>
-        <translation>Tourne les trois coupes vers là où se tient le chirurgien. À la main : tirez les poignées du réticule, ou Ctrl et glisser</translation>
+        <translation>Tourne les trois coupes vers là où se tient le chirurgien. À la main&#xa0;: tirez les poignées du réticule, ou Ctrl et glisser</translation>
     </message>
     <message>
         <source>S&amp;traight</source>
@@ -7305,7 +7309,7 @@ By hand: drag with the right button</source>
     </message>
     <message>
         <source>&amp;One view: the one in use</source>
-        <translation>&amp;Une vue : celle utilisée</translation>
+        <translation>&amp;Une vue&#xa0;: celle utilisée</translation>
     </message>
     <message>
         <source>Save the &amp;picture of the view in use...</source>
@@ -7347,7 +7351,7 @@ By hand: drag with the right button</source>
     </message>
     <message>
         <source>A defect in Glisson stopped this: %1</source>
-        <translation>Un défaut de Glisson a interrompu cette opération : %1</translation>
+        <translation>Un défaut de Glisson a interrompu cette opération&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Inverting the waves</source>
@@ -7439,11 +7443,11 @@ By hand: drag with the right button</source>
     </message>
     <message>
         <source>Shear stiffness %1 kPa on average over %2 confident voxels, %3 % of the region; middle half %4 to %5 kPa; vibration %6 Hz, wavelength %7 mm</source>
-        <translation>Rigidité en cisaillement de %1 kPa en moyenne sur %2 voxels de confiance, %3 % de la région ; moitié centrale de %4 à %5 kPa ; vibration %6 Hz, longueur d’onde %7 mm</translation>
+        <translation>Rigidité en cisaillement de&#xa0;%1 kPa en moyenne sur&#xa0;%2 voxels de confiance,&#xa0;%3&#xa0;% de la région&#xa0;; moitié centrale de&#xa0;%4 à&#xa0;%5 kPa&#xa0;; vibration&#xa0;%6 Hz, longueur d’onde&#xa0;%7 mm</translation>
     </message>
     <message>
         <source>Slice %1 of %2</source>
-        <translation>Coupe %1 sur %2</translation>
+        <translation>Coupe&#xa0;%1 sur&#xa0;%2</translation>
     </message>
 </context>
 <context>
@@ -7570,23 +7574,23 @@ By hand: drag with the right button</source>
     <name>tour</name>
     <message>
         <source>Study: the images</source>
-        <translation>Étude : les images</translation>
+        <translation>Étude&#xa0;: les images</translation>
     </message>
     <message>
         <source>Every case begins with its images. Drop a DICOM folder on the window: Glisson proposes what each series is for, and you correct it. Here you also see what a case still lacks.</source>
-        <translation>Tout cas commence par ses images. Déposez un dossier DICOM sur la fenêtre : Glisson propose à quoi sert chaque série, et vous corrigez. Vous voyez aussi ici ce qui manque encore à un cas.</translation>
+        <translation>Tout cas commence par ses images. Déposez un dossier DICOM sur la fenêtre&#xa0;: Glisson propose à quoi sert chaque série, et vous corrigez. Vous voyez aussi ici ce qui manque encore à un cas.</translation>
     </message>
     <message>
         <source>Segment: what is where</source>
-        <translation>Segmenter : où se trouve quoi</translation>
+        <translation>Segmenter&#xa0;: où se trouve quoi</translation>
     </message>
     <message>
         <source>The liver, its vessels and tumours as coloured outlines in the slices. Paint, erase, grow and smooth; every step can be undone, even after the case was closed.</source>
-        <translation>Le foie, ses vaisseaux et ses tumeurs en contours colorés sur les coupes. Peindre, effacer, faire croître et lisser ; chaque pas peut être annulé, même après la fermeture du cas.</translation>
+        <translation>Le foie, ses vaisseaux et ses tumeurs en contours colorés sur les coupes. Peindre, effacer, faire croître et lisser&#xa0;; chaque pas peut être annulé, même après la fermeture du cas.</translation>
     </message>
     <message>
         <source>Model: how stiff each part is</source>
-        <translation>Modèle : la rigidité de chaque partie</translation>
+        <translation>Modèle&#xa0;: la rigidité de chaque partie</translation>
     </message>
     <message>
         <source>The liver becomes tetrahedra, and each gets the patient&apos;s own stiffness from MR elastography. What holds the liver in place is shown too.</source>
@@ -7594,23 +7598,23 @@ By hand: drag with the right button</source>
     </message>
     <message>
         <source>Rehearse: pull, and see</source>
-        <translation>Répéter : tirer et voir</translation>
+        <translation>Répéter&#xa0;: tirer et voir</translation>
     </message>
     <message>
         <source>A retractor hoists segment VI with 2 N. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
-        <translation>Un écarteur soulève le segment VI avec 2 N. Changez la force, ou placez l’instrument ailleurs d’un clic : le tableau suit chaque tumeur et chaque vaisseau, et marque ce qui s’écarte de 5 mm ou plus.</translation>
+        <translation>Un écarteur soulève le segment VI avec 2 N. Changez la force, ou placez l’instrument ailleurs d’un clic&#xa0;: le tableau suit chaque tumeur et chaque vaisseau, et marque ce qui s’écarte de 5 mm ou plus.</translation>
     </message>
     <message>
         <source>Resect: what is left</source>
-        <translation>Résection : ce qui reste</translation>
+        <translation>Résection&#xa0;: ce qui reste</translation>
     </message>
     <message>
         <source>A cutting surface divides the liver: volumes of specimen and remnant, the smallest margin to each tumour, and the vessels that are crossed.</source>
-        <translation>Une surface de coupe divise le foie : volumes de la pièce et du foie restant, plus petite marge à chaque tumeur, et vaisseaux traversés.</translation>
+        <translation>Une surface de coupe divise le foie&#xa0;: volumes de la pièce et du foie restant, plus petite marge à chaque tumeur, et vaisseaux traversés.</translation>
     </message>
     <message>
         <source>Register: can the overlay be trusted</source>
-        <translation>Recaler : peut-on se fier à la superposition ?</translation>
+        <translation>Recaler&#xa0;: peut-on se fier à la superposition&#xa0;?</translation>
     </message>
     <message>
         <source>Laparoscopic video is registered to the model, and SIRGn shows on each triangle how well, for one algorithm or two side by side.</source>
@@ -7618,23 +7622,23 @@ By hand: drag with the right button</source>
     </message>
     <message>
         <source>Platform: what to wear</source>
-        <translation>Plateforme : que porter</translation>
+        <translation>Plateforme&#xa0;: que porter</translation>
     </message>
     <message>
         <source>Which wearable computer carries this case for as long as the operation takes: frames a second, battery and heat, and why the others do not.</source>
-        <translation>Quel ordinateur porté sur soi suffit à ce cas pendant toute l’opération : images par seconde, batterie et chaleur, et pourquoi les autres ne suffisent pas.</translation>
+        <translation>Quel ordinateur porté sur soi suffit à ce cas pendant toute l’opération&#xa0;: images par seconde, batterie et chaleur, et pourquoi les autres ne suffisent pas.</translation>
     </message>
     <message>
         <source>Evidence: where the model is wrong</source>
-        <translation>Constats : là où le modèle se trompe</translation>
+        <translation>Constats&#xa0;: là où le modèle se trompe</translation>
     </message>
     <message>
         <source>Measurements are held against the model. What it cannot explain is traced to a cause; you accept that cause for this patient, and can take it back.</source>
-        <translation>Les mesures sont confrontées au modèle. Ce qu’il ne peut expliquer est ramené à une cause ; vous l’acceptez pour ce patient, et pouvez revenir en arrière.</translation>
+        <translation>Les mesures sont confrontées au modèle. Ce qu’il ne peut expliquer est ramené à une cause&#xa0;; vous l’acceptez pour ce patient, et pouvez revenir en arrière.</translation>
     </message>
     <message>
         <source>Report: one page</source>
-        <translation>Rapport : une page</translation>
+        <translation>Rapport&#xa0;: une page</translation>
     </message>
     <message>
         <source>All that was done for this patient, to read, save or print. The name is masked unless you ask for it in the settings.</source>

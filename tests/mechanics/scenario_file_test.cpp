@@ -151,6 +151,7 @@ TEST(ScenarioFile, ValuesThatCannotBeMeantAreRefusedWithTheirPlace) {
       {R"({"capsule": {}})", "lacks \"thickness_mm\""},
       {R"({"supports": [{"point_array": "a", "directions": ["x"], "ligament": {}}]})", "is a ligament"},
       {R"({"loads": [{"gravity_of_patient": {"left_tilt_deg": 120}}]})", "between -90 and 90"},
+      {R"({"cut_walls": "closed"})", "cut_walls"},
       {R"({"cuts": [{"center_mm": [0,0,0], "normal": [0,0,0]}]})", "cut 1, normal must not be zero"},
       {R"({"cuts": [{"center_mm": [0,0,0]}]})", "cut 1 needs exactly one of"},
       {R"({"cuts": [{"center_mm": [0,0,0], "normal": [0,0,1], "radius": 3}]})", "\"radius_mm\""},

@@ -189,10 +189,23 @@ double overlap_of_halves_mm(const geometry::TetMesh& rest, const std::vector<Vec
   return deepest_mm;
 }
 
+TEST_F(Simulating, WallsThatNothingKeepsApartPassThroughEachOtherAndTheResultSaysSo) {
+  scenario.poisson_ratio = 0.3;
+  scenario.loads = {ToolLoad{{30, 15, 25}, 8, {-120, 0, 0}}};
+  scenario.cuts = {{{15, 0, 0}, {1, 0, 0}}};
+  const auto cut = simulate(mesh, scenario).value();
+  EXPECT_GT(cut.cut->largest_overlap_mm, 0.5);
+  EXPECT_THAT(cut.result.notes, Contains(HasSubstr("\"cut_walls\": \"apart\"")));
+  scenario.cut_walls = Scenario::Walls::apart;
+  scenario.engine = Engine::meshfree;
+  EXPECT_THAT(refusal(), HasSubstr("not-available: The walls of cuts"));
+}
+
 TEST_F(Simulating, HalvesOfACutThatArePressedTogetherDoNotPassThroughEachOther) {
   // The right half is pushed at its top against the left one, by which alone (poor in contact) it would go through it
   // by millimetres. Together they give way by less than it alone and by more than the block in one piece.
   scenario.poisson_ratio = 0.3;
+  scenario.cut_walls = Scenario::Walls::apart;
   const std::vector<ToolInHand> probe = {
       {"probe", RigidToolInHand{palpation_probe(8), {42, 15, 24}, {-1, 0, 0}, 8, {}}}};
   for (const bool touched : {false, true}) {
