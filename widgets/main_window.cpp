@@ -442,7 +442,9 @@ void MainWindow::start_tour() {
   };
   const auto example_sequence = [this] {
     auto* page = findChild<RegisterPage*>();
-    if (page != nullptr && !page->has_sequence() && !work_.busy()) page->open_example();
+    if (page == nullptr || page->has_sequence() || work_.busy()) return;
+    connect(page, &RegisterPage::opened, page, &RegisterPage::compute, Qt::SingleShotConnection);
+    page->open_example();
   };
   tour_->start(tour_stops(there, {{"rehearse", [this] { rehearse_panel_->hoist_segment_vi(); }},
                                   {"resect", press("cut_through_crosshair")},

@@ -19,7 +19,7 @@ namespace {
 using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
 
-constexpr double farthest_from_cloud = 0.1;  // of a landmark from a frame's points, as a fraction of their reach
+constexpr double farthest_from_cloud = 0.5;  // of a landmark from a frame's points, as a fraction of their reach
 
 // A frame's finite point pairs, asked which way its points went.
 class FrameMotion {

@@ -90,8 +90,9 @@ struct Quality {
 
 // Failures: "sirgn-too-few-frames" (fewer than three), "sirgn-too-few-landmarks" (fewer than four seen in three frames,
 // or all on a line), "sirgn-landmarks-off" (fewer than four, since the others' median distance from the points of their
-// frames is above a tenth of these points' reach), "sirgn-not-point-for-point" (a frame's cloud and its registered cloud differ in number),
-// "sirgn-tracks" (a track that does not have an entry a frame), "sirgn-empty-frame", "sirgn-tolerance", "cancelled".
+// frames is above half of these points' reach), "sirgn-not-point-for-point" (a frame's cloud and its registered cloud
+// differ in number), "sirgn-tracks" (a track that does not have an entry a frame), "sirgn-empty-frame",
+// "sirgn-tolerance", "cancelled".
 Result<Quality> sirgn(const RegisteredSequence& sequence, const SirgnOptions& options = {},
                       const Progress& progress = {});
 

@@ -93,6 +93,9 @@ void AlgorithmChoice::offer(const OpenedSequence& sequence) {
       items->item(i)->setEnabled(can);
       if (can) possible.push_back(i);
     }
+    // Who brings a registration of his own wants to see that one, beside another.
+    std::stable_partition(possible.begin(), possible.end(),
+                          [&](int i) { return box.itemData(i).toInt() == static_cast<int>(SequenceMethod::given); });
     box.setCurrentIndex(possible[std::min(side, possible.size() - 1)]);
   }
   word();
