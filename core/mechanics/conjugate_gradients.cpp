@@ -24,9 +24,8 @@ double sum_over(std::size_t values, const Work& work) {
 
 }  // namespace
 
-int conjugate_gradients(const BlockCsr& matrix, const std::vector<float>& mask,
-                        LatticePreconditioner& preconditioner, double target_norm, int max_iterations,
-                        GradientBuffers& buffers) {
+int conjugate_gradients(const BlockCsr& matrix, const std::vector<float>& mask, LatticePreconditioner& preconditioner,
+                        double target_norm, int max_iterations, GradientBuffers& buffers) {
   // References and not one structured binding, which a lambda may not capture in clang before 16.
   std::vector<float>& r = buffers.residual;
   std::vector<float>& x = buffers.solution;
