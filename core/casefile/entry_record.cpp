@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/json.h"
+#include "casefile/sentence_record.h"
 
 namespace glisson::casefile {
 namespace fs = std::filesystem;
@@ -15,9 +16,7 @@ std::string record_of(const Entry& entry) {
   if (!entry.made.notes.empty()) {
     // For whoever reads the file, and apart from it in the pieces that other languages need.
     made["notes"] = messages(entry.made.notes);
-    for (const Sentence& note : entry.made.notes) {
-      made["note_pieces"].push_back({{"text", note.text}, {"arguments", note.arguments}});
-    }
+    for (const Sentence& note : entry.made.notes) made["note_pieces"].push_back(json_of(note));
   }
   return Json{{"id", entry.id}, {"file", entry.file.generic_string()}, {"sha256", entry.sha256}, {"made", made}}.dump();
 }
@@ -36,10 +35,7 @@ Result<Entry> entry_of(std::string_view text, const fs::path& file) {
     entry.made.options = made.value("options", std::map<std::string, std::string>{});
     entry.made.sources = made.value("sources", std::map<std::string, std::string>{});
     if (made.contains("note_pieces")) {
-      for (const Json& note : made.at("note_pieces")) {
-        entry.made.notes.push_back(
-            {note.at("text").get<std::string>(), note.at("arguments").get<std::vector<std::string>>()});
-      }
+      for (const Json& note : made.at("note_pieces")) entry.made.notes.push_back(sentence_from(note));
     } else {
       for (std::string& note : made.value("notes", std::vector<std::string>{})) {
         entry.made.notes.push_back({std::move(note), {}});

@@ -89,8 +89,4 @@ Failure history_damaged(const std::filesystem::path& file) {
       "history-damaged", GLISSON_TEXT("The history of the case cannot be read: {0}."), {file.string()}, {}, file});
 }
 
-Json json_of(const Sentence& name) { return Json{{"text", name.text}, {"arguments", name.arguments}}; }
-
-Sentence sentence_from(const Json& json) { return {json.at("text"), json.at("arguments")}; }
-
 }  // namespace glisson::casefile

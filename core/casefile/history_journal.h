@@ -13,6 +13,7 @@
 #include "base/json.h"
 #include "casefile/history.h"
 #include "casefile/history_content.h"
+#include "casefile/sentence_record.h"
 
 namespace glisson::casefile {
 
@@ -45,9 +46,6 @@ struct EntryChange {
 };
 Json json_of(const std::vector<EntryChange>& changes);
 Result<std::vector<EntryChange>> read_changes(const std::filesystem::path& file);
-
-Json json_of(const Sentence& name);
-Sentence sentence_from(const Json& json);
 
 Failure history_damaged(const std::filesystem::path& file);
 

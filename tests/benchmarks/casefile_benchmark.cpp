@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "benchmarks/exact_contact.h"
 #include "casefile/model.h"
 #include "rehearsal/session.h"
 #include "rehearsal/tool_presets.h"
@@ -81,22 +82,8 @@ void SessionOnACase(benchmark::State& state) {
   state.counters["slowest_ms"] = slowest_ms;
   state.counters["refused"] = refused;
 
-  auto whole =
-      mechanics::StaticModel::create(setup.mesh, setup.patient_youngs_kPa, setup.supports, setup.options).value();
-  auto places = mechanics::locate_landmarks(setup.mesh, setup.landmarks, setup.landmark_tolerance_mm).value();
-  const auto body = mechanics::ContactBody::create(std::move(whole), setup.standing_loads, places).value();
-  mechanics::ContactOptions tight;
-  tight.movement_tolerance_mm *= 0.01;
-  tight.max_rounds = 500;
-  auto exact = body.solve(body.untouched(), {hook}, tight).value();
-  exact = body.solve(exact, {hook, probe()}, tight).value();
-  double error_mm = 0;
-  for (std::size_t l = 0; l < setup.landmarks.size(); ++l) {
-    const Vector3d moved_mm = engine.frame().patient.landmarks[l].displaced_mm - setup.landmarks[l].position_mm;
-    error_mm = std::max(error_mm, (moved_mm - exact.watched_mm[l]).norm());
-  }
   state.counters["landmarks"] = double(setup.landmarks.size());
-  state.counters["error_mm"] = exact.report.converged ? error_mm : -1;
+  state.counters["error_mm"] = landmark_error_mm(setup, hook, probe(), engine.frame());
 }
 
 BENCHMARK(SessionOnACase)->Iterations(160)->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -8,6 +8,7 @@
 #include <ctime>
 
 #include "base/parallel.h"
+#include "benchmarks/exact_contact.h"
 #include "mechanics/bodies.h"
 #include "mechanics/load_vector.h"
 #include "mechanics/meshfree_body.h"
@@ -200,10 +201,9 @@ void ChangingTheForce(benchmark::State& state) {
 // `error_mm` is how far the last frame's landmarks are from those of a hundredfold tighter contact.
 void RehearsalWithTools(benchmark::State& state) {
   const auto mesh = liver_sized(15);
-  const std::vector<mechanics::Landmark> landmarks{{"a", {-40, -30, -20}}, {"b", {0, -50, 0}}, {"c", {30, -20, 10}}};
   rehearsal::RehearsalSetup setup{mesh, mechanics::test::uniform(mesh, 6.0), 5.0, supports, {}, {}, {}, {}};
-  setup.landmarks = landmarks;
-  auto engine = rehearsal::SessionEngine::create(std::move(setup)).value();
+  setup.landmarks = {{"a", {-40, -30, -20}}, {"b", {0, -50, 0}}, {"c", {30, -20, 10}}};
+  auto engine = rehearsal::SessionEngine::create(setup).value();
   const mechanics::HandTool hook{"hook",
                                  mechanics::TouchingTool{mechanics::nathanson_retractor(),
                                                          mechanics::pose_towards({-40, 0, -80}, {0, 0, 1}), 500.0}};
@@ -235,21 +235,7 @@ void RehearsalWithTools(benchmark::State& state) {
   state.counters["slowest_ms"] = slowest_ms;
   state.counters["refused"] = refused;
 
-  auto model = mechanics::StaticModel::create(mesh, mechanics::test::uniform(mesh, 6.0), supports).value();
-  auto places = mechanics::locate_landmarks(mesh, landmarks, 10.0).value();
-  const auto body = mechanics::ContactBody::create(std::move(model), {}, places).value();
-  mechanics::ContactOptions tight;
-  tight.movement_tolerance_mm *= 0.01;
-  tight.max_rounds = 500;
-  auto exact = body.solve(body.untouched(), {hook}, tight).value();
-  exact = body.solve(exact, {hook, probe()}, tight).value();
-  double error_mm = 0;
-  for (std::size_t l = 0; l < landmarks.size(); ++l) {
-    error_mm = std::max(
-        error_mm,
-        (engine.frame().patient.landmarks[l].displaced_mm - landmarks[l].position_mm - exact.watched_mm[l]).norm());
-  }
-  state.counters["error_mm"] = exact.report.converged ? error_mm : -1;
+  state.counters["error_mm"] = landmark_error_mm(setup, hook, probe(), engine.frame());
 }
 
 // The beam of SOFA's published figures by its number of nodes: 16 x 16 x 76 = 19,456, corotational, clamped at one end,
