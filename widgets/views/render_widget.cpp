@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <QCoreApplication>
 #include <QFutureWatcher>
 #include <QPainter>
 #include <QSemaphore>
 #include <QtConcurrentRun>
 #include <QThreadPool>
 #include <QTimer>
+#include <utility>
 
 #include "scene/painter.h"
 #include "words/told.h"
@@ -18,16 +20,19 @@ namespace {
 const QColor empty_view(5, 6, 7);
 const QColor faint_words(150, 158, 168);
 
-// One for all views: what draws in software uses every core for each frame anyway.
+// One for all views: what draws in software uses every core for each frame anyway. It ends with the application, not
+// with the program's static objects: those of the drivers, made later, go first, under the hands of a frame not
+// finished.
+QThreadPool* drawing_pool = nullptr;
+
 QThreadPool& drawing_thread() {
-  static QThreadPool pool;
-  static const bool set_up = [] {
-    pool.setMaxThreadCount(1);
-    pool.setExpiryTimeout(-1);  // painters belong to their thread
-    return true;
-  }();
-  static_cast<void>(set_up);
-  return pool;
+  if (drawing_pool == nullptr) {
+    drawing_pool = new QThreadPool;
+    drawing_pool->setMaxThreadCount(1);
+    drawing_pool->setExpiryTimeout(-1);  // painters belong to their thread
+    qAddPostRoutine([] { delete std::exchange(drawing_pool, nullptr); });
+  }
+  return *drawing_pool;
 }
 
 QImage image_of(scene::DrawnFrame&& frame) {
@@ -75,6 +80,8 @@ RenderWidget::RenderWidget(QWidget* parent) : QWidget(parent), drawer_(std::make
 RenderWidget::~RenderWidget() {
   drawing_thread().start([drawer = std::move(drawer_)] { drawer->painter.reset(); });
 }
+
+bool RenderWidget::drawing_thread_runs() { return drawing_pool != nullptr; }
 
 double RenderWidget::mm_per_pixel() const { return view_.camera().visible_height_mm / std::max(1, height()); }
 

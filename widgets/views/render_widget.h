@@ -31,6 +31,8 @@ class RenderWidget : public QWidget {
   [[nodiscard]] double last_frame_ms() const { return last_frame_ms_; }
   // Who draws, "llvmpipe (LLVM 15.0.6, 256 bits)"; "unknown" before the first frame.
   [[nodiscard]] QString drawn_by() const { return drawn_by_; }
+  // False before the first frame of any view, and once the application has ended: it waits for the frame under way.
+  [[nodiscard]] static bool drawing_thread_runs();
 
  Q_SIGNALS:
   void frame_drawn();
