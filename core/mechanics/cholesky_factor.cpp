@@ -21,6 +21,13 @@ void keep_blas_on_one_thread() {
   static_cast<void>(once);
 }
 
+// CHOLMOD's own loops go to four OpenMP threads, whatever the machine has, and wait for each other by spinning: of a
+// factor on one of two busy cores a third of the processor's time went there. A setting of the thread that calls.
+void keep_cholmod_on_this_thread() {
+  static auto* const set = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"));
+  if (set != nullptr) set(0);
+}
+
 void begin(cholmod_common& common) {
   keep_blas_on_one_thread();
   cholmod_start(&common);
@@ -76,6 +83,7 @@ double gigabytes(double bytes) { return bytes / (1 << 30); }
 Result<CholeskyFactor> CholeskyFactor::create(const Eigen::SparseMatrix<double>& lower,
                                               std::uint64_t memory_limit_bytes, const Progress& progress) {
   GLISSON_ASSERT(lower.isCompressed() && lower.rows() == lower.cols());
+  keep_cholmod_on_this_thread();
   auto state = std::make_shared<State>();
   cholmod_common& common = state->common;
   cholmod_sparse matrix = view_of(lower);
@@ -126,6 +134,7 @@ Eigen::MatrixXd CholeskyFactor::solve(const Eigen::MatrixXd& right_hand_sides) c
   view.xtype = CHOLMOD_REAL;
   view.dtype = CHOLMOD_DOUBLE;
 
+  keep_cholmod_on_this_thread();
   const std::lock_guard lock(state_->one_at_a_time);
   cholmod_dense* solution = cholmod_solve(CHOLMOD_A, state_->factor, &view, &state_->common);
   if (solution == nullptr) throw std::bad_alloc();

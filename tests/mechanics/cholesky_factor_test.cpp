@@ -1,0 +1,64 @@
+// The factor by itself: what it solves, and that it stays on the thread that asks for it.
+
+#include "mechanics/cholesky_factor.h"
+
+#include <gtest/gtest.h>
+#include <filesystem>
+#include <thread>
+#include <vector>
+
+namespace glisson::mechanics {
+namespace {
+
+// Lower triangle of the 7-point Laplacian of a grid of n x n x n, its boundary held: positive definite, and with
+// supernodes as large as those of a body.
+Eigen::SparseMatrix<double> laplacian(int n) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto at = [n](int i, int j, int k) { return (k * n + j) * n + i; };
+  for (int k = 0; k < n; ++k) {
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i) {
+        entries.emplace_back(at(i, j, k), at(i, j, k), 6.0);
+        if (i + 1 < n) entries.emplace_back(at(i + 1, j, k), at(i, j, k), -1.0);
+        if (j + 1 < n) entries.emplace_back(at(i, j + 1, k), at(i, j, k), -1.0);
+        if (k + 1 < n) entries.emplace_back(at(i, j, k + 1), at(i, j, k), -1.0);
+      }
+    }
+  }
+  Eigen::SparseMatrix<double> lower(n * n * n, n * n * n);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  return lower;
+}
+
+constexpr std::uint64_t a_gigabyte = 1ULL << 30;
+
+TEST(CholeskyFactor, SolvesAndStartsNoThreads) {
+  const std::filesystem::path tasks = "/proc/self/task";
+  if (!std::filesystem::exists(tasks)) GTEST_SKIP() << "threads are counted in /proc, which is not here";
+  const auto threads = [&] {
+    return std::distance(std::filesystem::directory_iterator(tasks), std::filesystem::directory_iterator());
+  };
+  const auto lower = laplacian(24);
+  const Eigen::MatrixXd wanted = Eigen::MatrixXd::Random(lower.rows(), 3);
+  const Eigen::MatrixXd loads = lower.selfadjointView<Eigen::Lower>() * wanted;
+
+  const auto before = threads();
+  const auto factor = CholeskyFactor::create(lower, a_gigabyte);
+  ASSERT_TRUE(factor);
+  EXPECT_LT((factor->solve(loads) - wanted).norm(), 1e-11 * wanted.norm());
+  EXPECT_EQ(threads(), before);
+}
+
+TEST(CholeskyFactor, RefusesWhatTakesMoreMemoryThanAllowedAndWhatIsNotPositiveDefinite) {
+  auto lower = laplacian(12);
+  const auto too_large = CholeskyFactor::create(lower, 1000);
+  ASSERT_FALSE(too_large);
+  EXPECT_EQ(too_large.error().code, "too-large");
+  lower.coeffRef(700, 700) = -1;
+  const auto indefinite = CholeskyFactor::create(lower, a_gigabyte);
+  ASSERT_FALSE(indefinite);
+  EXPECT_EQ(indefinite.error().code, "factorisation-failed");
+}
+
+}  // namespace
+}  // namespace glisson::mechanics
