@@ -400,10 +400,10 @@ std::vector<Start> PalpationModel::starts(const Effect& effect, const Settings& 
   std::vector<Start> starts = palpation_starts(effect, solver_, at, left);
   if (starts.empty()) starts = ForwardModel::starts(effect, active, residual);
   if (effect.kind == palpation::strain_stiffening) starts.front().promise = promise_of_stiffening(effect, active, left);
+  // A fit that is quick in the declared specimen is slow beside effects that change its equations.
+  const bool is_slow = stiffens(at) || !(at.structure == Structure{});
   for (Start& start : starts) {
-    // A fit that is quick where the specimen is linear is slow where it stiffens.
-    if (stiffens(at) && std::isinf(start.promise))
-      start.promise = promise_of_linear_fit(effect, active, start, residual);
+    if (is_slow && std::isinf(start.promise)) start.promise = promise_of_linear_fit(effect, active, start, residual);
     start.promise /= experiment_.noise_mm * experiment_.noise_mm;
   }
   return starts;
@@ -412,22 +412,20 @@ std::vector<Start> PalpationModel::starts(const Effect& effect, const Settings& 
 // mm2: what one linear fit of all parameters from the start would take of the residual.
 double PalpationModel::promise_of_linear_fit(const Effect& effect, const Settings& active, const Start& start,
                                              const Eigen::VectorXd& residual) const {
-  constexpr double unknown = std::numeric_limits<double>::infinity();
   Settings begun = active;
   begun.push_back({effect.kind, effect.form, start.values});
-  const auto before = predict(active);
   const auto linear = linearise(begun);
-  if (!before || !linear) return unknown;
-  Eigen::VectorXd left = residual - (linear->predicted - *before);
+  if (!linear) return std::numeric_limits<double>::infinity();  // unknown
+  Eigen::VectorXd left = observations_.measured - linear->predicted;
+  Eigen::VectorXd now = residual;
   Eigen::MatrixXd slopes = linear->derivatives;
-  Eigen::VectorXd was = residual;
-  for (Eigen::Index row = 0; row < left.size(); ++row) {
-    if (std::isfinite(left[row])) continue;  // not seen
-    left[row] = was[row] = 0;
+  for (Eigen::Index row = 0; row < now.size(); ++row) {
+    if (std::isfinite(now[row])) continue;  // not seen
+    left[row] = now[row] = 0;
     slopes.row(row).setZero();
   }
   const Eigen::VectorXd change = slopes.colPivHouseholderQr().solve(left);
-  return std::max(0.0, was.squaredNorm() - (left - slopes * change).squaredNorm());
+  return std::max(0.0, now.squaredNorm() - (left - slopes * change).squaredNorm());
 }
 
 // mm2. At small strain by the derivative where stiffening begins, which costs a few solves; at large strain by what the

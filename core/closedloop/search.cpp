@@ -25,6 +25,9 @@ constexpr double hopeless = 0.1;        // a second start ten times as far as wh
 constexpr double far_less = 0.3, about_as_well = 0.6;
 // ... and what promises less than half of what a finer mesh may change of the prediction cannot be told from that.
 constexpr double half_of_indistinct = 0.25;
+// Where two effects leave so much of what exceeded the noise, a third does not make them an explanation; where solves
+// take long, it is not tried.
+constexpr double most_of_the_error = 0.7;
 
 Settings without_kind(Settings settings, const std::string& kind) {
   std::erase_if(settings, [&](const Setting& setting) { return setting.kind == kind; });
@@ -313,7 +316,10 @@ Result<Candidate> Search::select(const Candidate& declared, std::vector<Candidat
 }
 
 Result<Candidate> Search::forward(Candidate current, std::vector<Candidate>* singles) {
+  const double at_first = excess(current);
   for (std::size_t step = 0; step < 2 * options_.most_effects; ++step) {
+    const bool in_vain = current.fit.settings.size() >= 2 && excess(current) > most_of_the_error * at_first;
+    if (in_vain && !model_.predicts_quickly()) return current;
     const double begin = std::min(0.9, 0.3 * static_cast<double>(step));
     auto candidates = fit_each(current.fit.settings, additions(current.fit.settings),
                                progress_.part(begin, std::min(0.95, begin + 0.3)));
