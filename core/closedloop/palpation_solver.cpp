@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
 #include <mutex>
+#include <utility>
 
 #include "base/parallel.h"
 
@@ -28,6 +30,13 @@ struct PalpationSolver::Memory {
   std::mutex guard;
   std::deque<Entry> entries;
   std::shared_ptr<const Solution> declared;
+  // Soft supports free unknowns, and a membrane couples others: structures that have the same of these have one
+  // pattern.
+  std::map<std::pair<bool, bool>, std::shared_ptr<const mechanics::EliminationOrder>> orders;
+
+  std::shared_ptr<const mechanics::EliminationOrder>& order_of(const Structure& structure) {
+    return orders[{structure.compliance_mm_per_kPa > 0, structure.capsule_mN_per_mm > 0}];
+  }
 
   Entry* find(const Structure& structure) {
     const auto found =
@@ -61,12 +70,12 @@ namespace {
 // Far below what measurements can see; what is reached is usually 1e-12.
 constexpr mechanics::Refinement refinement{.target = 1e-9, .tolerance = 1e-6, .max_refinements = 3};
 
-Result<std::shared_ptr<const PalpationSolver::Solution>> solve_structure(const SpecimenBody& specimen,
-                                                                         const Structure& structure,
-                                                                         const Eigen::MatrixXd& loads_mN,
-                                                                         const Progress& progress) {
-  auto system = mechanics::ConstrainedSystem::create(stiffness(specimen, structure), held(specimen, structure),
-                                                     specimen.body.options.memory_limit_bytes, progress);
+Result<std::shared_ptr<const PalpationSolver::Solution>> solve_structure(
+    const SpecimenBody& specimen, const Structure& structure, const Eigen::MatrixXd& loads_mN, const Progress& progress,
+    std::shared_ptr<const mechanics::EliminationOrder> order) {
+  auto system =
+      mechanics::ConstrainedSystem::create(stiffness(specimen, structure), held(specimen, structure),
+                                           specimen.body.options.memory_limit_bytes, progress, std::move(order));
   if (!system) return failure(std::move(system.error()));
   auto solution = std::make_shared<PalpationSolver::Solution>(
       PalpationSolver::Solution{structure, std::move(*system), Eigen::MatrixXd()});
@@ -85,13 +94,14 @@ Result<std::shared_ptr<const PalpationSolver::Solution>> solve_structure(const S
 
 Result<PalpationSolver> PalpationSolver::create(SpecimenBody specimen, Eigen::MatrixXd loads_mN, Interpolation markers,
                                                 const Progress& progress) {
-  auto declared = solve_structure(specimen, {}, loads_mN, progress);
+  auto declared = solve_structure(specimen, {}, loads_mN, progress, nullptr);
   if (!declared) return failure(std::move(declared.error()));
   PalpationSolver solver;
   solver.specimen_ = std::make_shared<const SpecimenBody>(std::move(specimen));
   solver.loads_mN_ = std::make_shared<const Eigen::MatrixXd>(std::move(loads_mN));
   solver.markers_ = std::make_shared<const Interpolation>(std::move(markers));
   solver.memory_ = std::make_shared<Memory>();
+  solver.memory_->order_of({}) = (*declared)->system.order();
   solver.memory_->declared = *declared;
   return solver;
 }
@@ -108,14 +118,17 @@ Result<Eigen::MatrixXd> PalpationSolver::at_markers(const Structure& structure) 
 }
 
 Result<std::shared_ptr<const PalpationSolver::Solution>> PalpationSolver::solution(const Structure& structure) const {
+  std::shared_ptr<const mechanics::EliminationOrder> order;
   {
     const std::lock_guard lock(memory_->guard);
     if (const auto* known = memory_->find(structure); known != nullptr && known->solution) return known->solution;
+    order = memory_->order_of(structure);
   }
   Result<std::shared_ptr<const Solution>> solved = memory_->declared;
-  if (!(structure == Structure{})) solved = solve_structure(*specimen_, structure, *loads_mN_, {});
+  if (!(structure == Structure{})) solved = solve_structure(*specimen_, structure, *loads_mN_, {}, std::move(order));
   if (!solved) return failure(std::move(solved.error()));
   const std::lock_guard lock(memory_->guard);
+  memory_->order_of(structure) = (*solved)->system.order();
   memory_->find_or_add(*solved, *markers_);
   return solved;
 }
@@ -162,10 +175,7 @@ Result<std::vector<Eigen::MatrixXd>> PalpationSolver::derivatives_at_markers(
 }
 
 Eigen::MatrixXd PalpationSolver::solve(const Solution& solution, const Eigen::MatrixXd& forces_mN) {
-  const auto columns = solution.system.solve(forces_mN, {}, {.target = 1e-8, .max_refinements = 1});
-  Eigen::MatrixXd u_mm(forces_mN.rows(), forces_mN.cols());
-  for (std::size_t c = 0; c < columns.size(); ++c) u_mm.col(static_cast<Eigen::Index>(c)) = columns[c].u;
-  return u_mm;
+  return solution.system.respond(forces_mN).u;
 }
 
 }  // namespace glisson::closedloop

@@ -3,7 +3,11 @@
 #include <cholmod.h>
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <array>
+#include <functional>
 #include <mutex>
+#include <string_view>
+#include <utility>
 
 #include "mechanics/fill_in.h"
 
@@ -40,9 +44,48 @@ void begin(cholmod_common& common) {
 
 }  // namespace
 
+class EliminationOrder {
+ public:
+  // Of the matrix that `factor` was analysed from; neither is kept.
+  EliminationOrder(const cholmod_sparse& matrix, cholmod_factor* factor, cholmod_common& analysed)
+      : entries(analysed.lnz), pattern_(fingerprint(matrix)) {
+    begin(common_);
+    factor_ = cholmod_copy_factor(factor, &common_);
+  }
+  ~EliminationOrder() {
+    cholmod_free_factor(&factor_, &common_);
+    cholmod_finish(&common_);
+  }
+  EliminationOrder(const EliminationOrder&) = delete;
+  EliminationOrder& operator=(const EliminationOrder&) = delete;
+
+  [[nodiscard]] bool belongs_to(const cholmod_sparse& matrix) const {
+    return factor_ != nullptr && factor_->n == matrix.nrow && pattern_ == fingerprint(matrix);
+  }
+  // For the numbers to be filled in.
+  [[nodiscard]] cholmod_factor* empty_factor(cholmod_common& common) const {
+    return cholmod_copy_factor(factor_, &common);
+  }
+  const double entries;  // of the factor
+
+ private:
+  using Fingerprint = std::array<std::size_t, 3>;
+  static Fingerprint fingerprint(const cholmod_sparse& matrix) {
+    const auto of = [](const void* integers, std::size_t count) {
+      return std::hash<std::string_view>()({static_cast<const char*>(integers), count * sizeof(int)});
+    };
+    return {matrix.nzmax, of(matrix.p, matrix.ncol + 1), of(matrix.i, matrix.nzmax)};
+  }
+
+  cholmod_common common_{};  // what the copy's memory is counted in
+  cholmod_factor* factor_ = nullptr;
+  Fingerprint pattern_;
+};
+
 struct CholeskyFactor::State {
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
+  std::shared_ptr<const EliminationOrder> order;
   double reciprocal_condition = 0;
   std::uint64_t bytes = 0;
   std::mutex one_at_a_time;  // cholmod_common is the workspace of every call
@@ -81,7 +124,8 @@ double gigabytes(double bytes) { return bytes / (1 << 30); }
 }  // namespace
 
 Result<CholeskyFactor> CholeskyFactor::create(const Eigen::SparseMatrix<double>& lower,
-                                              std::uint64_t memory_limit_bytes, const Progress& progress) {
+                                              std::uint64_t memory_limit_bytes, const Progress& progress,
+                                              std::shared_ptr<const EliminationOrder> known) {
   GLISSON_ASSERT(lower.isCompressed() && lower.rows() == lower.cols());
   keep_cholmod_on_this_thread();
   auto state = std::make_shared<State>();
@@ -90,8 +134,15 @@ Result<CholeskyFactor> CholeskyFactor::create(const Eigen::SparseMatrix<double>&
 
   progress.report(0.0, GLISSON_TEXT("Ordering the equations"));
   if (progress.cancelled()) return cancelled();
-  state->factor = cholmod_analyze(&matrix, &common);
-  const double needed_bytes = 8.0 * common.lnz;
+  if (known && known->belongs_to(matrix)) {
+    state->factor = known->empty_factor(common);
+    state->order = std::move(known);
+  } else {
+    state->factor = cholmod_analyze(&matrix, &common);
+    if (state->factor != nullptr)
+      state->order = std::make_shared<const EliminationOrder>(matrix, state->factor, common);
+  }
+  const double needed_bytes = state->order ? 8.0 * state->order->entries : 0.0;
   if (state->factor != nullptr && needed_bytes > static_cast<double>(memory_limit_bytes)) {
     return failure(Error{"too-large",
                          GLISSON_TEXT("Solving for {0} unknowns would take {1} GB of memory; the limit is {2} GB."),
@@ -154,6 +205,8 @@ FillIn fill_in_of(const Eigen::SparseMatrix<double>& lower) {
   cholmod_finish(&common);
   return fill_in;
 }
+
+std::shared_ptr<const EliminationOrder> CholeskyFactor::order() const { return state_->order; }
 
 double CholeskyFactor::reciprocal_condition() const { return state_->reciprocal_condition; }
 

@@ -11,12 +11,19 @@
 
 namespace glisson::mechanics {
 
+// The order of elimination and the fill-in, which a matrix's pattern decides alone: found once, it serves every matrix
+// of that pattern.
+class EliminationOrder;
+
 class CholeskyFactor {
  public:
   // `lower` holds the lower triangle. Failures: "too-large" (the factor would take more than the limit, known before
-  // it is asked for), "factorisation-failed" (not positive definite, or out of memory), "cancelled".
+  // it is asked for), "factorisation-failed" (not positive definite, or out of memory), "cancelled". A `known` order is
+  // taken where it belongs to this pattern; the factor is the same to the bit with it and without.
   static Result<CholeskyFactor> create(const Eigen::SparseMatrix<double>& lower, std::uint64_t memory_limit_bytes,
-                                       const Progress& progress = {});
+                                       const Progress& progress = {},
+                                       std::shared_ptr<const EliminationOrder> known = nullptr);
+  [[nodiscard]] std::shared_ptr<const EliminationOrder> order() const;
 
   // One column a right-hand side. Safe from several threads, one at a time.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) const;

@@ -1,6 +1,7 @@
 #include "mechanics/constrained_system.h"
 
 #include <cmath>
+#include <utility>
 
 namespace glisson::mechanics {
 namespace {
@@ -26,13 +27,15 @@ Eigen::SparseMatrix<double> free_part(const Eigen::SparseMatrix<double>& lower, 
 }  // namespace
 
 Result<ConstrainedSystem> ConstrainedSystem::create(Eigen::SparseMatrix<double> lower, std::vector<std::uint8_t> given,
-                                                    std::uint64_t memory_limit_bytes, const Progress& progress) {
+                                                    std::uint64_t memory_limit_bytes, const Progress& progress,
+                                                    std::shared_ptr<const EliminationOrder> known) {
   ConstrainedSystem system;
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (!given[i]) system.free_.push_back(static_cast<int>(i));
   }
   if (!system.free_.empty()) {
-    auto factor = CholeskyFactor::create(free_part(lower, system.free_, given), memory_limit_bytes, progress);
+    auto factor =
+        CholeskyFactor::create(free_part(lower, system.free_, given), memory_limit_bytes, progress, std::move(known));
     if (!factor) return failure(std::move(factor.error()));
     system.factor_ = std::move(*factor);
   }

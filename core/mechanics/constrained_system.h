@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <Eigen/SparseCore>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -32,9 +33,12 @@ struct ConstrainedSolution {
 
 class ConstrainedSystem {
  public:
-  // `lower` is the lower triangle of K, with all unknowns; `given` has 1 where u is given. Failures: CholeskyFactor's.
+  // `lower` is the lower triangle of K, with all unknowns; `given` has 1 where u is given; `known` is the order of a
+  // system that may be alike. Failures: CholeskyFactor's.
   static Result<ConstrainedSystem> create(Eigen::SparseMatrix<double> lower, std::vector<std::uint8_t> given,
-                                          std::uint64_t memory_limit_bytes, const Progress& progress = {});
+                                          std::uint64_t memory_limit_bytes, const Progress& progress = {},
+                                          std::shared_ptr<const EliminationOrder> known = nullptr);
+  [[nodiscard]] std::shared_ptr<const EliminationOrder> order() const { return factor_ ? factor_->order() : nullptr; }
 
   // One column of f a case. `given_u` has the same shape and is read where u is given; empty means zero.
   [[nodiscard]] std::vector<ConstrainedSolution> solve(const Eigen::MatrixXd& f, const Eigen::MatrixXd& given_u,

@@ -1,6 +1,7 @@
 #include "mechanics/newton.h"
 
 #include <cmath>
+#include <memory>
 
 #include "mechanics/constrained_system.h"
 
@@ -9,14 +10,16 @@ namespace {
 
 Result<Eigen::VectorXd> newton_direction(const Landscape& landscape, const std::vector<std::uint8_t>& held,
                                          const Eigen::VectorXd& u_mm, const Eigen::VectorXd& residual_mN,
-                                         std::uint64_t memory_limit_bytes, const Progress& progress) {
+                                         std::uint64_t memory_limit_bytes, const Progress& progress,
+                                         std::shared_ptr<const EliminationOrder>& order) {
   const auto along = [&](Tangent which) {
-    return ConstrainedSystem::create(landscape.tangent(u_mm, which), held, memory_limit_bytes, Progress{});
+    return ConstrainedSystem::create(landscape.tangent(u_mm, which), held, memory_limit_bytes, Progress{}, order);
   };
   if (progress.cancelled()) return cancelled();
   auto system = along(Tangent::exact);
   if (!system && system.error().code == "factorisation-failed") system = along(Tangent::positive);
   if (!system) return failure(std::move(system.error()));
+  order = system->order();
   // Newton needs a direction, not digits: one refinement is plenty.
   return system->solve(residual_mN, {}, {.target = 1e-8, .max_refinements = 1}).front().u;
 }
@@ -33,6 +36,7 @@ Result<Descent> descend(const Landscape& landscape, const std::vector<std::uint8
   const auto residual_at = [&](const Eigen::VectorXd& u_mm) { return of_the_free(held, landscape.force_mN(u_mm)); };
   double energy_uJ = landscape.energy_uJ(descent.u_mm);
   Eigen::VectorXd residual_mN = residual_at(descent.u_mm);
+  std::shared_ptr<const EliminationOrder> order;  // of all tangents
   for (;; ++descent.steps) {
     descent.relative_residual = residual_mN.norm() / scale_mN;
     descent.converged = descent.relative_residual <= options.relative_tolerance;
@@ -40,7 +44,7 @@ Result<Descent> descend(const Landscape& landscape, const std::vector<std::uint8
 
     if (progress.cancelled()) return cancelled();
     const auto direction =
-        newton_direction(landscape, held, descent.u_mm, residual_mN, options.memory_limit_bytes, progress);
+        newton_direction(landscape, held, descent.u_mm, residual_mN, options.memory_limit_bytes, progress, order);
     if (!direction) return failure(direction.error());
     const double slope_uJ = residual_mN.dot(*direction);
 

@@ -49,6 +49,29 @@ TEST(CholeskyFactor, SolvesAndStartsNoThreads) {
   EXPECT_EQ(threads(), before);
 }
 
+TEST(CholeskyFactor, TakesAKnownOrderForItsOwnPatternAloneAndIsTheSameToTheBit) {
+  auto lower = laplacian(14);
+  const auto first = CholeskyFactor::create(lower, a_gigabyte);
+  ASSERT_TRUE(first);
+  lower *= 3.0;
+  const Eigen::MatrixXd loads = Eigen::MatrixXd::Random(lower.rows(), 2);
+  const auto afresh = CholeskyFactor::create(lower, a_gigabyte);
+  const auto known = CholeskyFactor::create(lower, a_gigabyte, {}, first->order());
+  ASSERT_TRUE(afresh && known);
+  EXPECT_EQ(known->order(), first->order());
+  EXPECT_EQ(known->solve(loads), afresh->solve(loads));
+  EXPECT_EQ(known->bytes(), afresh->bytes());
+
+  // As many unknowns and entries, elsewhere.
+  lower.coeffRef(lower.rows() - 1, 0) = -1e-3;
+  lower.prune([&](Eigen::Index row, Eigen::Index column, double) { return row != 1 || column != 0; });
+  lower.makeCompressed();
+  const auto other = CholeskyFactor::create(lower, a_gigabyte, {}, first->order());
+  ASSERT_TRUE(other);
+  EXPECT_NE(other->order(), first->order());
+  EXPECT_LT((lower.selfadjointView<Eigen::Lower>() * other->solve(loads) - loads).norm(), 1e-10 * loads.norm());
+}
+
 TEST(CholeskyFactor, RefusesWhatTakesMoreMemoryThanAllowedAndWhatIsNotPositiveDefinite) {
   auto lower = laplacian(12);
   const auto too_large = CholeskyFactor::create(lower, 1000);
