@@ -25,6 +25,10 @@ constexpr double hopeless = 0.1;        // a second start ten times as far as wh
 constexpr double far_less = 0.3, about_as_well = 0.6;
 // ... and what promises less than half of what a finer mesh may change of the prediction cannot be told from that.
 constexpr double half_of_indistinct = 0.25;
+// From the third effect on, what leaves so much of what exceeded the noise names nothing; one that promises less than
+// half of that is not fitted.
+constexpr double a_little = 0.8;
+constexpr double half_of_more_than_a_little = 0.5 * (1 - a_little * a_little);
 // Where two effects leave so much of what exceeded the noise, a third does not make them an explanation; where solves
 // take long, it is not tried.
 constexpr double most_of_the_error = 0.7;
@@ -140,13 +144,15 @@ Candidate Search::fit_from(const Attempt& attempt) const {
   return candidate;
 }
 
-void Search::finish_near_the_best(std::vector<Candidate>& candidates) const {
+// What a few steps did not bring below `chi2_without`, which it has where it does nothing, is left where it stands.
+void Search::finish_near_the_best(std::vector<Candidate>& candidates, double chi2_without) const {
   double best = std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : candidates) best = std::min(best, chi2_of(candidate));
   parallel_for(candidates.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && !progress_.cancelled(); ++i) {
       const Candidate& candidate = candidates[i];
-      if (candidate.fitted() && !candidate.fit.converged && candidate.fit.chi2 <= near_the_best * best)
+      if (candidate.fitted() && !candidate.fit.converged && candidate.fit.chi2 < chi2_without &&
+          candidate.fit.chi2 <= near_the_best * best)
         finish(candidates[i]);
     }
   });
@@ -213,6 +219,8 @@ Result<std::vector<Candidate>> Search::fit_each(const Settings& active, const st
     worth_trying =
         std::max(worth_trying, half_of_indistinct * indistinct() * indistinct() * static_cast<double>(residual.size()));
   }
+  if (active.size() >= 2)
+    worth_trying = std::max(worth_trying, half_of_more_than_a_little * (square - static_cast<double>(residual.size())));
   each(
       [&](std::size_t i) {
         return !effects[i]->late && std::isfinite(attempts[i].promise) && attempts[i].promise >= worth_trying;
@@ -236,7 +244,8 @@ Result<std::vector<Candidate>> Search::fit_each(const Settings& active, const st
          attempts[i] = begin(active, *effects[i], residual);
          try_one(i);
        });
-  finish_near_the_best(candidates);
+  finish_near_the_best(candidates, model_.predicts_quickly() ? std::numeric_limits<double>::infinity()
+                                                             : whitening_.whiten(residual).squaredNorm());
   if (progress_.cancelled()) return cancelled();
   return candidates;
 }
@@ -338,8 +347,6 @@ Result<Candidate> Search::forward(Candidate current, std::vector<Candidate>* sin
     if (next == candidates->end()) return current;
     auto checked = backward(std::move(*next));
     if (!checked) return checked;
-    // From the third on, what takes but a little of what is left names nothing.
-    constexpr double a_little = 0.8;
     if (current.fit.settings.size() >= 2 && excess(*checked) > a_little * excess(current) && !leaves_nothing(*checked))
       return current;
     current = std::move(*checked);

@@ -71,7 +71,7 @@ class Search {
   [[nodiscard]] Attempt begin(const Settings& active, const Effect& effect, const Eigen::VectorXd& residual) const;
   [[nodiscard]] Candidate fit_from(const Attempt& attempt) const;
   void finish(Candidate& candidate) const;
-  void finish_near_the_best(std::vector<Candidate>& candidates) const;
+  void finish_near_the_best(std::vector<Candidate>& candidates, double chi2_without) const;
   [[nodiscard]] Candidate judged(Fit fit) const;
   [[nodiscard]] double plain_square(const Eigen::VectorXd& predicted) const;
   [[nodiscard]] bool shows(const Candidate& candidate, const Candidate& current) const;

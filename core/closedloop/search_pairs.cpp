@@ -1,6 +1,7 @@
 // Two effects fitted afresh together, where steps taken one after the other do not reach the noise.
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -92,7 +93,7 @@ std::vector<Candidate> Search::pairs_of(const std::vector<Candidate>& singles) c
       pairs[i].form = attempts[i].effect->form;
     }
   });
-  finish_near_the_best(pairs);
+  finish_near_the_best(pairs, std::numeric_limits<double>::infinity());
   return pairs;
 }
 
