@@ -3,6 +3,7 @@
 #include <cholmod.h>
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <mutex>
@@ -86,6 +87,7 @@ struct CholeskyFactor::State {
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
   std::shared_ptr<const EliminationOrder> order;
+  int last = 0;  // how many unknowns were to be eliminated last
   double reciprocal_condition = 0;
   std::uint64_t bytes = 0;
   std::mutex one_at_a_time;  // cholmod_common is the workspace of every call
@@ -121,11 +123,19 @@ cholmod_sparse view_of(const Eigen::SparseMatrix<double>& lower) {
 
 double gigabytes(double bytes) { return bytes / (1 << 30); }
 
+// METIS's order of the others, then the last ones as they stand.
+std::vector<int> order_with_last(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& last,
+                                 cholmod_common& common);
+
 }  // namespace
+
+// LAPACK's inverse of A from its Cholesky factor, in place.
+extern "C" void dpotri_(const char* triangle, const int* size, double* a, const int* leading, int* info);
 
 Result<CholeskyFactor> CholeskyFactor::create(const Eigen::SparseMatrix<double>& lower,
                                               std::uint64_t memory_limit_bytes, const Progress& progress,
-                                              std::shared_ptr<const EliminationOrder> known) {
+                                              std::shared_ptr<const EliminationOrder> known,
+                                              const std::vector<int>& last) {
   GLISSON_ASSERT(lower.isCompressed() && lower.rows() == lower.cols());
   keep_cholmod_on_this_thread();
   auto state = std::make_shared<State>();
@@ -134,7 +144,13 @@ Result<CholeskyFactor> CholeskyFactor::create(const Eigen::SparseMatrix<double>&
 
   progress.report(0.0, GLISSON_TEXT("Ordering the equations"));
   if (progress.cancelled()) return cancelled();
-  if (known && known->belongs_to(matrix)) {
+  if (!last.empty()) {
+    std::vector<int> order = order_with_last(lower, last, common);
+    common.method[0].ordering = CHOLMOD_GIVEN;
+    common.postorder = 0;  // METIS's is in postorder already, and the last ones must stay where they are
+    state->factor = cholmod_analyze_p(&matrix, order.data(), nullptr, 0, &common);
+    state->last = static_cast<int>(last.size());
+  } else if (known && known->belongs_to(matrix)) {
     state->factor = known->empty_factor(common);
     state->order = std::move(known);
   } else {
@@ -142,7 +158,8 @@ Result<CholeskyFactor> CholeskyFactor::create(const Eigen::SparseMatrix<double>&
     if (state->factor != nullptr)
       state->order = std::make_shared<const EliminationOrder>(matrix, state->factor, common);
   }
-  const double needed_bytes = state->order ? 8.0 * state->order->entries : 0.0;
+  const double corner_bytes = 8.0 * static_cast<double>(last.size()) * static_cast<double>(last.size());
+  const double needed_bytes = state->order ? 8.0 * state->order->entries : 8.0 * common.lnz + corner_bytes;
   if (state->factor != nullptr && needed_bytes > static_cast<double>(memory_limit_bytes)) {
     return failure(Error{"too-large",
                          GLISSON_TEXT("Solving for {0} unknowns would take {1} GB of memory; the limit is {2} GB."),
@@ -195,6 +212,31 @@ Eigen::MatrixXd CholeskyFactor::solve(const Eigen::MatrixXd& right_hand_sides) c
   return columns;
 }
 
+Eigen::MatrixXd CholeskyFactor::inverse_of_last() const {
+  const cholmod_factor& factor = *state_->factor;
+  const int size = state_->last, before = static_cast<int>(factor.n) - size;
+  Eigen::MatrixXd corner = Eigen::MatrixXd::Zero(size, size);
+  if (size == 0) return corner;
+  const auto* first_column = static_cast<const int*>(factor.super);
+  const auto* first_row = static_cast<const int*>(factor.pi);
+  const auto* first_value = static_cast<const int*>(factor.px);
+  const auto* row = static_cast<const int*>(factor.s);
+  const auto* value = static_cast<const double*>(factor.x);
+  for (std::size_t k = 0; k < factor.nsuper; ++k) {
+    const int rows = first_row[k + 1] - first_row[k];
+    for (int column = std::max(first_column[k], before); column < first_column[k + 1]; ++column) {
+      const int begin = column - first_column[k];  // above the diagonal a supernode holds nothing
+      const double* values = value + first_value[k] + static_cast<std::ptrdiff_t>(begin) * rows;
+      for (int i = begin; i < rows; ++i) corner(row[first_row[k] + i] - before, column - before) = values[i];
+    }
+  }
+  int info = 0;
+  dpotri_("L", &size, corner.data(), &size, &info);
+  GLISSON_ASSERT(info == 0);
+  corner.triangularView<Eigen::StrictlyUpper>() = corner.transpose();
+  return corner;
+}
+
 FillIn fill_in_of(const Eigen::SparseMatrix<double>& lower) {
   cholmod_common common{};
   begin(common);
@@ -211,5 +253,36 @@ std::shared_ptr<const EliminationOrder> CholeskyFactor::order() const { return s
 double CholeskyFactor::reciprocal_condition() const { return state_->reciprocal_condition; }
 
 std::uint64_t CholeskyFactor::bytes() const { return state_->bytes; }
+
+namespace {
+
+std::vector<int> order_with_last(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& last,
+                                 cholmod_common& common) {
+  std::vector<int> others, number(static_cast<std::size_t>(lower.rows()), 0);  // of each among the others
+  for (const int i : last) number[i] = -1;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (number[i] < 0) continue;
+    number[i] = static_cast<int>(others.size());
+    others.push_back(static_cast<int>(i));
+  }
+  const auto count = static_cast<Eigen::Index>(others.size());
+  Eigen::SparseMatrix<double> part(count, count);
+  part.reserve(lower.nonZeros());
+  for (Eigen::Index column = 0; column < count; ++column) {
+    part.startVec(column);
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, others[column]); entry; ++entry) {
+      if (number[entry.row()] >= 0) part.insertBack(number[entry.row()], column) = entry.value();
+    }
+  }
+  part.finalize();
+  cholmod_sparse view = view_of(part);
+  std::vector<int> order(others.size());
+  if (count > 0) cholmod_metis(&view, nullptr, 0, 1, order.data(), &common);
+  for (int& unknown : order) unknown = others[unknown];
+  order.insert(order.end(), last.begin(), last.end());
+  return order;
+}
+
+}  // namespace
 
 }  // namespace glisson::mechanics

@@ -1,5 +1,6 @@
 #include "mechanics/constrained_system.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -28,14 +29,22 @@ Eigen::SparseMatrix<double> free_part(const Eigen::SparseMatrix<double>& lower, 
 
 Result<ConstrainedSystem> ConstrainedSystem::create(Eigen::SparseMatrix<double> lower, std::vector<std::uint8_t> given,
                                                     std::uint64_t memory_limit_bytes, const Progress& progress,
-                                                    std::shared_ptr<const EliminationOrder> known) {
+                                                    std::shared_ptr<const EliminationOrder> known,
+                                                    std::vector<int> mutual) {
   ConstrainedSystem system;
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (!given[i]) system.free_.push_back(static_cast<int>(i));
   }
+  system.mutual_ = std::move(mutual);
   if (!system.free_.empty()) {
-    auto factor =
-        CholeskyFactor::create(free_part(lower, system.free_, given), memory_limit_bytes, progress, std::move(known));
+    std::vector<int> last;
+    for (const int unknown : system.mutual_) {
+      if (given[unknown]) continue;
+      const auto at = std::lower_bound(system.free_.begin(), system.free_.end(), unknown);
+      last.push_back(static_cast<int>(at - system.free_.begin()));
+    }
+    auto factor = CholeskyFactor::create(free_part(lower, system.free_, given), memory_limit_bytes, progress,
+                                         std::move(known), last);
     if (!factor) return failure(std::move(factor.error()));
     system.factor_ = std::move(*factor);
   }
@@ -115,6 +124,20 @@ ConstrainedSystem::Response ConstrainedSystem::respond(const Eigen::MatrixXd& f)
   const double scale = applied(free_).norm();
   if (scale > 0) response.relative_residual = residual(free_).norm() / scale;
   return response;
+}
+
+Eigen::MatrixXd ConstrainedSystem::mutual_compliance() const {
+  const auto size = static_cast<Eigen::Index>(mutual_.size());
+  std::vector<Eigen::Index> moving;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    if (std::binary_search(free_.begin(), free_.end(), mutual_[static_cast<std::size_t>(i)])) moving.push_back(i);
+  }
+  if (moving.empty()) return Eigen::MatrixXd::Zero(size, size);
+  Eigen::MatrixXd of_moving = factor_->inverse_of_last();
+  if (of_moving.rows() == size) return of_moving;
+  Eigen::MatrixXd compliance = Eigen::MatrixXd::Zero(size, size);
+  compliance(moving, moving) = of_moving;
+  return compliance;
 }
 
 std::uint64_t ConstrainedSystem::matrix_bytes() const {

@@ -34,10 +34,11 @@ struct ConstrainedSolution {
 class ConstrainedSystem {
  public:
   // `lower` is the lower triangle of K, with all unknowns; `given` has 1 where u is given; `known` is the order of a
-  // system that may be alike. Failures: CholeskyFactor's.
+  // system that may be alike; `mutual` are unknowns whose answers to each other are wanted. Failures: CholeskyFactor's.
   static Result<ConstrainedSystem> create(Eigen::SparseMatrix<double> lower, std::vector<std::uint8_t> given,
                                           std::uint64_t memory_limit_bytes, const Progress& progress = {},
-                                          std::shared_ptr<const EliminationOrder> known = nullptr);
+                                          std::shared_ptr<const EliminationOrder> known = nullptr,
+                                          std::vector<int> mutual = {});
   [[nodiscard]] std::shared_ptr<const EliminationOrder> order() const { return factor_ ? factor_->order() : nullptr; }
 
   // One column of f a case. `given_u` has the same shape and is read where u is given; empty means zero.
@@ -52,6 +53,9 @@ class ConstrainedSystem {
   };
   [[nodiscard]] Response respond(const Eigen::MatrixXd& f) const;
 
+  // How each of `mutual` moves (rows) by a unit force on each (columns), nothing given; zeros where u is.
+  [[nodiscard]] Eigen::MatrixXd mutual_compliance() const;
+
   [[nodiscard]] const Eigen::SparseMatrix<double>& lower() const { return lower_; }
   [[nodiscard]] std::size_t free_unknowns() const { return free_.size(); }
   [[nodiscard]] std::uint64_t matrix_bytes() const;
@@ -61,6 +65,7 @@ class ConstrainedSystem {
  private:
   Eigen::SparseMatrix<double> lower_;
   std::vector<int> free_;  // the unknowns that are not given, ascending
+  std::vector<int> mutual_;
   std::optional<CholeskyFactor> factor_;
 };
 

@@ -6,7 +6,8 @@
 // fixed groups of neighbours, so that what is remembered does not depend on who asked first). Which points touch, and
 // how hard, is then a small dense problem (contact_forces.h) on the compliance of the points that may touch, solved
 // again as the surface moves under the tool until neither changes. The surface is the triangles of the body's boundary
-// moved by their corners, on which the distance to a rod or a ball is exact.
+// moved by their corners, on which the distance to a rod or a ball is exact. Walls of cuts join that problem with the
+// places where their points meet the wall across.
 //
 // Lengths mm, forces mN, patient coordinates (LPS). Valid as far as small strain is.
 
@@ -70,6 +71,7 @@ struct ContactReport {
   bool converged = false;
   int rounds = 0;
   double penetration_mm = 0;     // the deepest of all
+  double overlap_mm = 0;         // the deepest of walls that are kept apart, in each other
   double movement_mm = 0;        // between the last two rounds
   double relative_residual = 0;  // the largest of the solves that the state is a sum of
   double energy_uJ = 0;          // of the body, from the work of the tools' forces; standing loads apart
@@ -87,7 +89,7 @@ struct TouchedPlace {
 };
 
 struct ContactState {
-  std::map<int, Eigen::Vector3d> force_mN;  // of the tools on the points of the surface that bear any
+  std::map<int, Eigen::Vector3d> force_mN;  // of tools and walls on the points of the surface that bear any
   std::vector<Eigen::Vector3d> surface_mm;  // displacement of each point of ContactBody::surface()
   std::vector<Eigen::Vector3d> watched_mm;  // and of each watched place
   std::vector<ToolContact> tools;
@@ -97,10 +99,12 @@ struct ContactState {
 
 class ContactBody {
  public:
-  // Failures: those of StaticModel::solve; "not-converged" where that may not be used.
+  // The model's mutual points are those on walls of cuts (points_on), which slide along each other and do not pass
+  // through; none: nothing keeps walls apart. Failures: those of StaticModel::solve; "not-converged" where that may not
+  // be used.
   static Result<ContactBody> create(StaticModel model, const Loads& standing_loads, std::vector<PointInMesh> watched);
 
-  // Under the standing loads alone.
+  // Under the standing loads alone. With walls it may not have converged.
   [[nodiscard]] const ContactState& untouched() const;
 
   // With the tools, beginning from another state (its forces and advances are a guess). The same beginning and tools

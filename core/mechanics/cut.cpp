@@ -1,6 +1,7 @@
 #include "mechanics/cut.h"
 
 #include <algorithm>
+#include <set>
 
 #include "geometry/split_tetrahedra.h"
 
@@ -39,6 +40,12 @@ Result<OpenedBody> open_cuts(const geometry::TetMesh& mesh, const std::vector<Cu
     body.mesh = std::move(split.mesh);
   }
   return body;
+}
+
+std::vector<int> points_on(const std::vector<OpenedBody::Wall>& walls) {
+  std::set<int> points;
+  for (const OpenedBody::Wall& wall : walls) points.insert({wall.below, wall.above});
+  return {points.begin(), points.end()};
 }
 
 CutOpening opening_of(const OpenedBody& body, const std::vector<Eigen::Vector3d>& displacement_mm) {

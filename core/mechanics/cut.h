@@ -50,6 +50,9 @@ struct OpenedBody {
   std::vector<Wall> walls;
 };
 
+// The points of the mesh that lie on walls, each once, ascending.
+[[nodiscard]] std::vector<int> points_on(const std::vector<OpenedBody::Wall>& walls);
+
 // How far a point of the mesh is taken onto the surface (geometry::SplitOptions::snap). Exactly along it there are
 // small tetrahedra: poor for finite elements, harmless to the meshfree engine, which only integrates over them and
 // needs the walls to be where its cut is.
@@ -58,8 +61,8 @@ enum class Along { nearly, exactly };
 // Failures: "cut-misses" (one that opens nothing, by its number), "cut-invalid".
 Result<OpenedBody> open_cuts(const geometry::TetMesh& mesh, const std::vector<Cut>& cuts, Along along);
 
-// Between points that were one: how far apart they are, and how far the walls have passed through each other, unless
-// something kept them apart (large_contact.h). Zeros without walls.
+// Between points that were one: how far apart they are, and how far the walls have passed through each other, were they
+// flat and had they not slid. Zeros without walls.
 struct CutOpening {
   double largest_opening_mm = 0;
   double largest_overlap_mm = 0;

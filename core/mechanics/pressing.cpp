@@ -156,12 +156,13 @@ Result<Pressing> Pressing::create(const Body& body, const std::vector<HandTool>&
                                   VectorXd u_mm, const std::vector<OpenedBody::Wall>& walls) {
   Pressing pressing(body, options, std::move(u_mm));
   if (!walls.empty()) {
-    std::vector<std::uint8_t> on_wall(body.mesh.points_mm.size(), 0);
-    for (const OpenedBody::Wall& wall : walls) on_wall[wall.below] = on_wall[wall.above] = 1;
+    const std::vector<int> on_wall = points_on(walls);
     std::vector<int> wall_points;
     const auto& mesh_points = geometry::find_field(pressing.surface_.point_fields, "mesh_point")->values;
     for (std::size_t p = 0; p < mesh_points.size(); ++p) {
-      if (on_wall[static_cast<std::size_t>(mesh_points[p])] != 0) wall_points.push_back(static_cast<int>(p));
+      if (std::binary_search(on_wall.begin(), on_wall.end(), static_cast<int>(mesh_points[p]))) {
+        wall_points.push_back(static_cast<int>(p));
+      }
     }
     pressing.walls_ = MeetingWalls(pressing.surface_, pressing.node_of_point_, wall_points);
   }
@@ -322,7 +323,7 @@ Result<bool> Pressing::rest_at_advances(const std::vector<HandTool>& tools, cons
       all_mN += force_mN;
       meeting.force_mN = force_mN;
     }
-    report_.penetration_mm = walls_.find(u_mm_, MeetingWalls::Search::more);
+    report_.overlap_mm = report_.penetration_mm = walls_.find(u_mm_, MeetingWalls::Search::more);
     for (const NearPlace& place : places_near(surface_, tools, advance_mm_, surface_mm(u_mm_), 0.0)) {
       report_.penetration_mm = std::max(report_.penetration_mm, -place.gap_mm);
     }

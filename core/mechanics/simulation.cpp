@@ -59,13 +59,16 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
                        : touched           ? large_contact_equilibrium
                        : linear            ? small_equilibrium
                                            : large_equilibrium;
+  const bool apart = scenario.cut_walls == Scenario::Walls::apart;
   auto answer = options.data ? equilibrium_from_data(mesh, *options.data, scenario, *places, progress)
-                             : compute(mesh, *youngs_kPa, scenario, *places, progress);
+                : apart && linear
+                    ? small_equilibrium_of_walls(mesh, *youngs_kPa, scenario, *places, body->walls, progress)
+                    : compute(mesh, *youngs_kPa, scenario, *places, progress);
   // Walls that nothing presses together need no more than that.
-  if (answer && scenario.cut_walls == Scenario::Walls::apart &&
+  if (answer && apart && !linear &&
       opening_of(*body, answer->result.displacement_mm).largest_overlap_mm >
           ContactOptions().penetration_tolerance_mm) {
-    answer = equilibrium_of_walls(mesh, *youngs_kPa, scenario, *places, body->walls, progress);
+    answer = large_equilibrium_of_walls(mesh, *youngs_kPa, scenario, *places, body->walls, progress);
   }
   if (!answer) return failure(std::move(answer.error()));
   progress.report(1.0, GLISSON_TEXT("Solved"));
@@ -81,6 +84,7 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   simulation.result = std::move(answer->result);
   if (!scenario.cuts.empty()) {
     simulation.cut = opening_of(*body, simulation.result.displacement_mm);
+    if (apart && simulation.contact) simulation.cut->largest_overlap_mm = simulation.contact->overlap_mm;
     if (simulation.cut->largest_overlap_mm > 0.5) {
       simulation.result.notes.push_back(
           fmt::format("The walls of the cuts pass through each other by up to {:.1f} mm. \"cut_walls\": \"apart\" "

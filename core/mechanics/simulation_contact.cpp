@@ -21,24 +21,29 @@ std::vector<std::vector<HandTool>> stations_of(const std::vector<ToolInHand>& to
 
 Result<Answer> small_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
                                          const Scenario& scenario, const Places& places, const Progress& progress) {
+  return small_equilibrium_of_walls(mesh, std::move(youngs_kPa), scenario, places, {}, progress);
+}
+
+Result<Answer> small_equilibrium_of_walls(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                          const Scenario& scenario, const Places& places,
+                                          const std::vector<OpenedBody::Wall>& walls, const Progress& progress) {
   auto model = StaticModel::create(mesh, std::move(youngs_kPa), scenario.supports, options_of(scenario),
-                                   progress.part(0.0, 0.5));
+                                   progress.part(0.0, 0.5), points_on(walls));
   if (!model) return failure(std::move(model.error()));
   const Stopwatch watch;
   const auto body = ContactBody::create(std::move(*model), scenario.loads, places);
   if (!body) return failure(body.error());
   const ContactOptions options;
-  const int steps = steps_for(scenario.tools, options.largest_move_mm);
+  const int steps = scenario.tools.empty() ? 0 : steps_for(scenario.tools, options.largest_move_mm);
   ContactState state = body->untouched();
-  int rounds = 0;
-  for (int step = 1; step <= steps; ++step) {
+  int rounds = state.report.rounds;
+  for (int step = 1; step <= steps && state.report.converged; ++step) {
     progress.report(0.5 + 0.5 * (step - 1) / steps, GLISSON_TEXT("Moving the tools"));
     if (progress.cancelled()) return cancelled();
     auto next = body->solve(state, tools_at(scenario.tools, double(step) / steps), options);
     if (!next) return failure(std::move(next.error()));
     state = std::move(*next);
     rounds += state.report.rounds;
-    if (!state.report.converged) break;
   }
   auto result = body->whole_result(state);
   if (!result) return failure(std::move(result.error()));
@@ -47,8 +52,8 @@ Result<Answer> small_contact_equilibrium(const geometry::TetMesh& mesh, std::vec
   if (!state.report.converged) {
     result->status = SolveStatus::not_converged;
     result->why_stopped = fmt::format(
-        "After {} rounds the tools still reach {:.2f} mm into the surface (tolerance {:.2f}), which still moves by "
-        "{:.2f} mm.",
+        "After {} rounds the tools, or the walls of cuts, still reach {:.2f} mm into the surface (tolerance {:.2f}), "
+        "which still moves by {:.2f} mm.",
         rounds, state.report.penetration_mm, options.penetration_tolerance_mm, state.report.movement_mm);
   }
   auto landmarks_mm = body->model().displacement_at(*result, places);
@@ -59,12 +64,12 @@ Result<Answer> small_contact_equilibrium(const geometry::TetMesh& mesh, std::vec
 
 Result<Answer> large_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
                                          const Scenario& scenario, const Places& places, const Progress& progress) {
-  return equilibrium_of_walls(mesh, std::move(youngs_kPa), scenario, places, {}, progress);
+  return large_equilibrium_of_walls(mesh, std::move(youngs_kPa), scenario, places, {}, progress);
 }
 
-Result<Answer> equilibrium_of_walls(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                    const Scenario& scenario, const Places& places,
-                                    const std::vector<OpenedBody::Wall>& walls, const Progress& progress) {
+Result<Answer> large_equilibrium_of_walls(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                          const Scenario& scenario, const Places& places,
+                                          const std::vector<OpenedBody::Wall>& walls, const Progress& progress) {
   const auto prepared = material_body(mesh, std::move(youngs_kPa), scenario);
   if (!prepared) return failure(prepared.error());
   const auto& [body, materials, setup_s] = *prepared;

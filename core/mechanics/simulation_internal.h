@@ -45,10 +45,13 @@ Result<Answer> large_contact_equilibrium(const geometry::TetMesh& mesh, std::vec
 Result<Answer> meshfree_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
                                             const Scenario& scenario, const Places& places, const Progress& progress);
 
-// The same, tools or none, with the walls of the scenario's cuts kept apart.
-Result<Answer> equilibrium_of_walls(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                    const Scenario& scenario, const Places& places,
-                                    const std::vector<OpenedBody::Wall>& walls, const Progress& progress);
+// The same by finite elements, tools or none, with the walls of the scenario's cuts kept apart.
+Result<Answer> small_equilibrium_of_walls(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                          const Scenario& scenario, const Places& places,
+                                          const std::vector<OpenedBody::Wall>& walls, const Progress& progress);
+Result<Answer> large_equilibrium_of_walls(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
+                                          const Scenario& scenario, const Places& places,
+                                          const std::vector<OpenedBody::Wall>& walls, const Progress& progress);
 
 // From rest, under loads that are there from the first moment.
 Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa, const Scenario& scenario,

@@ -13,6 +13,7 @@ namespace glisson::mechanics {
 
 // Everything that only the loads do not change.
 struct StaticModel::Parts : Body {
+  std::vector<int> mutual_points;
   std::optional<ConstrainedSystem> system;
   Cost cost;
 
@@ -21,8 +22,8 @@ struct StaticModel::Parts : Body {
 };
 
 Result<StaticModel> StaticModel::create(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
-                                        std::vector<Support> supports, StaticOptions options,
-                                        const Progress& progress) {
+                                        std::vector<Support> supports, StaticOptions options, const Progress& progress,
+                                        const std::vector<int>& mutual_points) {
   const Stopwatch watch;
   progress.report(0.0, GLISSON_TEXT("Checking the model"));
   if (options.grain) {
@@ -41,8 +42,13 @@ Result<StaticModel> StaticModel::create(geometry::TetMesh mesh, std::vector<doub
 
   progress.report(0.05, GLISSON_TEXT("Assembling the stiffness"));
   if (progress.cancelled()) return cancelled();
+  parts->mutual_points = mutual_points;
+  std::vector<int> mutual;
+  for (const int point : mutual_points) {
+    for (int axis = 0; axis < 3; ++axis) mutual.push_back(3 * parts->layout.node_of_point[point] + axis);
+  }
   auto system = ConstrainedSystem::create(assemble_stiffness(*parts), parts->resolved.held, options.memory_limit_bytes,
-                                          progress.part(0.1, 1.0));
+                                          progress.part(0.1, 1.0), nullptr, std::move(mutual));
   if (!system) return failure(std::move(system.error()));
   parts->system = std::move(*system);
   parts->cost = {watch.seconds(), parts->system->free_unknowns(), parts->system->matrix_bytes(),
@@ -83,6 +89,10 @@ StaticModel::Responses StaticModel::respond(const Eigen::MatrixXd& force_mN) con
   const bool converged = relative_residual <= parts_->options.relative_tolerance && u.allFinite();
   return {std::move(u), relative_residual, converged};
 }
+
+const std::vector<int>& StaticModel::mutual_points() const { return parts_->mutual_points; }
+
+Eigen::MatrixXd StaticModel::mutual_compliance() const { return parts_->system->mutual_compliance(); }
 
 std::vector<StaticResult> StaticModel::Parts::solve(const Eigen::MatrixXd& force_mN,
                                                     const Eigen::MatrixXd& held_mm) const {

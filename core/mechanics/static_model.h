@@ -55,10 +55,11 @@ class StaticModel {
   // check_tetrahedra; "modulus-invalid" (the first cell is named), "poisson-invalid", "support-empty" (a support
   // that names nothing), "body-free" (not held enough to be in equilibrium; the free motion is named),
   // "too-large" (the factor would not fit the memory limit), "factorisation-failed", "cancelled"; "not-available" (a
-  // ligament, which only pulls: find_equilibrium knows it); "grain-invalid".
+  // ligament, which only pulls: find_equilibrium knows it); "grain-invalid". `mutual_points` are points of the mesh
+  // whose answers to each other are wanted (mutual_compliance), each once.
   static Result<StaticModel> create(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
                                     std::vector<Support> supports, StaticOptions options = {},
-                                    const Progress& progress = {});
+                                    const Progress& progress = {}, const std::vector<int>& mutual_points = {});
 
   // Equilibrium under all the loads together. Failures: "tool-touches-nothing" (how far the nearest face is),
   // "load-invalid" (a number that is not finite). A solve that misses the tolerance is a result that may not be
@@ -77,6 +78,12 @@ class StaticModel {
     bool converged = false;  // within the options' tolerance, all of them
   };
   [[nodiscard]] Responses respond(const Eigen::MatrixXd& force_mN) const;
+
+  // As they were given.
+  [[nodiscard]] const std::vector<int>& mutual_points() const;
+  // How the mutual points move (mm) by a force of 1 mN on each, 3 rows and 3 columns a point: what `respond` would give
+  // for 3 loads a point, at the cost of inverting a dense matrix of that size, 8 bytes an entry.
+  [[nodiscard]] Eigen::MatrixXd mutual_compliance() const;
 
   [[nodiscard]] const geometry::TetMesh& mesh() const;
   [[nodiscard]] const std::vector<double>& youngs_kPa() const;

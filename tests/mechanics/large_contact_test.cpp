@@ -61,6 +61,43 @@ TEST_F(SoftBlock, AShallowPressIsThatOfTheLinearEngine) {
   }
 }
 
+// The slow obvious way, Newton's steps on the body with springs between its walls, against the kept factor and the
+// walls' mutual compliance.
+TEST_F(SoftBlock, HalvesOfACutRestAlikeByTheKeptFactorAndByNewtonsSteps) {
+  const Body whole = body();
+  for (const Cut& cut : {Cut{{15, 0, 0}, {1, 0, 0}}, Cut{{16, 15, 12}, {1, 0.2, 0.4}, 12}}) {  // through, and partly
+    const OpenedBody opened = open_cuts(whole.mesh, {cut}, Along::nearly).value();
+    StaticOptions options = whole.options;
+    options.parts = StaticOptions::Parts::several;
+    const auto youngs_kPa = test::uniform(opened.mesh, 10);
+    const Body halves = prepare_body(opened.mesh, youngs_kPa, whole.supports, options, Holding::required).value();
+    const Loads loads = {ToolLoad{{30, 15, 10}, 9, {-150, 0, 0}}};
+    const std::vector<Material> materials = materials_of(halves, MaterialLaw::linear);
+    const auto slow =
+        find_equilibrium_in_contact(halves, materials, applied_loads(halves, loads, gas_on(materials)).value(),
+                                    {{}, {}}, {}, {}, opened.walls)
+            .value();
+    ASSERT_TRUE(slow.result.may_be_used()) << slow.result.why_stopped;
+    auto model =
+        StaticModel::create(opened.mesh, youngs_kPa, whole.supports, options, {}, points_on(opened.walls)).value();
+    const auto free = model.solve(loads).value();
+    const auto fast = ContactBody::create(std::move(model), loads, {}).value();
+    ASSERT_TRUE(fast.untouched().report.converged);
+    EXPECT_LE(fast.untouched().report.overlap_mm, 0.1);
+    const auto rested = fast.whole_result(fast.untouched()).value();
+    double apart_mm = 0, moved_by_contact_mm = 0;
+    for (std::size_t p = 0; p < rested.displacement_mm.size(); ++p) {
+      apart_mm = std::max(apart_mm, (rested.displacement_mm[p] - slow.result.displacement_mm[p]).norm());
+      moved_by_contact_mm = std::max(moved_by_contact_mm, (rested.displacement_mm[p] - free.displacement_mm[p]).norm());
+    }
+    EXPECT_GT(moved_by_contact_mm, 1.0);
+    EXPECT_LT(apart_mm, ContactOptions().penetration_tolerance_mm);  // each is within that
+    RecordProperty("apart_mm", std::to_string(apart_mm));
+    RecordProperty("moved_by_contact_mm", std::to_string(moved_by_contact_mm));
+    EXPECT_NEAR(rested.strain_energy_uJ / slow.result.strain_energy_uJ, 1, 0.01);
+  }
+}
+
 TEST_F(SoftBlock, ADeepPressRestsWithoutPenetrationAndStiffens) {
   const Body block = body();
   const auto force_at = [&](MaterialLaw law, double depth_mm, double stiffening = 0) {

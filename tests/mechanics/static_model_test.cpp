@@ -217,6 +217,25 @@ TEST(StaticModel, OneSolveForEachOfSeveralLoadsGivesWhatSeparateSolvesGive) {
   EXPECT_EQ(together[2].relative_residual, 0);
 }
 
+TEST(StaticModel, MutualPointsAnswerEachOtherAsSeparateSolvesSay) {
+  auto mesh = box(3, 3, 3, {30, 30, 30});
+  test::disturb_inner_points(mesh, 2.0);
+  test::name_points(mesh, "floor", [](const Vector3d& p) { return p.z() == 0; });
+  std::vector<int> points;
+  for (const Vector3d& place : {Vector3d(10, 0, 30), Vector3d(0, 0, 0), Vector3d(30, 20, 10), Vector3d(20, 30, 20)}) {
+    points.push_back(static_cast<int>(test::point_at(mesh, place)));  // the second is held
+  }
+  const auto model = StaticModel::create(mesh, uniform(mesh, 6.0), {held("floor")}, {}, {}, points).value();
+  const Eigen::MatrixXd mutual = model.mutual_compliance();
+  ASSERT_EQ(mutual.rows(), 12);
+  Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(3 * model.nodes().nodes(), 12);
+  for (int i = 0; i < 4; ++i) unit.block<3, 3>(3 * model.nodes().node_of_point[points[i]], 3 * i).setIdentity();
+  const auto responses = model.respond(unit);
+  ASSERT_TRUE(responses.converged);
+  EXPECT_LT((unit.transpose() * responses.displacement_mm - mutual).norm(), 1e-10 * mutual.norm());
+  EXPECT_EQ(mutual.middleRows<3>(3).norm(), 0);
+}
+
 TEST(StaticModel, TheAnswerTurnsWithTheBody) {
   const Eigen::Quaterniond turn = Eigen::Quaterniond(0.8, 0.3, -0.4, 0.2).normalized();
   const Vector3d shift(100, -50, 30);
