@@ -11,8 +11,8 @@
 #include <QtTest>
 
 #include "base/files.h"
-#include "main_window.h"
 #include "run_test.h"
+#include "shown.h"
 #include "words/language.h"
 #include "words/paths.h"
 
@@ -56,9 +56,7 @@ class ManualTest : public QObject {
   void initTestCase() {
     window_.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window_));
-    window_.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&window_));
-    QTest::keyClick(&window_, Qt::Key_F1);
+    press_key(window_, Qt::Key_F1);
     manual_ = window_.findChild<ManualWindow*>();
     QVERIFY(manual_ != nullptr && manual_->isVisible());
   }

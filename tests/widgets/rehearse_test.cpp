@@ -200,9 +200,7 @@ class RehearseTest : public QObject {
 
   void places_the_tool_at_the_crosshair_by_key() {
     window_->views().set_crosshair({60, -5, 40});
-    window_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
-    QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
+    press_key(*window_, Qt::Key_T, Qt::ControlModifier);
     QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
     // The nearest triangle's middle; bricks are 20 mm wide.
     QVERIFY(std::abs(rehearsal().tool_center_mm().y()) < 1e-9);

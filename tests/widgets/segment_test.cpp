@@ -25,8 +25,6 @@ class SegmentTest : public QObject {
   void initTestCase() {
     folder_ = test::small_case(temporary_.path());
     window_ = shown_window({1600, 1000});
-    window_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
     window_->open_path(folder_);
     QTRY_VERIFY_WITH_TIMEOUT(!window_->work().busy() && !window_->findChild<QWidget*>("tool_brush")->isVisible(),
                              patience_ms);
@@ -64,11 +62,11 @@ class SegmentTest : public QObject {
 
   void undo_takes_the_stroke_back_and_redo_draws_it_again() {
     const std::size_t drawn = test::voxels_of(folder_, "liver");
-    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier);
     settle();
     QCOMPARE(test::voxels_of(folder_, "liver"), start_);
     QCOMPARE(segmentation::voxel_count(*panel_->editor().structures().front().mask), start_);
-    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     settle();
     QCOMPARE(test::voxels_of(folder_, "liver"), drawn);
     window_->undo().undo();

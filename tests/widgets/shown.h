@@ -1,7 +1,8 @@
 #pragma once
-// What widget tests begin with: the window shown, and a child of it by its object name.
+// What widget tests begin with: the window shown, a child of it by its object name, and a key pressed in it.
 
 #include <memory>
+#include <QApplication>
 #include <QtTest>
 
 #include "main_window.h"
@@ -22,6 +23,13 @@ template <typename Widget>
   auto* found = parent.findChild<Widget*>(name);
   if (found == nullptr) qFatal("there is no %s", name);
   return found;
+}
+
+// A key of the menus and buttons. Qt gives those to the active window alone, and which window of the X server that is,
+// tests that run at the same time would take from each other: so it is said here, for this key.
+inline void press_key(QWidget& window, Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+  QApplication::setActiveWindow(&window);
+  QTest::keyClick(&window, key, modifiers);
 }
 
 }  // namespace glisson::widgets

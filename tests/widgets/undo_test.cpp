@@ -8,6 +8,7 @@
 #include "main_window.h"
 #include "modelled_case.h"
 #include "run_test.h"
+#include "shown.h"
 
 namespace glisson::widgets {
 namespace {
@@ -31,11 +32,11 @@ class UndoTest : public QObject {
     QVERIFY(menu_has(window_->undo().undo_action()));
     const std::size_t grown = test::voxels_of(folder_, "liver");
     QVERIFY(grown > start_);
-    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier);
     settle();
     QCOMPARE(test::voxels_of(folder_, "liver"), start_);
     QVERIFY(!window_->undo().undo_action()->isEnabled());
-    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     settle();
     QCOMPARE(test::voxels_of(folder_, "liver"), grown);
   }
@@ -44,7 +45,7 @@ class UndoTest : public QObject {
     window_.reset();
     open_window();
     QCOMPARE(window_->undo().undo_action()->text(), "&Undo: Brush on liver");
-    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier);
     settle();
     QCOMPARE(test::voxels_of(folder_, "liver"), start_);
   }
@@ -55,7 +56,7 @@ class UndoTest : public QObject {
     window_->undo().value_changed({"Force", {}}, "test/force", 1.0, 2.0, Undo::Joins::with_same);
     window_->undo().value_changed({"Force", {}}, "test/force", 2.0, 3.5, Undo::Joins::with_same);
     settle();
-    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier);
     settle();
     QCOMPARE(seen.toDouble(), 1.0);
     window_->undo().redo();
@@ -114,8 +115,6 @@ class UndoTest : public QObject {
     window_ = std::make_unique<MainWindow>();
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    window_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
     window_->open_path(folder_);
     QTRY_VERIFY_WITH_TIMEOUT(!window_->work().busy(), patience_ms);
     start_ = test::voxels_of(folder_, "liver");

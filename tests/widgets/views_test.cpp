@@ -32,11 +32,7 @@ class ViewsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() {
-    window_ = shown_window({1500, 950});
-    window_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
-  }
+  void initTestCase() { window_ = shown_window({1500, 950}); }
 
   void init() {
     static int patients = 0;
@@ -47,7 +43,6 @@ class ViewsTest : public QObject {
     views().set_layout(ViewLayout::square);
     views().straighten();
     views().set_crosshair({60, 40, 40});
-    window_->activateWindow();
     slice().setFocus();
     QTest::qWait(50);
   }
@@ -235,15 +230,15 @@ class ViewsTest : public QObject {
   }
 
   void layouts_are_changed_by_keys() {
-    QTest::keyClick(window_.get(), Qt::Key_F6);
+    press_key(*window_, Qt::Key_F6);
     QCOMPARE(views().view_layout(), ViewLayout::space_large);
     QTRY_VERIFY(views().space().width() > 2 * slice().width());
-    QTest::keyClick(window_.get(), Qt::Key_F7);
+    press_key(*window_, Qt::Key_F7);
     QVERIFY(!views().space().isVisible());
     QVERIFY(views().slice(SliceDirection::sagittal).isVisible());
-    QTest::keyClick(window_.get(), Qt::Key_F5);
+    press_key(*window_, Qt::Key_F5);
     views().space().setFocus();
-    QTest::keyClick(window_.get(), Qt::Key_F8);
+    press_key(*window_, Qt::Key_F8);
     QVERIFY(views().space().isVisible());
     QVERIFY(!slice().isVisible());
     QVERIFY(child<QAction>("layout_one")->isChecked());
@@ -274,7 +269,7 @@ class ViewsTest : public QObject {
     return found;
   }
 
-  void key(Qt::Key letter) { QTest::keyClick(window_.get(), letter, Qt::ControlModifier | Qt::ShiftModifier); }
+  void key(Qt::Key letter) { press_key(*window_, letter, Qt::ControlModifier | Qt::ShiftModifier); }
 
   double value(int row, const QString& unit) {
     const QString text = list().item(row, 1)->text();

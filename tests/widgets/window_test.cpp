@@ -65,12 +65,10 @@ class WindowTest : public QObject {
     QCOMPARE(window_->workspace(), "platform");
     QVERIFY(window_->findChild<PlatformView*>()->isVisible());
     QVERIFY(!child<QPushButton>("place")->isVisible());
-    window_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
     // Ctrl and its number in the row.
     const auto row = window_->findChild<WorkspaceBar*>()->findChildren<QToolButton*>();
     const auto number = row.indexOf(child<QToolButton>("workspace_rehearse"));
-    QTest::keyClick(window_.get(), static_cast<Qt::Key>(Qt::Key_1 + number), Qt::ControlModifier);
+    press_key(*window_, static_cast<Qt::Key>(Qt::Key_1 + number), Qt::ControlModifier);
     QCOMPARE(window_->workspace(), "rehearse");
     QVERIFY(child<QPushButton>("place")->isVisible());
   }
