@@ -21,6 +21,7 @@
 #include "help/shortcuts_window.h"
 #include "help/tour_stops.h"
 #include "model/model_panel.h"
+#include "panels/platform_view.h"
 #include "register/register_page.h"
 #include "report/report_view.h"
 #include "resect/resect_panel.h"
@@ -98,6 +99,15 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file
     patient_views_->reword();
     QTimer::singleShot(0, this, [this] { name_controls(*this); });  // once all of it has its words
   });
+}
+
+// Workspaces, and the windows that they opened, go before what they share, and after the work that they began; going,
+// they tell this window nothing more.
+MainWindow::~MainWindow() {
+  hide();
+  work_.end();
+  for (const QObject* part : findChildren<QObject*>()) part->disconnect(this);
+  qDeleteAll(findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
 }
 
 // In the order of the work.

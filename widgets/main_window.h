@@ -14,7 +14,6 @@
 #include "help/tour.h"
 #include "panels/next_step_box.h"
 #include "panels/notices.h"
-#include "panels/platform_view.h"
 #include "panels/rehearse_panel.h"
 #include "panels/status_line.h"
 #include "panels/study_panel.h"
@@ -41,6 +40,7 @@ class MainWindow : public QMainWindow {
 
  public:
   explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
 
   // A case folder, or anything that holds images; what it is decides what happens.
   void open_path(const std::filesystem::path& path);

@@ -35,7 +35,8 @@ struct ElastographyImages {
   Waves waves;
   MeasuredStiffness measured;
 };
-ElastographyImages simulate_elastography(const DemoAnatomy& anatomy, const DemoOptions& options);
+Result<ElastographyImages> simulate_elastography(const DemoAnatomy& anatomy, const DemoOptions& options,
+                                                 const Progress& progress);
 
 Result<DemoSeries> write_anatomy(const fs::path& dicom, const Volume& image, const DemoOptions& options);
 Result<std::vector<DemoSeries>> write_elastography(const fs::path& dicom, const ElastographyImages& images,
@@ -80,7 +81,8 @@ Result<DemoPatient> write_demo_study(const fs::path& anatomy_folder, const fs::p
   const Volume image = simulate_image(*anatomy, demo_anatomy_grid(), Contrast::portal_venous_t1, options.seed);
   if (progress.cancelled()) return cancelled();
   progress.report(0.4, GLISSON_TEXT("simulating the elastography"));
-  const ElastographyImages elastography = simulate_elastography(*anatomy, options);
+  const auto elastography = simulate_elastography(*anatomy, options, progress);
+  if (!elastography) return failure(elastography.error());
   if (progress.cancelled()) return cancelled();
 
   progress.report(0.8, GLISSON_TEXT("writing the study"));
@@ -89,7 +91,7 @@ Result<DemoPatient> write_demo_study(const fs::path& anatomy_folder, const fs::p
   auto anatomy_series = write_anatomy(staging.path("dicom"), image, options);
   if (!anatomy_series) return failure(std::move(anatomy_series.error()));
   patient.series.push_back(std::move(*anatomy_series));
-  auto elastography_series = write_elastography(staging.path("dicom"), elastography, options);
+  auto elastography_series = write_elastography(staging.path("dicom"), *elastography, options);
   if (!elastography_series) return failure(std::move(elastography_series.error()));
   patient.series.insert(patient.series.end(), elastography_series->begin(), elastography_series->end());
   if (progress.cancelled()) return cancelled();
@@ -102,7 +104,7 @@ Result<DemoPatient> write_demo_study(const fs::path& anatomy_folder, const fs::p
   progress.report(0.9, GLISSON_TEXT("writing the truth"));
   patient.landmarks = anatomy->landmarks;
   patient.seeds = seeds_for(*anatomy, structures);
-  auto truth = write_truth(staging.path("truth"), patient, structures, elastography.true_shear_kPa, options);
+  auto truth = write_truth(staging.path("truth"), patient, structures, elastography->true_shear_kPa, options);
   if (!truth) return failure(std::move(truth.error()));
   auto moved = staging.move_into_place({"dicom", "truth"});
   if (!moved) return failure(std::move(moved.error()));
@@ -141,13 +143,17 @@ Grid demo_elastography_grid() {
 
 namespace {
 
-ElastographyImages simulate_elastography(const DemoAnatomy& anatomy, const DemoOptions& options) {
+Result<ElastographyImages> simulate_elastography(const DemoAnatomy& anatomy, const DemoOptions& options,
+                                                 const Progress& progress) {
   const Grid grid = demo_elastography_grid();
   ElastographyImages images;
   images.true_shear_kPa =
       true_shear_modulus(draw_tissues(anatomy, grid, options.seed), options.stiffness, options.seed);
+  if (progress.cancelled()) return cancelled();
   images.magnitude = simulate_image(anatomy, grid, Contrast::elastography, options.seed);
+  if (progress.cancelled()) return cancelled();
   images.waves = simulate_waves(images.true_shear_kPa, options.waves, options.seed);
+  if (progress.cancelled()) return cancelled();
   images.measured =
       measure_stiffness(images.true_shear_kPa, liver_mask(anatomy, grid), images.waves.amplitude_um, options.seed);
   return images;

@@ -8,41 +8,15 @@
 #include <QtTest>
 
 #include "base/files.h"
-#include "imaging/volume_file.h"
 #include "run_test.h"
 #include "shown.h"
-#include "support/wave_phantom.h"
 #include "views/map_picture.h"
+#include "wave_case.h"
 
 namespace glisson::widgets {
 namespace {
 
 constexpr int patience_ms = 60000;  // on a machine that does other work too
-
-// 4 kPa, shaken at 60 Hz: a wavelength of 33 mm in 96 mm.
-void write_case(const std::filesystem::path& folder) {
-  test::WavePhantom phantom;
-  phantom.grid = test::cube_grid(48, 5, 2, 4);
-  phantom.background_kPa = {4, 0.3};
-  const auto images = test::measured(phantom, test::crossing_waves(phantom), 1.0, 0.02);
-  auto patient = casefile::Case::create(folder);
-  if (!patient) qFatal("%s", patient.error().message().c_str());
-  int number = 0;
-  for (std::size_t direction = 0; direction < images.phase_rad.size(); ++direction) {
-    for (std::size_t offset = 0; offset < images.phase_rad[direction].size(); ++offset) {
-      const casefile::Made made{
-          "import",
-          {{"frequency_Hz", "60"}, {"direction", std::to_string(direction)}, {"offset", std::to_string(offset)}},
-          {},
-          {},
-          {}};
-      const imaging::Volume volume{{images.grid, images.phase_rad[direction][offset]}, "rad"};
-      const auto added = patient->add("volumes/phase-" + std::to_string(++number), ".nrrd", made,
-                                      [&](const auto& file) { return imaging::write_volume_file(file, volume); });
-      if (!added) qFatal("%s", added.error().message().c_str());
-    }
-  }
-}
 
 class WaveViewTest : public QObject {
   Q_OBJECT
@@ -50,7 +24,7 @@ class WaveViewTest : public QObject {
  private Q_SLOTS:
   void initTestCase() {
     case_ = folder_.path() / "plane.glisson";
-    write_case(case_);
+    test::write_wave_case(case_);
     view_ = std::make_unique<WaveView>(case_);
     view_->show();
     QVERIFY(QTest::qWaitForWindowExposed(view_.get()));

@@ -67,7 +67,7 @@ const Judged* RegisterPage::judged(int side) const {
 
 void RegisterPage::start(const QString& title, BackgroundWork::Work work) {
   say({});
-  working_ = work_.start(title, std::move(work));
+  if (work_.start(title, std::move(work))) working_ = true;  // refused, what is under way may still be this page's
 }
 
 void RegisterPage::open(const fs::path& file) {

@@ -2,8 +2,6 @@
 
 #include <QFutureWatcher>
 #include <QtConcurrentRun>
-#include <QThread>
-#include <QThreadPool>
 
 namespace glisson::widgets {
 namespace {
@@ -12,10 +10,7 @@ constexpr int shortest_between_reports_ms = 40;
 
 }  // namespace
 
-BackgroundWork::~BackgroundWork() {
-  stop_.request_stop();
-  QThreadPool::globalInstance()->waitForDone();
-}
+BackgroundWork::BackgroundWork(QObject* parent) : QObject(parent) { thread_.setMaxThreadCount(1); }
 
 bool BackgroundWork::start(const QString& title, Work work) {
   if (busy_) {
@@ -42,7 +37,7 @@ bool BackgroundWork::start(const QString& title, Work work) {
     watcher->result()();
   });
   Q_EMIT started(title);
-  watcher->setFuture(QtConcurrent::run([this, work = std::move(work), progress]() -> Then {
+  watcher->setFuture(QtConcurrent::run(&thread_, [this, work = std::move(work), progress]() -> Then {
     try {
       return work(progress);
     } catch (const std::exception& problem) {
@@ -53,5 +48,10 @@ bool BackgroundWork::start(const QString& title, Work work) {
 }
 
 void BackgroundWork::cancel() { stop_.request_stop(); }
+
+void BackgroundWork::end() {
+  cancel();
+  thread_.waitForDone();
+}
 
 }  // namespace glisson::widgets

@@ -11,6 +11,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+#include <QThreadPool>
 #include <stop_token>
 
 #include "base/progress.h"
@@ -25,12 +26,15 @@ class BackgroundWork : public QObject {
   using Then = std::function<void()>;
   using Work = std::function<Then(const Progress&)>;
 
-  explicit BackgroundWork(QObject* parent = nullptr) : QObject(parent) {}
-  ~BackgroundWork() override;
+  explicit BackgroundWork(QObject* parent = nullptr);
+  ~BackgroundWork() override { end(); }
 
   // False, and refused() is told, while another piece is under way.
   bool start(const QString& title, Work work);
   void cancel();
+  // Cancels what is under way and waits until it has heard of it. What it would have shown is shown when the event loop
+  // turns, if this is still there.
+  void end();
   [[nodiscard]] bool busy() const { return busy_; }
 
  Q_SIGNALS:
@@ -43,6 +47,7 @@ class BackgroundWork : public QObject {
  private:
   std::stop_source stop_;
   bool busy_ = false;
+  QThreadPool thread_;  // its own: what else computes neither waits for long work nor is waited for
 };
 
 }  // namespace glisson::widgets
