@@ -252,15 +252,22 @@ void LiveRehearsal::look_for_contact() {
     refuse(*error);
     return;
   }
+  // Asked before the frame is taken: of a session that waits, that frame is the answer to all that was posted.
+  const bool all_answered = session_->state() == rehearsal::SessionState::ready;
   const auto frame = session_->latest();
-  if (!frame || frame->number == session_frame_) return;
+  if (!frame) return;
+  const bool is_new = frame->number != session_frame_;
   session_frame_ = frame->number;
   if (tools_.empty() || shown_moment_) return;
-  show_contact(frame);
-  if (frame->refused.empty()) record(frame);
+  if (is_new) {
+    show_contact(frame, all_answered ? Solving::solved : Solving::solving);
+    if (frame->refused.empty()) record(frame);
+  } else if (all_answered && solving_ == Solving::solving) {
+    set_solving(Solving::solved);
+  }
 }
 
-void LiveRehearsal::show_contact(const std::shared_ptr<const rehearsal::SessionFrame>& frame) {
+void LiveRehearsal::show_contact(const std::shared_ptr<const rehearsal::SessionFrame>& frame, Solving solving) {
   frame_ = frame_of(*frame);
   solids_ = solids_of(*frame);
   inverted_cells_ = frame->patient_step.report.inverted_cells;
@@ -273,8 +280,7 @@ void LiveRehearsal::show_contact(const std::shared_ptr<const rehearsal::SessionF
                  {}});
     return;
   }
-  const bool more = !shown_moment_ && session_->state() == rehearsal::SessionState::stepping;
-  set_solving(more ? Solving::solving : Solving::solved);
+  set_solving(solving);
   Q_EMIT frame_changed();
 }
 
@@ -296,7 +302,7 @@ void LiveRehearsal::show_moment(std::size_t index) {
   shown_moment_ = index;
   const Moment& moment = track_.moments()[index];
   if (moment.contact) {
-    show_contact(moment.contact);
+    show_contact(moment.contact, Solving::solved);
   } else if (!moment.tools.empty()) {
     const ToolInHand& tool = moment.tools.back();
     if (const rehearsal::PlacedTool* placed = remembered(tool)) {

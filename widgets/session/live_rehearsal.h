@@ -87,7 +87,7 @@ class LiveRehearsal : public QObject {
   [[nodiscard]] const rehearsal::PlacedTool* remembered(const ToolInHand& tool) const;
   void answer_now();
   void show_answer(const rehearsal::PlacedTool& placed, const ToolInHand& tool);
-  void show_contact(const std::shared_ptr<const rehearsal::SessionFrame>& frame);
+  void show_contact(const std::shared_ptr<const rehearsal::SessionFrame>& frame, Solving solving);
   void look_for_contact();
   void post_tool();
   void record(std::shared_ptr<const rehearsal::SessionFrame> contact);
