@@ -1,11 +1,12 @@
-// Every way out of the window, with a patient whose name must not take it: pictures of the views, tables of a
-// rehearsal, the log and the report of a problem, the report as a page and in print. The name is in the folder's name,
-// as a person would have it. In the window itself it is shown.
+// Every way out of the window, with a patient whose name must not take it: pictures of the views, movies and tables of
+// a rehearsal, the log and the report of a problem, the report as a page and in print. The name is in the folder's
+// name, as a person would have it. In the window itself it is shown.
 
 #include <QCheckBox>
 #include <QSignalSpy>
 #include <QTextBrowser>
 #include <QtTest>
+#include <set>
 
 #include "base/files.h"
 #include "modelled_case.h"
@@ -55,6 +56,18 @@ class PrivacyTest : public QObject {
     QVERIFY(!mentions(window_->rehearsal().track().csv({"tumour-1"})));
   }
 
+  // As pictures they are the same to the bit under either name; as a video they hold none.
+  void movies_do_not_show_it_nor_hold_it() {
+    open(temporary_.path() / "other.glisson");
+    const std::vector<QImage> without = film("unnamed");
+    open(named_);
+    const std::vector<QImage> with_name = film("named");
+    QVERIFY(!with_name.empty());
+    QCOMPARE(with_name.size(), without.size());
+    for (std::size_t k = 0; k < without.size(); ++k)
+      QVERIFY2(with_name[k] == without[k], qPrintable(QString::number(k)));
+  }
+
   void log_and_report_of_a_problem_do_not_hold_it() {
     // An error that names the file, and so the patient, where the person sees it.
     const fs::path broken = temporary_.path() / "Meierhoff-broken.glisson";
@@ -96,6 +109,33 @@ class PrivacyTest : public QObject {
     std::vector<QImage> all{window_->views().space().picture()};
     for (SliceView* slice : window_->views().slices()) all.push_back(slice->picture());
     return all;
+  }
+
+  // Of a tool that rests: its pictures. As a video too.
+  std::vector<QImage> film(const std::string& name) {
+    LiveRehearsal& rehearsal = window_->rehearsal();
+    const ToolInHand probe{
+        "palpation-probe", rehearsal.body()->surface().points_mm.front(), {0, -1, 0}, 6, {0, 1, 0}, 1.5};
+    // The second time alone is filmed: whether there was a tool before must not tell the two apart.
+    for (int time = 0; time < 2; ++time) {
+      rehearsal.hold_all({});
+      rehearsal.clear_track();
+      rehearsal.hold(probe);
+      if (!QTest::qWaitFor([&] { return rehearsal.solving() == Solving::solved; }, patience_ms)) return {};
+      (void)window_->views().space().picture();
+    }
+    TrackControls& track = window_->findChild<RehearsePanel*>()->track();
+    QSignalSpy written(track.findChild<MovieMaker*>(), &MovieMaker::written);
+    for (const char* ending : {".mp4", ""}) {
+      track.make_movie(temporary_.path() / (name + ending));
+      if (!written.wait(patience_ms)) return {};
+    }
+    if (mentions(read_text_file(temporary_.path() / (name + ".mp4"), 1 << 26).value_or(surname))) return {};
+    std::set<fs::path> pictures;
+    for (const auto& entry : fs::directory_iterator(temporary_.path() / name)) pictures.insert(entry.path());
+    std::vector<QImage> film;
+    for (const fs::path& picture : pictures) film.emplace_back(QString::fromStdString(picture.string()));
+    return film;
   }
 
   std::string web_page(const ReportView& view) {

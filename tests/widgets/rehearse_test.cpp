@@ -21,6 +21,8 @@
 namespace glisson::widgets {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr int patience_ms = 30000;  // for solves on a machine that does other work too
 
 class RehearseTest : public QObject {
@@ -118,7 +120,6 @@ class RehearseTest : public QObject {
     }
     const TemporaryFolder folder;
     const double length_s = rehearsal().track().length_s();
-    child<QWidget>("panel");
     auto* panel = window_->findChild<RehearsePanel*>();
     QSignalSpy told(panel, &RehearsePanel::said);
     panel->track().make_movie(folder.path() / "rehearsal.mp4");
@@ -133,6 +134,12 @@ class RehearseTest : public QObject {
     QVERIFY(std::abs(frames - MovieMaker::frames_per_second * (length_s + 0.5)) < 2.5);
     QVERIFY(first->rgb != last->rgb);
     QVERIFY(std::abs(last->width - space().width()) <= 1);
+    QVERIFY(told.last().first().toString().startsWith("Written:"));
+    // Stopped, it leaves nothing and says so.
+    panel->track().make_movie(folder.path() / "stopped.mp4");
+    QTest::mouseClick(child<QPushButton>("track_movie"), Qt::LeftButton);
+    QVERIFY(told.last().first().toString().startsWith("Stopped."));
+    QVERIFY(!fs::exists(folder.path() / "stopped.mp4"));
   }
 
   void two_bodies_turn_together() {

@@ -25,7 +25,7 @@ void MovieMaker::begin(const std::filesystem::path& file) {
   if (busy() || rehearsal_.track().empty()) return;
   auto writer = vision::MovieWriter::begin(file, frames_per_second);
   if (!writer) {
-    Q_EMIT finished(writer.error());
+    Q_EMIT failed(writer.error());
     return;
   }
   writer_ = *std::move(writer);
@@ -35,29 +35,34 @@ void MovieMaker::begin(const std::filesystem::path& file) {
 }
 
 void MovieMaker::stop() {
-  if (busy()) end(std::nullopt);
+  if (!busy()) return;
+  end();
+  Q_EMIT stopped();
 }
 
 void MovieMaker::next_picture() {
-  if (rehearsal_.track().empty()) return end(std::nullopt);  // the patient was closed
-  if (rehearsal_.solving() == Solving::solving) return;      // the shape of this moment is on its way
+  if (rehearsal_.track().empty()) return stop();         // the patient was closed
+  if (rehearsal_.solving() == Solving::solving) return;  // the shape of this moment is on its way
   const double length_s = rehearsal_.track().length_s();
-  if (auto added = writer_->add(frame_of(grab_())); !added) return end(added.error());
+  auto done = writer_->add(frame_of(grab_()));
   time_s_ += 1 / frames_per_second;
   Q_EMIT progressed(length_s > 0 ? std::min(1.0, time_s_ / length_s) : 1.0);
   // Half a second of rest at the end, so that the outcome can be seen.
-  if (time_s_ > length_s + 0.5) {
-    auto written = writer_->finish();
-    return end(written ? std::nullopt : std::optional(written.error()));
+  const bool was_last = time_s_ > length_s + 0.5;
+  if (done && !was_last) return rehearsal_.show_moment(rehearsal_.track().at(time_s_));
+  if (done) done = writer_->finish();
+  end();
+  if (done) {
+    Q_EMIT written();
+  } else {
+    Q_EMIT failed(done.error());
   }
-  rehearsal_.show_moment(rehearsal_.track().at(time_s_));
 }
 
-void MovieMaker::end(std::optional<Error> error) {
+void MovieMaker::end() {
   timer_.stop();
   writer_.reset();
   rehearsal_.go_on();
-  Q_EMIT finished(error);
 }
 
 }  // namespace glisson::widgets

@@ -23,22 +23,24 @@ class MovieMaker : public QObject {
   MovieMaker(LiveRehearsal& rehearsal, std::function<QImage()> grab, QObject* parent = nullptr);
 
   void begin(const std::filesystem::path& file);
-  void stop();  // leaves nothing behind
+  void stop();  // leaves nothing behind; does nothing where none is being made
   [[nodiscard]] bool busy() const { return writer_.has_value(); }
 
  Q_SIGNALS:
   void progressed(double fraction);
-  void finished(const std::optional<glisson::Error>& error);  // none: the movie is there, or was stopped
+  // Each movie that begins ends with one of these.
+  void written();
+  void stopped();  // asked to, or there is nothing to film any more
+  void failed(const glisson::Error& error);
 
  private:
   void next_picture();
-  void end(std::optional<Error> error);
+  void end();
 
   LiveRehearsal& rehearsal_;
   std::function<QImage()> grab_;
   std::optional<vision::MovieWriter> writer_;
   double time_s_ = 0;
-  QSize size_;
   QTimer timer_;
 };
 

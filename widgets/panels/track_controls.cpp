@@ -103,13 +103,17 @@ void TrackControls::set_camera(std::function<QImage()> grab) {
   movie_ = new MovieMaker(rehearsal_, std::move(grab), this);
   connect(movie_, &MovieMaker::progressed, this,
           [this](double fraction) { movie_button_->setText(tr("Stop (%1 %)").arg(100 * fraction, 0, 'f', 0)); });
-  connect(movie_, &MovieMaker::finished, this, [this](const std::optional<Error>& error) {
+  connect(movie_, &MovieMaker::written, this, [this] {
     show_state();
-    if (error) {
-      Q_EMIT failed(*error);
-    } else {
-      Q_EMIT said(tr("Written: %1").arg(movie_file_));
-    }
+    Q_EMIT said(tr("Written: %1").arg(movie_file_));
+  });
+  connect(movie_, &MovieMaker::stopped, this, [this] {
+    show_state();
+    Q_EMIT said(tr("Stopped. No movie was written."));
+  });
+  connect(movie_, &MovieMaker::failed, this, [this](const Error& error) {
+    show_state();
+    Q_EMIT failed(error);
   });
 }
 
