@@ -34,17 +34,14 @@ struct DrawnLayer {
   std::vector<double> distances_mm;
 };
 
-// Takes away the voxels for whose position `leaves` says so; in one layer or everywhere.
+// Takes away the voxels for whose position `leaves` says so.
 template <typename Leaves>
-void remove_where(Mask& mask, const Leaves& leaves, const std::optional<Outline::Layer>& only = std::nullopt) {
+void remove_where(Mask& mask, const Leaves& leaves) {
   const Grid& grid = mask.grid;
   parallel_for(static_cast<std::size_t>(grid.size[2]), 1, [&](std::size_t begin, std::size_t end) {
     for (auto k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
-      if (only && only->axis == 2 && only->index != k) continue;
       for (int j = 0; j < grid.size[1]; ++j) {
-        if (only && only->axis == 1 && only->index != j) continue;
         for (int i = 0; i < grid.size[0]; ++i) {
-          if (only && only->axis == 0 && only->index != i) continue;
           std::uint8_t& value = mask.at(i, j, k);
           if (value != 0 && leaves(grid.position_mm(i, j, k))) value = 0;
         }
@@ -78,9 +75,12 @@ Mask cut(Mask mask, const Outline& outline, CutSide side) {
   const auto on_plane = [&](const Vector3d& at_mm) { return Vector2d(at_mm.dot(u), at_mm.dot(v)); };
   std::vector<Vector2d> polygon;
   for (const Vector3d& point_mm : outline.points_mm) polygon.push_back(on_plane(point_mm));
-  remove_where(
-      mask, [&](const Vector3d& at_mm) { return is_inside(polygon, on_plane(at_mm)) == (side == CutSide::inside); },
-      outline.only);
+  const double origin_mm = outline.points_mm.front().dot(w);
+  remove_where(mask, [&](const Vector3d& at_mm) {
+    const double along_mm = at_mm.dot(w) - origin_mm;
+    return along_mm >= outline.from_mm && along_mm <= outline.to_mm &&
+           is_inside(polygon, on_plane(at_mm)) == (side == CutSide::inside);
+  });
   return mask;
 }
 

@@ -4,7 +4,7 @@
 // a ball is a ball on any grid.
 
 #include <Eigen/Core>
-#include <optional>
+#include <limits>
 #include <vector>
 
 #include "base/result.h"
@@ -29,16 +29,13 @@ struct Plane {
 // Takes away what lies on the side that the normal points to.
 [[nodiscard]] imaging::Mask cut(imaging::Mask mask, const Plane& plane);
 
-// A closed outline drawn on a view and pushed through the volume along the view's direction, both ways.
+// A closed outline drawn on a view and pushed through the volume along the view's direction.
 struct Outline {
-  std::vector<Eigen::Vector3d> points_mm;  // at least three; the last is joined to the first
+  std::vector<Eigen::Vector3d> points_mm;  // at least three, in a plane; the last is joined to the first
   Eigen::Vector3d direction{0, 0, 1};      // any length but zero
-  // Only this layer of voxels along this axis of the grid; absent: all of the volume.
-  struct Layer {
-    int axis = 2;
-    int index = 0;
-  };
-  std::optional<Layer> only = std::nullopt;
+  // How far along the direction, from the first point: what is cut has its centre between the two, in mm.
+  double from_mm = -std::numeric_limits<double>::infinity();
+  double to_mm = std::numeric_limits<double>::infinity();
 };
 enum class CutSide { inside, outside };
 

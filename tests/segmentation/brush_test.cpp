@@ -208,7 +208,8 @@ TEST(Edit, KeepsThePickedPieceOrDropsTheSmallOnes) {
   EXPECT_EQ(voxel_count(without_small_pieces(mask, 0.0)), of_big + of_small);
 }
 
-TEST(Edit, ACutThroughOneLayerLeavesTheOthers) {
+// Straight along the layers it takes as many of them as it is deep; at a slant, what has its centre that deep.
+TEST(Edit, ACutGoesAsDeepAsItIsTold) {
   const Grid grid = slanted_grid();
   Mask mask = empty_mask();
   const Vector3d middle = grid.position_mm(Vector3d(14, 12, 8));
@@ -219,14 +220,38 @@ TEST(Edit, ACutThroughOneLayerLeavesTheOthers) {
   }
   square.direction = grid.direction.col(2);
   const Mask through = cut(mask, square, CutSide::inside);
-  square.only = Outline::Layer{2, 8};
-  const Mask once = cut(mask, square, CutSide::inside);
-  for (int k = 0; k < grid.size[2]; ++k)
-    for (int j = 0; j < grid.size[1]; ++j)
-      for (int i = 0; i < grid.size[0]; ++i) {
-        ASSERT_EQ(once.at(i, j, k), k == 8 ? through.at(i, j, k) : mask.at(i, j, k));
-      }
-  EXPECT_LT(voxel_count(through), voxel_count(once));
+  EXPECT_LT(voxel_count(through), voxel_count(mask));
+  const double layer_mm = grid.spacing_mm.z();
+  const auto is_cut_where = [&](const Outline& outline, const auto& deep_enough) {
+    const Mask whole = cut(mask, {outline.points_mm, outline.direction}, CutSide::inside);
+    const Mask part = cut(mask, outline, CutSide::inside);
+    std::size_t left = 0;
+    for (int k = 0; k < grid.size[2]; ++k)
+      for (int j = 0; j < grid.size[1]; ++j)
+        for (int i = 0; i < grid.size[0]; ++i) {
+          if (part.at(i, j, k) != (deep_enough(i, j, k) ? whole.at(i, j, k) : mask.at(i, j, k))) return false;
+          left += part.at(i, j, k) != whole.at(i, j, k) ? 1U : 0U;
+        }
+    return left > 0;
+  };
+  square.from_mm = -0.5 * layer_mm;
+  square.to_mm = 0.5 * layer_mm;
+  EXPECT_TRUE(is_cut_where(square, [](int, int, int k) { return k == 8; }));
+  square.to_mm = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(is_cut_where(square, [](int, int, int k) { return k >= 8; }));
+  square.from_mm = -std::numeric_limits<double>::infinity();
+  square.to_mm = 1.5 * layer_mm;
+  EXPECT_TRUE(is_cut_where(square, [](int, int, int k) { return k <= 9; }));
+
+  const Vector3d slant = (grid.direction.col(2) + 0.4 * grid.direction.col(0)).normalized();
+  for (Vector3d& corner_mm : square.points_mm) corner_mm -= slant * slant.dot(corner_mm - middle);
+  square.direction = slant;
+  square.from_mm = -2;
+  square.to_mm = 3;
+  EXPECT_TRUE(is_cut_where(square, [&](int i, int j, int k) {
+    const double along_mm = slant.dot(grid.position_mm(i, j, k) - middle);
+    return along_mm >= -2 && along_mm <= 3;
+  }));
 }
 
 }  // namespace

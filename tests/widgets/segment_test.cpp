@@ -1,5 +1,7 @@
 // The Segment workspace, driven as a person drives it: strokes with the mouse in a slice, keys for tools, undo.
 
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -102,14 +104,45 @@ class SegmentTest : public QObject {
 
   void scissors_cut_through_all_slices() {
     key(Qt::Key_S);
-    const std::vector<QPointF> around{{0, -20}, {20, -20}, {20, 20}, {0, 20}};
-    press(around.front());
-    for (const QPointF& corner : around) move(corner);
-    release(around.back());
-    settle();
+    cut_away_half();
     const auto left = static_cast<double>(test::voxels_of(folder_, "liver")) / static_cast<double>(start_);
     QVERIFY2(left > 0.4 && left < 0.6, qPrintable(QString::number(left)));
     undo();
+  }
+
+  // Straight or tilted: what is cut lies as deep along the line of sight as was chosen. A slice is as thick as the
+  // voxels that its plane goes through.
+  void scissors_cut_as_deep_as_chosen() {
+    auto* depth = child<QComboBox>("cut_depth");
+    auto* depth_mm = child<QWidget>("cut_depth_mm");
+    const Eigen::Matrix3d straight = Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d tilted = Eigen::AngleAxisd(EIGEN_PI / 6, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    const std::vector<std::pair<double, double>> reaches_mm{{0, 0}, {-1e3, 1e3}, {-7, 7}, {-1e3, 0}, {0, 1e3}};
+    for (const Eigen::Matrix3d& axes : {straight, tilted}) {
+      window_->views().set_axes(axes);
+      for (int choice = 0; choice < depth->count(); ++choice) {
+        key(Qt::Key_S);
+        depth->setCurrentIndex(choice);
+        QCOMPARE(depth_mm->isVisible(), choice == 2);
+        depth_mm->findChild<QDoubleSpinBox*>()->setValue(7);
+        cut_away_half();
+        const imaging::Mask& mask = *panel_->editor().structures().front().mask;
+        const Eigen::Vector3d sight = transverse().view().camera().sight;
+        const double half_mm = segmentation::half_extent_mm(mask.grid, sight);
+        const auto [from_mm, to_mm] = reaches_mm[static_cast<std::size_t>(choice)];
+        const auto [shallowest_mm, deepest_mm] = depths_of_cut_mm(mask, sight);
+        const double thickest_mm = axes.isIdentity() ? 3 : 2 * half_mm;  // one layer of voxels more or less
+        const QString told = QString("%1: %2 to %3 mm").arg(choice).arg(shallowest_mm).arg(deepest_mm);
+        QVERIFY2(shallowest_mm >= std::min(from_mm, -half_mm) - 1e-9, qPrintable(told));
+        QVERIFY2(deepest_mm <= std::max(to_mm, half_mm) + 1e-9, qPrintable(told));
+        // The ball of 12 mm, less what is cut off with it: it is cut as far as it reaches, or as was chosen.
+        QVERIFY2(shallowest_mm < std::max(from_mm, -9.0) + thickest_mm, qPrintable(told));
+        QVERIFY2(deepest_mm > std::min(to_mm, 9.0) - thickest_mm, qPrintable(told));
+        undo();
+      }
+    }
+    depth->setCurrentIndex(1);
+    window_->views().straighten();
   }
 
   void a_structure_is_added_drawn_filled_between_slices_and_renamed() {
@@ -250,19 +283,40 @@ class SegmentTest : public QObject {
     release(to_mm);
     settle();
   }
+  // With the scissors: the half on the picture's right.
+  void cut_away_half() {
+    const std::vector<QPointF> around{{0, -20}, {20, -20}, {20, 20}, {0, 20}};
+    press(around.front());
+    for (const QPointF& corner : around) move(corner);
+    release(around.back());
+    settle();
+  }
+  // Where the voxels that are gone from the ball lie along a direction, from the crosshair.
+  std::pair<double, double> depths_of_cut_mm(const imaging::Mask& mask, const Eigen::Vector3d& direction) {
+    const imaging::Mask before = test::ball_mask(12);
+    std::pair<double, double> range{1e9, -1e9};
+    for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+      if (mask.values[voxel] == before.values[voxel]) continue;
+      const auto v = static_cast<int>(voxel);
+      const Eigen::Vector3d at_mm = mask.grid.position_mm(v % 64, v / 64 % 56, v / (64 * 56));
+      const double depth_mm = direction.dot(at_mm - transverse().crosshair_mm());
+      range = {std::min(range.first, depth_mm), std::max(range.second, depth_mm)};
+    }
+    return range;
+  }
   // A button lets its key be seen pressed before it acts.
   void key(Qt::Key which) {
     for (QAbstractButton* button : panel_->findChildren<QAbstractButton*>()) {
       if (button->shortcut() != QKeySequence(which)) continue;
       QSignalSpy clicked(button, &QAbstractButton::clicked);
-      QTest::keyClick(window_.get(), which);
+      press_key(*window_, which);
       QVERIFY(clicked.wait(patience_ms));
       return;
     }
     QFAIL("no such key");
   }
   void undo() {
-    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+    press_key(*window_, Qt::Key_Z, Qt::ControlModifier);
     settle();
   }
   void settle() {

@@ -108,8 +108,11 @@ void SegmentPanel::connect_parts() {
           [this](int shape) { tools_.options().shape = static_cast<ToolOptions::Shape>(shape); });
   connect(cut_side_, &QComboBox::currentIndexChanged, this,
           [this](int side) { tools_.options().cut = static_cast<segmentation::CutSide>(side); });
-  connect(cut_depth_, &QComboBox::currentIndexChanged, this,
-          [this](int depth) { tools_.options().depth = static_cast<ToolOptions::Depth>(depth); });
+  connect(cut_depth_, &QComboBox::currentIndexChanged, this, [this](int depth) {
+    tools_.options().depth = static_cast<ToolOptions::Depth>(depth);
+    cut_depth_mm_->setVisible(tools_.options().depth == ToolOptions::Depth::both_sides);
+  });
+  connect(cut_depth_mm_, &NumberSlider::changed, this, [this](double mm) { tools_.options().depth_mm = mm; });
   cut_depth_->setCurrentIndex(static_cast<int>(tools_.options().depth));
   connect(grow_, &QPushButton::clicked, this, &SegmentPanel::grow);
   connect(forget_seeds_, &QPushButton::clicked, &tools_, &SliceTools::clear_seeds);

@@ -79,6 +79,7 @@ class SegmentPanel : public QWidget {
   NumberSlider* likeness_ = nullptr;
   QComboBox* cut_side_ = nullptr;
   QComboBox* cut_depth_ = nullptr;
+  NumberSlider* cut_depth_mm_ = nullptr;
   QLabel* seeds_text_ = nullptr;
   QPushButton* grow_ = nullptr;
   QPushButton* forget_seeds_ = nullptr;

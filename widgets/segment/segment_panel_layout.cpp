@@ -115,9 +115,14 @@ QWidget* SegmentPanel::make_options() {
   cut_side_->addItems({{}, {}});
   cut_depth_ = new QComboBox;
   cut_depth_->setObjectName("cut_depth");
-  cut_depth_->addItems({{}, {}});
+  cut_depth_->addItems({{}, {}, {}, {}, {}});
+  cut_depth_mm_ = new NumberSlider(1, 100, 1, 0);
+  cut_depth_mm_->setObjectName("cut_depth_mm");
+  cut_depth_mm_->set_suffix(" mm");
+  cut_depth_mm_->set_value(tools_.options().depth_mm);
   cut->addWidget(cut_side_);
   cut->addWidget(cut_depth_);
+  cut->addWidget(cut_depth_mm_);
   cut->addStretch();
   options_->addWidget(page_of(cut));
 
@@ -227,6 +232,12 @@ void SegmentPanel::word() {
   cut_side_->setItemText(1, tr("Cut away what is outside"));
   cut_depth_->setItemText(0, tr("In this slice only"));
   cut_depth_->setItemText(1, tr("Through all slices"));
+  cut_depth_->setItemText(2, tr("So far to both sides"));
+  cut_depth_->setItemText(3, tr("This slice and all towards you"));
+  cut_depth_->setItemText(4, tr("This slice and all behind it"));
+  cut_depth_->setToolTip(tr("How deep the scissors cut along your line of sight, in tilted slices too"));
+  cut_depth_mm_->setToolTip(tr("How far the scissors cut before and behind this slice, in mm"));
+  cut_depth_mm_->setAccessibleName(cut_depth_mm_->toolTip());
   grow_->setText(tr("Grow"));
   forget_seeds_->setText(tr("Forget the points"));
 

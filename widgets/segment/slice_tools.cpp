@@ -111,11 +111,6 @@ bool SliceTools::press(SliceView* view, const QPointF& at, bool opposite) {
     Q_EMIT refused(tr("One moment: the last change is being worked off."));
     return true;
   }
-  if (tool_ == Tool::scissors && options_.depth == ToolOptions::Depth::this_slice &&
-      !overlay_.layer_of(*view, active->mask->grid)) {
-    Q_EMIT refused(tr("This slice is tilted: here scissors cut through all slices. Choose that, or make it straight."));
-    return true;
-  }
   if (tool_ == Tool::piece) {
     editor_.apply(GLISSON_TEXT("Keep one piece of {0}"),
                   [place_mm](imaging::Mask mask) { return segmentation::keep_piece_at(std::move(mask), place_mm); });
@@ -174,18 +169,44 @@ void SliceTools::release(SliceView* view) {
 }
 
 void SliceTools::cut(SliceView* view) {
-  segmentation::Outline outline{outline_mm_, view->normal()};
-  outline_mm_.clear();
   overlay_.set_sketch(view, {});
-  if (outline.points_mm.size() < least_outline || editor_.active_structure() == nullptr) return;
-  if (options_.depth == ToolOptions::Depth::this_slice) {
-    const auto layer = overlay_.layer_of(*view, editor_.active_structure()->mask->grid);
-    if (layer) outline.only = segmentation::Outline::Layer{layer->axis, layer->index};
+  const bool is_drawn = outline_mm_.size() >= least_outline && editor_.active_structure() != nullptr;
+  if (is_drawn) {
+    editor_.apply(GLISSON_TEXT("Scissors on {0}"),
+                  [outline = outline_in(*view), side = options_.cut](imaging::Mask mask) -> Result<imaging::Mask> {
+                    return segmentation::cut(std::move(mask), outline, side);
+                  });
   }
-  editor_.apply(GLISSON_TEXT("Scissors on {0}"),
-                [outline, side = options_.cut](imaging::Mask mask) -> Result<imaging::Mask> {
-                  return segmentation::cut(std::move(mask), outline, side);
-                });
+  outline_mm_.clear();
+}
+
+// A slice is as thick as the voxels that its plane goes through; between two layers of voxels, it is the one that is
+// shown there.
+segmentation::Outline SliceTools::outline_in(const SliceView& view) const {
+  const imaging::Grid& grid = editor_.active_structure()->mask->grid;
+  segmentation::Outline outline{outline_mm_, view.view().camera().sight};
+  const double half_mm = segmentation::half_extent_mm(grid, outline.direction);
+  double middle_mm = 0;
+  if (const auto layer = overlay_.layer_of(view, grid)) {
+    Eigen::Vector3d index = grid.index_of(outline_mm_.front());
+    index[layer->axis] = layer->index;
+    middle_mm = outline.direction.dot(grid.position_mm(index) - outline_mm_.front());
+  }
+  const double slice_begins_mm = middle_mm - half_mm, slice_ends_mm = middle_mm + half_mm;
+  switch (options_.depth) {
+    case ToolOptions::Depth::all_slices: break;
+    case ToolOptions::Depth::this_slice:
+      outline.from_mm = slice_begins_mm;
+      outline.to_mm = slice_ends_mm;
+      break;
+    case ToolOptions::Depth::both_sides:
+      outline.from_mm = std::min(slice_begins_mm, middle_mm - options_.depth_mm);
+      outline.to_mm = std::max(slice_ends_mm, middle_mm + options_.depth_mm);
+      break;
+    case ToolOptions::Depth::towards_viewer: outline.to_mm = slice_ends_mm; break;
+    case ToolOptions::Depth::away_from_viewer: outline.from_mm = slice_begins_mm; break;
+  }
+  return outline;
 }
 
 void SliceTools::sketch(SliceView* view, const QPointF& at) {

@@ -15,12 +15,14 @@ enum class Tool { none, brush, eraser, smart_brush, scissors, seeds, piece };
 
 struct ToolOptions {
   enum class Shape { disc, ball };
-  enum class Depth { this_slice, all_slices };
+  // Of the scissors; along the line of sight.
+  enum class Depth { this_slice, all_slices, both_sides, towards_viewer, away_from_viewer };
   double radius_mm = 6;
   Shape shape = Shape::disc;
   double likeness = 2.5;  // spreads around the grey value under the click
   segmentation::CutSide cut = segmentation::CutSide::inside;
   Depth depth = Depth::all_slices;
+  double depth_mm = 10;  // of both_sides: so far to each
 };
 
 inline constexpr double least_radius_mm = 0.5, most_radius_mm = 60;
@@ -51,6 +53,7 @@ class SliceTools : public QObject {
   void release(SliceView* view);
   void dab(SliceView* view, const Eigen::Vector3d& to_mm);
   void cut(SliceView* view);
+  [[nodiscard]] segmentation::Outline outline_in(const SliceView& view) const;
   void sketch(SliceView* view, const QPointF& at);
   [[nodiscard]] bool is_brush() const;
 
