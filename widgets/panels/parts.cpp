@@ -1,5 +1,8 @@
 #include "panels/parts.h"
 
+#include <QEvent>
+#include <QScrollBar>
+
 namespace glisson::widgets {
 namespace {
 
@@ -8,6 +11,21 @@ Widget* named(const char* name, Widget* widget) {
   widget->setObjectName(name);
   return widget;
 }
+
+// As wide as what it holds, at least: sideways nothing scrolls, and nothing is cut off.
+class UprightScrollArea : public QScrollArea {
+ public:
+  [[nodiscard]] QSize minimumSizeHint() const override {
+    const int bar = verticalScrollBar()->sizeHint().width();
+    return {widget()->minimumSizeHint().width() + bar, QScrollArea::minimumSizeHint().height()};
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+    return QScrollArea::eventFilter(watched, event);
+  }
+};
 
 }  // namespace
 
@@ -37,7 +55,7 @@ QLabel* wrapped_label(const char* name, QWidget* parent) {
 QPushButton* named_button(const char* name, QWidget* parent) { return named(name, new QPushButton(parent)); }
 
 QScrollArea* scrolled(QWidget* widget) {
-  auto* scroll = new QScrollArea;
+  auto* scroll = new UprightScrollArea;
   scroll->setWidget(widget);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);

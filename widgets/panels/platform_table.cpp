@@ -1,7 +1,6 @@
 #include "panels/platform_table.h"
 
 #include <algorithm>
-#include <array>
 #include <QHeaderView>
 #include <QLocale>
 #include <QSignalBlocker>
@@ -92,12 +91,10 @@ PlatformTable::PlatformTable(QWidget* parent) : QTableWidget(0, columns, parent)
     horizontalHeaderItem(lasts)->setToolTip(tr("On one charge, at the wanted frame rate or the fastest it computes"));
     horizontalHeaderItem(surface)->setToolTip(tr("At the end of the operation"));
     horizontalHeaderItem(assumed)->setToolTip(tr("Figures that nobody measured; ≈ marks what rests on them"));
+    fit_columns();
   });
-  // Widths that do not depend on what is in the cells, so that nothing jumps while a slider moves.
-  constexpr std::array<int, columns> widths{0, 78, 82, 76, 84, 84, 66, 72, 250, 92};
-  for (int column = 0; column < columns; ++column) setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
-  horizontalHeader()->setMinimumSectionSize(60);
-  horizontalHeader()->setSectionResizeMode(name, QHeaderView::Stretch);
+  horizontalHeader()->setMinimumSectionSize(40);
+  for (const int column : {name, limit}) horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
   verticalHeader()->hide();
   verticalHeader()->setDefaultSectionSize(25);
   setEditTriggers(NoEditTriggers);
@@ -108,6 +105,25 @@ PlatformTable::PlatformTable(QWidget* parent) : QTableWidget(0, columns, parent)
   connect(this, &QTableWidget::itemSelectionChanged, this, [this] {
     if (!chosen().isEmpty()) Q_EMIT platform_chosen(chosen());
   });
+}
+
+void PlatformTable::showEvent(QShowEvent* event) {
+  QTableWidget::showEvent(event);
+  fit_columns();  // the headings' font is known now
+}
+
+// As narrow as the headings and figures allow: names and limits share what is left. Nothing depends on what is in the
+// cells, so that nothing jumps while a slider moves.
+void PlatformTable::fit_columns() {
+  QFont bold = font();
+  bold.setBold(true);
+  constexpr int room = 14;
+  const int widest_figure = QFontMetrics(bold).horizontalAdvance("≈ 1 234") + room;
+  for (int column = worn; column < columns; ++column) {
+    if (column == limit) continue;
+    const int heading = horizontalHeader()->sectionSizeHint(column);
+    setColumnWidth(column, column == worn || column == allowed ? heading : std::max(heading, widest_figure));
+  }
 }
 
 QString PlatformTable::chosen() const {
@@ -149,7 +165,7 @@ void PlatformTable::show_plan(const platform::Plan& plan, const std::vector<Devi
       const Number number = number_resting_on(value, device, figures);
       return put(column, number.text, number.reasons);
     };
-    put(name, QString::fromStdString(answer.name), QString::fromStdString(device.worn_how))
+    put(name, QString::fromStdString(answer.name), QString::fromStdString(answer.name + ": " + device.worn_how))
         ->setData(Qt::UserRole, QString::fromStdString(answer.id));
     put(worn, worn_place(answer.worn), QString::fromStdString(device.worn_how));
     put_number(idle, answer.idle.idle_W, {"idle_W"});

@@ -23,6 +23,12 @@ class PlatformTable : public QTableWidget {
 
  Q_SIGNALS:
   void platform_chosen(const QString& id);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void fit_columns();
 };
 
 // "fails: battery, too hot", or what would bound its frame rate next.

@@ -82,7 +82,6 @@ void ContourPlot::show_picture(const ContourPicture& picture) {
   }
   const auto [lowest, highest] = std::minmax_element(picture.surface.values.begin(), picture.surface.values.end());
   map_->setDataRange({*lowest, *highest > *lowest ? *highest : *lowest + 1});
-  scale_->axis()->setLabel(picture.quantity);
   plot_->xAxis->setRange(grid.volumes_cm3.front(), grid.volumes_cm3.back());
   plot_->yAxis->setRange(heights);
   plot_->yAxis2->setRange(plot_->yAxis->range());

@@ -20,7 +20,6 @@ struct Contour {
 
 struct ContourPicture {
   platform::GridSurface surface;  // resolutions in equal ratios
-  QString quantity;               // with its unit
   std::vector<Contour> contours;
   std::vector<platform::HotSpot> hot_spots;
   double case_volume_cm3 = 0;

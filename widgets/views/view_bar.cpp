@@ -1,9 +1,9 @@
 #include "views/view_bar.h"
 
+#include <algorithm>
 #include <array>
 #include <QHBoxLayout>
 #include <QStandardItemModel>
-#include <QToolButton>
 
 #include "words/told.h"
 #include "words/worded.h"
@@ -67,8 +67,18 @@ ViewBar::ViewBar(LinkedViews& views, MeasureTool& measure, QWidget* parent)
   row->addSpacing(10);
   surgeon_ = add_action("surgeons_side", "", QKeySequence("Ctrl+Shift+R"), [this] { views_.turn_to_surgeon(); });
   straight_ = add_action("straight", "", QKeySequence("Ctrl+Shift+0"), [this] { views_.straighten(); });
-  add_button(surgeon_, "surgeons_side");
-  add_button(straight_, "straight");
+  QToolButton* surgeon = add_button(surgeon_, "surgeons_side");
+  QToolButton* straight = add_button(straight_, "straight");
+  dispensable_ = {volumes_button, straight, surgeon};
+  more_ = new QToolButton(this);
+  more_->setObjectName("more");
+  more_->setText("»");
+  more_->setAutoRaise(true);
+  more_->setPopupMode(QToolButton::InstantPopup);
+  more_->setMenu(new QMenu(more_));
+  more_->menu()->addMenu(volumes_);
+  more_->menu()->addActions({surgeon_, straight_});
+  row->addWidget(more_);
 
   row->addStretch();
   auto* group = new QActionGroup(this);
@@ -122,6 +132,8 @@ ViewBar::ViewBar(LinkedViews& views, MeasureTool& measure, QWidget* parent)
            "or Ctrl and drag"));
     straight_->setText(tr("S&traight"));
     straight_->setToolTip(tr("The slices along the body again"));
+    more_->setToolTip(tr("What there is no room for here"));
+    more_->setAccessibleName(more_->toolTip());
     layouts_[0]->setText(tr("&Four views"));
     layouts_[1]->setText(tr("3D &large"));
     layouts_[2]->setText(tr("T&hree slices side by side"));
@@ -133,7 +145,39 @@ ViewBar::ViewBar(LinkedViews& views, MeasureTool& measure, QWidget* parent)
       if (tip.isEmpty() || tip == action->text()) tip = QString(action->text()).remove('&');
       if (!tip.contains(key)) action->setToolTip(tr("%1 (%2)").arg(tip, key));
     }
+    fit();
   });
+}
+
+QSize ViewBar::minimumSizeHint() const {
+  return {width_without(dispensable_.size()), QWidget::minimumSizeHint().height()};
+}
+
+void ViewBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fit();
+}
+
+void ViewBar::fit() {
+  std::size_t gone = 0;
+  while (gone < dispensable_.size() && width_without(gone) > width()) ++gone;
+  for (std::size_t k = 0; k < dispensable_.size(); ++k) dispensable_[k]->setVisible(k >= gone);
+  more_->setVisible(gone > 0);
+}
+
+int ViewBar::width_without(std::size_t dispensable) const {
+  const auto gone_end = dispensable_.begin() + static_cast<std::ptrdiff_t>(dispensable);
+  const QMargins margins = layout()->contentsMargins();
+  int width = margins.left() + margins.right();
+  for (int k = 0; k < layout()->count(); ++k) {
+    QWidget* widget = layout()->itemAt(k)->widget();
+    const bool gone =
+        std::find(dispensable_.begin(), gone_end, widget) != gone_end || (widget == more_ && dispensable == 0);
+    if (gone) continue;
+    width += widget != nullptr ? widget->sizeHint().width() + layout()->spacing()
+                               : layout()->itemAt(k)->minimumSize().width();
+  }
+  return width;
 }
 
 QAction* ViewBar::add_action(const char* name, const char* icon, const QKeySequence& key, std::function<void()> act) {
@@ -145,13 +189,14 @@ QAction* ViewBar::add_action(const char* name, const char* icon, const QKeySeque
   return action;
 }
 
-void ViewBar::add_button(QAction* action, const char* name) {
+QToolButton* ViewBar::add_button(QAction* action, const char* name) {
   auto* button = new QToolButton(this);
   button->setObjectName(QString(name) + "_button");
   button->setDefaultAction(action);
   button->setAutoRaise(true);
   if (action->icon().isNull()) button->setToolButtonStyle(Qt::ToolButtonTextOnly);
   static_cast<QHBoxLayout*>(layout())->addWidget(button);
+  return button;
 }
 
 void ViewBar::show_patient(const Patient& patient) {

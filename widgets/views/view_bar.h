@@ -4,6 +4,7 @@
 #include <QActionGroup>
 #include <QComboBox>
 #include <QMenu>
+#include <QToolButton>
 #include <QWidget>
 
 #include "session/patient.h"
@@ -22,11 +23,18 @@ class ViewBar : public QWidget {
   // All of the row as a menu, which also tells the keys.
   void fill(QMenu& menu);
 
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QAction* add_action(const char* name, const char* icon, const QKeySequence& key, std::function<void()> act);
-  void add_button(QAction* action, const char* name);
+  QToolButton* add_button(QAction* action, const char* name);
   void list_volumes();
   void choose_window(int preset);
+  void fit();
+  [[nodiscard]] int width_without(std::size_t dispensable) const;
 
   LinkedViews& views_;
   MeasureTool& measure_;
@@ -38,6 +46,9 @@ class ViewBar : public QWidget {
   QAction* save_;
   QMenu* volumes_;
   QComboBox* window_;
+  // Where the row is too narrow for all, the first of these go first, into the menu of `more_`.
+  std::vector<QWidget*> dispensable_;
+  QToolButton* more_;
   std::vector<PatientStructure> structures_;
 };
 
