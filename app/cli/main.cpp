@@ -11,6 +11,7 @@
 #include <exception>
 #include <mutex>
 
+#include "base/error_file.h"
 #include "base/files.h"
 #include "base/log.h"
 #include "base/parallel.h"
@@ -99,8 +100,7 @@ class ProgressPrinter {
 void print_error(const Error& error, const CommonOptions& common) {
   const std::string message = error.message();
   const std::string hint = error.advice();
-  const std::string file = error.file.filename().string();
-  const std::string where = message.find(file) == std::string::npos ? fmt::format(" ({})", error.file.string()) : "";
+  const std::string where = file_behind(message, error);
   std::fputs(fmt::format("glisson-cli: {}{}{}{}\n", message, where, hint.empty() ? "" : " ", hint).c_str(), stderr);
   if (!common.json) return;
   Json document{{"code", error.code}, {"message", message}, {"hint", hint}, {"file", error.file.string()}};

@@ -6465,6 +6465,26 @@ figures</source>
         <source>Margin in mm</source>
         <translation>Rand in mm</translation>
     </message>
+    <message>
+        <source>So far to both sides</source>
+        <translation>So weit nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>This slice and all towards you</source>
+        <translation>Diese Schicht und alle davor</translation>
+    </message>
+    <message>
+        <source>This slice and all behind it</source>
+        <translation>Diese Schicht und alle dahinter</translation>
+    </message>
+    <message>
+        <source>How deep the scissors cut along your line of sight, in tilted slices too</source>
+        <translation>Wie tief die Schere entlang Ihrer Blickrichtung schneidet, auch in gekippten Schichten</translation>
+    </message>
+    <message>
+        <source>How far the scissors cut before and behind this slice, in mm</source>
+        <translation>Wie weit die Schere vor und hinter dieser Schicht schneidet, in mm</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SeriesTable</name>
@@ -6519,12 +6539,6 @@ figures</source>
     <message>
         <source>Without a description</source>
         <translation>Ohne Beschreibung</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3
-%4 × %5 × %6 mm</source>
-        <translation>%1 × %2 × %3
-%4 × %5 × %6 mm</translation>
     </message>
     <message>
         <source>%1 volumes</source>
@@ -6626,10 +6640,6 @@ figures</source>
     <message>
         <source>One moment: the last change is being worked off.</source>
         <translation>Einen Moment: Die letzte Änderung wird noch ausgeführt.</translation>
-    </message>
-    <message>
-        <source>This slice is tilted: here scissors cut through all slices. Choose that, or make it straight.</source>
-        <translation>Diese Schicht ist gekippt: Hier schneidet die Schere durch alle Schichten. Wählen Sie das, oder richten Sie die Schicht gerade.</translation>
     </message>
 </context>
 <context>
@@ -6812,16 +6822,16 @@ figures</source>
         <translation>Kein Patient geöffnet</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 voxels,
-%4 × %5 × %6 mm each</source>
-        <translation>%1 × %2 × %3 Voxel
-von je %4 × %5 × %6 mm</translation>
-    </message>
-    <message>
         <source>%1 cells
 Young&apos;s modulus %2 kPa (mean)</source>
         <translation>%1 Zellen
 Elastizitätsmodul %2 kPa (Mittel)</translation>
+    </message>
+    <message>
+        <source>%1 voxels,
+%2 each</source>
+        <translation>%1 Voxel,
+je %2</translation>
     </message>
 </context>
 <context>
@@ -7098,6 +7108,10 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
         <source>Movie...</source>
         <translation>Film …</translation>
     </message>
+    <message>
+        <source>Stopped. No movie was written.</source>
+        <translation>Angehalten. Es wurde kein Film geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::TrackPlot</name>
@@ -7315,6 +7329,10 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>What there is no room for here</source>
+        <translation>Wofür hier kein Platz ist</translation>
     </message>
 </context>
 <context>

@@ -6468,6 +6468,26 @@ supuestas</translation>
         <source>Margin in mm</source>
         <translation>Margen en mm</translation>
     </message>
+    <message>
+        <source>So far to both sides</source>
+        <translation>Hacia ambos lados, hasta</translation>
+    </message>
+    <message>
+        <source>This slice and all towards you</source>
+        <translation>Este corte y todos los de delante</translation>
+    </message>
+    <message>
+        <source>This slice and all behind it</source>
+        <translation>Este corte y todos los de detrás</translation>
+    </message>
+    <message>
+        <source>How deep the scissors cut along your line of sight, in tilted slices too</source>
+        <translation>Hasta qué profundidad cortan las tijeras a lo largo de su línea de visión, también en cortes inclinados</translation>
+    </message>
+    <message>
+        <source>How far the scissors cut before and behind this slice, in mm</source>
+        <translation>Hasta dónde cortan las tijeras delante y detrás de este corte, en mm</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SeriesTable</name>
@@ -6522,12 +6542,6 @@ supuestas</translation>
     <message>
         <source>Without a description</source>
         <translation>Sin descripción</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3
-%4 × %5 × %6 mm</source>
-        <translation>%1 × %2 × %3
-%4 × %5 × %6 mm</translation>
     </message>
     <message>
         <source>%1 volumes</source>
@@ -6629,10 +6643,6 @@ supuestas</translation>
     <message>
         <source>One moment: the last change is being worked off.</source>
         <translation>Un momento: se está aplicando el último cambio.</translation>
-    </message>
-    <message>
-        <source>This slice is tilted: here scissors cut through all slices. Choose that, or make it straight.</source>
-        <translation>Este corte está inclinado: aquí las tijeras cortan a través de todos los cortes. Elija eso o enderécelo.</translation>
     </message>
 </context>
 <context>
@@ -6815,16 +6825,16 @@ supuestas</translation>
         <translation>Ningún paciente abierto</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 voxels,
-%4 × %5 × %6 mm each</source>
-        <translation>%1 × %2 × %3 vóxeles
-de %4 × %5 × %6 mm cada uno</translation>
-    </message>
-    <message>
         <source>%1 cells
 Young&apos;s modulus %2 kPa (mean)</source>
         <translation>%1 celdas
 Módulo de Young %2 kPa (media)</translation>
+    </message>
+    <message>
+        <source>%1 voxels,
+%2 each</source>
+        <translation>%1 vóxeles,
+de %2 cada uno</translation>
     </message>
 </context>
 <context>
@@ -7101,6 +7111,10 @@ Módulo de Young %2 kPa (media)</translation>
         <source>Movie...</source>
         <translation>Película…</translation>
     </message>
+    <message>
+        <source>Stopped. No movie was written.</source>
+        <translation>Detenido. No se ha escrito ninguna película.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::TrackPlot</name>
@@ -7318,6 +7332,10 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>What there is no room for here</source>
+        <translation>Lo que no cabe aquí</translation>
     </message>
 </context>
 <context>

@@ -6468,6 +6468,26 @@ supposés</translation>
         <source>Margin in mm</source>
         <translation>Marge en mm</translation>
     </message>
+    <message>
+        <source>So far to both sides</source>
+        <translation>De chaque côté, de</translation>
+    </message>
+    <message>
+        <source>This slice and all towards you</source>
+        <translation>Cette coupe et toutes celles devant</translation>
+    </message>
+    <message>
+        <source>This slice and all behind it</source>
+        <translation>Cette coupe et toutes celles derrière</translation>
+    </message>
+    <message>
+        <source>How deep the scissors cut along your line of sight, in tilted slices too</source>
+        <translation>Profondeur de la coupe des ciseaux le long de votre regard, dans les coupes inclinées aussi</translation>
+    </message>
+    <message>
+        <source>How far the scissors cut before and behind this slice, in mm</source>
+        <translation>Distance de coupe des ciseaux devant et derrière cette coupe, en mm</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SeriesTable</name>
@@ -6522,12 +6542,6 @@ supposés</translation>
     <message>
         <source>Without a description</source>
         <translation>Sans description</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3
-%4 × %5 × %6 mm</source>
-        <translation>%1 × %2 × %3
-%4 × %5 × %6 mm</translation>
     </message>
     <message>
         <source>%1 volumes</source>
@@ -6629,10 +6643,6 @@ supposés</translation>
     <message>
         <source>One moment: the last change is being worked off.</source>
         <translation>Un instant&#xa0;: la dernière modification est en cours.</translation>
-    </message>
-    <message>
-        <source>This slice is tilted: here scissors cut through all slices. Choose that, or make it straight.</source>
-        <translation>Cette coupe est inclinée&#xa0;: ici, les ciseaux coupent à travers toutes les coupes. Choisissez cela, ou redressez-la.</translation>
     </message>
 </context>
 <context>
@@ -6815,16 +6825,16 @@ supposés</translation>
         <translation>Aucun patient ouvert</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 voxels,
-%4 × %5 × %6 mm each</source>
-        <translation>%1 ×&#xa0;%2 ×&#xa0;%3 voxels
-de&#xa0;%4 ×&#xa0;%5 ×&#xa0;%6 mm chacun</translation>
-    </message>
-    <message>
         <source>%1 cells
 Young&apos;s modulus %2 kPa (mean)</source>
         <translation>%1 cellules
 Module de Young&#xa0;%2 kPa (moyenne)</translation>
+    </message>
+    <message>
+        <source>%1 voxels,
+%2 each</source>
+        <translation>%1 voxels,
+de %2 chacun</translation>
     </message>
 </context>
 <context>
@@ -7101,6 +7111,10 @@ Module de Young&#xa0;%2 kPa (moyenne)</translation>
         <source>Movie...</source>
         <translation>Film…</translation>
     </message>
+    <message>
+        <source>Stopped. No movie was written.</source>
+        <translation>Arrêté. Aucun film n’a été écrit.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::TrackPlot</name>
@@ -7318,6 +7332,10 @@ By hand: drag with the right button</source>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>What there is no room for here</source>
+        <translation>Ce qui ne tient pas ici</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <fstream>
 
+#include "base/error_file.h"
 #include "base/files.h"
 #include "base/json.h"
 #include "base/parallel.h"
@@ -20,6 +21,13 @@ TEST(Error, FillsArgumentsIntoItsSentence) {
   const Error error{"x", "The slice {0} of {1} is missing; {2} stays.", {"7", "series A"}, "See {1}.", {}};
   EXPECT_EQ(error.message(), "The slice 7 of series A is missing; {2} stays.");
   EXPECT_EQ(error.advice(), "See series A.");
+}
+
+TEST(Error, NamesItsFileWhereItsSentenceDoesNot) {
+  const Error error{"x", "", {}, {}, "/cases/one.glisson/case.json"};
+  EXPECT_EQ(file_behind("It is no case.", error), " (/cases/one.glisson/case.json)");
+  EXPECT_EQ(file_behind("The file case.json is no case.", error), "");
+  EXPECT_EQ(file_behind("It did not converge.", Error{}), "");
 }
 
 TEST(Files, AFailedWriteLeavesTheOldFileAndNothingElse) {

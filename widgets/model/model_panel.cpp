@@ -32,6 +32,24 @@ std::shared_ptr<const geometry::Surface> lifted(const geometry::Surface& patch) 
   return copy;
 }
 
+// A part of the panel under its title, top to bottom.
+struct Part {
+  QWidget* group = new QWidget;
+  QVBoxLayout* column = new QVBoxLayout(group);
+  QLabel* title = heading(group);
+
+  Part(int room_above, int spacing) {
+    column->setContentsMargins(0, room_above, 0, 0);
+    column->setSpacing(spacing);
+    column->addWidget(title);
+  }
+  QLabel* label(const char* name) const {
+    auto* made = wrapped_label(name, group);
+    column->addWidget(made);
+    return made;
+  }
+};
+
 struct Reading {
   casefile::ModelState state;
   std::shared_ptr<const casefile::ModelFacts> facts;
@@ -98,92 +116,75 @@ Workspace ModelPanel::workspace(Bench bench) {
 }
 
 QWidget* ModelPanel::make_shown() {
-  auto* group = new QWidget;
-  auto* column = new QVBoxLayout(group);
-  column->setContentsMargins(0, 0, 0, 0);
-  auto* name = heading(group);
-  column->addWidget(name);
+  const Part part(0, 6);
   auto* row = new QHBoxLayout;
   row->setSpacing(0);
-  show_ = new QButtonGroup(group);
+  show_ = new QButtonGroup(part.group);
   std::array<QPushButton*, 3> choices{};
   constexpr std::array<const char*, 3> names{"show_stiffness", "show_supports", "show_patient"};
   constexpr std::array<const char*, 3> segments{"first", "middle", "last"};
   constexpr std::array<Shown, 3> meant{Shown::stiffness, Shown::supports, Shown::patient};
   for (std::size_t k = 0; k < choices.size(); ++k) {
-    choices[k] = named_button(names[k], group);
+    choices[k] = named_button(names[k], part.group);
     choices[k]->setCheckable(true);
     choices[k]->setProperty("segment", segments[k]);
     show_->addButton(choices[k], static_cast<int>(meant[k]));
     row->addWidget(choices[k]);
   }
   choices[0]->setChecked(true);
-  column->addLayout(row);
-  supports_told_ = wrapped_label("faint", group);
-  column->addWidget(supports_told_);
+  part.column->addLayout(row);
+  supports_told_ = part.label("faint");
   connect(show_, &QButtonGroup::idClicked, this, [this](int shown) {
     shown_ = static_cast<Shown>(shown);
     word_state();
     show_scene();
   });
-  worded(group, [=] {
-    name->setText(tr("The 3D view shows"));
+  worded(part.group, [=, title = part.title] {
+    title->setText(tr("The 3D view shows"));
     choices[0]->setText(tr("Stiffness"));
     choices[1]->setText(tr("What holds it"));
     choices[2]->setText(tr("The patient"));
   });
-  return group;
+  return part.group;
 }
 
 QWidget* ModelPanel::make_facts() {
-  auto* group = new QWidget;
-  auto* column = new QVBoxLayout(group);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
-  auto* name = heading(group);
-  column->addWidget(name);
-  cells_ = wrapped_label("model_cells", group);
-  volume_ = wrapped_label("model_volume", group);
-  quality_ = wrapped_label("model_quality", group);
-  for (QLabel* each : {cells_, volume_, quality_}) column->addWidget(each);
-  dihedrals_ = new HistogramPlot(group);
-  column->addWidget(dihedrals_);
-  worded(group, [name] { name->setText(tr("Cells")); });
-  return group;
+  const Part part(0, 4);
+  cells_ = part.label("model_cells");
+  volume_ = part.label("model_volume");
+  quality_ = part.label("model_quality");
+  dihedrals_ = new HistogramPlot(part.group);
+  part.column->addWidget(dihedrals_);
+  worded(part.group, [title = part.title] { title->setText(tr("Cells")); });
+  return part.group;
 }
 
 QWidget* ModelPanel::make_stiffness() {
-  auto* group = new QWidget;
-  auto* column = new QVBoxLayout(group);
-  column->setContentsMargins(0, 6, 0, 0);
-  column->setSpacing(6);
-  auto* name = heading(group);
-  column->addWidget(name);
-  stiffness_ = wrapped_label("model_stiffness", group);
-  column->addWidget(stiffness_);
-  moduli_ = new HistogramPlot(group);
-  column->addWidget(moduli_);
-  source_ = new QComboBox(group);
+  const Part part(6, 6);
+  stiffness_ = part.label("model_stiffness");
+  moduli_ = new HistogramPlot(part.group);
+  part.column->addWidget(moduli_);
+  source_ = new QComboBox(part.group);
   source_->setObjectName("model_source");
   for (const Source source : {mre, atlas_own_cohort, atlas_published, one_value}) source_->addItem({}, source);
-  column->addWidget(source_);
+  part.column->addWidget(source_);
   auto* row = new QHBoxLayout;
-  value_ = new NumberBox(group);
+  value_ = new NumberBox(part.group);
   value_->setObjectName("model_value");
   value_->setRange(0.1, 200);
   value_->setDecimals(1);
   value_->setValue(6);
-  give_ = named_button("model_give", group);
+  give_ = named_button("model_give", part.group);
   row->addWidget(value_);
   row->addWidget(give_, 1);
-  column->addLayout(row);
-  waves_ = named_button("model_waves", group);
-  column->addWidget(waves_);
+  part.column->addLayout(row);
+  waves_ = named_button("model_waves", part.group);
+  part.column->addWidget(waves_);
   connect(source_, &QComboBox::currentIndexChanged, this, &ModelPanel::word_state);
   connect(give_, &QPushButton::clicked, this, [this] { rebuild({}); });
   connect(waves_, &QPushButton::clicked, this, &ModelPanel::show_waves);
-  worded(group, [=, this] {
-    name->setText(tr("Young's modulus"));
+  worded(part.group, [=, this, title = part.title] {
+    title->setText(tr("Young's modulus"));
     source_->setItemText(mre, tr("From MR elastography"));
     source_->setItemText(atlas_own_cohort, tr("Atlas: 2.1 kPa in shear"));
     source_->setItemText(atlas_published, tr("Atlas: 2.6 kPa in shear"));
@@ -193,34 +194,30 @@ QWidget* ModelPanel::make_stiffness() {
     give_->setText(tr("Give it this stiffness"));
     waves_->setText(tr("Elastography waves..."));
   });
-  return group;
+  return part.group;
 }
 
 QWidget* ModelPanel::make_building() {
-  auto* group = new QWidget;
-  auto* column = new QVBoxLayout(group);
-  column->setContentsMargins(0, 6, 0, 0);
-  auto* name = heading(group);
-  column->addWidget(name);
+  const Part part(6, 6);
   auto* row = new QHBoxLayout;
-  target_ = new NumberBox(group);
+  target_ = new NumberBox(part.group);
   target_->setDecimals(0);
   target_->setKeyboardTracking(false);
   target_->setObjectName("model_target");
   target_->setRange(500, 200000);
   target_->setSingleStep(5000);
   target_->setValue(meshing::MeshOptions{}.target_cells);
-  build_ = named_button("model_build", group);
+  build_ = named_button("model_build", part.group);
   row->addWidget(target_);
   row->addWidget(build_, 1);
-  column->addLayout(row);
+  part.column->addLayout(row);
   connect(build_, &QPushButton::clicked, this, [this] { rebuild(static_cast<int>(target_->value())); });
-  worded(group, [=, this] {
-    name->setText(tr("Build"));
+  worded(part.group, [=, this, title = part.title] {
+    title->setText(tr("Build"));
     target_->setSuffix(tr(" cells"));
     target_->setToolTip(tr("Wanted number of cells: more are finer and slower. 20 000 answer at once."));
   });
-  return group;
+  return part.group;
 }
 
 void ModelPanel::show_patient(const Patient& patient) {

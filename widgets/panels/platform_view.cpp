@@ -12,8 +12,8 @@
 
 #include "base/files.h"
 #include "panels/parts.h"
+#include "panels/platform_words.h"
 #include "platform/device_file.h"
-#include "theme.h"
 #include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
@@ -53,8 +53,6 @@ platform::ProblemGrid grid_around(double volume_cm3) {
     grid.resolutions_mm3[i] = finest_mm3 * std::pow(ratio, static_cast<double>(i) / last);
   return grid;
 }
-
-QString in_full(const PlatformAnswer& answer, const Device& device, const platform::PlanRequest& request);
 
 }  // namespace
 
@@ -255,7 +253,13 @@ QWidget* PlatformView::make_answer() {
   quantity_->setObjectName("quantity");
   quantity_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   for (const Quantity quantity : {surface_C, frames, battery, power}) quantity_->addItem({}, quantity);
-  plot_column->addWidget(quantity_, 0, Qt::AlignLeft);
+  quantity_told_ = new QLabel;
+  quantity_told_->setObjectName("quantity_told");
+  quantity_told_->setWordWrap(true);
+  auto* plot_title = new QHBoxLayout;
+  plot_title->addWidget(quantity_);
+  plot_title->addWidget(quantity_told_, 1);
+  plot_column->addLayout(plot_title);
   contours_ = new ContourPlot;
   plot_column->addWidget(contours_, 1);
   below->addWidget(plot);
@@ -352,7 +356,7 @@ void PlatformView::show_platform() {
   if (!plan_ || device == nullptr) return;
   const auto answer = std::find_if(plan_->platforms.begin(), plan_->platforms.end(),
                                    [&](const PlatformAnswer& known) { return known.id == device->id; });
-  if (answer != plan_->platforms.end()) details_->setHtml(in_full(*answer, *device, plan_->request));
+  if (answer != plan_->platforms.end()) details_->setHtml(platform_in_full(*answer, *device, plan_->request));
 }
 
 void PlatformView::show_picture() {
@@ -361,18 +365,19 @@ void PlatformView::show_picture() {
   const auto surfaces = platform::surfaces_over(grid_around(volume_->value()), *device, plan_->request);
   if (!surfaces) return;
   ContourPicture picture;
+  QString quantity_told;
   const double wanted = plan_->request.frames_per_s;
   switch (static_cast<Quantity>(quantity_->currentData().toInt())) {
     case surface_C:
       picture.surface = surfaces->temperature_C;
-      picture.quantity = tr("Surface after %1 h at %2 frames/s (°C)").arg(number(duration_->value()), number(wanted));
+      quantity_told = tr("Surface after %1 h at %2 frames/s (°C)").arg(number(duration_->value()), number(wanted));
       picture.contours = {{plan_->request.limit_C, tr("%1 °C").arg(number(plan_->request.limit_C)), true}};
       // At less than a tenth of a degree nobody would feel it.
       picture.hot_spots = platform::hot_spots(picture.surface, 0.1);
       break;
     case frames:
       picture.surface = surfaces->fps;
-      picture.quantity = tr("Frames/s that hold for %1 h").arg(number(duration_->value()));
+      quantity_told = tr("Frames/s that hold for %1 h").arg(number(duration_->value()));
       for (const double level : {10.0, 15.0, 20.0, 25.0}) {
         if (level != wanted) picture.contours.push_back({level, tr("%1 /s").arg(level), false});
       }
@@ -380,12 +385,12 @@ void PlatformView::show_picture() {
       break;
     case battery:
       picture.surface = surfaces->battery_h;
-      picture.quantity = tr("Battery lasts at %1 frames/s (h)").arg(number(wanted));
+      quantity_told = tr("Battery lasts at %1 frames/s (h)").arg(number(wanted));
       picture.contours = {{plan_->request.duration_h, tr("%1 h").arg(number(plan_->request.duration_h)), true}};
       break;
     case power:
       picture.surface = surfaces->power_W;
-      picture.quantity = tr("Mean power at %1 frames/s (W)").arg(number(wanted));
+      quantity_told = tr("Mean power at %1 frames/s (W)").arg(number(wanted));
       for (const PlatformAnswer& answer : plan_->platforms) {
         if (answer.id != device->id) continue;
         const double allowed_W = answer.idle.allowed_W * device->supply_efficiency.value;
@@ -401,75 +406,8 @@ void PlatformView::show_picture() {
     if (resolution_mm3 && error_mm <= here.points.back().error_mm)
       picture.accuracies.push_back({*resolution_mm3, error_mm});
   }
+  quantity_told_->setText(quantity_told);
   contours_->show_picture(picture);
 }
 
-namespace {
-
-QString listed(const QStringList& items) {
-  return items.isEmpty() ? QString() : "<ul><li>" + items.join("</li><li>") + "</li></ul>";
-}
-
-QStringList remedies_in_words(const platform::Remedies& remedies) {
-  QStringList words;
-  const auto add = [&](const std::optional<double>& value, const QString& sentence) {
-    if (value) words << sentence.arg(number(*value));
-  };
-  add(remedies.duration_h, PlatformView::tr("an operation of at most %1 h"));
-  add(remedies.frames_per_s, PlatformView::tr("at most %1 frames/s"));
-  add(remedies.accuracy_mm, PlatformView::tr("an accuracy of %1 mm"));
-  add(remedies.battery_Wh, PlatformView::tr("a battery of %1 Wh"));
-  add(remedies.thermal_resistance_C_per_W, PlatformView::tr("a heat sink of %1 °C/W"));
-  return words;
-}
-
-QString source_in_words(platform::Source source) {
-  switch (source) {
-    case platform::Source::measured: return PlatformView::tr("measured");
-    case platform::Source::computed: return PlatformView::tr("computed");
-    case platform::Source::dissertation: return PlatformView::tr("dissertation");
-    case platform::Source::assumed: return PlatformView::tr("ASSUMED");
-  }
-  return {};
-}
-
-QString in_full(const PlatformAnswer& answer, const Device& device, const platform::PlanRequest& request) {
-  const auto escaped = [](const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); };
-  QString html = "<h3>" + escaped(device.name) + "</h3><p>" + escaped(device.worn_how) + "</p>";
-  html += "<p><b>" +
-          PlatformView::tr(
-              "Idle first: it draws %1 W of the %2 W that its battery allows over %3 h; it would last %4 h "
-              "and reach %5 °C without computing anything.")
-              .arg(number(answer.idle.idle_W), number(answer.idle.allowed_W), number(request.duration_h),
-                   number(answer.idle.idle_h), number(answer.idle.idle_C)) +
-          "</b></p>";
-  html += "<p>" +
-          PlatformView::tr(
-              "Frames/s: %1 by its speed, %2 by its battery, %3 by its heat. A frame takes %4 J above "
-              "idle; mean power %5 W.")
-              .arg(number(answer.fps_by_computing), number(answer.fps_by_energy), number(answer.fps_by_temperature),
-                   number(answer.frame_joules), number(answer.power_W)) +
-          "</p>";
-  if (!answer.feasible) {
-    QStringList reasons;
-    for (const platform::Reason& reason : answer.reasons) reasons << told(reason.sentence).toHtmlEscaped();
-    html += "<p>" + PlatformView::tr("Why it fails:") + "</p>" + listed(reasons);
-    const QStringList remedies = remedies_in_words(answer.remedies);
-    html += remedies.isEmpty() ? "<p>" + PlatformView::tr("No single figure would make it hold.") + "</p>"
-                               : "<p>" + PlatformView::tr("It would hold with one of:") + "</p>" + listed(remedies);
-  }
-  html += "<p>" + PlatformView::tr("Where its figures come from:") + "</p><table cellspacing='0' cellpadding='3'>";
-  for (const platform::NamedFigure& named : platform::figures_of(device)) {
-    const bool assumed = named.figure.source == platform::Source::assumed;
-    const QString ink = theme_colour(assumed ? "warning" : "ink").name();
-    html += QString(
-                "<tr><td><nobr>%1</nobr></td><td align='right'>%2</td><td style='color:%3'>%4</td></tr>"
-                "<tr><td colspan='3' style='color:%6'>%5</td></tr>")
-                .arg(escaped(named.name), number(named.figure.value, 4), ink, source_in_words(named.figure.source),
-                     escaped(named.figure.note), theme_colour("faint").name());
-  }
-  return html + "</table>";
-}
-
-}  // namespace
 }  // namespace glisson::widgets

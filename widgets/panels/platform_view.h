@@ -64,6 +64,7 @@ class PlatformView : public QWidget {
   QLabel* answer_;
   PlatformTable* table_;
   QComboBox* quantity_;
+  QLabel* quantity_told_;
   ContourPlot* contours_;
   QTextBrowser* details_;
   QLabel* notes_;

@@ -7,6 +7,7 @@
 #include "panels/parts.h"
 #include "panels/swatch.h"
 #include "scene/anatomy.h"
+#include "words/grid_words.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -102,13 +103,7 @@ void StudyPanel::word_patient() {
   QStringList facts;
   if (patient_.anatomy) {
     const imaging::Grid& grid = patient_.anatomy->grid;
-    facts << tr("%1 × %2 × %3 voxels,\n%4 × %5 × %6 mm each")
-                 .arg(grid.size[0])
-                 .arg(grid.size[1])
-                 .arg(grid.size[2])
-                 .arg(grid.spacing_mm.x(), 0, 'g', 3)
-                 .arg(grid.spacing_mm.y(), 0, 'g', 3)
-                 .arg(grid.spacing_mm.z(), 0, 'g', 3);
+    facts << tr("%1 voxels,\n%2 each").arg(size_words(grid), spacing_words(grid));
   }
   if (patient_.rehearsal) {
     facts << tr("%1 cells\nYoung's modulus %2 kPa (mean)")

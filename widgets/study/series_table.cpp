@@ -8,6 +8,7 @@
 
 #include "imaging/read_series.h"
 #include "session/patient.h"
+#include "words/grid_words.h"
 #include "words/told.h"
 #include "words/worded.h"
 
@@ -138,14 +139,7 @@ void SeriesTable::word() {
     const QString description =
         series.description.empty() ? tr("Without a description") : QString::fromStdString(series.description);
     row->setText(what_column, QString("%1\n%2").arg(description, QString::fromStdString(series.modality)));
-    const imaging::Grid& grid = series.grid;
-    QString extent = tr("%1 × %2 × %3\n%4 × %5 × %6 mm")
-                         .arg(grid.size[0])
-                         .arg(grid.size[1])
-                         .arg(grid.size[2])
-                         .arg(grid.spacing_mm.x(), 0, 'g', 3)
-                         .arg(grid.spacing_mm.y(), 0, 'g', 3)
-                         .arg(grid.spacing_mm.z(), 0, 'g', 3);
+    QString extent = size_words(series.grid) + "\n" + spacing_words(series.grid);
     if (series.volumes > 1) extent += "\n" + tr("%1 volumes").arg(series.volumes);
     row->setText(size_column, extent);
     QStringList remarks;

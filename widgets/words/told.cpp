@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 
-#include "words/paths.h"
+#include "base/error_file.h"
 
 namespace glisson::widgets {
 namespace {
@@ -38,7 +38,7 @@ QString told(const Sentence& sentence) {
 
 QString told(const Error& error) {
   QString text = told(Sentence{error.text, error.arguments});
-  if (!text.contains(text_of(error.file.filename()))) text += " (" + text_of(error.file) + ")";
+  text += QString::fromStdString(file_behind(text.toStdString(), error));
   if (!error.hint.empty()) text += " " + told(Sentence{error.hint, error.arguments});
   return text;
 }

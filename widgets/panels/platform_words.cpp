@@ -1,0 +1,92 @@
+#include "panels/platform_words.h"
+
+#include <QLocale>
+#include <QStringList>
+
+#include "panels/platform_view.h"
+#include "theme.h"
+#include "words/told.h"
+
+namespace glisson::widgets {
+
+using platform::Device;
+using platform::PlatformAnswer;
+
+namespace {
+
+QString number(double value, int digits = 3) { return QLocale().toString(value, 'g', digits); }
+QString listed(const QStringList& items);
+QStringList remedies_in_words(const platform::Remedies& remedies);
+QString source_in_words(platform::Source source);
+
+}  // namespace
+
+QString platform_in_full(const PlatformAnswer& answer, const Device& device, const platform::PlanRequest& request) {
+  const auto escaped = [](const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); };
+  QString html = "<h3>" + escaped(device.name) + "</h3><p>" + escaped(device.worn_how) + "</p>";
+  html += "<p><b>" +
+          PlatformView::tr(
+              "Idle first: it draws %1 W of the %2 W that its battery allows over %3 h; it would last %4 h "
+              "and reach %5 °C without computing anything.")
+              .arg(number(answer.idle.idle_W), number(answer.idle.allowed_W), number(request.duration_h),
+                   number(answer.idle.idle_h), number(answer.idle.idle_C)) +
+          "</b></p>";
+  html += "<p>" +
+          PlatformView::tr(
+              "Frames/s: %1 by its speed, %2 by its battery, %3 by its heat. A frame takes %4 J above "
+              "idle; mean power %5 W.")
+              .arg(number(answer.fps_by_computing), number(answer.fps_by_energy), number(answer.fps_by_temperature),
+                   number(answer.frame_joules), number(answer.power_W)) +
+          "</p>";
+  if (!answer.feasible) {
+    QStringList reasons;
+    for (const platform::Reason& reason : answer.reasons) reasons << told(reason.sentence).toHtmlEscaped();
+    html += "<p>" + PlatformView::tr("Why it fails:") + "</p>" + listed(reasons);
+    const QStringList remedies = remedies_in_words(answer.remedies);
+    html += remedies.isEmpty() ? "<p>" + PlatformView::tr("No single figure would make it hold.") + "</p>"
+                               : "<p>" + PlatformView::tr("It would hold with one of:") + "</p>" + listed(remedies);
+  }
+  html += "<p>" + PlatformView::tr("Where its figures come from:") + "</p><table cellspacing='0' cellpadding='3'>";
+  for (const platform::NamedFigure& named : platform::figures_of(device)) {
+    const bool assumed = named.figure.source == platform::Source::assumed;
+    const QString ink = theme_colour(assumed ? "warning" : "ink").name();
+    html += QString(
+                "<tr><td><nobr>%1</nobr></td><td align='right'>%2</td><td style='color:%3'>%4</td></tr>"
+                "<tr><td colspan='3' style='color:%6'>%5</td></tr>")
+                .arg(escaped(named.name), number(named.figure.value, 4), ink, source_in_words(named.figure.source),
+                     escaped(named.figure.note), theme_colour("faint").name());
+  }
+  return html + "</table>";
+}
+
+namespace {
+
+QString listed(const QStringList& items) {
+  return items.isEmpty() ? QString() : "<ul><li>" + items.join("</li><li>") + "</li></ul>";
+}
+
+QStringList remedies_in_words(const platform::Remedies& remedies) {
+  QStringList words;
+  const auto add = [&](const std::optional<double>& value, const QString& sentence) {
+    if (value) words << sentence.arg(number(*value));
+  };
+  add(remedies.duration_h, PlatformView::tr("an operation of at most %1 h"));
+  add(remedies.frames_per_s, PlatformView::tr("at most %1 frames/s"));
+  add(remedies.accuracy_mm, PlatformView::tr("an accuracy of %1 mm"));
+  add(remedies.battery_Wh, PlatformView::tr("a battery of %1 Wh"));
+  add(remedies.thermal_resistance_C_per_W, PlatformView::tr("a heat sink of %1 °C/W"));
+  return words;
+}
+
+QString source_in_words(platform::Source source) {
+  switch (source) {
+    case platform::Source::measured: return PlatformView::tr("measured");
+    case platform::Source::computed: return PlatformView::tr("computed");
+    case platform::Source::dissertation: return PlatformView::tr("dissertation");
+    case platform::Source::assumed: return PlatformView::tr("ASSUMED");
+  }
+  return {};
+}
+
+}  // namespace
+}  // namespace glisson::widgets
