@@ -118,11 +118,12 @@ void PlatformTable::fit_columns() {
   QFont bold = font();
   bold.setBold(true);
   constexpr int room = 14;
-  const int widest_figure = QFontMetrics(bold).horizontalAdvance("≈ 1 234") + room;
+  const auto wide_enough_for = [&](const QString& text) { return QFontMetrics(bold).horizontalAdvance(text) + room; };
+  const int widest_figure = wide_enough_for("≈ 1 234"), widest_count = wide_enough_for(tr("%1 of %2").arg(88).arg(88));
   for (int column = worn; column < columns; ++column) {
     if (column == limit) continue;
-    const int heading = horizontalHeader()->sectionSizeHint(column);
-    setColumnWidth(column, column == worn || column == allowed ? heading : std::max(heading, widest_figure));
+    const int cells = column == worn ? 0 : column == assumed ? widest_count : widest_figure;
+    setColumnWidth(column, std::max(horizontalHeader()->sectionSizeHint(column), cells));
   }
 }
 

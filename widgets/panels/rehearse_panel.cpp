@@ -57,7 +57,7 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   summary_ = wrapped_label("summary", this);
   landmarks_column->addWidget(summary_);
   table_ = new LandmarkTable(this);
-  table_->setMinimumHeight(150);  // a few rows; on a small screen the panel scrolls
+  table_->setMinimumHeight(104);  // two rows; on a small screen the panel scrolls
   landmarks_column->addWidget(table_, 1);
   answers->addWidget(landmarks);
   auto* over_time = new QWidget;
