@@ -15,26 +15,6 @@ using Eigen::VectorXd;
 // A penetration that nobody can see: where all forces are smaller than it makes, there is nothing left to solve.
 constexpr double hair_mm = 1e-3;
 
-// How far a place is from its rod, which way that grows, and how that turns.
-struct Gap {
-  double mm;
-  Vector3d normal;
-  Matrix3d bend;
-};
-Gap gap_of(const Bearing& bearing, const VectorXd& u_mm);
-
-// Where a place is now.
-Vector3d place_of(const Bearing& bearing, const VectorXd& u_mm);
-
-// The tangential force that a place is dragged with, and how that turns and grows as the place moves on.
-struct Drag {
-  Vector3d force_mN{0, 0, 0};
-  Matrix3d stiffness = Matrix3d::Zero();
-  double energy_uJ = 0;
-  bool slips = false;
-};
-Drag drag_of(const Bearing& bearing, double k_mN_mm, const VectorXd& u_mm);
-
 // How far a held patch is from where it should be.
 Vector3d off_mm(const HeldPatch& patch, const VectorXd& u_mm);
 
@@ -278,12 +258,7 @@ Result<bool> Pressing::rest_at_advances(const std::vector<HandTool>& tools, cons
   constexpr int most_rounds = 40, rounds_that_wander = 6;
   for (int round = 0; round < most_rounds; ++round) {
     bear(tools);
-    for (Bearing& bearing : bearings_) {
-      bearing.most_drag_mN = bearing.friction * bearing.force_mN;
-      if (bearing.most_drag_mN == 0) continue;
-      bearing.normal = gap_of(bearing, u_mm_).normal;
-      bearing.drag_mN -= bearing.drag_mN.dot(bearing.normal) * bearing.normal;
-    }
+    for (Bearing& bearing : bearings_) limit_drag(bearing, u_mm_);
     walls_.find(u_mm_, round == 0                   ? MeetingWalls::Search::anew
                        : round < rounds_that_wander ? MeetingWalls::Search::again
                                                     : MeetingWalls::Search::more);
@@ -435,36 +410,6 @@ std::vector<ToolContact> Pressing::contacts(const std::vector<HandTool>& tools) 
 }
 
 namespace {
-
-Vector3d place_of(const Bearing& bearing, const VectorXd& u_mm) {
-  Vector3d at_mm = bearing.rest_mm;
-  for (int i = 0; i < 3; ++i) at_mm += bearing.place.weights[i] * u_mm.segment<3>(3 * bearing.nodes[i]);
-  return at_mm;
-}
-
-Drag drag_of(const Bearing& bearing, double k_mN_mm, const VectorXd& u_mm) {
-  if (bearing.most_drag_mN == 0) return {Vector3d::Zero(), Matrix3d::Zero(), 0.0, true};
-  const Matrix3d tangential = Matrix3d::Identity() - bearing.normal * bearing.normal.transpose();
-  const Vector3d y = bearing.drag_mN - k_mN_mm * tangential * (place_of(bearing, u_mm) - bearing.from_mm);
-  const double most = bearing.most_drag_mN, size = y.norm(), known = bearing.drag_mN.squaredNorm();
-  if (size <= most) return {y, k_mN_mm * tangential, (size * size - known) / (2 * k_mN_mm), false};
-  const Vector3d way = y / size;
-  return {most * way, k_mN_mm * most / size * (tangential - way * way.transpose()),
-          (2 * most * size - most * most - known) / (2 * k_mN_mm), true};
-}
-
-Gap gap_of(const Bearing& bearing, const VectorXd& u_mm) {
-  const Vector3d at_mm = place_of(bearing, u_mm);
-  const Vector3d axis = bearing.rod.to_mm - bearing.rod.from_mm;
-  const double along = axis.squaredNorm() > 0 ? (at_mm - bearing.rod.from_mm).dot(axis) / axis.squaredNorm() : 0.0;
-  const Vector3d arm = at_mm - bearing.rod.from_mm - std::clamp(along, 0.0, 1.0) * axis;
-  const double distance_mm = std::max(arm.norm(), 1e-9);
-  Gap gap{distance_mm - bearing.rod.radius_mm, arm / distance_mm, Matrix3d::Identity()};
-  gap.bend -= gap.normal * gap.normal.transpose();
-  if (along > 0 && along < 1) gap.bend -= axis * axis.transpose() / axis.squaredNorm();
-  gap.bend /= distance_mm;
-  return gap;
-}
 
 Vector3d off_mm(const HeldPatch& patch, const VectorXd& u_mm) {
   Vector3d mean_mm = Vector3d::Zero();

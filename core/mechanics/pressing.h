@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "mechanics/bearing.h"
 #include "mechanics/contact.h"
 #include "mechanics/large_contact.h"
 #include "mechanics/meeting_walls.h"
@@ -12,23 +13,6 @@
 #include "mechanics/tool_search.h"
 
 namespace glisson::mechanics {
-
-// A kept place with the rod where it is now, and the force that it is known to bear.
-struct Bearing {
-  KeptPlace place;
-  Rod rod;
-  std::array<int, 3> nodes;
-  Eigen::Vector3d rest_mm;
-  double force_mN = 0;
-  // Where there is friction: what the place is known to be dragged with, by how much at most, which way the tool faces
-  // it, and where on the tool it came from, in the tool's frame and where that is now.
-  double friction = 0;
-  Eigen::Vector3d drag_mN{0, 0, 0};
-  double most_drag_mN = 0;
-  Eigen::Vector3d normal{0, 0, 1};
-  Eigen::Vector3d from_on_tool_mm{0, 0, 0}, from_mm{0, 0, 0};
-  bool slips = false;
-};
 
 // Jaws that hold the mean of some nodes, by weight, at a displacement, and the force that they are known to need.
 struct HeldPatch {

@@ -173,6 +173,14 @@ Result<MaterialBody> material_body(const geometry::TetMesh& mesh, std::vector<do
   return MaterialBody{std::move(*body), std::move(materials), watch.seconds()};
 }
 
+Answer answer_of(const MaterialBody& prepared, StaticResult result, const Places& places) {
+  const auto& [body, materials, setup_s] = prepared;
+  result.setup_s = setup_s;
+  auto landmarks_mm = displacement_at(body, result, places);
+  auto von_mises_kPa = von_mises_of_cells(body, materials, nodal_displacements(body, result));
+  return Answer{std::move(result), std::move(landmarks_mm), std::move(von_mises_kPa), {}, {}, {}};
+}
+
 StaticOptions options_of(const Scenario& scenario) {
   StaticOptions options;
   options.poisson_ratio = scenario.poisson_ratio;
@@ -248,13 +256,9 @@ Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<doub
                                  const Scenario& scenario, const Places& places, const Progress& progress) {
   const auto prepared = material_body(mesh, std::move(youngs_kPa), scenario);
   if (!prepared) return failure(prepared.error());
-  const auto& [body, materials, setup_s] = *prepared;
-  auto result = find_equilibrium(body, materials, scenario.loads, {}, progress);
+  auto result = find_equilibrium(prepared->body, prepared->materials, scenario.loads, {}, progress);
   if (!result) return failure(std::move(result.error()));
-  result->setup_s = setup_s;
-  auto landmarks_mm = displacement_at(body, *result, places);
-  auto von_mises_kPa = von_mises_of_cells(body, materials, nodal_displacements(body, *result));
-  return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}, {}, {}};
+  return answer_of(*prepared, std::move(*result), places);
 }
 
 // NOLINTNEXTLINE(performance-unnecessary-value-param): one signature for all engines

@@ -72,18 +72,18 @@ Result<Answer> large_equilibrium_of_walls(const geometry::TetMesh& mesh, std::ve
                                           const std::vector<OpenedBody::Wall>& walls, const Progress& progress) {
   const auto prepared = material_body(mesh, std::move(youngs_kPa), scenario);
   if (!prepared) return failure(prepared.error());
-  const auto& [body, materials, setup_s] = *prepared;
+  const Body& body = prepared->body;
+  const std::vector<Material>& materials = prepared->materials;
   const auto loads = applied_loads(body, scenario.loads, gas_on(materials));
   if (!loads) return failure(loads.error());
   constexpr int fewest_stations_of_walls = 4;
   const auto stations = stations_of(scenario.tools, walls.empty() ? 1 : fewest_stations_of_walls);
   auto contact = find_equilibrium_in_contact(body, materials, *loads, stations, {}, progress, walls);
   if (!contact) return failure(std::move(contact.error()));
-  contact->result.setup_s = setup_s;
-  auto landmarks_mm = displacement_at(body, contact->result, places);
-  auto von_mises_kPa = von_mises_of_cells(body, materials, nodal_displacements(body, contact->result));
-  return Answer{std::move(contact->result), std::move(landmarks_mm), std::move(von_mises_kPa), {},
-                std::move(contact->tools),  contact->report};
+  Answer answer = answer_of(*prepared, std::move(contact->result), places);
+  answer.tools = std::move(contact->tools);
+  answer.contact = contact->report;
+  return answer;
 }
 
 // NOLINTNEXTLINE(performance-unnecessary-value-param): one signature for all engines

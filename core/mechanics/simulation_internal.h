@@ -32,6 +32,7 @@ struct MaterialBody {
 };
 Result<MaterialBody> material_body(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
                                    const Scenario& scenario);
+[[nodiscard]] Answer answer_of(const MaterialBody& prepared, StaticResult result, const Places& places);
 
 // All tools' ways gone to a part. And the radius of the thinnest rod of any, 10 at most.
 [[nodiscard]] std::vector<HandTool> tools_at(const std::vector<ToolInHand>& tools, double part);
