@@ -239,6 +239,11 @@ Result<bool> Pressing::rest_under(const std::vector<HandTool>& tools, const Grou
       drive.last_mm = advance_mm;
       drive.last_mN = met_mN;
       double next_mm = advance_mm + std::clamp(missing_mN / slope, -1.5, 1.5);
+      // With friction the force depends on the way there too: what was too little may then be too much.
+      if (drive.high_mm - drive.low_mm < hair_mm) {
+        drive.low_mm = -std::numeric_limits<double>::infinity();
+        drive.high_mm = std::numeric_limits<double>::infinity();
+      }
       if (!(next_mm > drive.low_mm && next_mm < drive.high_mm)) next_mm = 0.5 * (drive.low_mm + drive.high_mm);
       advance_mm = next_mm;
     }

@@ -293,6 +293,24 @@ TEST_F(Simulating, ToolsInContactPushAsTheScenarioSays) {
   EXPECT_LE(far.contact->penetration_mm, 0.1);
 }
 
+// What a tool with friction meets at an advance depends on its way there: bounds on the advance that were true once
+// would close on one where it is not true any more, and the push would never be met.
+TEST_F(Simulating, AToolWithFrictionIsPushedUntilItMeetsItsForce) {
+  mesh = test::box(4, 4, 3, {32, 32, 24});
+  test::name_points(mesh, "ground", [](const Vector3d& p) { return p.z() < 1e-9; });
+  scenario = {};
+  scenario.youngs_modulus = 6.0;
+  scenario.supports = {test::held("ground")};
+  RigidToolInHand probe{palpation_probe(5), {16, 16, 40}, {0, 0, -1}, 0, 100.0};
+  probe.friction = 0.2;
+  scenario.tools = {{"probe", probe}};
+  const auto pressed = simulate(mesh, scenario).value();
+  ASSERT_TRUE(pressed.result.may_be_used()) << pressed.result.why_stopped;
+  EXPECT_NEAR(pressed.tools[0].force_mN.z(), -100, 0.5);
+  EXPECT_LE(pressed.contact->penetration_mm, 0.1);
+  EXPECT_GT(pressed.tools[0].sticking + pressed.tools[0].slipping, 0);
+}
+
 TEST_F(Simulating, ToolsPressOnMeshfreeBodiesNearlyAsOnCells) {
   // A probe pushed by 100 mN sinks in by less than into cells, since a few frames cannot follow its dent: 44 % of the
   // way with 20 of them, over 70 with 40.
