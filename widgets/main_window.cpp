@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScreen>
 #include <QSplitter>
 #include <QStackedLayout>
 #include <QStatusBar>
@@ -53,7 +54,7 @@ QString diary_file() {
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file()), open_work_(own_folder() / "open") {
   setAcceptDrops(true);
-  resize(1600, 1000);
+  resize(QSize(1600, 1000).boundedTo(screen()->availableSize()));
   study_panel_ = new StudyPanel;
   auto* left = new QWidget;
   auto* left_column = new QVBoxLayout(left);

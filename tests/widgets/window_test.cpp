@@ -6,6 +6,7 @@
 #include <QAccessible>
 #include <QDoubleSpinBox>
 #include <QPushButton>
+#include <QScreen>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QToolButton>
@@ -51,6 +52,12 @@ class WindowTest : public QObject {
     window_ = shown_window();
     window_->show_patient(simulated_block());
     QTest::qWait(300);
+  }
+
+  void opens_no_larger_than_the_screen() {
+    const MainWindow opened;
+    const QSize screen = opened.screen()->availableSize();
+    QVERIFY(opened.width() <= screen.width() && opened.height() <= screen.height());
   }
 
   void shows_the_origin_of_a_patient_that_is_not_real() {
