@@ -27,8 +27,9 @@ namespace fs = std::filesystem;
 QString number(double value, int decimals = 1) { return QLocale().toString(value, 'f', decimals); }
 
 Result<std::shared_ptr<const OpenedSequence>> read(const fs::path& file) {
-  return quality::read_sequence(file).map(
-      [&](quality::SequenceFiles files) { return std::make_shared<const OpenedSequence>(file, std::move(files)); });
+  return quality::read_sequence(file).map([&](quality::SequenceFiles files) {
+    return std::make_shared<const OpenedSequence>(OpenedSequence{file, std::move(files)});
+  });
 }
 
 }  // namespace

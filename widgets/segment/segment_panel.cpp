@@ -126,8 +126,9 @@ void SegmentPanel::connect_parts() {
       return segmentation::fill_between_layers(std::move(mask), axis);
     };
   });
-  filter(filters_[fill_holes], GLISSON_TEXT("Fill holes of {0}"),
-         []() -> StructureEditor::Edit { return [](imaging::Mask mask) { return segmentation::fill_holes(mask); }; });
+  filter(filters_[fill_holes], GLISSON_TEXT("Fill holes of {0}"), []() -> StructureEditor::Edit {
+    return [](const imaging::Mask& mask) { return segmentation::fill_holes(mask); };
+  });
   filter(filters_[keep_largest], GLISSON_TEXT("Keep the largest piece of {0}"), []() -> StructureEditor::Edit {
     return [](imaging::Mask mask) { return segmentation::keep_largest(std::move(mask)); };
   });
