@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "mechanics/fill_in.h"
+#include "mechanics/principal_part.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -258,26 +259,16 @@ namespace {
 
 std::vector<int> order_with_last(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& last,
                                  cholmod_common& common) {
-  std::vector<int> others, number(static_cast<std::size_t>(lower.rows()), 0);  // of each among the others
-  for (const int i : last) number[i] = -1;
-  for (std::size_t i = 0; i < number.size(); ++i) {
-    if (number[i] < 0) continue;
-    number[i] = static_cast<int>(others.size());
-    others.push_back(static_cast<int>(i));
+  std::vector<std::uint8_t> is_last(static_cast<std::size_t>(lower.rows()), 0);
+  for (const int unknown : last) is_last[unknown] = 1;
+  std::vector<int> others;
+  for (std::size_t i = 0; i < is_last.size(); ++i) {
+    if (is_last[i] == 0) others.push_back(static_cast<int>(i));
   }
-  const auto count = static_cast<Eigen::Index>(others.size());
-  Eigen::SparseMatrix<double> part(count, count);
-  part.reserve(lower.nonZeros());
-  for (Eigen::Index column = 0; column < count; ++column) {
-    part.startVec(column);
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, others[column]); entry; ++entry) {
-      if (number[entry.row()] >= 0) part.insertBack(number[entry.row()], column) = entry.value();
-    }
-  }
-  part.finalize();
+  const Eigen::SparseMatrix<double> part = principal_part(lower, others);
   cholmod_sparse view = view_of(part);
   std::vector<int> order(others.size());
-  if (count > 0) cholmod_metis(&view, nullptr, 0, 1, order.data(), &common);
+  if (!others.empty()) cholmod_metis(&view, nullptr, 0, 1, order.data(), &common);
   for (int& unknown : order) unknown = others[unknown];
   order.insert(order.end(), last.begin(), last.end());
   return order;

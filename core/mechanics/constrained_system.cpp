@@ -4,28 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "mechanics/principal_part.h"
+
 namespace glisson::mechanics {
-namespace {
-
-Eigen::SparseMatrix<double> free_part(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& free,
-                                      const std::vector<std::uint8_t>& given) {
-  std::vector<int> free_index(given.size(), -1);
-  for (std::size_t k = 0; k < free.size(); ++k) free_index[free[k]] = static_cast<int>(k);
-  const auto size = static_cast<Eigen::Index>(free.size());
-  Eigen::SparseMatrix<double> part(size, size);
-  part.reserve(lower.nonZeros());
-  for (std::size_t k = 0; k < free.size(); ++k) {
-    part.startVec(static_cast<Eigen::Index>(k));
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, free[k]); entry; ++entry) {
-      const int row = free_index[entry.row()];
-      if (row >= 0) part.insertBack(row, static_cast<Eigen::Index>(k)) = entry.value();
-    }
-  }
-  part.finalize();
-  return part;
-}
-
-}  // namespace
 
 Result<ConstrainedSystem> ConstrainedSystem::create(Eigen::SparseMatrix<double> lower, std::vector<std::uint8_t> given,
                                                     std::uint64_t memory_limit_bytes, const Progress& progress,
@@ -43,7 +24,7 @@ Result<ConstrainedSystem> ConstrainedSystem::create(Eigen::SparseMatrix<double> 
       const auto at = std::lower_bound(system.free_.begin(), system.free_.end(), unknown);
       last.push_back(static_cast<int>(at - system.free_.begin()));
     }
-    auto factor = CholeskyFactor::create(free_part(lower, system.free_, given), memory_limit_bytes, progress,
+    auto factor = CholeskyFactor::create(principal_part(lower, system.free_), memory_limit_bytes, progress,
                                          std::move(known), last);
     if (!factor) return failure(std::move(factor.error()));
     system.factor_ = std::move(*factor);
