@@ -5,11 +5,13 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "support/folders.h"
+
 namespace glisson::test {
 
 inline std::filesystem::path shared_data() {
   if (const char* chosen = std::getenv("GLISSON_SHARED_DATA")) return chosen;
-  return std::filesystem::path(GLISSON_SOURCE_DIR).parent_path() / "shared" / "data";
+  return glisson::test::source_folder().parent_path() / "shared" / "data";
 }
 
 }  // namespace glisson::test

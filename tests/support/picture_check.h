@@ -19,6 +19,7 @@
 #include <string>
 
 #include "scene/picture.h"
+#include "support/folders.h"
 
 namespace glisson::test {
 
@@ -80,13 +81,13 @@ inline PictureDifference difference(const scene::Picture& a, const scene::Pictur
 // Keeps the picture as <build>/pictures/<name>.png and holds it against tests/baselines/<name>.png. The same software
 // renderer draws the same bits; another one may round differently, which is let pass as long as nobody would see it.
 inline testing::AssertionResult looks_like_baseline(const scene::Picture& drawn, const std::string& name) {
-  const auto folder = std::filesystem::path(GLISSON_BINARY_DIR) / "pictures";
+  const auto folder = glisson::test::build_folder() / "pictures";
   std::filesystem::create_directories(folder);
   const auto kept = folder / (name + ".png");
   if (auto written = scene::write_png(drawn, kept); !written) {
     return testing::AssertionFailure() << written.error().message();
   }
-  const auto baseline_file = std::filesystem::path(GLISSON_SOURCE_DIR) / "tests" / "baselines" / (name + ".png");
+  const auto baseline_file = glisson::test::source_folder() / "tests" / "baselines" / (name + ".png");
   const auto baseline = scene::read_png(baseline_file);
   if (!baseline) {
     return testing::AssertionFailure() << "no baseline at " << baseline_file << "; look at " << kept

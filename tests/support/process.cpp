@@ -1,4 +1,5 @@
 #include "support/process.h"
+#include "support/folders.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -49,7 +50,7 @@ Finished run(const std::filesystem::path& program, const std::vector<std::string
 }
 
 Finished glisson_cli(const std::vector<std::string>& arguments) {
-  return run(std::filesystem::path(GLISSON_BINARY_DIR) / "bin" / "glisson-cli", arguments);
+  return run(glisson::test::build_folder() / "bin" / "glisson-cli", arguments);
 }
 
 }  // namespace glisson::test

@@ -6,9 +6,11 @@
 // What was drawn is kept in the build folder under pictures/; nothing here writes a baseline.
 
 #include <cmath>
-#include <QDir>
 #include <QImage>
 #include <QString>
+
+#include "support/folders.h"
+#include "widgets/kept_pictures.h"
 
 namespace glisson::test {
 
@@ -43,10 +45,10 @@ inline double share_of_blocks_that_differ(const QImage& a, const QImage& b) {
 
 inline PictureVerdict held_against_baseline(const QImage& drawn, const QString& name) {
   constexpr double allowed_share = 0.01;
-  const QString kept = QString(GLISSON_BINARY_DIR) + "/pictures/" + name + ".png";
-  QDir().mkpath(QString(GLISSON_BINARY_DIR) + "/pictures");
+  const QString kept = kept_pictures() + "/" + name + ".png";
   drawn.save(kept);
-  const QString baseline_file = QString(GLISSON_SOURCE_DIR) + "/resources/manual/pictures/" + name + ".png";
+  const QString baseline_file =
+      QString::fromStdString(source_folder().string()) + "/resources/manual/pictures/" + name + ".png";
   const QImage baseline = QImage(baseline_file).convertToFormat(QImage::Format_RGB888);
   if (baseline.isNull())
     return {false, QString("no baseline at %1; look at %2 and copy it there if it is right").arg(baseline_file, kept)};
