@@ -106,6 +106,7 @@ Result<CsvTable> parse_csv(std::string_view text, const std::filesystem::path& f
   CsvTable table;
   std::string_view line_before;
   char separator = ',';
+  std::size_t missing = 0;  // cells that rows shorter than the first do not have
   for (std::size_t line_number = 1; !text.empty(); ++line_number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, end);
@@ -123,6 +124,11 @@ Result<CsvTable> parse_csv(std::string_view text, const std::filesystem::path& f
     if (table.columns.empty()) {
       table.names = names_from(line_before, separator, cells.size());
       table.columns.resize(cells.size());
+    }
+    missing += table.columns.size() - std::min(table.columns.size(), cells.size());
+    constexpr std::size_t most_missing = 1'000'000;
+    if (missing > std::max(most_missing, table.rows() * table.columns.size() / 2)) {
+      return refuse(file, "csv-ragged", GLISSON_TEXT("Most rows of {0} are far shorter than its first."));
     }
     for (std::size_t c = 0; c < table.columns.size(); ++c)
       table.columns[c].push_back(c < cells.size() ? number_in(cells[c]) : no_number);

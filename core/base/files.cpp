@@ -3,7 +3,6 @@
 #include <openssl/evp.h>
 #include <unistd.h>
 #include <array>
-#include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
@@ -13,11 +12,6 @@
 namespace glisson {
 namespace fs = std::filesystem;
 namespace {
-
-std::string unique_suffix() {
-  static std::atomic<unsigned> counter{0};
-  return std::to_string(::getpid()) + "-" + std::to_string(counter++);
-}
 
 std::string hexadecimal(const unsigned char* bytes, unsigned count) {
   static constexpr char digits[] = "0123456789abcdef";
@@ -52,44 +46,7 @@ Failure cannot_read(const fs::path& file) {
                        file});
 }
 
-Failure cannot_write(const fs::path& file, const std::string& reason) {
-  return failure(Error{"file-not-writable",
-                       GLISSON_TEXT("{0} cannot be written: {1}."),
-                       {file.string(), reason},
-                       GLISSON_TEXT("Check the folder, your rights there and the free space."),
-                       file});
-}
-
 }  // namespace
-
-Result<void> write_atomically(const fs::path& target,
-                              const std::function<Result<void>(const fs::path& beside)>& write) {
-  std::error_code problem;
-  if (target.has_parent_path()) fs::create_directories(target.parent_path(), problem);
-  if (problem) return cannot_write(target, problem.message());
-
-  // The name's end stays (".nii.gz" too), since writers choose the format by it.
-  const fs::path beside = target.parent_path() / (".part-" + unique_suffix() + "-" + target.filename().string());
-  auto written = write(beside);
-  if (written) {
-    fs::rename(beside, target, problem);
-    if (!problem) return {};
-    written = cannot_write(target, problem.message());
-  }
-  std::error_code ignored;
-  fs::remove(beside, ignored);
-  return written;
-}
-
-Result<void> write_text_file(const fs::path& target, std::string_view text) {
-  return write_atomically(target, [&](const fs::path& beside) -> Result<void> {
-    std::ofstream stream(beside, std::ios::binary);
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    stream.close();
-    if (!stream) return cannot_write(target, GLISSON_TEXT("the disk or the folder refused it"));
-    return {};
-  });
-}
 
 Result<std::string> read_text_file(const fs::path& file, std::uint64_t limit_bytes) {
   std::error_code problem;

@@ -82,7 +82,7 @@ Result<Json> read_json_file(const std::filesystem::path& file) {
 
 Result<void> write_json_file(const std::filesystem::path& file, const Json& document) {
   GLISSON_ASSERT(all_numbers_finite(document));
-  return write_text_file(file, document.dump(2) + "\n");
+  return write_text_file(file, document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 Result<void> refuse_unknown_keys(const Json& object, std::initializer_list<std::string_view> known,

@@ -46,6 +46,22 @@ TEST(Csv, ColumnsAreFoundByNameOrNumber) {
   EXPECT_THAT(table->column("watts").error().advice(), testing::HasSubstr("time, power"));
 }
 
+// A few megabytes of "1\n" behind one wide row would take gigabytes.
+TEST(Csv, ATableOfHolesIsRefusedBeforeItFillsTheMemory) {
+  std::string wide = "0";
+  for (int c = 1; c < 256; ++c) wide += ",0";
+  wide += '\n';
+  std::string holes = wide;
+  for (int row = 0; row < 20000; ++row) holes += "1\n";
+  const auto refused = parse_csv(holes, "holes.csv");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "csv-ragged");
+  EXPECT_EQ(refused.error().file, "holes.csv");
+  std::string some = wide;
+  for (int row = 0; row < 100; ++row) some += "1\n";
+  EXPECT_TRUE(parse_csv(some).has_value()) << "a few short rows are nothing";
+}
+
 TEST(Csv, WhatIsNoTableIsRefused) {
   EXPECT_EQ(parse_csv("").error().code, "csv-without-numbers");
   EXPECT_EQ(parse_csv("a,b\nc,d\n").error().code, "csv-without-numbers");

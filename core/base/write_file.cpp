@@ -1,0 +1,259 @@
+#include "base/write_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "base/files.h"
+
+namespace glisson {
+namespace fs = std::filesystem;
+namespace {
+
+const std::string part_prefix = ".part-";
+
+// A file beside the target that this writer alone writes, known by a lock that ends with the process.
+class Part {
+ public:
+  static Result<Part> begin(const fs::path& target);
+  Part(Part&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)), path_(std::move(other.path_)) {}
+  Part& operator=(Part&&) = delete;
+  ~Part();
+
+  // 0, or what the system says of it.
+  [[nodiscard]] int write(std::string_view bytes) const;
+  [[nodiscard]] int flush() const;
+  [[nodiscard]] int put_in_place(const fs::path& target);
+
+ private:
+  Part(int descriptor, fs::path path) : descriptor_(descriptor), path_(std::move(path)) {}
+  int descriptor_ = -1;
+  fs::path path_;  // empty once it stands in its place
+};
+
+// The files of a write_together under way in this thread.
+struct Together {
+  std::vector<std::pair<Part, fs::path>> written;
+};
+thread_local Together* together = nullptr;
+
+bool locked(int descriptor);
+bool stands_at(int descriptor, const fs::path& path);
+int flushed(int descriptor);
+std::string reason_of(int code) { return std::generic_category().message(code); }
+
+}  // namespace
+
+Result<void> write_file(const fs::path& target, std::string_view bytes) {
+  std::error_code problem;
+  if (target.has_parent_path()) fs::create_directories(target.parent_path(), problem);
+  if (problem) return file_not_writable(target, problem.message());
+  auto part = Part::begin(target);
+  if (!part) return failure(std::move(part.error()));
+  if (const int code = part->write(bytes); code != 0) return file_not_writable(target, reason_of(code));
+  // A disk may find out only now that it is full (quotas, network), and after a rename it would be too late.
+  if (const int code = part->flush(); code != 0) return file_not_writable(target, reason_of(code));
+  if (together != nullptr) {
+    together->written.emplace_back(std::move(*part), target);
+    return {};
+  }
+  if (const int code = part->put_in_place(target); code != 0) return file_not_writable(target, reason_of(code));
+  return {};
+}
+
+Result<void> write_copy(const fs::path& source, const fs::path& target) {
+  return read_text_file(source).and_then([&](const std::string& bytes) { return write_file(target, bytes); });
+}
+
+Result<void> write_together(const std::function<Result<void>()>& write) {
+  if (together != nullptr) return write();
+  Together files;
+  together = &files;
+  Result<void> outcome;
+  try {
+    outcome = write();
+  } catch (...) {
+    together = nullptr;
+    throw;
+  }
+  together = nullptr;
+  for (auto& [part, target] : files.written) {
+    if (!outcome) break;
+    if (const int code = part.put_in_place(target); code != 0) outcome = file_not_writable(target, reason_of(code));
+  }
+  return outcome;
+}
+
+Result<void> write_text_file(const fs::path& target, std::string_view text) { return write_file(target, text); }
+
+Result<void> write_atomically(const fs::path& target, const std::function<Result<void>(const fs::path&)>& write) {
+  return MemoryFile::create(target).and_then(
+      [&](const MemoryFile& memory) { return write(memory.path()).and_then([&] { return memory.write_to(target); }); });
+}
+
+Failure file_not_writable(const fs::path& file, const std::string& reason) {
+  return failure(Error{"file-not-writable",
+                       GLISSON_TEXT("{0} cannot be written: {1}."),
+                       {file.string(), reason},
+                       GLISSON_TEXT("Check the folder, your rights there and the free space."),
+                       file});
+}
+
+void remove_abandoned_parts(const fs::path& folder) {
+  std::vector<fs::path> parts;
+  std::error_code problem;
+  for (fs::recursive_directory_iterator file(folder, fs::directory_options::skip_permission_denied, problem), end;
+       !problem && file != end; file.increment(problem)) {
+    if (file->path().filename().string().starts_with(part_prefix)) parts.push_back(file->path());
+  }
+  for (const fs::path& part : parts) {
+    const int descriptor = ::open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0) continue;
+    if (locked(descriptor)) ::unlink(part.c_str());
+    ::close(descriptor);
+  }
+}
+
+Result<MemoryFile> MemoryFile::create(const fs::path& named_like) {
+  MemoryFile made;
+  const auto refused = [&] { return file_not_writable(named_like, reason_of(errno)); };
+  made.descriptor_ = ::memfd_create("glisson", MFD_CLOEXEC);
+  if (made.descriptor_ < 0) return refused();
+  std::error_code problem;
+  std::string pattern = (fs::temp_directory_path(problem) / "glisson-XXXXXX").string();
+  if (problem) return file_not_writable(named_like, problem.message());
+  if (::mkdtemp(pattern.data()) == nullptr) return file_not_writable(pattern, reason_of(errno));
+  made.folder_ = pattern;
+  // Endings are short; the rest of the name says nothing to a writer.
+  const std::string name = named_like.filename().string();
+  made.path_ = made.folder_ / ("file" + name.substr(name.size() - std::min<std::size_t>(name.size(), 12)));
+  fs::create_symlink("/proc/self/fd/" + std::to_string(made.descriptor_), made.path_, problem);
+  if (problem) return file_not_writable(made.path_, problem.message());
+  return made;
+}
+
+MemoryFile::MemoryFile(MemoryFile&& other) noexcept { *this = std::move(other); }
+
+MemoryFile& MemoryFile::operator=(MemoryFile&& other) noexcept {
+  std::swap(descriptor_, other.descriptor_);
+  std::swap(folder_, other.folder_);
+  std::swap(path_, other.path_);
+  return *this;
+}
+
+MemoryFile::~MemoryFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  std::error_code ignored;
+  if (!folder_.empty()) fs::remove_all(folder_, ignored);
+}
+
+Result<void> MemoryFile::write_to(const fs::path& target) const {
+  struct stat facts {};
+  if (::fstat(descriptor_, &facts) != 0) return file_not_writable(target, reason_of(errno));
+  const auto size = static_cast<std::size_t>(facts.st_size);
+  if (size == 0) return write_file(target, {});
+  // A limit on the size of files (ulimit -f) cuts those in memory too, and a library did not notice.
+  rlimit longest{};
+  if (::getrlimit(RLIMIT_FSIZE, &longest) == 0 && size >= longest.rlim_cur) {
+    return file_not_writable(target, reason_of(EFBIG));
+  }
+  void* bytes = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, descriptor_, 0);
+  if (bytes == MAP_FAILED) return file_not_writable(target, reason_of(errno));
+  auto written = write_file(target, {static_cast<const char*>(bytes), size});
+  ::munmap(bytes, size);
+  return written;
+}
+
+namespace {
+
+Result<Part> Part::begin(const fs::path& target) {
+  constexpr std::size_t longest_name = 200;  // a system takes 255 bytes
+  const std::string name = target.filename().string().substr(0, longest_name);
+  constexpr int most_writers = 100;  // of one target at one time
+  for (int number = 0; number < most_writers; ++number) {
+    const std::string count = number == 0 ? "" : std::to_string(number) + "-";
+    fs::path path = target.parent_path() / (part_prefix + count + name);
+    int descriptor = -1;
+    do descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    while (descriptor < 0 && errno == EINTR);
+    if (descriptor < 0) {
+      const int code = errno;
+      struct stat there {};
+      const bool anothers = (code == EACCES || code == ELOOP) && ::lstat(path.c_str(), &there) == 0;
+      if (anothers) continue;  // left by another person, or planted
+      return file_not_writable(target, reason_of(code));
+    }
+    // Whoever held it before may have renamed or removed it since it was opened.
+    if (locked(descriptor) && stands_at(descriptor, path)) {
+      Part part(descriptor, std::move(path));
+      if (::ftruncate(descriptor, 0) != 0) return file_not_writable(target, reason_of(errno));
+      return part;
+    }
+    ::close(descriptor);
+  }
+  return file_not_writable(target, GLISSON_TEXT("others are writing it"));
+}
+
+Part::~Part() {
+  if (descriptor_ < 0) return;
+  if (!path_.empty()) ::unlink(path_.c_str());
+  ::close(descriptor_);
+}
+
+int Part::write(std::string_view bytes) const {
+  while (!bytes.empty()) {
+    const ::ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return errno;
+    if (count == 0) return ENOSPC;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return 0;
+}
+
+int Part::flush() const { return flushed(descriptor_); }
+
+int Part::put_in_place(const fs::path& target) {
+  if (::rename(path_.c_str(), target.c_str()) != 0) return errno;
+  path_.clear();
+  const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  if (const int folder = ::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {
+    (void)flushed(folder);  // the file is whole in either place
+    ::close(folder);
+  }
+  return 0;
+}
+
+// Where a file system knows no locks, each writer takes the file for its own.
+bool locked(int descriptor) {
+  int outcome = 0;
+  do outcome = ::flock(descriptor, LOCK_EX | LOCK_NB);
+  while (outcome != 0 && errno == EINTR);
+  return outcome == 0 || errno != EWOULDBLOCK;
+}
+
+bool stands_at(int descriptor, const fs::path& path) {
+  struct stat open_file {
+  }, named_file{};
+  return ::fstat(descriptor, &open_file) == 0 && ::lstat(path.c_str(), &named_file) == 0 &&
+         open_file.st_dev == named_file.st_dev && open_file.st_ino == named_file.st_ino;
+}
+
+int flushed(int descriptor) {
+  int outcome = 0;
+  do outcome = ::fsync(descriptor);
+  while (outcome != 0 && errno == EINTR);
+  return outcome == 0 || errno == EINVAL || errno == EROFS ? 0 : errno;
+}
+
+}  // namespace
+}  // namespace glisson

@@ -1,0 +1,52 @@
+#pragma once
+// The one way in which bytes reach a disk: written beside, every byte of them or an error, flushed to the device,
+// renamed.
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace glisson {
+
+// Writes `bytes` as the whole of `target`, whose folders are made. On failure `target` is as it was and the error says
+// what the system said (no space, no permission, ...). A writer that is killed leaves a hidden file beside the target,
+// `.part-NAME`; the next writer of that target takes it over.
+Result<void> write_file(const std::filesystem::path& target, std::string_view bytes);
+
+// The same with the content of another file.
+Result<void> write_copy(const std::filesystem::path& source, const std::filesystem::path& target);
+
+// Calls write(), whose files, as long as this thread writes them, all take their places together when it succeeds, and
+// none of them where it fails. A kill among the renames, or one that the system refuses, is the only thing in between.
+// Inside, no file may be read back. A call inside of another joins it.
+Result<void> write_together(const std::function<Result<void>()>& write);
+
+// The error of a file that could not be written.
+[[nodiscard]] Failure file_not_writable(const std::filesystem::path& file, const std::string& reason);
+
+// Removes what killed writers left in `folder` and below; what a living one is writing stays. Links are not followed.
+void remove_abandoned_parts(const std::filesystem::path& folder);
+
+// A file in memory under a name with an ending, for libraries that write to names and do not notice a full disk.
+class MemoryFile {
+ public:
+  // `named_like`: the name that the file ends like, since writers choose the format by it.
+  [[nodiscard]] static Result<MemoryFile> create(const std::filesystem::path& named_like);
+  MemoryFile(MemoryFile&& other) noexcept;
+  MemoryFile& operator=(MemoryFile&& other) noexcept;
+  ~MemoryFile();
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  // What stands in it, as the whole of `target`.
+  [[nodiscard]] Result<void> write_to(const std::filesystem::path& target) const;
+
+ private:
+  MemoryFile() = default;
+  int descriptor_ = -1;
+  std::filesystem::path folder_, path_;
+};
+
+}  // namespace glisson

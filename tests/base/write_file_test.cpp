@@ -1,0 +1,143 @@
+// Bytes reach a disk whole, or the error says so and what was there stays.
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#include <csignal>
+#include <fstream>
+
+#include "base/files.h"
+#include "base/write_file.h"
+
+namespace glisson {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+// No file may grow beyond this many bytes: a disk that is full, as far as a writer can tell.
+class FullAfter {
+ public:
+  explicit FullAfter(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullAfter() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+std::size_t files_in(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(WriteFile, AFullDiskIsAnErrorThatNamesTheFileAndLeavesTheOldOne) {
+  const TemporaryFolder folder;
+  const fs::path target = folder.path() / "mesh.vtu";
+  ASSERT_TRUE(write_file(target, "old"));
+  Result<void> written;
+  {
+    const FullAfter full(4096);
+    written = write_file(target, std::string(1 << 20, 'x'));
+  }
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, "file-not-writable");
+  EXPECT_THAT(written.error().message(), HasSubstr(target.string()));
+  EXPECT_THAT(written.error().advice(), HasSubstr("free space"));
+  EXPECT_EQ(read_text_file(target).value(), "old");
+  EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
+// Libraries look at neither their writes nor their closing; where they write, no disk can be full.
+TEST(WriteFile, AFullDiskIsNoticedWhereALibraryDoesNot) {
+  const TemporaryFolder folder;
+  const fs::path target = folder.path() / "volume.nii.gz";
+  const auto careless = [](const fs::path& beside) -> Result<void> {
+    EXPECT_EQ(beside.extension(), ".gz");
+    EXPECT_EQ(beside.stem().extension(), ".nii");
+    std::ofstream(beside) << std::string(1 << 20, 'x');
+    return {};
+  };
+  ASSERT_TRUE(write_atomically(target, careless));
+  EXPECT_EQ(fs::file_size(target), 1u << 20);
+  fs::remove(target);
+  Result<void> written;
+  {
+    const FullAfter full(1 << 19);
+    written = write_atomically(target, [](const fs::path& beside) -> Result<void> {
+      std::ofstream stream(beside);
+      for (int part = 0; part < 4; ++part) stream << std::string(1 << 18, 'x');
+      return {};
+    });
+  }
+  EXPECT_FALSE(written);
+  EXPECT_EQ(files_in(folder.path()), 0u);
+}
+
+TEST(WriteFile, WhatAKilledWriterLeftIsTakenOverAndALivingOnesIsLeftAlone) {
+  const TemporaryFolder folder;
+  const fs::path target = folder.path() / "case.json", part = folder.path() / ".part-case.json";
+  std::ofstream(part) << "much longer than what is written now, and cut short by a ki";
+  ASSERT_TRUE(write_file(target, "whole"));
+  EXPECT_EQ(read_text_file(target).value(), "whole");
+  EXPECT_EQ(files_in(folder.path()), 1u);
+
+  std::ofstream(part) << "by one who lives";
+  const int held = ::open(part.c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(::flock(held, LOCK_EX | LOCK_NB), 0);
+  ASSERT_TRUE(write_file(target, "by another"));
+  remove_abandoned_parts(folder.path());
+  EXPECT_EQ(read_text_file(part).value(), "by one who lives");
+  ::close(held);
+  remove_abandoned_parts(folder.path());
+  EXPECT_EQ(read_text_file(target).value(), "by another");
+  EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
+TEST(WriteFile, NamesAsLongAsTheSystemTakesAreWritten) {
+  const TemporaryFolder folder;
+  const fs::path longest = folder.path() / (std::string(251, 'n') + ".vtp");
+  EXPECT_TRUE(write_file(longest, "whole"));
+  EXPECT_EQ(read_text_file(longest).value(), "whole");
+  EXPECT_FALSE(write_file(folder.path() / std::string(300, 'n'), "too long"));
+  EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
+TEST(WriteFile, FilesWrittenTogetherAreAllThereOrNone) {
+  const TemporaryFolder folder;
+  const fs::path one = folder.path() / "result.vtu", two = folder.path() / "result.json";
+  ASSERT_TRUE(write_file(one, "old mesh"));
+  const auto failed = write_together([&] {
+    return write_file(one, "new mesh").and_then([]() -> Result<void> { return failure("test", "no space left"); });
+  });
+  EXPECT_FALSE(failed);
+  EXPECT_EQ(read_text_file(one).value(), "old mesh");
+  EXPECT_EQ(files_in(folder.path()), 1u);
+
+  ASSERT_TRUE(write_together([&] {
+    return write_file(one, "new mesh").and_then([&] {
+      EXPECT_EQ(read_text_file(one).value(), "old mesh");
+      return write_file(two, "{}");
+    });
+  }));
+  EXPECT_EQ(read_text_file(one).value(), "new mesh");
+  EXPECT_EQ(files_in(folder.path()), 2u);
+}
+
+TEST(WriteFile, ALinkIsReplacedAndNotWrittenThrough) {
+  const TemporaryFolder folder;
+  const fs::path outside = folder.path() / "outside.txt", link = folder.path() / "link.txt";
+  ASSERT_TRUE(write_file(outside, "theirs"));
+  fs::create_symlink(outside, link);
+  ASSERT_TRUE(write_file(link, "ours"));
+  EXPECT_EQ(read_text_file(outside).value(), "theirs");
+  EXPECT_FALSE(fs::is_symlink(link));
+}
+
+}  // namespace
+}  // namespace glisson
