@@ -1,15 +1,18 @@
 #pragma once
 // Taking a patient's identity out of DICOM files so that they can leave the hospital.
 //
-// Follows the Basic Application Level Confidentiality Profile of DICOM PS3.15, Annex E, for what MR, CT and
-// segmentations hold, and goes further where that is simpler: every person's name, every date and time, every private
-// element and every overlay is removed, but for a date or name that the standard demands, which is emptied or replaced.
-// Free texts are removed too; a series' description is replaced by its role ("MRE stiffness"), without which nobody
-// could use an elastography study again. Identifiers (UIDs) are replaced consistently, so that series, references and
-// the frame of reference still belong together.
+// Follows the Basic Application Level Confidentiality Profile of DICOM PS3.15, Annex E, with the Clean Descriptors
+// Option (a series' description becomes its role, "MRE stiffness 60 Hz", without which nobody could use an elastography
+// study again) and the Retain Safe Private Option (three private numbers of GE and Siemens, written anew); the files
+// say so (0012,0064). It goes further where that is safer: what is not known to be harmless goes, at every level of
+// nesting. Numbers stay where they are numbers, terms where they are the standard's, codes where they are known here,
+// and only under the kind that the dictionary gives their tag; texts, names, dates, times, overlays, palettes, colour
+// profiles, preambles and private elements go. Pixels are written uncompressed, as many as rows and columns ask for.
+// Identifiers (UIDs) are replaced consistently, so that series, references and the frame of reference still belong
+// together.
 //
-// What it cannot see: identity burned into the picture, a face in a head scan, 3-D reconstructions. It warns where the
-// headers hint at the first.
+// What it cannot see: identity burned into the picture, a face in a head scan, 3-D reconstructions, or a number that
+// means somebody. It warns where the headers hint at the first.
 
 #include <filesystem>
 #include <map>
@@ -29,10 +32,12 @@ struct DeidentifyOptions {
 };
 
 struct DeidentifyResult {
-  std::vector<std::filesystem::path> files;  // written: OUT/<series>/<instance>.dcm, named by the new identifiers
+  std::vector<std::filesystem::path> files;  // written: OUT/<series>/<instance>.dcm, named by the new identifiers, and
+                                             // <instance>-2.dcm where two files share one
   std::map<std::string, int> removed;        // how many of each attribute were removed, emptied or replaced
   std::vector<std::string> warnings;         // one sentence each
-  std::vector<SkippedFile> skipped;          // not written: not DICOM, damaged, or a DICOMDIR
+  std::vector<SkippedFile> skipped;          // not written: not DICOM, damaged, without a picture, or one whose pixels
+                                     // cannot be told from what is stored with them (palettes, compressed colour)
 };
 
 // A file, or all files under a folder; `out` must not lie inside it. The sources are not touched.

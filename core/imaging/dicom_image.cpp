@@ -83,6 +83,12 @@ Result<void> read_format(DcmItem& data_set, DicomImage& image) {
   const bool bits_fit = !whole_numbers || ((bits == 1 || bits == 8 || bits == 16 || bits == 32) &&
                                            format.bits_stored >= 1 && format.bits_stored <= bits &&
                                            format.high_bit < bits && format.high_bit >= format.bits_stored - 1);
+  const int representation = whole_number_of(data_set, DCM_PixelRepresentation, 0);
+  if (whole_numbers && representation != 0 && representation != 1) {
+    return unfit(image, "dicom-size",
+                 GLISSON_TEXT("{0} does not say whether its pixels are signed: PixelRepresentation is {1}."),
+                 {std::to_string(representation)});
+  }
   if (!bits_fit) {
     return unfit(image, "dicom-size", GLISSON_TEXT("{0} declares impossible pixels: {1} of {2} bits, the highest {3}."),
                  {std::to_string(format.bits_stored), std::to_string(bits), std::to_string(format.high_bit)});
@@ -111,6 +117,18 @@ Result<void> compare_with_pixels(const DicomImage& image) {
                  {std::to_string(image.pixels.native.length), std::to_string(needed)});
   }
   return {};
+}
+
+// Elements have even length; anything beyond that belongs to no pixel, or the rows and columns are not those it was
+// stored with.
+void name_surplus_pixels(DicomImage& image) {
+  if (image.syntax.encapsulated) return;
+  const std::uint64_t needed = (image.format.frame_bits() * static_cast<std::uint64_t>(image.frames) + 7) / 8;
+  const std::uint64_t surplus = image.pixels.native.length - needed;
+  if (surplus <= 1) return;
+  image.problems.push_back(std::to_string(surplus) +
+                           " bytes of pixels are more than its rows, columns and frames ask for: the picture may be "
+                           "sheared.");
 }
 
 // The item that holds a macro of a functional group: that of the frame, else the one shared by all.
@@ -289,6 +307,7 @@ Result<DicomImage> read_dicom_image_header(const std::filesystem::path& file) {
   if (image.series_uid.empty()) name_series_after_folder(image);
   if (const Result<void> format = read_format(*data_set, image); !format) return failure(format.error());
   if (const Result<void> enough = compare_with_pixels(image); !enough) return failure(enough.error());
+  name_surplus_pixels(image);
   read_pictures(*data_set, image);
   for (Picture& picture : image.pictures) add_implied_unit(picture.mapping, image);
   return image;

@@ -88,7 +88,73 @@ std::optional<std::pair<std::size_t, std::size_t>> fragments_of(const PixelFile&
   return std::pair{*begin, *end};
 }
 
+// What a mask of overlays, or anything else, has left in bits beside the value.
+template <typename Stored>
+void clear_unused_bits(std::vector<std::uint8_t>& bytes, const PixelFormat& format) {
+  const int above = static_cast<int>(sizeof(Stored)) * 8 - 1 - format.high_bit;
+  const int below = format.high_bit + 1 - format.bits_stored;
+  for (std::size_t at = 0; at + sizeof(Stored) <= bytes.size(); at += sizeof(Stored)) {
+    Stored value;
+    std::memcpy(&value, bytes.data() + at, sizeof(Stored));
+    // Through the type's own sign: shifted down again, an unsigned value is followed by zeros.
+    value = static_cast<Stored>(static_cast<std::make_unsigned_t<Stored>>(value) << above);
+    value = static_cast<Stored>(value >> (above + below));
+    value = static_cast<Stored>(static_cast<std::make_unsigned_t<Stored>>(value) << below);
+    std::memcpy(bytes.data() + at, &value, sizeof(Stored));
+  }
+}
+
+void clear_unused_bits(std::vector<std::uint8_t>& bytes, const PixelFile& file) {
+  if (file.pixels.element != 0x0010 || file.format.bits_stored == file.format.bits_allocated) return;
+  const bool is_signed = file.format.is_signed;
+  switch (file.format.bits_allocated) {
+    case 8:
+      return is_signed ? clear_unused_bits<std::int8_t>(bytes, file.format)
+                       : clear_unused_bits<std::uint8_t>(bytes, file.format);
+    case 16:
+      return is_signed ? clear_unused_bits<std::int16_t>(bytes, file.format)
+                       : clear_unused_bits<std::uint16_t>(bytes, file.format);
+    case 32:
+      return is_signed ? clear_unused_bits<std::int32_t>(bytes, file.format)
+                       : clear_unused_bits<std::uint32_t>(bytes, file.format);
+    default: return;
+  }
+}
+
 }  // namespace
+
+Result<std::vector<std::uint8_t>> FrameReader::stored_pixels(int index) {
+  const PixelFile& file = layout_.files[static_cast<std::size_t>(index)];
+  const std::uint64_t needed = (file.format.frame_bits() * static_cast<std::uint64_t>(file.frames) + 7) / 8;
+  if (needed >= 0xFFFFFFFEu) {
+    return failure(Error{"dicom-size",
+                         GLISSON_TEXT("{0} declares compressed pictures too large to be true."),
+                         {file.path.string()},
+                         "",
+                         file.path});
+  }
+  if (const Result<void> opened = open(index); !opened) return failure(opened.error());
+  std::vector<std::uint8_t> all;
+  if (file.format.bits_allocated == 1 && !file.syntax.encapsulated) {
+    // Frames of single bits follow each other without a gap.
+    all.resize(needed);
+    if (stream_->read(file.pixels.native.offset, needed, all.data()) != needed) return changed(file);
+    const std::uint64_t used = file.format.frame_bits() * static_cast<std::uint64_t>(file.frames) % 8;
+    if (used != 0) all.back() = static_cast<std::uint8_t>(all.back() & ((1u << used) - 1));
+    return all;
+  }
+  const auto frame_bytes = static_cast<std::size_t>(file.format.frame_bits() / 8);
+  for (int frame = 0; frame < file.frames; ++frame) {
+    const Result<void> loaded = file.syntax.encapsulated
+                                    ? load_compressed_frame(file, frame)
+                                    : load_native_rows(file, {index, frame, 0, 0, 1, 0}, file.format.rows);
+    if (!loaded) return failure(loaded.error());
+    const auto begin = samples_.begin() + static_cast<std::ptrdiff_t>(file.syntax.encapsulated ? 0 : first_sample_);
+    all.insert(all.end(), begin, begin + static_cast<std::ptrdiff_t>(frame_bytes));
+  }
+  clear_unused_bits(all, file);
+  return all;
+}
 
 Result<void> FrameReader::read(const SliceSource& source, int columns, int rows, float* values) {
   const PixelFile& file = layout_.files[static_cast<std::size_t>(source.file)];

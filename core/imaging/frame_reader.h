@@ -21,6 +21,11 @@ class FrameReader {
   // columns x rows values of one picture into `values`, row by row. Values that are not numbers become 0.
   Result<void> read(const SliceSource& source, int columns, int rows, float* values);
 
+  // All frames of a file as its header describes them and no byte more: uncompressed, in this machine's byte order.
+  // Bits that no value uses repeat the sign, or are 0. Fails too with "dicom-size" above 4 GiB, which no element can
+  // hold.
+  Result<std::vector<std::uint8_t>> stored_pixels(int file);
+
  private:
   Result<void> open(int file);
   Result<void> load_native_rows(const PixelFile& file, const SliceSource& source, int rows);

@@ -1,5 +1,5 @@
-// NIfTI, NRRD and MetaImage through ITK's readers of those formats, used without ITK's image pipeline: what is
-// wanted is a header and a block of numbers, and the header is doubted before the block is asked for.
+// NIfTI, NRRD and MetaImage: read by ourselves (volume_header.h, voxel_stream.h), written through ITK's writers of
+// those formats, used without ITK's image pipeline.
 
 #include "imaging/volume_file.h"
 
@@ -11,12 +11,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <sstream>
 
 #include "base/files.h"
-#include "imaging/voxel_payload.h"
+#include "imaging/volume_header.h"
+#include "imaging/voxel_stream.h"
 
 namespace glisson::imaging {
 namespace fs = std::filesystem;
@@ -24,67 +24,55 @@ namespace {
 
 constexpr const char* unit_key = "unit";
 
-// A file whose header has been read and found believable; its values have not been read.
-struct OpenedFile {
-  itk::ImageIOBase::Pointer io;
-  Grid grid;
-};
-Result<OpenedFile> open_file(const fs::path& file);
 itk::ImageIOBase::Pointer io_for(const fs::path& file);
 
-// Reads the values, each turned by convert(double) -> Value.
+// Reads the values, each turned by convert(double) -> Value. Memory is used as they come, not as the header promises.
 template <typename Value, typename Convert>
-Result<std::vector<Value>> read_values(const OpenedFile& opened, const fs::path& file, Convert convert);
+Result<std::vector<Value>> read_values(const VolumeHeader& header, const fs::path& file, Convert convert) {
+  std::vector<Value> values;
+  values.reserve(header.grid.voxels());
+  const auto read = read_voxels(header, file, [&](const double* block, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) values.push_back(convert(block[i]));
+  });
+  if (!read) return failure(read.error());
+  return values;
+}
 
 Result<void> write_values(const fs::path& target, const Grid& grid, const void* values, itk::IOComponentEnum type,
                           const std::vector<std::pair<std::string, std::string>>& notes);
 
-std::string note(itk::ImageIOBase& io, const std::string& key);
-std::optional<SegmentInfo> segment_of(itk::ImageIOBase& io);
+std::string note(const VolumeHeader& header, const std::string& key);
+std::optional<SegmentInfo> segment_of(const VolumeHeader& header);
+Result<LabelMap> read_labels(const VolumeHeader& header, const fs::path& file);
 
 }  // namespace
 
 Result<Volume> read_volume_file(const fs::path& file) {
-  auto opened = open_file(file);
-  if (!opened) return failure(std::move(opened.error()));
-  auto values = read_values<float>(*opened, file, [](double value) { return static_cast<float>(value); });
+  const auto header = read_volume_header(file);
+  if (!header) return failure(header.error());
+  auto values = read_values<float>(*header, file, [](double value) { return static_cast<float>(value); });
   if (!values) return failure(std::move(values.error()));
 
   Volume volume;
-  volume.grid = opened->grid;
+  volume.grid = header->grid;
   volume.values = std::move(*values);
-  volume.unit = note(*opened->io, unit_key);
+  volume.unit = note(*header, unit_key);
   return volume;
 }
 
 Result<VolumeFileHeader> read_volume_file_header(const fs::path& file) {
-  auto opened = open_file(file);
-  if (!opened) return failure(std::move(opened.error()));
-  const itk::IOComponentEnum type = opened->io->GetComponentType();
-  return VolumeFileHeader{opened->grid, note(*opened->io, unit_key),
-                          type == itk::IOComponentEnum::UCHAR || type == itk::IOComponentEnum::CHAR};
+  const auto header = read_volume_header(file);
+  if (!header) return failure(header.error());
+  return VolumeFileHeader{header->grid, note(*header, unit_key),
+                          bytes_of(header->type) == 1 && header->slope == 1 && header->intercept == 0};
 }
 
-bool has_volume_file_name(const fs::path& file) { return io_for(file).IsNotNull(); }
+bool has_volume_file_name(const fs::path& file) { return has_volume_header_name(file); }
 
 Result<LabelMap> read_labels_file(const fs::path& file) {
-  auto opened = open_file(file);
-  if (!opened) return failure(std::move(opened.error()));
-  std::optional<double> stranger;
-  auto values = read_values<std::uint16_t>(*opened, file, [&](double value) {
-    const bool is_label = value >= 0 && value <= 65535 && value == std::floor(value);
-    if (!is_label && !stranger) stranger = value;
-    return is_label ? static_cast<std::uint16_t>(value) : std::uint16_t{0};
-  });
-  if (!values) return failure(std::move(values.error()));
-  if (stranger) {
-    return failure(Error{"volume-file-not-labels",
-                         GLISSON_TEXT("{0} is not a label map: it holds the value {1}."),
-                         {file.string(), fmt::format("{:g}", *stranger)},
-                         GLISSON_TEXT("A label map holds whole numbers from 0 to 65535."),
-                         file});
-  }
-  return LabelMap{opened->grid, std::move(*values)};
+  const auto header = read_volume_header(file);
+  if (!header) return failure(header.error());
+  return read_labels(*header, file);
 }
 
 Result<void> write_volume_file(const fs::path& file, const Volume& volume) {
@@ -120,11 +108,11 @@ Result<void> write_mask_file(const fs::path& file, const Mask& mask, const Segme
 }
 
 Result<SegmentedMask> read_mask_file(const fs::path& file) {
-  auto labels = read_labels_file(file);
-  if (!labels) return failure(std::move(labels.error()));
-  auto opened = open_file(file);
-  if (!opened) return failure(std::move(opened.error()));
-  const std::optional<SegmentInfo> named = segment_of(*opened->io);
+  const auto header = read_volume_header(file);
+  if (!header) return failure(header.error());
+  const auto labels = read_labels(*header, file);
+  if (!labels) return failure(labels.error());
+  const std::optional<SegmentInfo> named = segment_of(*header);
 
   SegmentedMask segment;
   segment.info = named.value_or(SegmentInfo{file.stem().string()});
@@ -154,158 +142,12 @@ Failure unknown_type(const fs::path& file) {
                        file});
 }
 
-Failure unreadable(const fs::path& file, const std::string& reason) {
-  return failure(Error{"volume-file-unreadable",
-                       GLISSON_TEXT("{0} cannot be read: {1}."),
-                       {file.string(), reason},
-                       GLISSON_TEXT("Check that the file is whole, for example by opening it in 3D Slicer."),
-                       file});
-}
-
 // ITK's own sentence without its source line and object address.
 std::string reason_of(const itk::ExceptionObject& exception) {
   std::string reason = exception.GetDescription();
   if (const auto colon = reason.find("): "); colon != std::string::npos) reason.erase(0, colon + 3);
   reason.erase(std::remove(reason.begin(), reason.end(), '\n'), reason.end());
   return reason.substr(0, 200);
-}
-
-Result<Grid> grid_of(itk::ImageIOBase& io, const fs::path& file);
-Result<void> check_size(itk::ImageIOBase& io, const fs::path& file);
-
-Result<OpenedFile> open_file(const fs::path& file) {
-  OpenedFile opened{io_for(file), {}};
-  if (!opened.io) return unknown_type(file);
-  std::error_code problem;
-  const auto bytes = fs::file_size(file, problem);
-  if (problem) return unreadable(file, problem.message());
-  if (bytes == 0) return unreadable(file, GLISSON_TEXT("it is empty"));
-  try {
-    opened.io->SetFileName(file.string());
-    if (!opened.io->CanReadFile(file.string().c_str()))
-      return unreadable(file, GLISSON_TEXT("its header is not of that format"));
-    opened.io->ReadImageInformation();
-  } catch (const itk::ExceptionObject& exception) {
-    return unreadable(file, reason_of(exception));
-  } catch (const std::exception& exception) {
-    return unreadable(file, exception.what());
-  }
-  auto grid = grid_of(*opened.io, file);
-  if (!grid) return failure(std::move(grid.error()));
-  opened.grid = *grid;
-  if (auto fits = check_size(*opened.io, file); !fits) return failure(std::move(fits.error()));
-  return opened;
-}
-
-Result<Grid> grid_of(itk::ImageIOBase& io, const fs::path& file) {
-  if (io.GetNumberOfComponents() != 1) {
-    return failure(Error{"volume-file-not-scalar",
-                         GLISSON_TEXT("{0} holds {1} values at each voxel; one is needed."),
-                         {file.string(), std::to_string(io.GetNumberOfComponents())},
-                         GLISSON_TEXT("Save one component (or a grey image in place of a colour one)."),
-                         file});
-  }
-  const unsigned axes = io.GetNumberOfDimensions();
-  bool three = axes >= 3;
-  for (unsigned axis = 3; axis < axes; ++axis) three = three && io.GetDimensions(axis) == 1;
-  if (!three) {
-    return failure(Error{"volume-file-not-3d",
-                         GLISSON_TEXT("{0} is not a three-dimensional volume: it has {1} axes."),
-                         {file.string(), std::to_string(axes)},
-                         GLISSON_TEXT("Save one volume (one point in time) to a file."),
-                         file});
-  }
-
-  Grid grid;
-  bool good = true;
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    const auto size = static_cast<std::uint64_t>(io.GetDimensions(axis));
-    good = good && size >= 1 && size <= static_cast<std::uint64_t>(std::numeric_limits<int>::max());
-    grid.size[axis] = good ? static_cast<int>(size) : 0;
-    grid.spacing_mm[axis] = io.GetSpacing(axis);
-    grid.origin_mm[axis] = io.GetOrigin(axis);
-    const auto direction = io.GetDirection(axis);
-    for (unsigned row = 0; row < 3; ++row) grid.direction(row, axis) = direction[row];
-  }
-  good = good && grid.spacing_mm.allFinite() && grid.origin_mm.allFinite() && grid.direction.allFinite() &&
-         grid.spacing_mm.minCoeff() > 0;
-  // The axes must be at right angles, as an image's are: 1e-3 is what seven-digit headers lose.
-  good = good && (grid.direction.transpose() * grid.direction).isIdentity(1e-3);
-  if (!good) {
-    return failure(Error{"volume-file-bad-grid",
-                         GLISSON_TEXT("The header of {0} gives no usable grid: sizes and spacings must be positive and "
-                                      "the axes at right angles."),
-                         {file.string()},
-                         GLISSON_TEXT("Resample the volume onto a regular grid and save it again."),
-                         file});
-  }
-  return grid;
-}
-
-// Whether the file can hold what its header declares. Products are kept below 2^63 by dividing first.
-Result<void> check_size(itk::ImageIOBase& io, const fs::path& file) {
-  const VoxelPayload payload = voxel_payload(file);
-  std::error_code problem;
-  const auto bytes = fs::file_size(payload.file, problem);
-  if (problem) return unreadable(file, "its data file " + payload.file.string() + " cannot be opened");
-  const double can_hold = static_cast<double>(bytes) * payload.most_bytes_per_byte;
-  double declared = static_cast<double>(io.GetComponentSize());
-  for (unsigned axis = 0; axis < 3; ++axis) declared *= static_cast<double>(io.GetDimensions(axis));
-  if (declared <= can_hold) return {};
-  return failure(Error{"volume-file-truncated",
-                       GLISSON_TEXT("{0} is too short: its header declares {1} bytes of voxels and the file can hold "
-                                    "{2} at most."),
-                       {file.string(), fmt::format("{:.0f}", declared), fmt::format("{:.0f}", can_hold)},
-                       GLISSON_TEXT("Copy the file again from where it came."),
-                       file});
-}
-
-template <typename Stored, typename Value, typename Convert>
-std::vector<Value> converted(itk::ImageIOBase& io, std::size_t voxels, Convert convert) {
-  std::vector<Stored> stored(voxels);
-  io.Read(stored.data());
-  if constexpr (std::is_same_v<Stored, Value> && std::is_same_v<Value, float>) {
-    return stored;
-  } else {
-    std::vector<Value> values(voxels);
-    std::transform(stored.begin(), stored.end(), values.begin(),
-                   [&](Stored value) { return convert(static_cast<double>(value)); });
-    return values;
-  }
-}
-
-template <typename Value, typename Convert>
-Result<std::vector<Value>> read_values(const OpenedFile& opened, const fs::path& file, Convert convert) {
-  using Type = itk::IOComponentEnum;
-  itk::ImageIOBase& io = *opened.io;
-  const std::size_t voxels = opened.grid.voxels();
-  itk::ImageIORegion region(io.GetNumberOfDimensions());
-  for (unsigned axis = 0; axis < io.GetNumberOfDimensions(); ++axis) {
-    region.SetIndex(axis, 0);
-    region.SetSize(axis, io.GetDimensions(axis));
-  }
-  io.SetIORegion(region);
-  try {
-    switch (io.GetComponentType()) {
-      case Type::UCHAR: return converted<unsigned char, Value>(io, voxels, convert);
-      case Type::CHAR: return converted<signed char, Value>(io, voxels, convert);
-      case Type::USHORT: return converted<unsigned short, Value>(io, voxels, convert);
-      case Type::SHORT: return converted<short, Value>(io, voxels, convert);
-      case Type::UINT: return converted<unsigned int, Value>(io, voxels, convert);
-      case Type::INT: return converted<int, Value>(io, voxels, convert);
-      case Type::ULONG: return converted<unsigned long, Value>(io, voxels, convert);
-      case Type::LONG: return converted<long, Value>(io, voxels, convert);
-      case Type::ULONGLONG: return converted<unsigned long long, Value>(io, voxels, convert);
-      case Type::LONGLONG: return converted<long long, Value>(io, voxels, convert);
-      case Type::FLOAT: return converted<float, Value>(io, voxels, convert);
-      case Type::DOUBLE: return converted<double, Value>(io, voxels, convert);
-      default: return unreadable(file, GLISSON_TEXT("its numbers are of an unknown type"));
-    }
-  } catch (const itk::ExceptionObject& exception) {
-    return unreadable(file, reason_of(exception));
-  } catch (const std::exception& exception) {
-    return unreadable(file, exception.what());
-  }
 }
 
 Result<void> write_values(const fs::path& target, const Grid& grid, const void* values, itk::IOComponentEnum type,
@@ -345,20 +187,37 @@ Result<void> write_values(const fs::path& target, const Grid& grid, const void* 
   });
 }
 
-std::string note(itk::ImageIOBase& io, const std::string& key) {
-  std::string text;
-  itk::ExposeMetaData<std::string>(io.GetMetaDataDictionary(), key, text);
-  return text;
+std::string note(const VolumeHeader& header, const std::string& key) {
+  const auto found = header.notes.find(key);
+  return found == header.notes.end() ? std::string() : found->second;
 }
 
-std::optional<SegmentInfo> segment_of(itk::ImageIOBase& io) {
+std::optional<SegmentInfo> segment_of(const VolumeHeader& header) {
   SegmentInfo info;
-  info.name = note(io, "Segment0_Name");
+  info.name = note(header, "Segment0_Name");
   if (info.name.empty()) return std::nullopt;
-  std::istringstream(note(io, "Segment0_LabelValue")) >> info.label_value;
+  std::istringstream(note(header, "Segment0_LabelValue")) >> info.label_value;
   std::array<double, 3> color{};
-  if (std::istringstream(note(io, "Segment0_Color")) >> color[0] >> color[1] >> color[2]) info.color_rgb = color;
+  if (std::istringstream(note(header, "Segment0_Color")) >> color[0] >> color[1] >> color[2]) info.color_rgb = color;
   return info;
+}
+
+Result<LabelMap> read_labels(const VolumeHeader& header, const fs::path& file) {
+  std::optional<double> stranger;
+  auto values = read_values<std::uint16_t>(header, file, [&](double value) {
+    const bool is_label = value >= 0 && value <= 65535 && value == std::floor(value);
+    if (!is_label && !stranger) stranger = value;
+    return is_label ? static_cast<std::uint16_t>(value) : std::uint16_t{0};
+  });
+  if (!values) return failure(std::move(values.error()));
+  if (stranger) {
+    return failure(Error{"volume-file-not-labels",
+                         GLISSON_TEXT("{0} is not a label map: it holds the value {1}."),
+                         {file.string(), fmt::format("{:g}", *stranger)},
+                         GLISSON_TEXT("A label map holds whole numbers from 0 to 65535."),
+                         file});
+  }
+  return LabelMap{header.grid, std::move(*values)};
 }
 
 }  // namespace

@@ -2,8 +2,9 @@
 // Volumes, label maps and masks in files that 3D Slicer and ITK-SNAP open: NIfTI, NRRD, MetaImage.
 //
 // Reads .nii .nii.gz .nrrd .nhdr .mha .mhd, three-dimensional (a fourth axis of length one is dropped), one value a
-// voxel. Positions come out in patient coordinates, LPS, mm; what a file says in RAS is turned by ITK's readers.
-// The size that a header declares is compared, in 64 bits, with the size of the file before memory is asked for.
+// voxel. Positions come out in patient coordinates, LPS, mm; what a file says in RAS is turned.
+// The size that a header declares is compared, in 64 bits, with the size of the file before memory is asked for; the
+// voxels that come are counted, and compressed ones must end where they should with the right checksum.
 
 #include <filesystem>
 
@@ -26,7 +27,8 @@ bool has_volume_file_name(const std::filesystem::path& file);
 
 // Any scalar type, as float (a value beyond 2^24 loses its last digits). The unit is that of the NRRD or MetaImage
 // key "unit"; NIfTI has no place for it.
-// Fails with volume-file-unknown-type, -unreadable, -not-scalar, -not-3d, -truncated, -bad-grid.
+// Fails with volume-file-unknown-type, -unreadable, -not-scalar, -not-3d, -bad-grid, -too-large (above 2^29 voxels),
+// -truncated, -longer, -damaged.
 Result<Volume> read_volume_file(const std::filesystem::path& file);
 
 // The same for whole numbers 0..65535; refuses others (volume-file-not-labels), since they are not a label map.

@@ -104,7 +104,7 @@ std::string nrrd(const std::string& sizes, const std::string& payload, const std
 
 TEST(VolumeFile, RefusesWhatItCannotTrust) {
   EXPECT_EQ(code_of_reading("a.nrrd", nrrd("2 2 2", std::string(32, '\0'))), "read");
-  EXPECT_EQ(code_of_reading("a.nrrd", nrrd("2 2 2", std::string(20, '\0'))), "volume-file-unreadable");
+  EXPECT_EQ(code_of_reading("a.nrrd", nrrd("2 2 2", std::string(20, '\0'))), "volume-file-truncated");
   EXPECT_EQ(code_of_reading("a.nrrd", nrrd("2000000 2000000 2000000", "x")), "volume-file-truncated");
   EXPECT_EQ(code_of_reading("a.nrrd", nrrd("100000 100000 100000", "x", "gzip")), "volume-file-truncated");
   EXPECT_EQ(code_of_reading("a.nrrd", ""), "volume-file-unreadable");
