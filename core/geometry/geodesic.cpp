@@ -46,10 +46,12 @@ Result<Mesh> cgal_mesh(const Surface& surface) {
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];
     if (mesh.add_face(vertex(a), vertex(b), vertex(c)) == Mesh::null_face()) {
-      return failure("surface-not-manifold",
-                     GLISSON_TEXT("Triangle {0} does not fit its neighbours: an edge has more than two triangles, or "
-                                  "they are turned against each other."),
-                     {std::to_string(t)});
+      return failure(Error{"surface-not-manifold",
+                           GLISSON_TEXT("Triangle {0} does not fit its neighbours: an edge has more than two "
+                                        "triangles, or they are turned against each other."),
+                           {std::to_string(t)},
+                           GLISSON_TEXT("Mesh the surface anew, for example with MeshLab."),
+                           {}});
     }
   }
   return mesh;
@@ -75,7 +77,11 @@ Result<HeatGeodesics> HeatGeodesics::prepare(const Surface& surface) {
   try {
     return HeatGeodesics(std::make_unique<Inside>(std::move(*mesh)));
   } catch (const std::exception&) {
-    return failure("geodesic-singular", GLISSON_TEXT("Heat cannot spread over the surface: it has flat triangles."));
+    return failure(Error{"geodesic-singular",
+                         GLISSON_TEXT("Heat cannot spread over the surface: it has flat triangles."),
+                         {},
+                         GLISSON_TEXT("Mesh the surface anew, for example with MeshLab."),
+                         {}});
   }
 }
 

@@ -122,6 +122,10 @@ Wrong Walk::cell_list(const std::string& name) {
 Wrong Walk::counted_list(const std::string& name, std::uint64_t count, std::uint64_t numbers) {
   const auto list = text.integers(numbers, "int");
   if (!list) return "its " + name + " are not all there";
+  // VTK reads them as 32 bits, and what does not fit ends its reading in the midst.
+  if (std::any_of(list->begin(), list->end(), [](std::int64_t n) { return n < 0 || n > INT32_MAX; })) {
+    return "its " + name + " name points that cannot be";
+  }
   std::uint64_t at = 0;
   for (std::uint64_t cell = 0; cell < count; ++cell) {
     const bool fits = at < numbers && (*list)[at] >= 0 && static_cast<std::uint64_t>((*list)[at]) < numbers - at;

@@ -8,6 +8,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkNew.h>
+#include <vtkOutputWindow.h>
 #include <vtkPLYWriter.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -30,11 +31,13 @@
 #include <string>
 
 #include "base/files.h"
+#include "base/write_file.h"
 #include "geometry/legacy_vtk_guard.h"
 #include "geometry/mesh_file_guard.h"
 #include "geometry/obj_file.h"
 #include "geometry/off_file.h"
 #include "geometry/ply_file.h"
+#include "geometry/xml_guard.h"
 
 namespace glisson::geometry {
 namespace {
@@ -154,13 +157,56 @@ class FirstComplaint : public vtkCommand {
   std::string text_;
 };
 
+// Takes what VTK says without an observer to hear it (of decompression that failed, of text that is no number) on the
+// thread that listens; elsewhere VTK speaks as before.
+class Listener : public vtkOutputWindow {
+ public:
+  static Listener* New() { return new Listener; }
+  void DisplayErrorText(const char* text) override {
+    if (!heard(text)) vtkOutputWindow::DisplayErrorText(text);
+  }
+  void DisplayGenericWarningText(const char* text) override {
+    const bool of_reading = std::string_view(text).find("Error reading") != std::string_view::npos;
+    if (!of_reading || !heard(text)) vtkOutputWindow::DisplayGenericWarningText(text);
+  }
+
+  // Hears for as long as it stands.
+  class Ear {
+   public:
+    explicit Ear(FirstComplaint& complaint) {
+      static const bool installed = [] {
+        const vtkNew<Listener> listener;
+        vtkOutputWindow::SetInstance(listener);
+        return true;
+      }();
+      static_cast<void>(installed);
+      hearing = &complaint;
+    }
+    ~Ear() { hearing = nullptr; }
+    Ear(const Ear&) = delete;
+    Ear& operator=(const Ear&) = delete;
+  };
+
+ private:
+  static bool heard(const char* text) {
+    if (hearing != nullptr) hearing->Execute(nullptr, vtkCommand::ErrorEvent, const_cast<char*>(text));
+    return hearing != nullptr;
+  }
+  static thread_local FirstComplaint* hearing;
+};
+thread_local FirstComplaint* Listener::hearing = nullptr;
+
 template <typename Reader, typename Data>
 Result<vtkSmartPointer<Data>> read_with(const fs::path& file) {
   if (auto checked = check_announced_counts(file); !checked) return failure(checked.error());
   if constexpr (std::is_base_of_v<vtkDataReader, Reader>) {
     if (auto checked = check_cell_lists(file); !checked) return failure(checked.error());
   }
+  if constexpr (std::is_base_of_v<vtkXMLReader, Reader>) {
+    if (auto checked = check_xml_elements(file); !checked) return failure(checked.error());
+  }
   const vtkNew<FirstComplaint> complaint;
+  const Listener::Ear ear(*complaint);
   try {
     const vtkNew<Reader> reader;
     reader->AddObserver(vtkCommand::ErrorEvent, complaint);
@@ -196,11 +242,7 @@ Result<void> write_with(const fs::path& file, vtkDataObject* data, Configure&& c
     writer->SetInputData(data);
     writer->SetFileName(beside.c_str());
     if (writer->Write() != 0 && complaint->text().empty()) return {};
-    return failure(Error{"file-not-writable",
-                         GLISSON_TEXT("{0} cannot be written: {1}."),
-                         {file.string(), complaint->text()},
-                         GLISSON_TEXT("Check the folder, your rights there and the free space."),
-                         file});
+    return file_not_writable(file, complaint->text());
   });
 }
 
@@ -258,6 +300,7 @@ struct CellList {
 
 // Nothing when the offsets go backwards or beyond the connectivity, or a point is named that does not exist.
 std::optional<CellList> checked_cells(vtkCellArray* array, vtkIdType points) {
+  if (array == nullptr) return std::nullopt;
   array->ConvertTo64BitStorage();
   const auto offsets = array->GetOffsetsArray64();
   const auto connectivity = array->GetConnectivityArray64();

@@ -38,6 +38,12 @@ using Triangles = std::vector<Kernel::Triangle_3>;
 using TriangleTree =
     CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>>>;
 
+// So far away that it no longer matters where, and near enough that squares of distances stay finite.
+Vector3d within_reach(const Vector3d& position_mm) {
+  constexpr double far_mm = 1e100;
+  return position_mm.cwiseMax(-far_mm).cwiseMin(far_mm);
+}
+
 Kernel::Point_3 to_cgal(const Vector3d& position) { return {position.x(), position.y(), position.z()}; }
 
 // Sums over the samples of `from` of their distances to the surface that `to` was made of.
@@ -66,7 +72,7 @@ NearestPoint::Found NearestPoint::nearest(const Vector3d& position_mm) const {
   double squared_distance_mm2 = 0;
   nanoflann::KNNResultSet<double, std::uint32_t> found(1);
   found.init(&point, &squared_distance_mm2);
-  tree_->tree.findNeighbors(found, position_mm.data(), nanoflann::SearchParams());
+  tree_->tree.findNeighbors(found, within_reach(position_mm).data(), nanoflann::SearchParams());
   return {static_cast<int>(point), squared_distance_mm2};
 }
 
@@ -75,7 +81,7 @@ std::vector<NearestPoint::Found> NearestPoint::nearest(const Vector3d& position_
   if (wanted == 0) return {};
   std::vector<std::uint32_t> points(wanted);
   std::vector<double> squared_distances_mm2(wanted);
-  tree_->tree.knnSearch(position_mm.data(), wanted, points.data(), squared_distances_mm2.data());
+  tree_->tree.knnSearch(within_reach(position_mm).data(), wanted, points.data(), squared_distances_mm2.data());
   std::vector<Found> found;
   for (std::size_t i = 0; i < wanted; ++i) found.push_back({static_cast<int>(points[i]), squared_distances_mm2[i]});
   return found;
@@ -117,10 +123,10 @@ SurfaceDistance::SurfaceDistance(const Surface& surface) {
 }
 
 SurfaceDistance::Closest SurfaceDistance::closest(const Vector3d& position_mm) const {
-  const auto [point, triangle] = tree_->tree.closest_point_and_primitive(to_cgal(position_mm));
+  const auto [point, triangle] = tree_->tree.closest_point_and_primitive(to_cgal(within_reach(position_mm)));
   const Vector3d point_mm(point.x(), point.y(), point.z());
   return {point_mm, tree_->number[static_cast<std::size_t>(triangle - tree_->triangles.cbegin())],
-          (point_mm - position_mm).norm()};
+          (point_mm - within_reach(position_mm)).norm()};
 }
 
 bool SurfaceDistance::is_inside(const Vector3d& position_mm) const {

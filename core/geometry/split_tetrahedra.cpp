@@ -65,20 +65,30 @@ class Splitter {
 }  // namespace
 
 DividedVolume divided_volume(const TetMesh& mesh, const CutSurface& cut, int levels) {
+  std::vector<double> volumes_mm3;
+  volumes_mm3.reserve(mesh.cells.size());
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) volumes_mm3.push_back(cell_volume_mm3(mesh, cell));
+  return divided_volume(mesh, cut, volumes_mm3, levels);
+}
+
+DividedVolume divided_volume(const TetMesh& mesh, const CutSurface& cut, const std::vector<double>& cell_volumes_mm3,
+                             int levels) {
+  GLISSON_ASSERT(cell_volumes_mm3.size() == mesh.cells.size());
   DividedVolume volume;
   double coarser_mm3 = 0;
   const int finest = cut.is_plane() ? 0 : std::max(1, levels);
-  for (const auto& cell : mesh.cells) {
+  for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
     Corners corners;
     std::array<double, 4> heights{};
     for (int i = 0; i < 4; ++i) {
-      corners[i] = mesh.points_mm[cell[i]];
+      corners[i] = mesh.points_mm[mesh.cells[k][i]];
       heights[i] = cut.height_mm(corners[i]);
     }
-    const double whole_mm3 = volume_of(corners), above_mm3 = volume_above(corners, heights, cut, finest);
+    const double scale = cell_volumes_mm3[k] / volume_of(corners);
+    const double above_mm3 = scale * volume_above(corners, heights, cut, finest);
     volume.above_mm3 += above_mm3;
-    volume.below_mm3 += whole_mm3 - above_mm3;
-    if (finest > 0) coarser_mm3 += volume_above(corners, heights, cut, finest - 1);
+    volume.below_mm3 += cell_volumes_mm3[k] - above_mm3;
+    if (finest > 0) coarser_mm3 += scale * volume_above(corners, heights, cut, finest - 1);
   }
   if (finest > 0) volume.error_mm3 = std::abs(volume.above_mm3 - coarser_mm3);
   return volume;

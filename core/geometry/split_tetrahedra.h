@@ -21,6 +21,11 @@ struct DividedVolume {
 };
 [[nodiscard]] DividedVolume divided_volume(const TetMesh& mesh, const CutSurface& cut, int levels = 3);
 
+// The same of a body that is deformed: a cell is divided where it now lies, and counts with the volume given for it
+// (mm3, one a cell), that at rest. Exact for a plane, since within a cell the deformation is affine and keeps shares.
+[[nodiscard]] DividedVolume divided_volume(const TetMesh& mesh, const CutSurface& cut,
+                                           const std::vector<double>& cell_volumes_mm3, int levels = 3);
+
 struct SplitOptions {
   // A point of the mesh nearer to the surface than this share of an edge that the surface crosses is taken to lie on
   // it, so that no sliver is left: the cut then passes through it.

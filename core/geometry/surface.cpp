@@ -165,14 +165,32 @@ std::vector<Surface> connected_pieces(const Surface& surface) {
   return pieces;
 }
 
+namespace {
+
+// More than rounding could make of three points on a line.
+bool has_area_of_its_own(const Surface& surface, const std::array<int, 3>& triangle) {
+  const auto corner = [&](std::size_t k) { return surface.points_mm[static_cast<std::size_t>(triangle[k])]; };
+  const double longest_mm2 = std::max((corner(1) - corner(0)).squaredNorm(), (corner(2) - corner(0)).squaredNorm());
+  return doubled_area_vector(surface, triangle).norm() > 1e-12 * longest_mm2;
+}
+
+}  // namespace
+
 Result<void> check_surface(const Surface& surface) {
   for (std::size_t i = 0; i < surface.points_mm.size(); ++i) {
     if (!surface.points_mm[i].allFinite()) {
       return failure("surface-not-finite", GLISSON_TEXT("Point {0} of the surface has no finite position."),
                      {std::to_string(i)});
     }
+    constexpr double farthest_mm = 1e9;  // a thousand kilometres
+    if (surface.points_mm[i].cwiseAbs().maxCoeff() > farthest_mm) {
+      return failure("surface-too-far",
+                     GLISSON_TEXT("Point {0} of the surface lies farther off than a thousand kilometres."),
+                     {std::to_string(i)});
+    }
   }
   const auto points = static_cast<std::int64_t>(surface.points_mm.size());
+  bool has_area = false;
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
     for (const int corner : surface.triangles[i]) {
       if (corner < 0 || corner >= points) {
@@ -180,9 +198,13 @@ Result<void> check_surface(const Surface& surface) {
                        {std::to_string(i), std::to_string(corner), std::to_string(points)});
       }
     }
+    has_area = has_area || has_area_of_its_own(surface, surface.triangles[i]);
   }
   if (surface.triangles.empty()) {
     return failure("surface-empty", GLISSON_TEXT("The surface holds no triangles."));
+  }
+  if (!has_area) {
+    return failure("surface-flat", GLISSON_TEXT("No triangle of the surface has an area: they are lines or points."));
   }
   return {};
 }

@@ -246,6 +246,11 @@ Result<void> check_indices_and_positions(const TetMesh& mesh) {
       return failure("mesh-not-finite", GLISSON_TEXT("Point {0} of the mesh has no finite position."),
                      {std::to_string(i)});
     }
+    constexpr double farthest_mm = 1e9;  // a thousand kilometres
+    if (mesh.points_mm[i].cwiseAbs().maxCoeff() > farthest_mm) {
+      return failure("mesh-too-far", GLISSON_TEXT("Point {0} of the mesh lies farther off than a thousand kilometres."),
+                     {std::to_string(i)});
+    }
   }
   return {};
 }

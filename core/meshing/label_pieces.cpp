@@ -22,6 +22,16 @@ struct IndexBox {
 
 Result<void> check_grid(const LabelMap& labels);
 IndexBox box_of_labelled(const LabelMap& labels);
+// LPS: x to the patient's left, y to the back, z to the head.
+const char* side_of_patient(const Eigen::Vector3d& towards) {
+  Eigen::Index axis = 0;
+  towards.cwiseAbs().maxCoeff(&axis);
+  const bool onwards = towards[axis] > 0;
+  if (axis == 0) return onwards ? GLISSON_TEXT("the patient's left") : GLISSON_TEXT("the patient's right");
+  if (axis == 1) return onwards ? GLISSON_TEXT("the back") : GLISSON_TEXT("the front");
+  return onwards ? GLISSON_TEXT("the head") : GLISSON_TEXT("the feet");
+}
+
 std::vector<Sentence> notes_on_cuts(const Grid& grid, const IndexBox& box);
 LabelMap cropped(const LabelMap& labels, const IndexBox& box, int margin);
 
@@ -141,16 +151,15 @@ IndexBox box_of_labelled(const LabelMap& labels) {
 }
 
 std::vector<Sentence> notes_on_cuts(const Grid& grid, const IndexBox& box) {
-  constexpr std::array<const char*, 3> first{GLISSON_TEXT("first i"), GLISSON_TEXT("first j"), GLISSON_TEXT("first k")};
-  constexpr std::array<const char*, 3> last{GLISSON_TEXT("last i"), GLISSON_TEXT("last j"), GLISSON_TEXT("last k")};
   std::vector<Sentence> notes;
-  const auto add = [&](const char* side) {
-    notes.push_back(
-        {GLISSON_TEXT("The image cuts the body at its {0} side; it is closed there by a flat cap."), {side}});
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (box.first[axis] == 0) add(first[axis]);
-    if (box.last[axis] == grid.size[axis] - 1) add(last[axis]);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d onwards = grid.direction.col(axis);
+    const auto add = [&](const Eigen::Vector3d& towards) {
+      notes.push_back({GLISSON_TEXT("The image cuts the body off towards {0}; it is closed there by a flat cap."),
+                       {side_of_patient(towards)}});
+    };
+    if (box.first[static_cast<std::size_t>(axis)] == 0) add(-onwards);
+    if (box.last[static_cast<std::size_t>(axis)] == grid.size[static_cast<std::size_t>(axis)] - 1) add(onwards);
   }
   return notes;
 }

@@ -201,6 +201,48 @@ TEST(MeshFile, CountsThatTheFileCannotHoldAreRefusedBeforeMemoryIsTaken) {
   EXPECT_EQ(read_surface(folder.path() / "a.vtp").error().code, "mesh-too-large");
 }
 
+// Each of these brought VTK 9.1's readers down; the fuzzer found them.
+TEST(MeshFile, XmlThatVtkWritesBeyondItsMemoryForIsRefused) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "sphere.vtp";
+  ASSERT_TRUE(write_surface(file, sphere_with_fields()));
+  const std::string good = read_text_file(file).value();
+  const auto with = [&](const std::string& old, const std::string& changed) {
+    std::string text = good;
+    const std::size_t at = text.find(old);
+    EXPECT_NE(at, std::string::npos);
+    text.replace(at, old.size(), changed);
+    std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
+    return read_surface(file);
+  };
+  const std::size_t array = good.find("<DataArray", good.find("<CellData"));
+  const std::string element = good.substr(array, good.find('>', array) + 1 - array);
+  for (const auto& refused :
+       {with(element, element + element), with("NumberOfStrips=\"0\"", "NumberOfStrips=\"-1e308\""),
+        with("NumberOfStrips=\"0\"", "NumberOfStrips=\"-1\""),
+        with("Name=\"error_mm\"", "Name=\"" + std::string(5000, 't') + "\"")}) {
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().file, file);
+    EXPECT_FALSE(refused.error().hint.empty());
+  }
+  EXPECT_TRUE(with("NumberOfStrips=\"0\"", "NumberOfStrips=\"0\"").has_value());
+}
+
+// VTK only warns, and leaves zeros or what the memory held.
+TEST(MeshFile, TextThatIsNoNumberIsRefused) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "triangle.vtk";
+  const auto of = [&](const std::string& last_point, const std::string& last_corner) {
+    std::ofstream(file, std::ios::trunc) << "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n"
+                                            "0 0 0\n1 0 0\n0 1 "
+                                         << last_point << "\nPOLYGONS 1 4\n3 0 1 " << last_corner << "\n";
+    return read_surface(file);
+  };
+  EXPECT_TRUE(of("0.5", "2").has_value());
+  EXPECT_EQ(of("none", "2").error().code, "mesh-file-invalid");
+  EXPECT_EQ(of("0.5", "2147483648").error().code, "mesh-file-invalid");
+}
+
 TEST(MeshFile, AFileCutShortIsRefusedInOneSentence) {
   const TemporaryFolder folder;
   const TetMesh box = test::box_of_tetrahedra({6, 6, 6}, {1, 1, 1});

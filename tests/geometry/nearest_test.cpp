@@ -111,6 +111,28 @@ TEST(SurfaceDistance, FlatTrianglesArePassedOver) {
   EXPECT_GT(closest.triangle, 0);
 }
 
+// Squares of distances overflow there; what is nearest does not.
+TEST(SurfaceDistance, APlaceAsFarAsNumbersGoHasANearestPoint) {
+  const Surface ball = sphere_surface(10, 2);
+  const Eigen::Vector3d far_mm(1e308, 0, 0);
+  const auto closest = SurfaceDistance(ball).closest(far_mm);
+  EXPECT_NEAR(closest.point_mm.x(), 10, 0.5);
+  EXPECT_GT(closest.distance_mm, 1e99);
+  const auto nearest = NearestPoint(ball.points_mm).nearest(far_mm);
+  EXPECT_GT(nearest.squared_distance_mm2, 1e198);
+}
+
+TEST(SurfaceDistance, ASurfaceOfLinesAndPointsIsRefusedBefore) {
+  Surface flat;
+  flat.points_mm = {{0, 0, 0}, {0.1, 0.2, 0.3}, {0.2, 0.4, 0.6}, {7e5, 7e5, 7e5}};
+  flat.triangles = {{0, 1, 2}, {1, 1, 3}, {2, 2, 2}};
+  EXPECT_EQ(check_surface(flat).error().code, "surface-flat");
+  flat.points_mm[2] = {1, 0, 0};
+  EXPECT_TRUE(check_surface(flat));
+  flat.points_mm[2] = {1e308, 0, 0};
+  EXPECT_EQ(check_surface(flat).error().code, "surface-too-far");
+}
+
 TEST(GapBetween, ConcentricSpheresAreTheDifferenceOfTheirRadiiApart) {
   // Chords of the larger sphere sag 0.05 mm with edges of 4.5 mm.
   const SurfaceGap gap = gap_between(sphere_surface(50, 4), sphere_surface(47, 4), 1.0);

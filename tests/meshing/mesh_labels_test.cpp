@@ -130,7 +130,8 @@ TEST(MeshLabels, ABodyCutByTheImageIsClosedByAFlatCapAndSaidToBe) {
   const auto mesh = mesh_labels(labels, {.target_cells = 5000});
   ASSERT_TRUE(mesh) << mesh.error().message();
   expect_sound(*mesh);
-  EXPECT_THAT(messages(mesh->notes), Contains(AllOf(HasSubstr("cuts the body at its first k"), HasSubstr("flat cap"))));
+  EXPECT_THAT(messages(mesh->notes),
+              Contains(AllOf(HasSubstr("cuts the body off towards the feet"), HasSubstr("flat cap"))));
   // The slice reaches half a spacing beyond its voxels' centres: the cap is at z = -41 mm.
   const double half_ball_ml = 0.5 * ball_ml(35) + std::numbers::pi * 35 * 35 * 1.0 * 1e-3;
   EXPECT_NEAR(volume_mm3(mesh->body) * 1e-3, half_ball_ml, 0.02 * half_ball_ml);
