@@ -7,11 +7,13 @@
 #include <array>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "mechanics/fill_in.h"
 #include "mechanics/principal_part.h"
+#include "mechanics/single_precision_factor.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -88,7 +90,8 @@ struct CholeskyFactor::State {
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
   std::shared_ptr<const EliminationOrder> order;
-  int last = 0;  // how many unknowns were to be eliminated last
+  std::optional<SinglePrecisionFactor> rounded;  // in the place of `factor`, which then is freed
+  int last = 0;                                  // how many unknowns were to be eliminated last
   double reciprocal_condition = 0;
   std::uint64_t bytes = 0;
   std::mutex one_at_a_time;  // cholmod_common is the workspace of every call
@@ -191,7 +194,19 @@ Result<CholeskyFactor> CholeskyFactor::create(const Eigen::SparseMatrix<double>&
   return CholeskyFactor(std::move(state));
 }
 
+void CholeskyFactor::keep_in_single_precision() {
+  GLISSON_ASSERT(state_->last == 0);
+  if (state_->rounded) return;
+  state_->rounded.emplace(*state_->factor);
+  state_->bytes = state_->rounded->bytes();
+  cholmod_free_factor(&state_->factor, &state_->common);
+}
+
+bool CholeskyFactor::in_single_precision() const { return state_->rounded.has_value(); }
+
 Eigen::MatrixXd CholeskyFactor::solve(const Eigen::MatrixXd& right_hand_sides) const {
+  if (state_->rounded)
+    return right_hand_sides.cols() == 0 ? right_hand_sides : state_->rounded->solve(right_hand_sides);
   GLISSON_ASSERT(static_cast<std::size_t>(right_hand_sides.rows()) == state_->factor->n);
   if (right_hand_sides.cols() == 0) return right_hand_sides;
   cholmod_dense view{};
@@ -214,6 +229,7 @@ Eigen::MatrixXd CholeskyFactor::solve(const Eigen::MatrixXd& right_hand_sides) c
 }
 
 Eigen::MatrixXd CholeskyFactor::inverse_of_last() const {
+  GLISSON_ASSERT(!state_->rounded);
   const cholmod_factor& factor = *state_->factor;
   const int size = state_->last, before = static_cast<int>(factor.n) - size;
   Eigen::MatrixXd corner = Eigen::MatrixXd::Zero(size, size);

@@ -32,7 +32,12 @@ class CholeskyFactor {
                                        const std::vector<int>& last = {});
   [[nodiscard]] std::shared_ptr<const EliminationOrder> order() const;
 
-  // One column a right-hand side. Safe from several threads, one at a time.
+  // Rounds the numbers, which halves memory and time; solutions then carry some four digits, to be refined by their
+  // residuals. What inverse_of_last() would give is lost: only for factors without `last` unknowns.
+  void keep_in_single_precision();
+  [[nodiscard]] bool in_single_precision() const;
+
+  // One column a right-hand side. Safe from several threads; in full precision one at a time.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) const;
 
   // The rows and columns of the inverse that belong to `last`, in its order.

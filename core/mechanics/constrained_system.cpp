@@ -88,12 +88,19 @@ std::vector<ConstrainedSolution> ConstrainedSystem::solve(const Eigen::MatrixXd&
   return solutions;
 }
 
+void ConstrainedSystem::keep_factor_in_single_precision() {
+  if (factor_) factor_->keep_in_single_precision();
+}
+
 ConstrainedSystem::Response ConstrainedSystem::respond(const Eigen::MatrixXd& f) const {
   GLISSON_ASSERT(f.rows() == lower_.rows());
   Response response{Eigen::MatrixXd::Zero(f.rows(), f.cols())};
   if (!factor_) return response;
-  const Eigen::MatrixXd solved = factor_->solve(f(free_, Eigen::all));
-  response.u(free_, Eigen::all) = solved;
+  response.u(free_, Eigen::all) = factor_->solve(f(free_, Eigen::all));
+  for (int pass = 0; factor_->in_single_precision() && pass < 2; ++pass) {
+    const Eigen::MatrixXd residual = f - lower_.selfadjointView<Eigen::Lower>() * response.u;
+    response.u(free_, Eigen::all) += factor_->solve(residual(free_, Eigen::all));
+  }
   Eigen::VectorXd signs(f.cols());
   std::uint32_t state = 12345;
   for (double& sign : signs) {

@@ -45,8 +45,12 @@ class ConstrainedSystem {
   [[nodiscard]] std::vector<ConstrainedSolution> solve(const Eigen::MatrixXd& f, const Eigen::MatrixXd& given_u,
                                                        const Refinement& refinement) const;
 
-  // By the factor alone, nothing given. `relative_residual` is of a sum of the columns with signs that look random: it
-  // costs one product, not one a column, and no column's error hides in it but by chance.
+  // Halves the factor's memory: solutions are the same to the refinement's target, by more passes of half the cost.
+  void keep_factor_in_single_precision();
+
+  // By the factor alone (refined where that is in single precision), nothing given. `relative_residual` is of a sum of
+  // the columns with signs that look random: it costs one product, not one a column, and no column's error hides in it
+  // but by chance.
   struct Response {
     Eigen::MatrixXd u;
     double relative_residual = 0;

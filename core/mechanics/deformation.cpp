@@ -43,4 +43,21 @@ Matrix9d determinant_hessian(const Eigen::Matrix3d& f) {
   return hessian;
 }
 
+namespace {
+
+template <int size>
+Eigen::Matrix<double, size, size> without_negative_modes(const Eigen::Matrix<double, size, size>& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, size, size>> modes(symmetric);
+  if (modes.eigenvalues().minCoeff() >= 0) return symmetric;
+  return modes.eigenvectors() * modes.eigenvalues().cwiseMax(0.0).asDiagonal() * modes.eigenvectors().transpose();
+}
+
+}  // namespace
+
+Matrix9d positive_part(const Matrix9d& symmetric) { return without_negative_modes<9>(symmetric); }
+
+Eigen::Matrix<double, 6, 6> positive_part(const Eigen::Matrix<double, 6, 6>& symmetric) {
+  return without_negative_modes<6>(symmetric);
+}
+
 }  // namespace glisson::mechanics

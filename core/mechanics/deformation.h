@@ -42,11 +42,7 @@ struct Polar {
 [[nodiscard]] Matrix9d determinant_hessian(const Eigen::Matrix3d& f);
 
 // The nearest positive semi-definite matrix to a symmetric one: negative eigenvalues become zero.
-template <int size>
-[[nodiscard]] Eigen::Matrix<double, size, size> positive_part(const Eigen::Matrix<double, size, size>& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, size, size>> modes(symmetric);
-  if (modes.eigenvalues().minCoeff() >= 0) return symmetric;
-  return modes.eigenvectors() * modes.eigenvalues().cwiseMax(0.0).asDiagonal() * modes.eigenvectors().transpose();
-}
+[[nodiscard]] Matrix9d positive_part(const Matrix9d& symmetric);
+[[nodiscard]] Eigen::Matrix<double, 6, 6> positive_part(const Eigen::Matrix<double, 6, 6>& symmetric);
 
 }  // namespace glisson::mechanics

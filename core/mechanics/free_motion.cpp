@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 #include <cmath>
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 
+#include "base/dense.h"
 #include "mechanics/quadrature.h"
 #include "mechanics/supports.h"
 
@@ -38,13 +39,13 @@ std::string free_motion(const NodeLayout& layout, const std::vector<BoundaryFace
                         const ResolvedSupports& supports) {
   const geometry::Box box = geometry::bounding_box(layout.positions_mm);
   const RigidFrame frame{box.center_mm(), 0.5 * box.diagonal_mm()};
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> modes(resistance(frame, layout, boundary, supports));
+  const SymmetricModes modes = symmetric_modes(resistance(frame, layout, boundary, supports));
   // The eigenvalues are dimensionless, at most about 2. Supports within 1e-5 of the body's size of a line or a point
   // count as lying on it: their lever is lost in what measured positions round to.
   constexpr double resisted = 1e-10;
-  const int free_count = static_cast<int>((modes.eigenvalues().array() < resisted).count());
+  const int free_count = static_cast<int>((modes.values.array() < resisted).count());
   if (free_count == 0) return {};
-  return describe(frame, modes.eigenvectors().leftCols(free_count));
+  return describe(frame, modes.vectors.leftCols(free_count));
 }
 
 namespace {
@@ -81,11 +82,11 @@ std::string describe(const RigidFrame& frame, const Eigen::MatrixXd& free) {
 
   // Combinations of the free motions that do not turn are slides; the rest turn.
   const Eigen::MatrixXd turning = free.bottomRows<3>();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(turning, Eigen::ComputeFullV);
+  const RightSingular svd = right_singular(turning);
   std::vector<Eigen::VectorXd> slides, turns;
   for (int k = 0; k < free.cols(); ++k) {
-    const double turn = k < svd.singularValues().size() ? svd.singularValues()[k] : 0.0;
-    (turn < 1e-6 ? slides : turns).emplace_back(free * svd.matrixV().col(k));
+    const double turn = k < svd.values.size() ? svd.values[k] : 0.0;
+    (turn < 1e-6 ? slides : turns).emplace_back(free * svd.vectors.col(k));
   }
 
   std::vector<std::string> sentences;
@@ -106,7 +107,7 @@ std::string describe(const RigidFrame& frame, const Eigen::MatrixXd& free) {
       levers.block<3, 3>(3 * k, 0) << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
       shifts.segment<3>(3 * k) = -turns[k].head<3>();
     }
-    const Eigen::Vector3d arm = levers.colPivHouseholderQr().solve(shifts);
+    const Eigen::Vector3d arm = least_squares(levers, shifts);
     sentences.push_back("can turn about the point " + point_name(frame.center_mm + frame.size_mm * arm));
   } else {
     for (const Eigen::VectorXd& motion : turns) {

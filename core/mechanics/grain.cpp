@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 #include <cmath>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
+#include "base/dense.h"
 #include "mechanics/small_strain.h"
 
 namespace glisson::mechanics {
@@ -18,9 +17,9 @@ Result<void> check_grain(const Grain& grain, double poisson_ratio) {
   if (!grain.axis.allFinite() || grain.axis.norm() < 1e-12 || !std::isfinite(grain.ratio) || grain.ratio <= 0) {
     return failure("grain-invalid", GLISSON_TEXT("A grain needs an axis of some length and a ratio above zero."));
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix9d> modes(unit_tangent(grain, poisson_ratio), Eigen::EigenvaluesOnly);
+  const SymmetricModes modes = symmetric_modes(unit_tangent(grain, poisson_ratio));
   // Three of the nine are rotations, which cost nothing.
-  if (modes.eigenvalues()[0] > -1e-9 && modes.eigenvalues()[3] > 1e-9) return {};
+  if (modes.values[0] > -1e-9 && modes.values[3] > 1e-9) return {};
   return failure("grain-invalid",
                  GLISSON_TEXT("With a ratio of {0} along the grain no stable material is left at a Poisson's ratio of "
                               "{1}."),
@@ -54,7 +53,7 @@ Matrix9d inverse_on_symmetric(const Matrix9d& compliance) {
       basis(j + 3 * i, column) += i == j ? 0.5 : std::sqrt(0.5);
     }
   }
-  const Eigen::Matrix<double, 6, 6> inverse = (basis.transpose() * compliance * basis).inverse();
+  const Eigen::Matrix<double, 6, 6> inverse = dense_inverse(basis.transpose() * compliance * basis);
   return basis * inverse * basis.transpose();
 }
 

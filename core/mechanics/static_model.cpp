@@ -51,6 +51,9 @@ Result<StaticModel> StaticModel::create(geometry::TetMesh mesh, std::vector<doub
                                           progress.part(0.1, 1.0), nullptr, std::move(mutual));
   if (!system) return failure(std::move(system.error()));
   parts->system = std::move(*system);
+  if (options.factor_precision == StaticOptions::FactorPrecision::single) {
+    parts->system->keep_factor_in_single_precision();
+  }
   parts->cost = {watch.seconds(), parts->system->free_unknowns(), parts->system->matrix_bytes(),
                  parts->system->factor() ? parts->system->factor()->bytes() : 0};
   return StaticModel(std::move(parts));

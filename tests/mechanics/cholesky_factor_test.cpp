@@ -1,6 +1,7 @@
 // The factor by itself: what it solves, and that it stays on the thread that asks for it.
 
 #include "mechanics/cholesky_factor.h"
+#include "mechanics/constrained_system.h"
 
 #include <gtest/gtest.h>
 #include <filesystem>
@@ -81,6 +82,29 @@ TEST(CholeskyFactor, RefusesWhatTakesMoreMemoryThanAllowedAndWhatIsNotPositiveDe
   const auto indefinite = CholeskyFactor::create(lower, a_gigabyte);
   ASSERT_FALSE(indefinite);
   EXPECT_EQ(indefinite.error().code, "factorisation-failed");
+}
+
+TEST(CholeskyFactor, InSinglePrecisionTakesHalfTheMemoryAndIsRefinedToTheSameSolution) {
+  const auto lower = laplacian(20);
+  const auto system = [&] { return ConstrainedSystem::create(lower, std::vector<std::uint8_t>(8000, 0), a_gigabyte); };
+  auto full = system(), single = system();
+  ASSERT_TRUE(full && single);
+  single->keep_factor_in_single_precision();
+  EXPECT_EQ(2 * single->factor()->bytes(), full->factor()->bytes());
+
+  const Eigen::MatrixXd wanted = Eigen::MatrixXd::Random(lower.rows(), 5);
+  const Eigen::MatrixXd loads = lower.selfadjointView<Eigen::Lower>() * wanted;
+  const Eigen::MatrixXd unrefined = single->factor()->solve(loads);
+  EXPECT_GT((unrefined - wanted).norm(), 1e-9 * wanted.norm());  // else it would be no rounding
+  EXPECT_LT((unrefined - wanted).norm(), 1e-4 * wanted.norm());
+  const auto refined = single->solve(loads, {}, {});
+  for (int column = 0; column < 5; ++column) {
+    EXPECT_LT(refined[column].relative_residual, 1e-10);
+    EXPECT_LT((refined[column].u - wanted.col(column)).norm(), 1e-8 * wanted.col(column).norm());
+  }
+  EXPECT_LT((single->respond(loads).u - full->respond(loads).u).norm(), 1e-8 * wanted.norm());
+  // Far from one, where single precision alone would overflow or vanish.
+  EXPECT_LT((single->respond(1e60 * loads).u - 1e60 * wanted).norm(), 1e-8 * 1e60 * wanted.norm());
 }
 
 }  // namespace
