@@ -8,6 +8,7 @@ namespace glisson::cli {
 void add_study(CLI::App& app, Action& chosen) {
   CLI::App* study = app.add_subcommand("study", "The dissertation's studies, over many patients or loads");
   study->require_subcommand(1);
+  add_study_anatomy(*study, chosen);
   add_study_cohort(*study, chosen);
   add_study_beams(*study, chosen);
   add_study_convergence(*study, chosen);

@@ -5,6 +5,7 @@
 
 namespace glisson::cli {
 
+void add_study_anatomy(CLI::App& study, Action& chosen);
 void add_study_beams(CLI::App& study, Action& chosen);
 void add_study_cohort(CLI::App& study, Action& chosen);
 void add_study_convergence(CLI::App& study, Action& chosen);

@@ -1,0 +1,20 @@
+#pragma once
+// The named main branches, as anatomy books draw them, laid into one liver: what finer branches grow from.
+//
+// Portal vein: trunk to the porta, right branch with an anterior (V, VIII) and a posterior (VI, VII) pedicle, left
+// branch with transverse and umbilical parts and the branches of I, II, III and IV. Hepatic veins: right, middle and
+// left, each in its plane; middle and left join before the vena cava, as in most people; one vein of the caudate.
+
+#include "anatomy/segments.h"
+#include "anatomy/vessel_tree.h"
+
+namespace glisson::anatomy {
+
+// Pedicles end in the middle of their segments. Segments without volume get none.
+[[nodiscard]] VesselTree portal_trunk(const LiverBody& liver, const Segments& segments);
+
+// Clear of the portal trunk by `clear_mm` at least, wall to wall, where the plane leaves a way.
+[[nodiscard]] VesselTree hepatic_trunk(const LiverBody& liver, const Segments& segments, const VesselTree& portal,
+                                       double root_radius_mm);
+
+}  // namespace glisson::anatomy
