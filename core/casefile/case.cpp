@@ -7,6 +7,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "base/write_file.h"
 #include "casefile/entry_record.h"
 #include "casefile/folder_lock.h"
 #include "imaging/volume_file.h"
@@ -18,9 +19,13 @@ namespace {
 constexpr const char* format_name = "glisson-case/1";
 
 Failure not_a_case(const fs::path& folder, const std::string& why);
+Result<void> refuse_links(const fs::path& folder, const fs::path& file);
 
 // Where a new file waits until case.json knows it.
-fs::path waiting_place(const fs::path& file) { return file.parent_path() / (".next-" + file.filename().string()); }
+constexpr const char* waiting_prefix = ".next-";
+fs::path waiting_place(const fs::path& file) {
+  return file.parent_path() / (waiting_prefix + file.filename().string());
+}
 
 std::string utc_now() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
@@ -61,6 +66,7 @@ Result<Case> Case::open(const fs::path& folder) {
   if (lock.taken()) return opened;
   if (auto read = opened.reread(); !read) return failure(read.error());
   if (auto finished = opened.finish_interrupted_addition(); !finished) return failure(finished.error());
+  remove_abandoned_parts(folder);
   return opened;
 }
 
@@ -154,6 +160,10 @@ Result<void> Case::put(const std::vector<Replacement>& replacements) {
     const auto present =
         std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.id == replacement.id; });
     const bool known = present != entries_.end();
+    for (const fs::path& file :
+         {known ? present->file : fs::path(), replacement.entry ? replacement.entry->file : ""}) {
+      if (auto inside = refuse_links(folder_, file); !inside) return take_back(inside.error());
+    }
     if (known && (!replacement.entry || replacement.entry->file != present->file)) {
       leaving.push_back(folder_ / present->file);
     }
@@ -208,7 +218,7 @@ Result<void> Case::save() const {
 }
 
 // A file that waits and is the one that case.json names was interrupted after its record was saved: it takes its
-// place now. Any other waiting file was interrupted before: it goes.
+// place now. Any other waiting file was interrupted before: it goes, of an entry that never came to be too.
 Result<void> Case::finish_interrupted_addition() const {
   for (const Entry& entry : entries_) {
     const fs::path target = folder_ / entry.file;
@@ -228,10 +238,33 @@ Result<void> Case::finish_interrupted_addition() const {
                            waiting});
     }
   }
+  for (const char* room : {"volumes", "labels", "surfaces", "meshes", "evidence"}) {
+    std::error_code problem, ignored;
+    if (fs::is_symlink(fs::symlink_status(folder_ / room, problem))) continue;
+    for (fs::directory_iterator file(folder_ / room, problem), end; !problem && file != end; file.increment(problem)) {
+      if (file->path().filename().string().starts_with(waiting_prefix)) fs::remove(file->path(), ignored);
+    }
+  }
   return {};
 }
 
 namespace {
+
+// A case from somewhere else may hold a folder that is a link: what is written there would land outside of the case.
+Result<void> refuse_links(const fs::path& folder, const fs::path& file) {
+  fs::path place = folder;
+  std::error_code problem;
+  for (const fs::path& part : file.parent_path()) {
+    place /= part;
+    if (!fs::is_symlink(fs::symlink_status(place, problem))) continue;
+    return failure(Error{"case-link",
+                         GLISSON_TEXT("{0} is a link to another place, where nothing is written."),
+                         {place.string()},
+                         GLISSON_TEXT("Put the folder itself there."),
+                         place});
+  }
+  return {};
+}
 
 Failure not_a_case(const fs::path& folder, const std::string& why) {
   return failure(Error{"not-a-case",

@@ -8,6 +8,22 @@
 namespace glisson::casefile {
 namespace fs = std::filesystem;
 
+namespace {
+
+// "labels/liver" lies in labels/liver.nrrd or the like, and nowhere else: not outside of the case, and never where the
+// case's own records lie.
+bool is_the_place_of(const std::string& id, const std::string& file) {
+  const std::size_t slash = id.find('/');
+  if (slash == 0 || slash == std::string::npos || slash + 1 == id.size() ||
+      id.find('/', slash + 1) != std::string::npos)
+    return false;
+  if (id.front() == '.' || id[slash + 1] == '.' || id.find('\0') != std::string::npos) return false;
+  if (!file.starts_with(id + ".")) return false;
+  return file.find('/', slash + 1) == std::string::npos && file.find('\0') == std::string::npos;
+}
+
+}  // namespace
+
 std::string record_of(const Entry& entry) {
   Json made{{"by", entry.made.by}, {"version", entry.version}, {"when", entry.when_utc}};
   if (!entry.made.options.empty()) made["options"] = entry.made.options;
@@ -18,7 +34,8 @@ std::string record_of(const Entry& entry) {
     made["notes"] = messages(entry.made.notes);
     for (const Sentence& note : entry.made.notes) made["note_pieces"].push_back(json_of(note));
   }
-  return Json{{"id", entry.id}, {"file", entry.file.generic_string()}, {"sha256", entry.sha256}, {"made", made}}.dump();
+  return Json{{"id", entry.id}, {"file", entry.file.generic_string()}, {"sha256", entry.sha256}, {"made", made}}.dump(
+      -1, ' ', false, Json::error_handler_t::replace);
 }
 
 Result<Entry> entry_of(std::string_view text, const fs::path& file) {
@@ -43,11 +60,9 @@ Result<Entry> entry_of(std::string_view text, const fs::path& file) {
     }
     entry.from_sha256 = made.value("from", std::map<std::string, std::string>{});
     for (const auto& [source, content] : entry.from_sha256) entry.made.from.push_back(source);
-    const bool escapes = entry.file.is_absolute() || std::any_of(entry.file.begin(), entry.file.end(),
-                                                                 [](const fs::path& part) { return part == ".."; });
-    if (!escapes) return entry;
+    if (is_the_place_of(entry.id, entry.file.generic_string())) return entry;
     return failure(Error{"case-path-outside",
-                         GLISSON_TEXT("{0} names a file outside the case folder: {1}."),
+                         GLISSON_TEXT("{0} names a file outside its place in the case folder: {1}."),
                          {file.string(), entry.file.string()},
                          {},
                          file});

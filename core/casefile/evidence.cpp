@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/files.h"
+#include "casefile/label_map.h"
 #include "casefile/model.h"
 
 namespace glisson::casefile {
@@ -16,10 +17,19 @@ std::vector<std::string> accepted_kinds(const Entry& entry);
 Result<void> keep(Case& patient, const fs::path& model_file, std::map<std::string, std::string> sources,
                   const std::vector<std::string>& kinds);
 Result<Evidence> evidence_of(const Case& patient);
+Failure without_effect(const closedloop::LearntEffect& effect, const fs::path& model_file);
 
 }  // namespace
 
-Result<Evidence> accept_evidence(Case& patient, const fs::path& model_file, const std::vector<std::string>& kinds) {
+bool is_of_patient(const closedloop::Specimen& specimen, const std::string& case_name) {
+  if (specimen.this_organ) return true;
+  constexpr std::size_t least_letters = 3;  // a shorter name stands in half of all titles
+  const std::string title = "-" + structure_name(specimen.title) + "-";
+  return case_name.size() >= least_letters && title.find("-" + structure_name(case_name) + "-") != std::string::npos;
+}
+
+Result<Evidence> accept_evidence(Case& patient, const fs::path& model_file, const std::vector<std::string>& kinds,
+                                 Tissue tissue) {
   auto model = read_model_before_evidence(patient);
   if (!model) return failure(std::move(model.error()));
   const auto learnt = closedloop::learn_organ(organ_of(*model), model->mesh, model_file, kinds);
@@ -31,14 +41,29 @@ Result<Evidence> accept_evidence(Case& patient, const fs::path& model_file, cons
                          {},
                          model_file});
   }
+  const std::string case_name = patient.folder().stem().string();
+  if (tissue == Tissue::shown_by_file && !is_of_patient(learnt->specimen, case_name)) {
+    return failure(Error{"evidence-not-this-patient",
+                         GLISSON_TEXT("This was measured on \"{0}\", and nothing shows that it is tissue of {1}."),
+                         {learnt->specimen.title, case_name},
+                         GLISSON_TEXT("Where it is, name the case in the experiment's title, or say so with "
+                                      "--of-this-patient."),
+                         model_file});
+  }
+  Evidence accepted{{}, learnt->remarks};
+  for (const closedloop::LearntEffect& effect : learnt->effects) {
+    if (effect.carried) accepted.effects.push_back(effect);
+    if (!effect.carried && !kinds.empty()) return without_effect(effect, model_file);
+  }
+  if (accepted.effects.empty()) return without_effect(learnt->effects.front(), model_file);
   auto content = sha256_of_file(model_file);
   if (!content) return failure(std::move(content.error()));
-  std::vector<std::string> accepted;
-  for (const closedloop::LearntEffect& effect : learnt->effects) accepted.push_back(effect.kind);
-  if (auto kept = keep(patient, model_file, {{model_file.string(), *content}}, accepted); !kept) {
+  std::vector<std::string> names;
+  for (const closedloop::LearntEffect& effect : accepted.effects) names.push_back(effect.kind);
+  if (auto kept = keep(patient, model_file, {{model_file.string(), *content}}, names); !kept) {
     return failure(std::move(kept.error()));
   }
-  return Evidence{learnt->effects, learnt->remarks};
+  return accepted;
 }
 
 Result<Evidence> take_back_evidence(Case& patient, const std::vector<std::string>& kinds) {
@@ -84,6 +109,14 @@ Result<OrganByEvidence> with_evidence(const Case& patient, closedloop::OrganMode
 }
 
 namespace {
+
+Failure without_effect(const closedloop::LearntEffect& effect, const fs::path& model_file) {
+  return failure(Error{"evidence-without-effect",
+                       GLISSON_TEXT("The effect {0} would change nothing in the rehearsal: {1}"),
+                       {effect.kind, effect.sentence.message()},
+                       GLISSON_TEXT("Accept the others alone (--effect KIND)."),
+                       model_file});
+}
 
 std::vector<std::string> accepted_kinds(const Entry& entry) {
   std::vector<std::string> kinds;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "base/write_file.h"
 #include "casefile/structures.h"
+#include "casefile/used_entries.h"
 #include "geometry/mesh_file.h"
 #include "imaging/dicom_seg.h"
 #include "imaging/dicom_uid.h"
@@ -112,24 +114,35 @@ Result<std::vector<fs::path>> export_case(const Case& patient, ExportFormat form
   }
   if (format == ExportFormat::vtu) {
     return geometry::read_tetrahedra(patient.folder() / entries.front()->file)
-        .and_then([&](const geometry::TetMesh& mesh) { return geometry::write_tetrahedra(out, mesh); })
+        .and_then([&](const geometry::TetMesh& mesh) {
+          return check_own_mesh(patient, mesh).and_then([&] { return geometry::write_tetrahedra(out, mesh); });
+        })
         .map([&] { return std::vector{out}; });
   }
   std::vector<fs::path> files;
-  for (const Entry* entry : entries) {
-    if (progress.cancelled()) return cancelled();
-    progress.report(static_cast<double>(files.size()) / static_cast<double>(entries.size()),
-                    std::string(GLISSON_TEXT("Writing")) + ": " + entry->id);
-    const fs::path target = out / (fs::path(entry->id).filename().string() + named(format).extension);
-    const bool label_as_nrrd = format == ExportFormat::nrrd && entry->id.starts_with("labels/");
-    const bool image = format == ExportFormat::nrrd || format == ExportFormat::nifti;
-    auto written = label_as_nrrd ? export_label_as_nrrd(patient, *entry, target)
-                   : image       ? export_image(patient, *entry, target)
-                                 : export_surface(patient, *entry, target);
-    if (!written) return failure(written.error());
-    files.push_back(target);
-  }
-  return files;
+  const auto write_each = [&]() -> Result<void> {
+    for (const Entry* entry : entries) {
+      if (progress.cancelled()) return cancelled();
+      progress.report(static_cast<double>(files.size()) / static_cast<double>(entries.size()),
+                      std::string(GLISSON_TEXT("Writing")) + ": " + entry->id);
+      const fs::path target = out / (fs::path(entry->id).filename().string() + named(format).extension);
+      const bool label_as_nrrd = format == ExportFormat::nrrd && entry->id.starts_with("labels/");
+      const bool image = format == ExportFormat::nrrd || format == ExportFormat::nifti;
+      auto written = label_as_nrrd ? export_label_as_nrrd(patient, *entry, target)
+                     : image       ? export_image(patient, *entry, target)
+                                   : export_surface(patient, *entry, target);
+      if (!written) return failure(written.error());
+      files.push_back(target);
+    }
+    return {};
+  };
+  return write_together(write_each).map([&] { return std::move(files); });
+}
+
+std::vector<Sentence> export_remarks(const Case& patient, ExportFormat format) {
+  std::vector<std::string> ids;
+  for (const Entry* entry : entries_for(patient, format)) ids.push_back(entry->id);
+  return remarks_on(patient, ids);
 }
 
 }  // namespace glisson::casefile

@@ -24,8 +24,11 @@ enum class ExportFormat {
 [[nodiscard]] std::optional<ExportFormat> export_format(std::string_view name);
 
 // The files that were written, each whole. `out` is a file or a folder, as the format says. Fails with "export-nothing"
-// where the case has nothing of that kind.
+// where the case has nothing of that kind, or "model-of-another" as read_model does.
 Result<std::vector<std::filesystem::path>> export_case(const Case& patient, ExportFormat format,
                                                        const std::filesystem::path& out, const Progress& progress = {});
+
+// What a person should know of what goes out: which of it is not as it was saved.
+[[nodiscard]] std::vector<Sentence> export_remarks(const Case& patient, ExportFormat format);
 
 }  // namespace glisson::casefile

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "base/files.h"
+#include "base/write_file.h"
 #include "imaging/volume_file.h"
 #include "segmentation/mask_difference.h"
 
@@ -34,16 +35,7 @@ Result<void> KeptFiles::keep(const fs::path& case_folder, const Entry& entry) co
   fs::create_directories(folder_, problem);
   fs::create_hard_link(case_folder / entry.file, place, problem);
   if (!problem) return {};
-  return write_atomically(place, [&](const fs::path& beside) -> Result<void> {
-    std::error_code refused;
-    fs::copy_file(case_folder / entry.file, beside, refused);
-    if (!refused) return {};
-    return failure(Error{"file-not-writable",
-                         GLISSON_TEXT("{0} cannot be written: {1}."),
-                         {place.string(), refused.message()},
-                         GLISSON_TEXT("Check the folder, your rights there and the free space."),
-                         place});
-  });
+  return write_copy(case_folder / entry.file, place);
 }
 
 bool is_whole_file(const Json& content) { return content.at("kind") == "file"; }
@@ -81,14 +73,7 @@ Result<void> write_other_side(const fs::path& case_folder, const KeptFiles& kept
                               const fs::path& target) {
   if (content.at("kind") != "runs") {
     const fs::path source = content.at("kind") == "same" ? case_folder / to.file : kept.place_of(to);
-    std::error_code problem;
-    fs::copy_file(source, target, fs::copy_options::overwrite_existing, problem);
-    if (!problem) return {};
-    return failure(Error{"file-not-writable",
-                         GLISSON_TEXT("{0} cannot be written: {1}."),
-                         {target.string(), problem.message()},
-                         GLISSON_TEXT("Check the folder, your rights there and the free space."),
-                         target});
+    return write_copy(source, target);
   }
   const auto now = read_side(from, from ? case_folder / from->file : fs::path());
   if (!now) return failure(now.error());

@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <utility>
 
-#include "base/files.h"
 #include "casefile/motion_options.h"
-#include "imaging/dicom_seg.h"
+#include "casefile/new_case.h"
 #include "imaging/read_series.h"
 #include "imaging/stiffness_map.h"
 #include "imaging/volume_file.h"
-#include "segmentation/resample.h"
 
 namespace glisson::casefile {
 namespace {
@@ -29,48 +28,73 @@ struct Chosen {
   std::optional<int> number_before = {};  // of the last volume of that role, where several series hold them
 };
 
-Result<std::vector<Chosen>> choose(const Study& study, const ImportChoice& choice);
+enum class Anatomy { needed, is_there };
+Result<std::vector<Chosen>> choose(const Study& study, const ImportChoice& choice, Anatomy anatomy);
+Result<std::vector<WantedLabels>> choose_labels(const Study& study, const ImportChoice& choice, const Series* anatomy);
+Result<void> check_belonging(const Case& patient, const Study& study, const std::vector<SeriesRole>& roles,
+                             Replacing replacing);
+Result<imaging::Grid> anatomy_grid(const Case& patient);
 Result<void> import_series(Case& patient, const Chosen& chosen, std::vector<ImportedVolume>& imported,
                            const Progress& progress);
-Result<void> import_segments(Case& patient, const Series& series, const imaging::Grid& grid);
 std::string origin_of(const Study& study);
 Result<const Series*> series_for(const Study& study, Role role, const std::optional<std::string>& uid,
                                  const std::string& option);
 std::string id_of(Role role);
 
-Result<std::vector<ImportedVolume>> import_chosen(Case& patient, const Study& study, const std::vector<Chosen>& chosen,
-                                                  const std::vector<const Series*>& segmentations,
-                                                  const Progress& progress) {
-  std::vector<ImportedVolume> imported;
+Result<Imported> import_chosen(Case& patient, const Study& study, const std::vector<Chosen>& chosen,
+                               const std::vector<WantedLabels>& labels, const Progress& progress) {
+  Imported imported;
+  // A kill on the way may leave a real volume marked as simulated, and never the reverse.
+  const std::string origin = origin_of(study);
+  if (!origin.empty()) {
+    if (auto marked = patient.set_origin(origin); !marked) return failure(marked.error());
+  }
+  const Progress of_volumes = labels.empty() ? progress : progress.part(0, 0.7);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const double count = static_cast<double>(chosen.size());
-    const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-    if (auto done = import_series(patient, chosen[i], imported, part); !done) return failure(done.error());
+    const Progress part = of_volumes.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    if (auto done = import_series(patient, chosen[i], imported.volumes, part); !done) return failure(done.error());
   }
-  for (const Series* series : segmentations) {
-    if (auto done = import_segments(patient, *series, imported.front().grid); !done) return failure(done.error());
+  if (!labels.empty()) {
+    const auto grid = anatomy_grid(patient);
+    if (!grid) return failure(grid.error());
+    auto structures = import_labels(patient, labels, *grid, progress.part(0.7, 1));
+    if (!structures) return failure(structures.error());
+    imported.structures = *std::move(structures);
   }
-  if (auto saved = patient.set_origin(origin_of(study)); !saved) return failure(saved.error());
+  // What is simulated stays so, until another anatomy comes.
+  const bool new_anatomy =
+      std::any_of(chosen.begin(), chosen.end(), [](const Chosen& one) { return one.role == Role::anatomy; });
+  if (new_anatomy) {
+    if (auto saved = patient.set_origin(origin); !saved) return failure(saved.error());
+  }
   return imported;
 }
 
 }  // namespace
 
-Result<std::vector<ImportedVolume>> import_study(Case& patient, const Study& study, const ImportChoice& choice,
-                                                 const Progress& progress) {
-  const auto chosen = choose(study, choice);
+Result<Imported> import_study(Case& patient, const Study& study, const ImportChoice& choice, const Progress& progress,
+                              Replacing replacing) {
+  const bool has_anatomy = patient.find("volumes/anatomy") != nullptr;
+  const auto chosen = choose(study, choice, has_anatomy ? Anatomy::is_there : Anatomy::needed);
   if (!chosen) return failure(chosen.error());
-  std::vector<const Series*> segmentations;
-  for (const Series& series : study.series) {
-    if (series.role == Role::segmentation) segmentations.push_back(&series);
+  const Series* anatomy = nullptr;
+  std::vector<SeriesRole> roles;
+  for (const Chosen& one : *chosen) {
+    roles.push_back({one.series->uid, one.role});
+    if (one.role == Role::anatomy) anatomy = one.series;
   }
-  return import_chosen(patient, study, *chosen, segmentations, progress);
+  const auto labels = choose_labels(study, choice, anatomy);
+  if (!labels) return failure(labels.error());
+  for (const WantedLabels& wanted : *labels) roles.push_back({wanted.series->uid, Role::segmentation});
+  if (auto belongs = check_belonging(patient, study, roles, replacing); !belongs) return failure(belongs.error());
+  return import_chosen(patient, study, *chosen, *labels, progress);
 }
 
-Result<std::vector<ImportedVolume>> import_series_as(Case& patient, const Study& study,
-                                                     const std::vector<SeriesRole>& roles, const Progress& progress) {
+Result<Imported> import_series_as(Case& patient, const Study& study, const std::vector<SeriesRole>& roles,
+                                  const Progress& progress, Replacing replacing) {
   std::vector<Chosen> chosen;
-  std::vector<const Series*> segmentations;
+  std::vector<WantedLabels> labels;
   int phase_volumes = 0;
   const auto phases =
       std::count_if(roles.begin(), roles.end(), [](const SeriesRole& one) { return one.role == Role::mre_phase; });
@@ -79,7 +103,7 @@ Result<std::vector<ImportedVolume>> import_series_as(Case& patient, const Study&
     const auto series = series_for(study, wanted.role, wanted.uid, "");
     if (!series) return failure(series.error());
     if (wanted.role == Role::segmentation) {
-      segmentations.push_back(*series);
+      labels.push_back({*series, wanted.label_names});
       continue;
     }
     const bool twice =
@@ -96,44 +120,27 @@ Result<std::vector<ImportedVolume>> import_series_as(Case& patient, const Study&
       one.number_before = std::exchange(phase_volumes, phase_volumes + (*series)->volumes);
     chosen.push_back(std::move(one));
   }
-  if (chosen.empty()) {
+  if (chosen.empty() && labels.empty()) {
     return failure("import-nothing", GLISSON_TEXT("No series is chosen: give at least one of them a role."));
   }
+  if (auto belongs = check_belonging(patient, study, roles, replacing); !belongs) return failure(belongs.error());
   // The anatomy first: segmentations are carried to its grid. Magnitude images serve where there is none.
   std::stable_partition(chosen.begin(), chosen.end(), [](const Chosen& one) { return one.role == Role::anatomy; });
   const auto magnitude =
       std::find_if(chosen.begin(), chosen.end(), [](const Chosen& one) { return one.role == Role::mre_magnitude; });
-  if (magnitude != chosen.end() && chosen.front().role != Role::anatomy) {
+  if (magnitude != chosen.end() && chosen.front().role != Role::anatomy && patient.find("volumes/anatomy") == nullptr) {
     chosen.insert(chosen.begin(), {Role::anatomy, "volumes/anatomy", magnitude->series});
   }
-  return import_chosen(patient, study, chosen, segmentations, progress);
+  return import_chosen(patient, study, chosen, labels, progress);
 }
 
 Result<NewCase> new_case_from(const Study& study, const std::filesystem::path& folder, const ImportChoice& choice,
                               const Progress& progress) {
-  auto patient = Case::create(folder);
-  if (!patient) return failure(patient.error());
-  auto volumes = import_study(*patient, study, choice, progress);
-  if (!volumes) {
-    // Nothing was there before: Case::create saw to it.
-    std::error_code ignored;
-    std::filesystem::remove_all(folder, ignored);
-    return failure(volumes.error());
-  }
-  return NewCase{*std::move(patient), *std::move(volumes)};
-}
-
-std::string structure_name(const std::string& name) {
-  std::string simple;
-  for (const char c : name) {
-    if (std::isalnum(static_cast<unsigned char>(c))) {
-      simple += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    } else if (!simple.empty() && simple.back() != '-') {
-      simple += '-';
-    }
-  }
-  while (simple.ends_with('-')) simple.pop_back();
-  return simple.empty() ? "structure" : simple;
+  Imported imported;
+  auto patient = make_case(folder, [&](Case& made) {
+    return import_study(made, study, choice, progress).map([&](Imported all) { imported = std::move(all); });
+  });
+  return patient.map([&](Case made) { return NewCase{std::move(made), std::move(imported)}; });
 }
 
 namespace {
@@ -201,7 +208,7 @@ Result<void> add_further_phases(const Study& study, const ImportChoice& choice, 
   return {};
 }
 
-Result<std::vector<Chosen>> choose(const Study& study, const ImportChoice& choice) {
+Result<std::vector<Chosen>> choose(const Study& study, const ImportChoice& choice, Anatomy anatomy) {
   struct Wanted {
     Role role;
     const char* id;
@@ -230,6 +237,7 @@ Result<std::vector<Chosen>> choose(const Study& study, const ImportChoice& choic
   if (auto more = add_further_phases(study, choice, chosen); !more) return failure(more.error());
   const auto magnitude =
       std::find_if(chosen.begin(), chosen.end(), [](const Chosen& one) { return one.role == Role::mre_magnitude; });
+  if (anatomy == Anatomy::is_there) return chosen;
   if (magnitude != chosen.end() && chosen.front().role != Role::anatomy) {
     chosen.insert(chosen.begin(), {Role::anatomy, "volumes/anatomy", magnitude->series});
   }
@@ -253,12 +261,63 @@ Result<std::vector<Chosen>> choose(const Study& study, const ImportChoice& choic
   return chosen;
 }
 
-Made made_from(const Series& series) {
-  Made made{"import", {{"series", series.uid}, {"description", series.description}}, {}, {}, {}};
-  for (const std::string& problem : series.problems) made.notes.push_back({problem, {}});
-  for (const auto& file : series.files) {
-    made.sources[file.filename().string()] = sha256_of_file(file).value_or("unreadable");
+// Without a word of the person: every DICOM SEG, and the label maps that were drawn on the anatomy; where none comes
+// with them, those of the study.
+Result<std::vector<WantedLabels>> choose_labels(const Study& study, const ImportChoice& choice, const Series* anatomy) {
+  std::vector<WantedLabels> labels;
+  for (const std::string& uid : choice.label_uids) {
+    const auto series = series_for(study, Role::segmentation, uid, "");
+    if (!series) return failure(series.error());
+    labels.push_back({*series, choice.label_names});
   }
+  if (!labels.empty()) return labels;
+  std::set<std::size_t> maps;
+  if (anatomy != nullptr) {
+    for (const std::size_t map : label_maps_on(study, *anatomy)) maps.insert(map);
+  }
+  for (std::size_t k = 0; k < study.series.size(); ++k) {
+    const Series& series = study.series[k];
+    if (series.role != Role::segmentation) continue;
+    if (is_label_map(series) && anatomy != nullptr && !maps.contains(k)) continue;
+    labels.push_back({&series, is_label_map(series) ? choice.label_names : std::map<int, std::string>{}});
+  }
+  return labels;
+}
+
+Result<void> check_belonging(const Case& patient, const Study& study, const std::vector<SeriesRole>& roles,
+                             Replacing replacing) {
+  if (replacing == Replacing::wanted) return {};
+  const auto doubts = doubts_of_belonging(patient, study, roles);
+  const char* hint = GLISSON_TEXT("Make a case of their own, or take them all the same with --replace.");
+  if (!doubts.empty()) {
+    std::string said;
+    for (const std::string& doubt : messages(doubts)) said += " " + doubt;
+    return failure(Error{"import-not-this-patient",
+                         GLISSON_TEXT("These images may not belong to {0}.{1}"),
+                         {patient.folder().string(), said},
+                         hint,
+                         patient.folder()});
+  }
+  if (would_replace_anatomy(patient, roles)) {
+    return failure(Error{"import-would-replace",
+                         GLISSON_TEXT("{0} has an anatomy already, which these images would replace."),
+                         {patient.folder().string()},
+                         hint,
+                         patient.folder()});
+  }
+  return {};
+}
+
+Result<imaging::Grid> anatomy_grid(const Case& patient) {
+  const auto file = patient.file_of("volumes/anatomy");
+  if (!file) return failure(file.error());
+  return imaging::read_volume_file_header(*file).map([](const auto& header) { return header.grid; });
+}
+
+// With whose images they are, by which later ones are judged.
+Made made_of_anatomy(const Series& series) {
+  Made made = made_from(series);
+  made.options.merge(whose(series));
   return made;
 }
 
@@ -277,7 +336,7 @@ Result<void> import_mean_as_anatomy(Case& patient, const Chosen& chosen, std::ve
       mean.values[v] += volume->values[v] / static_cast<float>(count);
     }
   }
-  Made made = made_from(series);
+  Made made = made_of_anatomy(series);
   made.notes.push_back({GLISSON_TEXT("The mean of the elastography's magnitude images serves as the anatomy."), {}});
   imported.push_back({chosen.id, chosen.role, mean.grid, messages(made.notes)});
   return patient.add(chosen.id, ".nrrd", std::move(made),
@@ -290,7 +349,7 @@ Result<void> import_series(Case& patient, const Chosen& chosen, std::vector<Impo
   if (chosen.role == Role::anatomy && series.role == Role::mre_magnitude) {
     return import_mean_as_anatomy(patient, chosen, imported, progress);
   }
-  const Made source = made_from(series);
+  const Made source = chosen.role == Role::anatomy ? made_of_anatomy(series) : made_from(series);
   for (int index = 0; index < series.volumes; ++index) {
     if (progress.cancelled()) return cancelled();
     const double count = series.volumes;
@@ -313,23 +372,6 @@ Result<void> import_series(Case& patient, const Chosen& chosen, std::vector<Impo
         patient.add(id, ".nrrd", made, [&](const auto& file) { return imaging::write_volume_file(file, *volume); });
     if (!added) return added;
     imported.push_back({id, chosen.role, volume->grid, messages(made.notes)});
-  }
-  return {};
-}
-
-Result<void> import_segments(Case& patient, const Series& series, const imaging::Grid& grid) {
-  const auto segments = imaging::read_dicom_seg(series.files.front());
-  if (!segments) return failure(segments.error());
-  for (const imaging::SegmentedMask& segment : *segments) {
-    imaging::SegmentInfo info = segment.info;
-    info.name = structure_name(info.name);
-    info.label_value = 1;
-    Made made = made_from(series);
-    made.options["segment"] = segment.info.name;
-    auto added = patient.add("labels/" + info.name, ".nrrd", made, [&](const auto& file) {
-      return imaging::write_mask_file(file, segmentation::resample(segment.mask, grid), info);
-    });
-    if (!added) return added;
   }
   return {};
 }

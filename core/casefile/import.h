@@ -2,12 +2,16 @@
 // From the series of a study to the volumes of a case.
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
+#include "casefile/belonging.h"
 #include "casefile/case.h"
+#include "casefile/import_labels.h"
+#include "casefile/label_map.h"
 #include "imaging/study.h"
 
 namespace glisson::casefile {
@@ -19,6 +23,16 @@ struct ImportChoice {
   std::optional<std::string> stiffness_uid;
   std::optional<std::string> magnitude_uid;
   std::vector<std::string> phase_uids;  // several where each direction or frequency is a series of its own
+  // Label maps; without, those that were drawn on the anatomy (label_map.h), and every DICOM SEG.
+  std::vector<std::string> label_uids;
+  std::map<int, std::string> label_names;  // by value; empty: as the files say
+};
+
+// What may become of a case that holds images already.
+enum class Replacing {
+  refused,  // "import-would-replace" where the case has an anatomy and another is to be it; "import-not-this-patient"
+            // where there is any doubt that the series belong to it (belonging.h)
+  wanted    // a person said so
 };
 
 struct ImportedVolume {
@@ -28,38 +42,37 @@ struct ImportedVolume {
   std::vector<std::string> notes;  // what is wrong with the series, and how a stiffness unit was decided
 };
 
+struct Imported {
+  std::vector<ImportedVolume> volumes;
+  std::vector<ImportedStructure> structures;
+};
+
 // The entries that an import makes. A series of several volumes (phase offsets) is kept as ID-01, ID-02, ...
 //   volumes/anatomy          as rescaled; where the study has none, the mean of the elastography's magnitude images
 //   volumes/stiffness        shear modulus in kPa
 //   volumes/confidence, volumes/magnitude, volumes/phase, volumes/wave      where the study has them; waves with what
 //                            they were encoded for, as far as the headers say
-//   labels/NAME              each segment of a DICOM SEG, on the grid of the anatomy
+//   labels/NAME              each segment of a DICOM SEG and each named value of a label map, on the grid of the
+//   anatomy
 //
-// Fails with "import-no-anatomy", "import-ambiguous", "import-unknown-uid", or as reading fails. What the case held
-// before stays until each new volume is complete.
-Result<std::vector<ImportedVolume>> import_study(Case& patient, const imaging::Study& study, const ImportChoice& choice,
-                                                 const Progress& progress = {});
+// Fails with "import-no-anatomy" (unless the case has one), "import-ambiguous", "import-unknown-uid", as Replacing and
+// import_labels say, or as reading fails. What the case held before stays until each new volume is complete.
+Result<Imported> import_study(Case& patient, const imaging::Study& study, const ImportChoice& choice,
+                              const Progress& progress = {}, Replacing replacing = Replacing::refused);
 
 // The same with every role chosen by a person: exactly these series, each as what it says (`other`: not at all). An
 // anatomy is not asked for: waves alone make a case whose elastography can be inverted. Fails with "import-nothing",
-// "import-unknown-uid", "import-role-twice" (only phases may be several series), or as reading fails.
-struct SeriesRole {
-  std::string uid;
-  imaging::Role role;
-};
-Result<std::vector<ImportedVolume>> import_series_as(Case& patient, const imaging::Study& study,
-                                                     const std::vector<SeriesRole>& roles,
-                                                     const Progress& progress = {});
+// "import-unknown-uid", "import-role-twice" (only phases and segmentations may be several series), "case-lacks-entry"
+// where segmentations come and nothing that they could be drawn on, as Replacing says, or as reading fails.
+Result<Imported> import_series_as(Case& patient, const imaging::Study& study, const std::vector<SeriesRole>& roles,
+                                  const Progress& progress = {}, Replacing replacing = Replacing::refused);
 
 // A new case of a study, or nothing: where the import fails or is cancelled, the folder that it made is gone again.
 struct NewCase {
   Case patient;
-  std::vector<ImportedVolume> volumes;
+  Imported imported;
 };
 Result<NewCase> new_case_from(const imaging::Study& study, const std::filesystem::path& folder,
                               const ImportChoice& choice, const Progress& progress = {});
-
-// "Hepatic Vein, left" -> "hepatic-vein-left": a name that serves as a file name and on the command line.
-std::string structure_name(const std::string& name);
 
 }  // namespace glisson::casefile

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "casefile/structures.h"
+#include "casefile/used_entries.h"
 #include "geometry/mesh_file.h"
 #include "imaging/volume_file.h"
 #include "meshing/mask_surface.h"
@@ -152,6 +153,7 @@ Result<PatientModel> read_model_before_evidence(const Case& patient) {
                              .with_hint(GLISSON_TEXT("Give the mesh its stiffness first (glisson-cli stiffness)."))
                        : mesh.error());
   }
+  if (auto own = check_own_mesh(patient, *mesh); !own) return failure(std::move(own.error()));
   PatientModel model;
   model.mesh = std::move(*mesh);
   const geometry::Field* youngs = geometry::find_field(model.mesh.cell_fields, mechanics::youngs_modulus_field);

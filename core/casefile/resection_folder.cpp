@@ -1,7 +1,7 @@
 #include "casefile/resection_folder.h"
 
-#include "base/files.h"
 #include "base/json.h"
+#include "base/write_file.h"
 #include "casefile/structures.h"
 #include "geometry/mesh_file.h"
 
@@ -22,11 +22,16 @@ Result<geometry::CutSurface> surface_of(const PlannedCut& cut) {
 
 Result<rehearsal::Resection> plan_resection(const geometry::TetMesh& liver, const PlannedCut& cut,
                                             const std::vector<rehearsal::NamedStructure>& structures) {
+  return plan_resection(rehearsal::at_rest(liver), cut, structures);
+}
+
+Result<rehearsal::Resection> plan_resection(const rehearsal::LyingLiver& liver, const PlannedCut& cut,
+                                            const std::vector<rehearsal::NamedStructure>& structures) {
   const auto surface = surface_of(cut);
   if (!surface) return failure(surface.error());
   std::optional<Eigen::Vector3d> specimen_mm;
   if (cut.removed == PlannedCut::Removed::larger) {
-    const geometry::DividedVolume volume = geometry::divided_volume(liver, *surface);
+    const geometry::DividedVolume volume = geometry::divided_volume(liver.mesh, *surface, liver.rest_volumes_mm3);
     // Just beside the sheet, on the wanted side of it at this place.
     const Eigen::Vector3d on_cut_mm = surface->point_mm() - surface->height_mm(surface->point_mm()) * surface->normal();
     specimen_mm = on_cut_mm + (volume.above_mm3 < volume.below_mm3 ? -1.0 : 1.0) * surface->normal();
@@ -46,9 +51,15 @@ std::string resection_text(const PlannedCut& cut, const rehearsal::Resection& pl
 }
 
 Result<void> write_resection(const fs::path& folder, const PlannedCut& cut, const rehearsal::Resection& plan) {
-  return geometry::write_tetrahedra(folder / "parts.vtu", plan.split.mesh)
-      .and_then([&] { return geometry::write_surface(folder / "cut.vtp", plan.cut); })
-      .and_then([&] { return write_text_file(folder / "resection.json", resection_text(cut, plan)); });
+  const bool at_rest = cut.liver == PlannedCut::Liver::at_rest;
+  return write_together([&] {
+    return geometry::write_tetrahedra(folder / "parts.vtu",
+                                      at_rest ? plan.split.mesh : rehearsal::put_to_rest(plan.split.mesh))
+        .and_then([&] {
+          return geometry::write_surface(folder / "cut.vtp", at_rest ? plan.cut : rehearsal::put_to_rest(plan.cut));
+        })
+        .and_then([&] { return write_file(folder / "resection.json", resection_text(cut, plan)); });
+  });
 }
 
 Result<PlannedCut> read_planned_cut(const fs::path& folder) {
@@ -70,6 +81,7 @@ Result<PlannedCut> read_planned_cut(const fs::path& folder) {
       cut.point_mm = vector_in(json.at("point_mm"));
       cut.normal = vector_in(json.at("normal"));
     }
+    if (json.value("liver", "at-rest") == "held-aside") cut.liver = PlannedCut::Liver::held_aside;
     cut.removed = json.at("removed") == "larger" ? PlannedCut::Removed::larger : PlannedCut::Removed::smaller;
     return cut;
   } catch (const Json::exception& problem) {
@@ -87,6 +99,7 @@ Json json_of_cut(const PlannedCut& cut, const rehearsal::Resection& plan) {
     json["through_mm"] = Json::array();
     for (const Eigen::Vector3d& point : cut.through_mm) json["through_mm"].push_back(json_of(point));
   }
+  if (cut.liver == PlannedCut::Liver::held_aside) json["liver"] = "held-aside";
   json["removed"] = plan.specimen_ml <= plan.remnant_ml ? "smaller" : "larger";
   return json;
 }
@@ -108,6 +121,7 @@ Json json_of_plan(const rehearsal::Resection& plan) {
                                    {"margin_mm", tumour.margin_mm},
                                    {"r1", tumour.r1()},
                                    {"narrow", tumour.narrow()}});
+    if (tumour.shift_mm > 0) document["tumours"].back()["shift_mm"] = tumour.shift_mm;
   }
   for (const auto& cyst : plan.cysts) {
     document["cysts"].push_back({{"name", cyst.name}, {"side", to_string(cyst.side)}});
@@ -120,6 +134,7 @@ Json json_of_plan(const rehearsal::Resection& plan) {
                                      {"center_mm", json_of(crossing.center_mm)},
                                      {"diameter_mm", crossing.diameter_mm},
                                      {"area_mm2", crossing.area_mm2}});
+    if (crossing.vena_cava_by_calibre()) document["crossings"].back()["by_calibre"] = "vena-cava";
   }
   return document;
 }

@@ -13,17 +13,21 @@ namespace glisson::casefile {
 
 // A cut as somebody set it.
 struct PlannedCut {
-  enum class Removed { smaller, larger };  // which part is the specimen
+  enum class Removed { smaller, larger };    // which part is the specimen
+  enum class Liver { at_rest, held_aside };  // as it lay when the cut was set: its places are places then
 
   std::vector<Eigen::Vector3d> through_mm;  // a smooth sheet through these points; none: the plane
   Eigen::Vector3d point_mm{0, 0, 0};
   Eigen::Vector3d normal{0, 0, 1};
   Removed removed = Removed::smaller;
+  Liver liver = Liver::at_rest;
 };
 
 // The plan of that cut. Failures: those of geometry::CutSurface and rehearsal::plan_resection.
 Result<geometry::CutSurface> surface_of(const PlannedCut& cut);
 Result<rehearsal::Resection> plan_resection(const geometry::TetMesh& liver, const PlannedCut& cut,
+                                            const std::vector<rehearsal::NamedStructure>& structures);
+Result<rehearsal::Resection> plan_resection(const rehearsal::LyingLiver& liver, const PlannedCut& cut,
                                             const std::vector<rehearsal::NamedStructure>& structures);
 
 // By its name in a case: "portal-vein" is a vessel, "cyst-2" a cyst, anything else a tumour.
@@ -32,7 +36,8 @@ Result<rehearsal::Resection> plan_resection(const geometry::TetMesh& liver, cons
 // What resection.json holds, as text.
 [[nodiscard]] std::string resection_text(const PlannedCut& cut, const rehearsal::Resection& plan);
 
-// The folder is made where absent; files of these names are replaced, each whole.
+// The folder is made where absent; files of these names are replaced, each whole. Parts and cut are written at rest,
+// with the point field "displacement_mm" where the liver was held aside.
 Result<void> write_resection(const std::filesystem::path& folder, const PlannedCut& cut,
                              const rehearsal::Resection& plan);
 

@@ -1,7 +1,7 @@
 #include "casefile/result_folder.h"
 
-#include "base/files.h"
-#include "base/json.h"
+#include "base/json_value.h"
+#include "base/write_file.h"
 #include "geometry/mesh_file.h"
 #include "mechanics/scenario_file.h"
 
@@ -24,10 +24,11 @@ std::string_view engine_name(mechanics::Engine engine) { return engine == mechan
 }  // namespace
 
 Result<void> write_result(const fs::path& folder, const mechanics::Simulation& simulation) {
-  return geometry::write_tetrahedra(folder / "result.vtu", simulation.mesh)
-      .and_then(
-          [&] { return write_text_file(folder / "scenario.json", mechanics::scenario_text(simulation.scenario)); })
-      .and_then([&] { return write_text_file(folder / "result.json", result_text(simulation)); });
+  return write_together([&] {
+    return geometry::write_tetrahedra(folder / "result.vtu", simulation.mesh)
+        .and_then([&] { return write_file(folder / "scenario.json", mechanics::scenario_text(simulation.scenario)); })
+        .and_then([&] { return write_file(folder / "result.json", result_text(simulation)); });
+  });
 }
 
 std::string result_text(const mechanics::Simulation& simulation) {
@@ -110,10 +111,10 @@ Result<rehearsal::ComparedResult> read_result(const fs::path& folder) {
   if (!fs::exists(folder / "result.vtu", problem)) return not_a_result(folder, GLISSON_TEXT("result.vtu is missing"));
   const auto document = read_json_file(folder / "result.json");
   if (!document) return failure(document.error());
-  if (document->value("format", "") != "glisson-result/1") {
+  if (!says(*document, "format", "glisson-result/1")) {
     return not_a_result(folder, GLISSON_TEXT("result.json does not say \"format\": \"glisson-result/1\""));
   }
-  if (!document->value("converged", false))
+  if (!says(*document, "converged", true))
     return not_a_result(folder, GLISSON_TEXT("the computation did not converge"));
 
   rehearsal::ComparedResult read;

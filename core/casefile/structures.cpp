@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <limits>
-#include <set>
 
 #include "base/files.h"
+#include "casefile/label_map.h"
 #include "imaging/dicom_seg.h"
 #include "imaging/volume_file.h"
 #include "segmentation/grow.h"
@@ -25,7 +25,8 @@ struct Labelled {
   imaging::Mask mask;
 };
 Result<std::vector<Labelled>> read_labelled(const fs::path& file);
-Result<Labelled> pick(std::vector<Labelled> found, std::optional<int> label_value, const fs::path& file);
+Result<Labelled> pick(std::vector<Labelled> found, const std::string& name, std::optional<int> label_value,
+                      const fs::path& file);
 
 }  // namespace
 
@@ -65,7 +66,7 @@ Result<SavedStructure> import_structure(Case& patient, const std::string& name, 
   const auto anatomy = patient.volume("volumes/anatomy");
   if (!anatomy) return failure(anatomy.error());
   auto picked = read_labelled(labels).and_then(
-      [&](std::vector<Labelled> found) { return pick(std::move(found), label_value, labels); });
+      [&](std::vector<Labelled> found) { return pick(std::move(found), name, label_value, labels); });
   if (!picked) return failure(picked.error());
 
   const imaging::Mask mask = segmentation::resample(picked->mask, anatomy->grid);
@@ -187,18 +188,25 @@ Result<std::vector<Labelled>> read_labelled(const fs::path& file) {
     }
     return found;
   }
-  const auto labels = imaging::read_labels_file(file);
-  if (!labels) return failure(labels.error());
-  std::set<int> values(labels->values.begin(), labels->values.end());
-  values.erase(0);
-  for (const int value : values) {
-    found.push_back({value, std::to_string(value), segmentation::mask_of_label(*labels, value)});
+  const auto map = read_label_map(file);
+  if (!map) return failure(map.error());
+  for (const LabelledPart& part : map->parts) {
+    const std::string name = !part.structure.empty() ? part.structure
+                             : !part.written.empty() ? part.written
+                                                     : std::to_string(part.value);
+    found.push_back({part.value, name, segmentation::mask_of_label(map->labels, part.value)});
   }
   return found;
 }
 
-Result<Labelled> pick(std::vector<Labelled> found, std::optional<int> label_value, const fs::path& file) {
+// By its value, or the only one, or the only one of that name.
+Result<Labelled> pick(std::vector<Labelled> found, const std::string& name, std::optional<int> label_value,
+                      const fs::path& file) {
   if (!label_value && found.size() == 1) return std::move(found.front());
+  const auto named = [&](const Labelled& labelled) { return labelled.name == name; };
+  if (!label_value && std::count_if(found.begin(), found.end(), named) == 1) {
+    return std::move(*std::find_if(found.begin(), found.end(), named));
+  }
   std::vector<std::string> values;
   for (Labelled& labelled : found) {
     if (label_value && labelled.value == *label_value) return std::move(labelled);

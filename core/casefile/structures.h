@@ -27,8 +27,9 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
                                       const std::vector<Eigen::Vector3d>& seeds_mm, const Progress& progress = {});
 
 // Takes a structure from a label file (NRRD, NIfTI, MetaImage, DICOM SEG), carried to the grid of volumes/anatomy.
-// Without a label value the file must hold one structure only; else it is refused with the values there are
-// ("labels-ambiguous"). Fails with "labels-no-overlap" where no labelled voxel lies in the anatomy.
+// Without a label value the file must hold one structure only, or name one of them so (label_map.h); else it is refused
+// with the values there are ("labels-ambiguous"). Fails with "labels-no-overlap" where no labelled voxel lies in the
+// anatomy.
 Result<SavedStructure> import_structure(Case& patient, const std::string& name, const std::filesystem::path& labels,
                                         std::optional<int> label_value, const Progress& progress = {});
 

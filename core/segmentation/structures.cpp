@@ -17,28 +17,23 @@ struct Entry {
   Place place;
 };
 
-constexpr std::array<Entry, 17> known{{
-    {"liver", {221, 130, 101}, Place::liver},
-    {"tumour", {144, 238, 144}, Place::inside},
-    {"cyst", {205, 205, 100}, Place::inside},
-    {"portal-vein", {0, 151, 206}, Place::inside},
-    {"hepatic-vein", {0, 147, 202}, Place::inside},
-    {"artery", {216, 101, 79}, Place::inside},
-    {"biliary-tract", {0, 145, 30}, Place::inside},
-    {"necrosis", {216, 191, 216}, Place::inside},
-    {"gallbladder", {139, 150, 98}, Place::beside},
-    {"gastric-vein", {0, 122, 171}, Place::beside},
-    {"aorta", {224, 97, 76}, Place::beside},
-    {"heart", {206, 110, 84}, Place::beside},
-    {"stomach", {216, 132, 105}, Place::beside},
-    {"kidney", {185, 102, 83}, Place::beside},
-    {"spleen", {157, 108, 162}, Place::beside},
-    {"pancreas", {249, 180, 111}, Place::beside},
-    {"bone", {241, 214, 145}, Place::beside},
+constexpr std::array<Entry, 23> known{{
+    {"liver", {221, 130, 101}, Place::liver},          {"tumour", {144, 238, 144}, Place::inside},
+    {"cyst", {205, 205, 100}, Place::inside},          {"portal-vein", {0, 151, 206}, Place::inside},
+    {"hepatic-vein", {0, 147, 202}, Place::inside},    {"artery", {216, 101, 79}, Place::inside},
+    {"biliary-tract", {0, 145, 30}, Place::inside},    {"necrosis", {216, 191, 216}, Place::inside},
+    {"gallbladder", {139, 150, 98}, Place::beside},    {"gastric-vein", {0, 122, 171}, Place::beside},
+    {"aorta", {224, 97, 76}, Place::beside},           {"heart", {206, 110, 84}, Place::beside},
+    {"stomach", {216, 132, 105}, Place::beside},       {"kidney", {185, 102, 83}, Place::beside},
+    {"spleen", {157, 108, 162}, Place::beside},        {"pancreas", {249, 180, 111}, Place::beside},
+    {"bone", {241, 214, 145}, Place::beside},          {"vena-cava", {0, 151, 206}, Place::beside},
+    {"duodenum", {255, 253, 229}, Place::beside},      {"small-bowel", {205, 167, 142}, Place::beside},
+    {"colon", {204, 168, 143}, Place::beside},         {"esophagus", {211, 171, 143}, Place::beside},
+    {"adrenal-gland", {249, 186, 150}, Place::beside},
 }};
 constexpr std::array<int, 3> unknown_rgb{100, 100, 130};
 
-std::string_view without_number(std::string_view name);
+std::string_view without_number_or_side(std::string_view name);
 std::vector<std::size_t> largest_first(const std::vector<Structure>& structures);
 bool counts(const Structure& structure, Extent extent);
 
@@ -49,7 +44,7 @@ KnownStructure known_structure(std::string_view name) {
     return std::array<double, 3>{rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0};
   };
   for (const Entry& entry : known) {
-    if (entry.name == name || entry.name == without_number(name)) return {color(entry.rgb), entry.place};
+    if (entry.name == name || entry.name == without_number_or_side(name)) return {color(entry.rgb), entry.place};
   }
   return {color(unknown_rgb), Place::unknown};
 }
@@ -170,11 +165,12 @@ std::vector<Piece> pieces(const imaging::Mask& mask) {
 
 namespace {
 
-// "tumour-12" without "-12".
-std::string_view without_number(std::string_view name) {
+// "tumour-12" without "-12", "kidney-left" without "-left".
+std::string_view without_number_or_side(std::string_view name) {
   const std::size_t dash = name.rfind('-');
   if (dash == std::string_view::npos || dash + 1 == name.size()) return name;
   const std::string_view number = name.substr(dash + 1);
+  if (number == "left" || number == "right") return name.substr(0, dash);
   const bool is_number = std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
   return is_number ? name.substr(0, dash) : name;
 }

@@ -21,9 +21,9 @@ struct Structure {
 enum class Place { liver, inside, beside, unknown };
 
 // What is known of a structure by its name: "liver", "tumour", "cyst", "portal-vein", "hepatic-vein", "artery",
-// "biliary-tract", "gallbladder", "gastric-vein" and a few organs around, with or without a number at the end
-// ("tumour-2"); vessels count as inside, since their greater part runs in the liver. The colours are those of
-// 3D Slicer's table GenericAnatomyColors; an unknown name gets that table's grey-blue for "unknown".
+// "biliary-tract", "gallbladder", "gastric-vein" and a few organs around, with or without a number or a side at the end
+// ("tumour-2", "kidney-left"); vessels count as inside, since their greater part runs in the liver. The colours are
+// those of 3D Slicer's table GenericAnatomyColors; an unknown name gets that table's grey-blue for "unknown".
 struct KnownStructure {
   std::array<double, 3> color_rgb;
   Place place;

@@ -39,12 +39,17 @@ class EvidenceTest : public testing::Test {
                           [&](const fs::path& file) { return geometry::write_tetrahedra(file, mesh); }));
   }
   Case open() { return Case::open(folder_).value(); }
-  fs::path model(const std::vector<Json>& effects, const char* verdict = "explained") {
+  fs::path model(const std::vector<Json>& effects, const char* verdict = "explained",
+                 const Json& more = Json::object()) {
     const fs::path file = temporary_.path() / "model.json";
-    const Json json{
+    Json json{
         {"format", "glisson-closedloop-model/1"}, {"kind", "palpation"}, {"verdict", verdict}, {"effects", effects}};
+    json.update(more);
     EXPECT_TRUE(write_text_file(file, json.dump()));
     return file;
+  }
+  static Result<Evidence> accept(Case& patient, const fs::path& file, const std::vector<std::string>& kinds = {}) {
+    return accept_evidence(patient, file, kinds, Tissue::told_by_person);
   }
   // Where a rehearsed retraction brings the surface.
   static std::vector<Eigen::Vector3d> retracted(const Case& patient) {
@@ -60,11 +65,10 @@ TEST_F(EvidenceTest, AcceptedItChangesTheRehearsalByTheRightAmountTakenBackNotAt
   Case patient = open();
   const auto rest = geometry::boundary_surface(read_model(patient)->mesh).points_mm;
   const auto before = retracted(patient);
-  const auto accepted = accept_evidence(patient, model({scaled, bias}));
+  const auto accepted = accept_evidence(patient, model({scaled, bias}), {}, Tissue::told_by_person);
   ASSERT_TRUE(accepted) << accepted.error().message();
-  ASSERT_THAT(accepted->effects, SizeIs(2));
+  ASSERT_THAT(accepted->effects, SizeIs(1));  // the load cell's bias leaves the organ as it is
   EXPECT_TRUE(accepted->effects[0].carried);
-  EXPECT_FALSE(accepted->effects[1].carried);
   const auto after = retracted(open());
   // Springs under the diaphragm do not scale, so that a block twice as stiff moves by a little less than half; where
   // nothing but the held back resists, by half.
@@ -90,7 +94,7 @@ TEST_F(EvidenceTest, AcceptedItChangesTheRehearsalByTheRightAmountTakenBackNotAt
 TEST_F(EvidenceTest, TheCaseSaysWhereItIsFrom) {
   Case patient = open();
   const fs::path file = model({scaled});
-  ASSERT_TRUE(accept_evidence(patient, file));
+  ASSERT_TRUE(accept(patient, file));
   const Entry* entry = open().find("evidence/model");
   const Case opened = open();
   entry = opened.find("evidence/model");
@@ -104,7 +108,7 @@ TEST_F(EvidenceTest, TheCaseSaysWhereItIsFrom) {
 
 TEST_F(EvidenceTest, OneEffectIsTakenBackAndTheOtherStays) {
   Case patient = open();
-  ASSERT_TRUE(accept_evidence(patient, model({scaled, skin})));
+  ASSERT_TRUE(accept(patient, model({scaled, skin})));
   EXPECT_TRUE(read_model(open())->capsule.has_value());
   const auto left = take_back_evidence(patient, {"stiffness-scale"});
   ASSERT_TRUE(left) << left.error().message();
@@ -119,8 +123,8 @@ TEST_F(EvidenceTest, OneEffectIsTakenBackAndTheOtherStays) {
 
 TEST_F(EvidenceTest, AnotherModelTakesItsPlace) {
   Case patient = open();
-  ASSERT_TRUE(accept_evidence(patient, model({scaled})));
-  ASSERT_TRUE(accept_evidence(patient, model({skin})));
+  ASSERT_TRUE(accept(patient, model({scaled})));
+  ASSERT_TRUE(accept(patient, model({skin})));
   EXPECT_EQ(read_model(open())->youngs_kPa.front(), 6.0);
   EXPECT_TRUE(read_model(open())->capsule.has_value());
 }
@@ -128,20 +132,46 @@ TEST_F(EvidenceTest, AnotherModelTakesItsPlace) {
 TEST_F(EvidenceTest, WhatIsRefusedLeavesTheCaseAsItWas) {
   Case patient = open();
   const std::string before = read_text_file(folder_ / "case.json").value();
-  EXPECT_EQ(accept_evidence(patient, model({})).error().code, "evidence-empty");
-  EXPECT_EQ(accept_evidence(patient, model({effect("stiffness-scale", {{"factor", 0.0}})})).error().code,
-            "model-invalid");
-  EXPECT_EQ(accept_evidence(patient, model({scaled}), {"capsule"}).error().code, "effect-missing");
-  EXPECT_FALSE(accept_evidence(patient, temporary_.path() / "no-such.json"));
+  EXPECT_EQ(accept(patient, model({})).error().code, "evidence-empty");
+  EXPECT_EQ(accept(patient, model({effect("stiffness-scale", {{"factor", 0.0}})})).error().code, "model-invalid");
+  EXPECT_EQ(accept(patient, model({scaled}), {"capsule"}).error().code, "effect-missing");
+  EXPECT_FALSE(accept(patient, temporary_.path() / "no-such.json"));
   EXPECT_EQ(read_text_file(folder_ / "case.json").value(), before);
   EXPECT_FALSE(fs::exists(folder_ / "evidence/model.json"));
   Case empty = Case::create(temporary_.path() / "empty.glisson").value();
-  EXPECT_EQ(accept_evidence(empty, model({scaled})).error().code, "case-lacks-entry");
+  EXPECT_EQ(accept(empty, model({scaled})).error().code, "case-lacks-entry");
+}
+
+TEST_F(EvidenceTest, OnlyThisPatientsTissueIsTakenForIt) {
+  Case patient = open();
+  const std::string before = read_text_file(folder_ / "case.json").value();
+  const auto refused = accept_evidence(patient, model({scaled}, "explained", {{"title", "Silicone EF10_75T"}}));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "evidence-not-this-patient");
+  EXPECT_THAT(refused.error().message(), HasSubstr("Silicone EF10_75T"));
+  EXPECT_THAT(refused.error().message(), HasSubstr("patient"));
+  EXPECT_EQ(read_text_file(folder_ / "case.json").value(), before);
+  EXPECT_TRUE(accept_evidence(patient, model({scaled}, "explained", {{"title", "Biopsy of Patient, 2026"}})));
+  // The block itself: its box and volume are the organ's.
+  const Json place{{"min_mm", {0, 0, 0}}, {"max_mm", {90, 60, 60}}, {"volume_mm3", 324000}};
+  EXPECT_TRUE(accept_evidence(patient, model({scaled}, "explained", {{"title", "A pad"}, {"specimen", place}})));
+  EXPECT_FALSE(is_of_patient({"Outpatients' pads", false}, "patient"));
+}
+
+TEST_F(EvidenceTest, NothingIsAcceptedThatChangesNothing) {
+  Case patient = open();
+  const std::string before = read_text_file(folder_ / "case.json").value();
+  for (const auto& refused : {accept(patient, model({bias})), accept(patient, model({scaled, bias}), {"force-bias"})}) {
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, "evidence-without-effect");
+    EXPECT_THAT(refused.error().message(), HasSubstr("leaves the organ as it is"));
+  }
+  EXPECT_EQ(read_text_file(folder_ / "case.json").value(), before);
 }
 
 TEST_F(EvidenceTest, DamagedEvidenceIsSaidWithWhatToDo) {
   Case patient = open();
-  ASSERT_TRUE(accept_evidence(patient, model({scaled})));
+  ASSERT_TRUE(accept(patient, model({scaled})));
   std::ofstream(folder_ / "evidence/model.json") << "{}";
   const auto read = read_model(open());
   ASSERT_FALSE(read);
@@ -153,7 +183,7 @@ TEST_F(EvidenceTest, DamagedEvidenceIsSaidWithWhatToDo) {
 
 TEST_F(EvidenceTest, AModelMadeAnewIsRemarkedOn) {
   Case patient = open();
-  ASSERT_TRUE(accept_evidence(patient, model({scaled})));
+  ASSERT_TRUE(accept(patient, model({scaled})));
   geometry::TetMesh mesh = read_model_before_evidence(patient)->mesh;
   geometry::set_field(mesh.cell_fields,
                       {mechanics::youngs_modulus_field, 1, std::vector<double>(mesh.cells.size(), 7.0)});
@@ -167,9 +197,8 @@ TEST_F(EvidenceTest, AModelMadeAnewIsRemarkedOn) {
 
 TEST_F(EvidenceTest, WhatAScenarioSaysItselfStandsAndThatIsSaid) {
   Case patient = open();
-  ASSERT_TRUE(
-      accept_evidence(patient, model({scaled, skin, effect("support-compliance", {{"foundation_kPa_per_mm", 0.5}}),
-                                      effect("anisotropy", {{"axis", {0, 0, 1}}, {"ratio", 2.0}})})));
+  ASSERT_TRUE(accept(patient, model({scaled, skin, effect("support-compliance", {{"foundation_kPa_per_mm", 0.5}}),
+                                     effect("anisotropy", {{"axis", {0, 0, 1}}, {"ratio", 2.0}})})));
   const PatientModel model_now = read_model(patient).value();
   mechanics::Scenario plain;
   const auto carried = put_into(plain, model_now);

@@ -1,6 +1,6 @@
 // Series taken into a case in the roles that a person gave them, and nothing asked for besides.
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "base/files.h"
 #include "casefile/import.h"
@@ -30,7 +30,7 @@ class ImportRolesTest : public testing::Test {
     }
     return {};
   }
-  Result<std::vector<ImportedVolume>> import(const std::vector<SeriesRole>& roles) {
+  Result<Imported> import(const std::vector<SeriesRole>& roles) {
     fs::remove_all(folder_);
     auto made = Case::create(folder_);
     return import_series_as(*made, study_, roles);
@@ -66,6 +66,19 @@ TEST_F(ImportRolesTest, AMagnitudeServesAsTheAnatomyWhereThereIsNone) {
   ASSERT_TRUE(import({{uid("one.nrrd"), Role::mre_magnitude}}));
   EXPECT_TRUE(Case::open(folder_)->find("volumes/anatomy"));
   EXPECT_TRUE(Case::open(folder_)->find("volumes/magnitude"));
+}
+
+// The mark is there before the first volume is: an import that is killed cannot lose it.
+TEST_F(ImportRolesTest, ASimulatedStudyIsMarkedBeforeAnythingIsTakenIn) {
+  for (imaging::Series& series : study_.series) series.description = "Simulated " + series.description;
+  fs::remove_all(folder_);
+  auto made = Case::create(folder_);
+  std::stop_source stop;
+  stop.request_stop();
+  const auto interrupted =
+      import_series_as(*made, study_, {{uid("one.nrrd"), Role::anatomy}}, Progress({}, stop.get_token()));
+  EXPECT_EQ(interrupted.error().code, "cancelled");
+  EXPECT_THAT(Case::open(folder_)->origin(), testing::StartsWith("SIMULATED"));
 }
 
 TEST_F(ImportRolesTest, RefusesWhatCannotBe) {

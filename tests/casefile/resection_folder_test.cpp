@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "geometry/mesh_file.h"
 #include "support/shapes.h"
 
 namespace glisson::casefile {
@@ -42,6 +43,21 @@ TEST_F(ResectionFolder, KeepsTheCutAndWhatCameOfIt) {
   EXPECT_EQ(again->normal, cut.normal);
   EXPECT_EQ(again->point_mm, cut.point_mm);
   EXPECT_EQ(again->removed, cut.removed);
+}
+
+TEST_F(ResectionFolder, KeepsThatTheLiverWasHeldAsideAndItsPartsAtRest) {
+  PlannedCut cut = plane_at(110);
+  cut.liver = PlannedCut::Liver::held_aside;
+  const std::vector<Eigen::Vector3d> moved_mm(liver_.points_mm.size(), Eigen::Vector3d(20, 0, 0));
+  const auto plan = plan_resection(*rehearsal::displaced(liver_, moved_mm), cut, {});
+  ASSERT_TRUE(plan);
+  EXPECT_NEAR(plan->specimen_ml, 192, 1e-6);  // 30 of 120 mm: the plane meets what lies at 90 at rest
+  ASSERT_TRUE(write_resection(folder_, cut, *plan));
+  EXPECT_EQ(read_planned_cut(folder_)->liver, PlannedCut::Liver::held_aside);
+  const auto parts = geometry::read_tetrahedra(folder_ / "parts.vtu");
+  ASSERT_TRUE(parts);
+  EXPECT_NEAR(geometry::bounding_box(parts->points_mm).max_mm.x(), 120, 1e-4);
+  EXPECT_NE(geometry::find_field(parts->point_fields, "displacement_mm"), nullptr);
 }
 
 TEST_F(ResectionFolder, KeepsAllPointsOfASheet) {

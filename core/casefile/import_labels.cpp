@@ -1,0 +1,173 @@
+// Label maps and DICOM SEGs become structures.
+
+#include "casefile/import_labels.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <set>
+
+#include "base/files.h"
+#include "casefile/label_map.h"
+#include "imaging/dicom_seg.h"
+#include "imaging/volume_file.h"
+#include "segmentation/resample.h"
+#include "segmentation/structures.h"
+
+namespace glisson::casefile {
+namespace {
+
+using imaging::Series;
+
+// One structure as a file brings it.
+struct Brought {
+  std::string name;
+  imaging::Mask mask;
+  std::array<double, 3> color_rgb;
+  Made made;
+};
+struct Read {
+  std::vector<Brought> structures;
+  std::vector<LabelledPart> unnamed;
+};
+Result<Read> read_dicom(const Series& series);
+Result<Read> read_map(const WantedLabels& wanted);
+Failure nothing_named(const std::vector<WantedLabels>& wanted, const std::vector<LabelledPart>& unnamed);
+Failure brought_twice(const std::string& name, const std::string& second);
+Failure outside(const Series& series);
+
+}  // namespace
+
+Result<std::vector<ImportedStructure>> import_labels(Case& patient, const std::vector<WantedLabels>& wanted,
+                                                     const imaging::Grid& anatomy, const Progress& progress) {
+  std::vector<ImportedStructure> imported;
+  std::vector<LabelledPart> unnamed;
+  std::set<std::string> names;
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    if (progress.cancelled()) return cancelled();
+    progress.report(static_cast<double>(k) / static_cast<double>(wanted.size()), GLISSON_TEXT("Reading the labels"));
+    const Series& series = *wanted[k].series;
+    auto read = is_label_map(series) ? read_map(wanted[k]) : read_dicom(series);
+    if (!read) {
+      if (read.error().code == "labels-empty" && wanted.size() > 1) continue;  // of many masks some are empty
+      return failure(read.error());
+    }
+    unnamed.insert(unnamed.end(), read->unnamed.begin(), read->unnamed.end());
+    bool any_inside = read->structures.empty();
+    for (Brought& brought : read->structures) {
+      if (!names.insert(brought.name).second) return brought_twice(brought.name, series.files.front().string());
+      const imaging::Mask mask = segmentation::resample(brought.mask, anatomy);
+      if (segmentation::voxel_count(mask) == 0) continue;
+      any_inside = true;
+      if (!imaging::same_grid(brought.mask.grid, anatomy)) {
+        const auto& size = brought.mask.grid.size;
+        brought.made.notes.push_back(
+            {GLISSON_TEXT("Drawn on another grid ({0} x {1} x {2}) and carried to the anatomy's, each voxel from the "
+                          "nearest one."),
+             {std::to_string(size[0]), std::to_string(size[1]), std::to_string(size[2])}});
+      }
+      brought.made.from.emplace_back("volumes/anatomy");
+      const std::string id = "labels/" + brought.name;
+      imported.push_back({id, segmentation::volume_ml(mask), brought.made.notes});
+      auto added = patient.add(id, ".nrrd", std::move(brought.made), [&](const auto& file) {
+        return imaging::write_mask_file(file, mask, {brought.name, 1, brought.color_rgb});
+      });
+      if (!added) return failure(added.error());
+    }
+    if (!any_inside) return outside(series);
+  }
+  if (imported.empty() && !wanted.empty()) return nothing_named(wanted, unnamed);
+  return imported;
+}
+
+Made made_from(const Series& series) {
+  Made made{"import", {{"series", series.uid}, {"description", series.description}}, {}, {}, {}};
+  for (const std::string& problem : series.problems) made.notes.push_back({problem, {}});
+  for (const auto& file : series.files) {
+    made.sources[file.filename().string()] = sha256_of_file(file).value_or("unreadable");
+  }
+  return made;
+}
+
+namespace {
+
+Result<Read> read_dicom(const Series& series) {
+  auto segments = imaging::read_dicom_seg(series.files.front());
+  if (!segments) return failure(segments.error());
+  Read read;
+  for (imaging::SegmentedMask& segment : *segments) {
+    Made made = made_from(series);
+    made.options["segment"] = segment.info.name;
+    // Of several "Tumour" each is kept.
+    const std::string name = structure_name(segment.info.name);
+    const auto taken = [&](const std::string& candidate) {
+      return std::any_of(read.structures.begin(), read.structures.end(),
+                         [&](const Brought& one) { return one.name == candidate; });
+    };
+    std::string free = name;
+    for (int number = 2; taken(free); ++number) free = fmt::format("{}-{}", name, number);
+    read.structures.push_back({free, std::move(segment.mask), segment.info.color_rgb, std::move(made)});
+  }
+  return read;
+}
+
+std::string value_and_volume(const LabelledPart& part) {
+  return fmt::format("{} ({:.1f} ml{}{})", part.value, part.volume_ml, part.written.empty() ? "" : ", ", part.written);
+}
+
+Result<Read> read_map(const WantedLabels& wanted) {
+  const Series& series = *wanted.series;
+  const auto map = read_label_map(series.files.front(), wanted.names);
+  if (!map) return failure(map.error());
+  Read read;
+  std::string left_out;
+  for (const LabelledPart& part : map->parts) {
+    if (!part.structure.empty()) continue;
+    read.unnamed.push_back(part);
+    left_out += (left_out.empty() ? "" : ", ") + (part.written.empty() ? std::to_string(part.value) : part.written);
+  }
+  for (const LabelledPart& part : map->parts) {
+    const auto same = [&](const Brought& one) { return one.name == part.structure; };
+    if (part.structure.empty() || std::any_of(read.structures.begin(), read.structures.end(), same)) continue;
+    Made made = made_from(series);
+    made.options["label-value"] = std::to_string(part.value);
+    if (!part.written.empty()) made.options["segment"] = part.written;
+    if (!map->named_by.text.empty()) made.notes.push_back(map->named_by);
+    if (!left_out.empty()) made.notes.push_back({GLISSON_TEXT("Left out of the label map: {0}."), {left_out}});
+    read.structures.push_back({part.structure, mask_of(*map, part.structure),
+                               segmentation::known_structure(part.structure).color_rgb, std::move(made)});
+  }
+  return read;
+}
+
+Failure nothing_named(const std::vector<WantedLabels>& wanted, const std::vector<LabelledPart>& unnamed) {
+  constexpr std::size_t most = 12;
+  std::string values;
+  for (std::size_t k = 0; k < std::min(most, unnamed.size()); ++k) {
+    values += (k == 0 ? "" : ", ") + value_and_volume(unnamed[k]);
+  }
+  if (unnamed.size() > most) values += ", ...";
+  return failure(Error{"labels-unnamed",
+                       GLISSON_TEXT("Nothing says what the values of {0} are: {1}."),
+                       {wanted.front().series->files.front().string(), values},
+                       GLISSON_TEXT("Name them, as in --label-value 1=liver --label-value 2=tumour-1."),
+                       wanted.front().series->files.front()});
+}
+
+Failure brought_twice(const std::string& name, const std::string& second) {
+  return failure(Error{"labels-twice",
+                       GLISSON_TEXT("Two files bring the structure {0}: {1} is the second."),
+                       {name, second},
+                       GLISSON_TEXT("Leave one of them out (--labels UID takes that label map alone)."),
+                       second});
+}
+
+Failure outside(const Series& series) {
+  return failure(Error{"labels-no-overlap",
+                       GLISSON_TEXT("No voxel of {0} lies inside the anatomy."),
+                       {series.files.front().string()},
+                       GLISSON_TEXT("Check that both belong to the same patient and frame of reference."),
+                       series.files.front()});
+}
+
+}  // namespace
+}  // namespace glisson::casefile
