@@ -1,5 +1,5 @@
-// glisson-cli accept CASE [MODEL.json] [--effect KIND ...] [--take-back]: what explain found becomes part of the organ
-// that is rehearsed, or ceases to be.
+// glisson-cli accept CASE [MODEL.json] [--effect KIND ...] [--of-this-patient] [--take-back]: what explain found
+// becomes part of the organ that is rehearsed, or ceases to be.
 
 #include "casefile/evidence.h"
 #include "casefile/model.h"
@@ -13,6 +13,7 @@ struct Options {
   std::string case_folder;
   std::string model;
   std::vector<std::string> kinds;
+  bool of_this_patient = false;
   bool take_back = false;
 };
 
@@ -21,7 +22,9 @@ Result<Outcome> run(const Options& options) {
   if (!patient) return failure(patient.error());
   const auto evidence = options.take_back ? casefile::take_back_evidence(*patient, options.kinds)
                         : !options.model.empty()
-                            ? casefile::accept_evidence(*patient, options.model, options.kinds)
+                            ? casefile::accept_evidence(*patient, options.model, options.kinds,
+                                                        options.of_this_patient ? casefile::Tissue::told_by_person
+                                                                                : casefile::Tissue::shown_by_file)
                             : casefile::read_model(*patient).map([](const auto& model) { return model.evidence; });
   if (!evidence) return failure(evidence.error());
   Outcome outcome{evidence_json(*evidence), evidence_text(*evidence)};
@@ -40,6 +43,8 @@ void add_accept(CLI::App& app, Action& chosen) {
       "model", options->model, "Better model (model.json of explain); without: what was accepted is listed");
   CLI::Option* kinds =
       command->add_option("--effect", options->kinds, "Only the effect of this kind (several may be given)");
+  command->add_flag("--of-this-patient", options->of_this_patient,
+                    "The specimen is tissue of this patient, though neither its place nor its title shows it");
   CLI::Option* take_back = command->add_flag("--take-back", options->take_back, "Take back what was accepted");
   take_back->excludes(model);
   command->callback([&chosen, options, kinds] {

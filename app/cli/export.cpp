@@ -4,16 +4,18 @@
 
 #include "casefile/export.h"
 #include "command.h"
+#include "shared_options.h"
 
 namespace glisson::cli {
 namespace {
 
-Outcome describe(const std::vector<std::filesystem::path>& files) {
-  Outcome outcome{{{"files", Json::array()}}, {}};
+Outcome describe(const std::vector<std::filesystem::path>& files, const std::vector<std::string>& remarks) {
+  Outcome outcome{{{"files", Json::array()}, {"notes", remarks}}, {}};
   for (const auto& file : files) {
     outcome.document["files"].push_back(file.string());
     outcome.text += file.string() + "\n";
   }
+  outcome.text += bullet_list(remarks);
   return outcome;
 }
 
@@ -36,7 +38,10 @@ void add_export(CLI::App& app, Action& chosen) {
     chosen = [=](const Progress& progress) -> Result<Outcome> {
       const auto patient = casefile::Case::open(*case_folder);
       if (!patient) return failure(patient.error());
-      return casefile::export_case(*patient, *casefile::export_format(*format), *out, progress).map(describe);
+      const auto wanted = *casefile::export_format(*format);
+      return casefile::export_case(*patient, wanted, *out, progress).map([&](const auto& files) {
+        return describe(files, messages(casefile::export_remarks(*patient, wanted)));
+      });
     };
   });
 }

@@ -1,6 +1,8 @@
-// glisson-cli import PATH --case CASE: makes a case out of a study.
+// glisson-cli import PATH --case CASE [--add]: makes a case out of a study, or adds a study to a case.
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <charconv>
 
 #include "casefile/import.h"
 #include "command.h"
@@ -14,16 +16,47 @@ struct Options {
   std::string path;
   std::string case_folder;
   casefile::ImportChoice choice;
+  std::vector<std::string> label_values;  // "5=liver"
+  bool add = false;
+  bool replace = false;
 };
 
+// "5=liver"; empty where it is anything else.
+std::optional<std::pair<int, std::string>> named_value(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  int value = 0;
+  if (equals == std::string::npos || equals + 1 == text.size()) return std::nullopt;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + equals, value);
+  if (problem != std::errc() || end != text.data() + equals || value < 1 || value > 65535) return std::nullopt;
+  return std::pair(value, text.substr(equals + 1));
+}
+
+Result<casefile::NewCase> add_to_case(const imaging::Study& study, const Options& options,
+                                      const casefile::ImportChoice& choice, const Progress& progress) {
+  auto patient = casefile::Case::open(options.case_folder);
+  if (!patient) return failure(patient.error());
+  auto imported = casefile::import_study(*patient, study, choice, progress,
+                                         options.replace ? casefile::Replacing::wanted : casefile::Replacing::refused);
+  if (!imported) return failure(imported.error());
+  return casefile::NewCase{*std::move(patient), *std::move(imported)};
+}
+
 Result<Outcome> import_path(const Options& options, const Progress& progress) {
+  casefile::ImportChoice choice = options.choice;
+  for (const std::string& text : options.label_values) choice.label_names.insert(*named_value(text));
   const auto study = imaging::scan(options.path, progress.part(0.0, 0.3));
   if (!study) return failure(study.error());
-  const auto made = casefile::new_case_from(*study, options.case_folder, options.choice, progress.part(0.3, 1.0));
+  const Progress rest = progress.part(0.3, 1.0);
+  const auto made = options.add || options.replace ? add_to_case(*study, options, choice, rest)
+                                                   : casefile::new_case_from(*study, options.case_folder, choice, rest);
   if (!made) return failure(made.error());
 
-  Outcome outcome{{{"case", options.case_folder}, {"volumes", Json::array()}, {"structures", Json::array()}}, {}};
-  for (const auto& volume : made->volumes) {
+  Outcome outcome{{{"case", options.case_folder},
+                   {"volumes", Json::array()},
+                   {"structures", Json::array()},
+                   {"labels", Json::array()}},
+                  {}};
+  for (const auto& volume : made->imported.volumes) {
     outcome.document["volumes"].push_back({{"role", imaging::role_name(volume.role)},
                                            {"id", volume.id},
                                            {"size", volume.grid.size},
@@ -35,11 +68,18 @@ Result<Outcome> import_path(const Options& options, const Progress& progress) {
         fmt::format("{:22} {} x {} x {}\n", volume.id, volume.grid.size[0], volume.grid.size[1], volume.grid.size[2]) +
         bullet_list(volume.notes);
   }
-  for (const casefile::Entry& entry : made->patient.entries()) {
-    if (!entry.id.starts_with("labels/")) continue;
-    outcome.document["structures"].push_back(entry.id.substr(7));
-    outcome.text += fmt::format("{}\n", entry.id);
+  std::vector<std::string> said;  // of many structures of one file the same once
+  for (const casefile::ImportedStructure& structure : made->imported.structures) {
+    const auto notes = messages(structure.notes);
+    outcome.document["structures"].push_back(structure.id.substr(7));
+    outcome.document["labels"].push_back(
+        {{"structure", structure.id.substr(7)}, {"volume_ml", structure.volume_ml}, {"notes", notes}});
+    outcome.text += fmt::format("{:22} {:.1f} ml\n", structure.id, structure.volume_ml);
+    for (const std::string& note : notes) {
+      if (std::find(said.begin(), said.end(), note) == said.end()) said.push_back(note);
+    }
   }
+  outcome.text += bullet_list(said);
   const std::string& origin = made->patient.origin();
   if (!origin.empty()) outcome.document["origin"] = origin;
   outcome.text += fmt::format("{}{}\n", options.case_folder, origin.empty() ? "" : " (" + origin + ")");
@@ -52,7 +92,7 @@ void add_import(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("import", "Make a case from a study (DICOM, NIfTI, NRRD or MHA)");
   auto options = std::make_shared<Options>();
   command->add_option("path", options->path, "Folder, DICOMDIR or file")->required();
-  command->add_option("--case", options->case_folder, "The case to make: NAME.glisson")->required();
+  command->add_option("--case", options->case_folder, "The case: NAME.glisson, made anew without --add")->required();
   command->add_option("--anatomy", options->choice.anatomy_uid, "Series that shows the anatomy");
   command->add_option("--stiffness", options->choice.stiffness_uid, "Series with the stiffness map");
   command->add_option("--magnitude", options->choice.magnitude_uid, "Series with the MRE magnitude");
@@ -60,6 +100,19 @@ void add_import(CLI::App& app, Action& chosen) {
       ->add_option("--phase", options->choice.phase_uids,
                    "Series with the MRE phase; once for each where directions or frequencies are series of their own")
       ->allow_extra_args(false);
+  command
+      ->add_option("--labels", options->choice.label_uids,
+                   "Label map or DICOM SEG to take (several may be given); without, those drawn on the anatomy")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--label-value", options->label_values,
+                   "What a value of a label map is: 5=liver (several may be given; values without a name stay out)")
+      ->allow_extra_args(false)
+      ->check([](const std::string& text) { return named_value(text) ? std::string() : "VALUE=NAME, as in 5=liver"; });
+  command->add_flag("--add", options->add,
+                    "Into the case that is there; refused where the images are not of its patient");
+  command->add_flag("--replace", options->replace,
+                    "The same, whoever's they are: an anatomy takes the place of the case's");
   command->callback(
       [&chosen, options] { chosen = [options](const Progress& progress) { return import_path(*options, progress); }; });
 }

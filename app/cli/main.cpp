@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <mutex>
+#include <system_error>
 
 #include "base/error_file.h"
 #include "base/files.h"
@@ -111,6 +113,7 @@ int run(const cli::Action& action, const CommonOptions& common) {
   set_thread_count(common.threads);
   std::signal(SIGINT, [](int) { interruption.request_stop(); });
   std::signal(SIGTERM, [](int) { interruption.request_stop(); });
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error of the write that meets it
   if (common.quiet) set_log_level(LogLevel::off);
 
   Result<cli::Outcome> outcome = cancelled();
@@ -133,8 +136,15 @@ int run(const cli::Action& action, const CommonOptions& common) {
   GLISSON_ASSERT(all_numbers_finite(outcome->document));
   const std::string answer =
       common.json ? outcome->document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : outcome->text;
-  std::fputs(answer.c_str(), stdout);
-  return std::fflush(stdout) == 0 ? done : refused;
+  const bool said = std::fputs(answer.c_str(), stdout) >= 0 && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (said) return done;
+  print_error({"answer-not-written",
+               GLISSON_TEXT("The command is done, but its answer cannot be written: {0}."),
+               {std::generic_category().message(errno)},
+               GLISSON_TEXT("Check where standard output goes, and the space there."),
+               {}},
+              {});
+  return refused;
 }
 
 void end_defects_with_their_exit_code() {

@@ -1,13 +1,15 @@
-// glisson-cli resect (CASE | --mesh FILE.vtu) (--plane ... | --points FILE.csv) --out DIR: volumes, margins and vessels
-// of a planned resection, and the liver in its parts.
+// glisson-cli resect (CASE | --mesh FILE.vtu) (--plane ... | --points FILE.csv) [--result DIR/result.vtu] --out DIR:
+// volumes, margins and vessels of a planned resection, and the liver in its parts; at rest, or as tools hold it aside.
 
 #include <fmt/format.h>
 
 #include "base/csv.h"
 #include "casefile/model.h"
 #include "casefile/resection_folder.h"
+#include "casefile/used_entries.h"
 #include "command.h"
 #include "geometry/mesh_file.h"
+#include "mechanics/simulation.h"
 #include "rehearsal/resection.h"
 #include "shared_options.h"
 
@@ -21,6 +23,7 @@ struct Options {
   std::optional<std::string> points_file;
   std::vector<double> specimen_mm;
   std::vector<std::string> structures;  // NAME=FILE
+  std::optional<std::string> result;    // result.vtu: the liver lies as it says
   std::string out;
 };
 
@@ -61,6 +64,7 @@ Result<casefile::PlannedCut> cut_of(const Options& options) {
 struct Liver {
   geometry::TetMesh mesh;
   std::vector<rehearsal::NamedStructure> structures;
+  std::vector<Sentence> remarks;  // on the case's files
 };
 
 Result<Liver> liver_of(const Options& options) {
@@ -70,11 +74,12 @@ Result<Liver> liver_of(const Options& options) {
     if (!mesh) return failure(mesh.error());
     liver.mesh = std::move(*mesh);
   } else {
-    auto model = casefile::Case::open(*options.case_folder).and_then([](const casefile::Case& patient) {
-      return casefile::read_model(patient);
-    });
+    const auto patient = casefile::Case::open(*options.case_folder);
+    if (!patient) return failure(patient.error());
+    auto model = casefile::read_model(*patient);
     if (!model) return failure(model.error());
     liver.mesh = std::move(model->mesh);
+    liver.remarks = casefile::model_remarks(*patient);
     for (auto& structure : model->structures) {
       liver.structures.push_back(
           {structure.name, casefile::resection_kind(structure.name), std::move(structure.surface)});
@@ -90,11 +95,63 @@ Result<Liver> liver_of(const Options& options) {
   return liver;
 }
 
-std::string in_words(const rehearsal::Resection& plan) {
-  std::string text = fmt::format("Specimen {:.1f} ml, remnant {:.1f} ml ({:.1f} %), volumes to {:.2f} ml\n",
-                                 plan.specimen_ml, plan.remnant_ml, plan.remnant_percent(), plan.volume_error_ml);
+// As the tools of a result hold the liver: each point of it displaced. The result must be of this very mesh.
+Result<std::vector<Eigen::Vector3d>> displacement_mm(const geometry::TetMesh& rest, const std::filesystem::path& file) {
+  const auto result = geometry::read_tetrahedra(file);
+  if (!result) return failure(result.error());
+  const geometry::Field* field = geometry::find_field(result->point_fields, mechanics::displacement_field);
+  if (field == nullptr || field->components != 3) {
+    return failure(Error{"not-a-result",
+                         GLISSON_TEXT("{0} has no displacement."),
+                         {file.string()},
+                         GLISSON_TEXT("Make one with glisson-cli simulate --out DIR."),
+                         file});
+  }
+  constexpr double same_place_mm = 1e-3;
+  const bool same = result->points_mm.size() == rest.points_mm.size() &&
+                    std::equal(rest.points_mm.begin(), rest.points_mm.end(), result->points_mm.begin(),
+                               [](const auto& a, const auto& b) { return (a - b).norm() <= same_place_mm; });
+  if (!same) {
+    return failure(Error{"retraction-mismatch",
+                         GLISSON_TEXT("The result {0} is not of this model: its points at rest are others."),
+                         {file.string()},
+                         GLISSON_TEXT("Simulate it again with the model as it is now."),
+                         file});
+  }
+  std::vector<Eigen::Vector3d> moved_mm;
+  for (std::size_t p = 0; p < field->items(); ++p) moved_mm.emplace_back(&field->values[3 * p]);
+  return moved_mm;
+}
+
+// The liver with its structures where it lies.
+struct Lying {
+  rehearsal::LyingLiver liver;
+  std::vector<rehearsal::NamedStructure> structures;
+};
+
+Result<Lying> lying(const Liver& liver, const std::optional<std::string>& result) {
+  if (auto checked = geometry::check_tetrahedra(liver.mesh); !checked) return failure(std::move(checked.error()));
+  if (!result) return Lying{rehearsal::at_rest(liver.mesh), liver.structures};
+  // Either the file or the folder that simulate writes.
+  const std::filesystem::path given = *result;
+  std::error_code problem;
+  const auto moved_mm =
+      displacement_mm(liver.mesh, std::filesystem::is_directory(given, problem) ? given / "result.vtu" : given);
+  if (!moved_mm) return failure(moved_mm.error());
+  auto displaced = rehearsal::displaced(liver.mesh, *moved_mm);
+  if (!displaced) return failure(std::move(displaced.error()));
+  return Lying{*std::move(displaced), rehearsal::displaced(liver.mesh, *moved_mm, liver.structures)};
+}
+
+std::string in_words(const casefile::PlannedCut& cut, const rehearsal::Resection& plan) {
+  std::string text = cut.liver == casefile::PlannedCut::Liver::held_aside
+                         ? "As the tools hold the liver: margins and widths there, volumes of the tissue at rest\n"
+                         : "";
+  text += fmt::format("Specimen {:.1f} ml, remnant {:.1f} ml ({:.1f} %), volumes to {:.2f} ml\n", plan.specimen_ml,
+                      plan.remnant_ml, plan.remnant_percent(), plan.volume_error_ml);
   for (const auto& tumour : plan.tumours) {
-    text += fmt::format("  {:24} {:9} margin {:6.1f} mm{}\n", tumour.name, to_string(tumour.side), tumour.margin_mm,
+    text += fmt::format("  {:24} {:9} margin {:6.1f} mm{}{}\n", tumour.name, to_string(tumour.side), tumour.margin_mm,
+                        tumour.shift_mm > 0 ? fmt::format(", moved by {:.1f} mm", tumour.shift_mm) : "",
                         tumour.r1()       ? "  < 1 mm: R1"
                         : tumour.narrow() ? "  < 5 mm"
                                           : "");
@@ -102,15 +159,17 @@ std::string in_words(const rehearsal::Resection& plan) {
   for (const auto& cyst : plan.cysts) text += fmt::format("  {:24} {}\n", cyst.name, to_string(cyst.side));
   for (const auto& vessel : plan.vessels) text += fmt::format("  {:24} {}\n", vessel.name, to_string(vessel.side));
   for (const auto& crossing : plan.crossings) {
-    text += fmt::format("  crosses {:16} {:.1f} mm wide\n", crossing.name, crossing.diameter_mm);
+    text += fmt::format("  crosses {:16} {:.1f} mm wide{}\n", crossing.name, crossing.diameter_mm,
+                        crossing.vena_cava_by_calibre() ? ": too wide for a hepatic vein, the vena cava" : "");
   }
   return text + bullet_list(plan.notes);
 }
 
 Result<Outcome> resect(const Options& options, const Progress& progress) {
   progress.report(0.0, GLISSON_TEXT("Reading the liver"));
-  const auto cut = cut_of(options);
+  auto cut = cut_of(options);
   if (!cut) return failure(cut.error());
+  if (options.result) cut->liver = casefile::PlannedCut::Liver::held_aside;
   const auto liver = liver_of(options);
   if (!liver) return failure(liver.error());
   progress.report(0.3, GLISSON_TEXT("Cutting"));
@@ -118,15 +177,18 @@ Result<Outcome> resect(const Options& options, const Progress& progress) {
   if (!options.specimen_mm.empty()) specimen_mm = Eigen::Vector3d(options.specimen_mm.data());
   const auto surface = casefile::surface_of(*cut);
   if (!surface) return failure(surface.error());
-  const auto plan = rehearsal::plan_resection(liver->mesh, *surface, liver->structures, specimen_mm);
+  const auto lies = lying(*liver, options.result);
+  if (!lies) return failure(lies.error());
+  auto plan = rehearsal::plan_resection(lies->liver, *surface, lies->structures, specimen_mm);
   if (!plan) return failure(plan.error());
+  for (const Sentence& said : liver->remarks) plan->notes.push_back(said.message());
   if (auto written = casefile::write_resection(options.out, *cut, *plan); !written) {
     return failure(std::move(written.error()));
   }
   auto document = parse_json(casefile::resection_text(*cut, *plan));
   if (!document) return failure(std::move(document.error()));
   (*document)["out"] = options.out;
-  return Outcome{*std::move(document), in_words(*plan)};
+  return Outcome{*std::move(document), in_words(*cut, *plan)};
 }
 
 }  // namespace
@@ -149,6 +211,8 @@ void add_resect(CLI::App& app, Action& chosen) {
       ->check([](const std::string& given) {
         return given.find('=') == std::string::npos ? std::string("must be NAME=FILE") : std::string();
       });
+  command->add_option("--result", options->result,
+                      "result.vtu of simulate: the cut is set and measured on the liver as its tools hold it");
   command->add_option("--out", options->out, "Folder for resection.json, parts.vtu and cut.vtp")->required();
   case_folder->excludes(mesh);
   plane->excludes(points);

@@ -5,6 +5,7 @@
 
 #include "base/files.h"
 #include "casefile/model.h"
+#include "casefile/used_entries.h"
 #include "command.h"
 #include "evidence_answer.h"
 #include "geometry/mesh_file.h"
@@ -71,11 +72,12 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
   auto commands = rehearsal::parse_recording(*text, options.commands_file);
   if (!commands) return failure(std::move(commands.error()));
   progress.report(0.0, GLISSON_TEXT("Reading the model"));
-  auto model = casefile::Case::open(options.case_folder).and_then([](const casefile::Case& patient) {
-    return casefile::read_model(patient);
-  });
+  const auto patient = casefile::Case::open(options.case_folder);
+  if (!patient) return failure(patient.error());
+  auto model = casefile::read_model(*patient);
   if (!model) return failure(model.error());
   const casefile::Evidence evidence = model->evidence;
+  const std::vector<std::string> remarks = messages(casefile::model_remarks(*patient));
   auto engine = rehearsal::SessionEngine::create(casefile::rehearsal_setup(std::move(*model)), progress.part(0.0, 0.7));
   if (!engine) return failure(std::move(engine.error()));
 
@@ -84,6 +86,8 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
     outcome.document["evidence"] = evidence_json(evidence);
     outcome.text = evidence_text(evidence);
   }
+  if (!remarks.empty()) outcome.document["notes"] = remarks;
+  outcome.text += bullet_list(remarks);
   rehearsal::Recording recording;
   std::optional<std::size_t> first_other;
   for (std::size_t i = 0; i < commands->size(); ++i) {

@@ -5,6 +5,7 @@
 
 #include "casefile/model.h"
 #include "casefile/result_folder.h"
+#include "casefile/used_entries.h"
 #include "closedloop/stress_strain_file.h"
 #include "command.h"
 #include "geometry/mesh_file.h"
@@ -27,6 +28,7 @@ struct Question {
   geometry::TetMesh mesh;
   mechanics::Scenario scenario;
   std::vector<Sentence> evidence;  // what of it is in, and what is left out
+  std::vector<Sentence> remarks;   // on the case's files
 };
 
 // A case brings its mesh, and what the scenario leaves out: the usual supports, landmarks on tumours and vessels, and
@@ -34,12 +36,12 @@ struct Question {
 Result<Question> question(const Options& options, mechanics::Scenario scenario) {
   if (options.mesh_file) {
     return geometry::read_tetrahedra(*options.mesh_file).map([&](geometry::TetMesh mesh) {
-      return Question{std::move(mesh), std::move(scenario), {}};
+      return Question{std::move(mesh), std::move(scenario), {}, {}};
     });
   }
-  auto model = casefile::Case::open(*options.case_folder).and_then([](const casefile::Case& patient) {
-    return casefile::read_model(patient);
-  });
+  const auto patient = casefile::Case::open(*options.case_folder);
+  if (!patient) return failure(patient.error());
+  auto model = casefile::read_model(*patient);
   if (!model) return failure(model.error());
   if (options.data_file) {  // which say how stiff the organ is, in every direction
     model->capsule.reset();
@@ -49,7 +51,7 @@ Result<Question> question(const Options& options, mechanics::Scenario scenario) 
     });
   }
   std::vector<Sentence> evidence = casefile::put_into(scenario, *model);
-  return Question{std::move(model->mesh), std::move(scenario), std::move(evidence)};
+  return Question{std::move(model->mesh), std::move(scenario), std::move(evidence), casefile::model_remarks(*patient)};
 }
 
 std::string describe(const mechanics::Simulation& simulation) {
@@ -91,6 +93,7 @@ Result<Outcome> simulate(const Options& options, const Progress& progress) {
   auto simulation = mechanics::simulate(asked->mesh, asked->scenario, *settings, progress);
   if (!simulation) return failure(simulation.error());
   for (const Sentence& said : asked->evidence) simulation->result.notes.push_back(said.message());
+  for (const Sentence& said : asked->remarks) simulation->result.notes.push_back(said.message());
   if (!simulation->result.may_be_used()) {
     return failure(Error{"not-converged",
                          GLISSON_TEXT("The computation did not converge: {0}"),

@@ -95,6 +95,7 @@ std::string report_text(const Explanation& explanation, const Observations& obse
 std::string model_text(const Explanation& explanation, const ForwardModel& model, const Experiment& experiment) {
   Json json{{"format", model_format},
             {"kind", kind_of(experiment)},
+            {"title", experiment.title},
             {"verdict", name_of(explanation.verdict)},
             {"learnt_from", experiment.file.filename().string()},
             {"effects", Json::array()}};

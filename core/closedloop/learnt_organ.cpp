@@ -59,7 +59,7 @@ Result<LearntOrgan> learn_organ(OrganModel declared, const geometry::TetMesh& me
                                 const std::filesystem::path& model_file, const std::vector<std::string>& kinds) {
   const auto document = read_json_file(model_file);
   if (!document) return failure(document.error());
-  LearntOrgan learnt{std::move(declared), {}, {}};
+  LearntOrgan learnt{std::move(declared), {}, {}, {}};
   const auto wanted = [&](const std::string& kind) {
     return kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
   };
@@ -77,6 +77,7 @@ Result<LearntOrgan> learn_organ(OrganModel declared, const geometry::TetMesh& me
     const bool same_organ =
         document->contains("specimen") && same_place(place_from(document->at("specimen")), place_of(mesh));
     const Circumstances about{mesh, material_test, same_organ};
+    learnt.specimen = {document->value("title", document->value("learnt_from", std::string())), same_organ};
     for (const Json& json : document->at("effects")) {
       const Learnt effect{json.at("kind").get<std::string>(), json.value("law", std::string()), json.at("parameters")};
       if (wanted(effect.kind)) learnt.effects.push_back(take(effect, about, learnt.organ));

@@ -45,8 +45,15 @@ struct LearntEffect {
   Sentence sentence;  // what it does to the organ, or why it does nothing
 };
 
+// What was measured.
+struct Specimen {
+  std::string title;        // the experiment's; of a file without one, the file it was learnt from
+  bool this_organ = false;  // its mesh was this organ in this place; a material test has none
+};
+
 struct LearntOrgan {
   OrganModel organ;
+  Specimen specimen;
   std::vector<LearntEffect> effects;  // in the model's order
   std::vector<Sentence> remarks;      // a verdict that is no proof, a smooth correction
 };

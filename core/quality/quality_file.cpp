@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/json.h"
+#include "base/write_file.h"
 #include "geometry/mesh_file.h"
 
 namespace glisson::quality {
@@ -37,15 +38,19 @@ Result<void> write_quality(const fs::path& folder, const StoredQuality& stored) 
     }
     mesh.point_fields.push_back(std::move(places));
   }
-  if (auto written = geometry::write_surface(folder / "quality.vtp", mesh); !written) return written;
-  return write_json_file(folder / "sirgn.json", {{"sequence", fs::absolute(stored.sequence, problem).string()},
-                                                 {"method", stored.method},
-                                                 {"tolerances_mm", stored.tolerances_mm},
-                                                 {"frames", stored.quality.mesh_in_frames_mm.size()},
-                                                 {"mean_correlation", stored.quality.mean_correlation},
-                                                 {"tre_per_frame_mm", stored.quality.tre_mm},
-                                                 {"rmse_per_frame_mm", stored.quality.rmse_mm},
-                                                 {"notes", messages(stored.quality.notes)}});
+  const Json summary{{"sequence", fs::absolute(stored.sequence, problem).string()},
+                     {"method", stored.method},
+                     {"tolerances_mm", stored.tolerances_mm},
+                     {"frames", stored.quality.mesh_in_frames_mm.size()},
+                     {"mean_correlation", stored.quality.mean_correlation},
+                     {"tre_per_frame_mm", stored.quality.tre_mm},
+                     {"rmse_per_frame_mm", stored.quality.rmse_mm},
+                     {"notes", messages(stored.quality.notes)}};
+  return write_together([&] {
+    return geometry::write_surface(folder / "quality.vtp", mesh).and_then([&] {
+      return write_json_file(folder / "sirgn.json", summary);
+    });
+  });
 }
 
 Result<StoredQuality> read_quality(const fs::path& folder) {

@@ -80,7 +80,8 @@ Result<SequenceFiles> read_sequence(const fs::path& file) {
   if (const auto model = text_of(json, "model")) sequence.model = folder / *model;
   for (const auto* list : {&sequence.clouds, &sequence.registered}) {
     for (std::size_t frame = 0; frame < list->size(); ++frame) {
-      if (fs::exists((*list)[frame])) continue;
+      std::error_code no_name;  // of a length that the system takes
+      if (fs::exists((*list)[frame], no_name)) continue;
       return failure(Error{"sequence-frame-missing",
                            GLISSON_TEXT("Frame {0} is missing: there is no file {1}."),
                            {std::to_string(frame), (*list)[frame].string()},

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "base/json.h"
+#include "base/json_value.h"
 #include "rehearsal/session.h"
 
 namespace glisson::rehearsal {
@@ -124,12 +124,12 @@ Result<Recording> parse_recording(std::string_view json, const std::filesystem::
                          GLISSON_TEXT("A command is {\"hold\": {...}}, {\"release\": id} or {\"undo\": true}."),
                          file});
   };
-  if (!document->is_object() || document->value("format", "") != "glisson-session/1" ||
-      !document->contains("commands") || !document->at("commands").is_array()) {
+  const Json* commands = value_in(*document, "commands");
+  if (!says(*document, "format", "glisson-session/1") || commands == nullptr || !commands->is_array()) {
     return refuse("The head", "it does not say \"format\": \"glisson-session/1\" with a list of commands");
   }
   Recording recording;
-  for (const Json& command : document->at("commands")) {
+  for (const Json& command : *commands) {
     const std::string which = "Command " + std::to_string(recording.size() + 1);
     try {
       check_keys(command, {"hold", "release", "undo", "digest"});

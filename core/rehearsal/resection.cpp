@@ -9,7 +9,9 @@
 #include <map>
 
 #include "base/units.h"
+#include "geometry/fields.h"
 #include "geometry/nearest.h"
+#include "mechanics/simulation.h"
 
 namespace glisson::rehearsal {
 namespace {
@@ -20,6 +22,9 @@ using geometry::Surface;
 
 ResectionSide side_of(const Surface& surface, const CutSurface& cut, bool specimen_is_above);
 double smallest_distance_mm(const Surface& structure, const Surface& cut);
+
+// The cut as it is measured: through the mesh exactly, where the mesh that is moved has points near to it shifted.
+Surface exact_cut(const geometry::TetMesh& liver, const CutSurface& cut);
 
 // Closed outlines that the cut leaves on a surface, in order.
 std::vector<std::vector<Vector3d>> outlines(const Surface& surface, const CutSurface& cut);
@@ -40,10 +45,18 @@ Result<Resection> plan_resection(const geometry::TetMesh& liver, const CutSurfac
                                  const std::vector<NamedStructure>& structures,
                                  const std::optional<Vector3d>& specimen_mm) {
   if (auto checked = geometry::check_tetrahedra(liver); !checked) return failure(std::move(checked.error()));
+  return plan_resection(at_rest(liver), cut, structures, specimen_mm);
+}
+
+Result<Resection> plan_resection(const LyingLiver& lying, const CutSurface& cut,
+                                 const std::vector<NamedStructure>& structures,
+                                 const std::optional<Vector3d>& specimen_mm) {
+  const geometry::TetMesh& liver = lying.mesh;
+  if (auto checked = geometry::check_tetrahedra(liver); !checked) return failure(std::move(checked.error()));
   for (const NamedStructure& structure : structures) {
     if (auto checked = geometry::check_surface(structure.surface); !checked) return failure(std::move(checked.error()));
   }
-  const geometry::DividedVolume volume = geometry::divided_volume(liver, cut);
+  const geometry::DividedVolume volume = geometry::divided_volume(liver, cut, lying.rest_volumes_mm3);
   if (volume.above_mm3 <= 0 || volume.below_mm3 <= 0) {
     return failure(Error{"cut-misses",
                          GLISSON_TEXT("The cut passes the liver by."),
@@ -64,8 +77,7 @@ Result<Resection> plan_resection(const geometry::TetMesh& liver, const CutSurfac
   plan.remnant_ml = units::ml_from_mm3(plan.specimen_is_above ? volume.below_mm3 : volume.above_mm3);
   plan.volume_error_ml = units::ml_from_mm3(volume.error_mm3);
   plan.split = geometry::split_tetrahedra(liver, cut);
-  // For measuring, where the surface is; for moving, where cells are not slivers.
-  plan.cut = geometry::split_tetrahedra(liver, cut, {.snap = 0, .is_open = {}}).cut;
+  plan.cut = exact_cut(liver, cut);
   plan.cut_area_mm2 = geometry::area_mm2(plan.cut);
 
   const geometry::SurfaceDistance border(geometry::boundary_surface(liver));
@@ -73,7 +85,7 @@ Result<Resection> plan_resection(const geometry::TetMesh& liver, const CutSurfac
     const ResectionSide side = side_of(structure.surface, cut, plan.specimen_is_above);
     if (structure.kind == StructureKind::tumour) {
       const double margin_mm = side == ResectionSide::both ? 0.0 : smallest_distance_mm(structure.surface, plan.cut);
-      plan.tumours.push_back({structure.name, side, margin_mm});
+      plan.tumours.push_back({structure.name, side, margin_mm, structure.shift_mm});
       if (side != ResectionSide::specimen) {
         plan.notes.push_back(fmt::format("{} is {}.", structure.name,
                                          side == ResectionSide::both ? "cut through" : "left in the remnant"));
@@ -120,6 +132,18 @@ double smallest_distance_mm(const Surface& structure, const Surface& cut) {
     smallest_mm = std::min(smallest_mm, to_structure.closest(point).distance_mm);
   }
   return smallest_mm;
+}
+
+Surface exact_cut(const geometry::TetMesh& liver, const CutSurface& cut) {
+  geometry::SplitMesh split = geometry::split_tetrahedra(liver, cut, {.snap = 0, .is_open = {}});
+  if (const geometry::Field* moved = geometry::find_field(split.mesh.point_fields, mechanics::displacement_field)) {
+    std::vector<int> points;
+    for (const double p : geometry::find_field(split.cut.point_fields, "mesh_point")->values) {
+      points.push_back(static_cast<int>(p));
+    }
+    split.cut.point_fields.push_back(geometry::select({*moved}, points).front());
+  }
+  return std::move(split.cut);
 }
 
 std::vector<std::vector<Vector3d>> outlines(const Surface& surface, const CutSurface& cut) {

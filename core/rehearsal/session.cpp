@@ -63,23 +63,14 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
     watched.insert(watched.end(), in_mesh.begin(), in_mesh.end());
     parts->structures.push_back(std::move(structure));
   }
-  mechanics::StaticOptions twins_options = setup.options;
-  twins_options.grain.reset();
-  const auto body_of = [&](std::vector<double> youngs_kPa, const mechanics::StaticOptions& options,
-                           const Progress& part) {
-    return mechanics::StaticModel::create(setup.mesh, std::move(youngs_kPa), setup.supports, options, part)
-        .and_then([&](mechanics::StaticModel model) {
-          return ContactBody::create(std::move(model), setup.standing_loads, watched);
-        });
-  };
-  auto patient = body_of(std::move(setup.patient_youngs_kPa), setup.options,
-                         progress.part(0.0, setup.atlas_youngs_kPa ? 0.5 : 1.0));
+  auto models = rehearsal_models(setup, progress);
+  if (!models) return failure(std::move(models.error()));
+  auto patient = ContactBody::create((*models)->patient, setup.standing_loads, watched);
   if (!patient) return failure(std::move(patient.error()));
   parts->patient = std::move(*patient);
   Moment untouched{{}, parts->patient->untouched(), {}};
-  if (setup.atlas_youngs_kPa) {
-    auto atlas = body_of(std::vector<double>(setup.mesh.cells.size(), *setup.atlas_youngs_kPa), twins_options,
-                         progress.part(0.5, 1.0));
+  if ((*models)->atlas) {
+    auto atlas = ContactBody::create(*(*models)->atlas, setup.standing_loads, watched);
     if (!atlas) return failure(std::move(atlas.error()));
     parts->atlas = std::move(*atlas);
     untouched.atlas = parts->atlas->untouched();

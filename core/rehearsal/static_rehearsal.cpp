@@ -58,6 +58,7 @@ struct StaticRehearsal::Parts {
     StaticModel model;
     StaticResult standing;
   };
+  std::shared_ptr<const RehearsalModels> models;
   std::optional<Body> patient, atlas;
   double setup_s = 0;
 
@@ -76,28 +77,42 @@ struct PlacedTool::Parts {
   std::optional<BodyResponse> atlas;
 };
 
+Result<std::shared_ptr<const RehearsalModels>> rehearsal_models(const RehearsalSetup& setup, const Progress& progress) {
+  if (setup.models) return setup.models;
+  // One after the other: METIS draws from one stream of random numbers for all threads, and the order of elimination,
+  // and with it the bits of every answer, would differ from run to run.
+  auto patient = StaticModel::create(setup.mesh, setup.patient_youngs_kPa, setup.supports, setup.options,
+                                     progress.part(0.0, setup.atlas_youngs_kPa ? 0.5 : 1.0));
+  if (!patient) return failure(std::move(patient.error()));
+  RehearsalModels made{std::move(*patient), std::nullopt};
+  if (setup.atlas_youngs_kPa) {
+    mechanics::StaticOptions twins_options = setup.options;
+    twins_options.grain.reset();
+    auto atlas = StaticModel::create(setup.mesh, std::vector<double>(setup.mesh.cells.size(), *setup.atlas_youngs_kPa),
+                                     setup.supports, twins_options, progress.part(0.5, 1.0));
+    if (!atlas) return failure(std::move(atlas.error()));
+    made.atlas = std::move(*atlas);
+  }
+  return std::make_shared<const RehearsalModels>(std::move(made));
+}
+
 Result<StaticRehearsal> StaticRehearsal::create(RehearsalSetup setup, const Progress& progress) {
   const auto start = Clock::now();
   auto parts = std::make_shared<Parts>();
-  mechanics::StaticOptions twins_options = setup.options;
-  twins_options.grain.reset();
-  const auto body_of = [&](std::vector<double> youngs_kPa, const mechanics::StaticOptions& options,
-                           const Progress& part) -> Result<Parts::Body> {
-    auto model = StaticModel::create(setup.mesh, std::move(youngs_kPa), setup.supports, options, part);
-    if (!model) return failure(std::move(model.error()));
-    auto standing = model->solve(setup.standing_loads);
+  auto models = rehearsal_models(setup, progress.part(0.0, 0.95));
+  if (!models) return failure(std::move(models.error()));
+  parts->models = *models;
+  const auto body_of = [&](const StaticModel& model) -> Result<Parts::Body> {
+    auto standing = model.solve(setup.standing_loads);
     if (!standing) return failure(std::move(standing.error()));
     if (auto checked = usable(*standing); !checked) return failure(std::move(checked.error()));
-    return Parts::Body{std::move(*model), std::move(*standing)};
+    return Parts::Body{model, std::move(*standing)};
   };
-
-  auto patient = body_of(std::move(setup.patient_youngs_kPa), setup.options,
-                         progress.part(0.0, setup.atlas_youngs_kPa ? 0.5 : 0.95));
+  auto patient = body_of(parts->models->patient);
   if (!patient) return failure(std::move(patient.error()));
   parts->patient = std::move(*patient);
-  if (setup.atlas_youngs_kPa) {
-    auto atlas = body_of(std::vector<double>(setup.mesh.cells.size(), *setup.atlas_youngs_kPa), twins_options,
-                         progress.part(0.5, 0.95));
+  if (parts->models->atlas) {
+    auto atlas = body_of(*parts->models->atlas);
     if (!atlas) return failure(std::move(atlas.error()));
     parts->atlas = std::move(*atlas);
   }
@@ -235,6 +250,7 @@ std::size_t PlacedTool::touched_faces() const { return parts_->touched_faces; }
 double PlacedTool::solve_ms() const { return parts_->solve_ms; }
 
 const geometry::Surface& StaticRehearsal::surface() const { return parts_->surface; }
+const std::shared_ptr<const RehearsalModels>& StaticRehearsal::models() const { return parts_->models; }
 const StaticModel& StaticRehearsal::patient() const { return parts_->patient->model; }
 const StaticModel* StaticRehearsal::atlas() const { return parts_->atlas ? &parts_->atlas->model : nullptr; }
 double StaticRehearsal::setup_s() const { return parts_->setup_s; }

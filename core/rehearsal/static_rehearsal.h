@@ -21,6 +21,8 @@
 
 namespace glisson::rehearsal {
 
+struct RehearsalModels;
+
 struct RehearsalSetup {
   geometry::TetMesh mesh;
   std::vector<double> patient_youngs_kPa;  // one a cell
@@ -31,7 +33,18 @@ struct RehearsalSetup {
   std::vector<geometry::Surface> structures;  // tumours, vessels: their points move with the liver around them
   mechanics::StaticOptions options;           // a grain in them is the patient's; the twin has none
   double landmark_tolerance_mm = 10.0;
+  // Of this very setup, where they were made before: seconds and a factor each are spared.
+  std::shared_ptr<const RehearsalModels> models = nullptr;
 };
+
+// The two bodies, factorised. Copies are cheap.
+struct RehearsalModels {
+  mechanics::StaticModel patient;
+  std::optional<mechanics::StaticModel> atlas;  // absent without a twin
+};
+// `setup.models` where there are any. Failures: those of StaticModel::create.
+Result<std::shared_ptr<const RehearsalModels>> rehearsal_models(const RehearsalSetup& setup,
+                                                                const Progress& progress = {});
 
 // One of the two bodies under the present force.
 struct RehearsalBody {
@@ -82,6 +95,7 @@ class StaticRehearsal {
 
   // The liver's outer surface at rest, whose points the frames displace.
   [[nodiscard]] const geometry::Surface& surface() const;
+  [[nodiscard]] const std::shared_ptr<const RehearsalModels>& models() const;
   [[nodiscard]] const mechanics::StaticModel& patient() const;
   [[nodiscard]] const mechanics::StaticModel* atlas() const;  // nullptr without a twin
   [[nodiscard]] double setup_s() const;

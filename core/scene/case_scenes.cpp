@@ -297,8 +297,8 @@ Result<ShownResult> read_shown_result(const fs::path& folder) {
   for (std::size_t p = 0; p < field->items(); ++p) shown.displacement_mm.emplace_back(&field->values[3 * p]);
   shown.result = std::move(*result);
   // CASE.glisson/results/NAME: the case has the surfaces of the structures.
-  const fs::path above = fs::absolute(folder).lexically_normal().parent_path().parent_path();
   std::error_code problem;
+  const fs::path above = fs::absolute(folder, problem).lexically_normal().parent_path().parent_path();
   if (fs::exists(above / "case.json", problem)) {
     auto patient = casefile::Case::open(above);
     if (!patient) return failure(patient.error());

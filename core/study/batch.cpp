@@ -7,7 +7,7 @@
 #include <mutex>
 
 #include "base/files.h"
-#include "base/json.h"
+#include "base/json_value.h"
 #include "base/parallel.h"
 
 namespace glisson::study {
@@ -21,12 +21,11 @@ std::optional<BatchRow> finished_row(const fs::path& out, const BatchPatient& pa
   std::error_code problem;
   if (!fs::exists(row_file(out, patient.id), problem)) return std::nullopt;
   const auto document = read_json_file(row_file(out, patient.id));
-  if (!document || !document->is_object() || document->value("fingerprint", Json()) != patient.fingerprint) {
-    return std::nullopt;
-  }
-  BatchRow row{patient.id, {}, document->value("error", std::string()), true};
-  const Json values = document->value("values", Json::object());
-  for (const auto& [name, value] : values.items()) {
+  if (!document || !says(*document, "fingerprint", patient.fingerprint)) return std::nullopt;
+  BatchRow row{patient.id, {}, string_in(*document, "error").value_or(""), true};
+  const Json* values = value_in(*document, "values");
+  if (values == nullptr || !values->is_object()) return std::nullopt;
+  for (const auto& [name, value] : values->items()) {
     if (value.is_number()) row.values.emplace_back(name, value.get<double>());
   }
   return row;

@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/units.h"
+#include "base/write_file.h"
 #include "mechanics/compliance_distance.h"
 #include "mechanics/meshfree_model.h"
 #include "mechanics/static_model.h"
@@ -183,9 +184,11 @@ Result<void> write_beams(const std::filesystem::path& out, const std::vector<Bea
           options.force_N, options.foundation_kPa_per_mm)},
       plot_of(rows, options), table_of(rows, options)};
   page.footer = fmt::format("Glisson {}. Not a medical device.", version());
-  return write_text_file(out / "beams.csv", csv)
-      .and_then([&] { return write_json_file(out / "summary.json", document); })
-      .and_then([&] { return report::write_html(out / "report.html", page); });
+  return write_together([&] {
+    return write_text_file(out / "beams.csv", csv)
+        .and_then([&] { return write_json_file(out / "summary.json", document); })
+        .and_then([&] { return report::write_html(out / "report.html", page); });
+  });
 }
 
 namespace {

@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "base/write_file.h"
 #include "mechanics/meshfree_model.h"
 #include "report/html.h"
 #include "study/beam_mesh.h"
@@ -97,10 +98,12 @@ Result<void> write_convergence(const std::filesystem::path& out, const Convergen
           study.theory_tip_mm, study.eq_6_6_tip_mm)},
       plot_of(study), table_of(study)};
   page.footer = fmt::format("Glisson {}. Not a medical device.", version());
-  return write_text_file(out / "convergence.csv", csv)
-      .and_then([&] { return write_json_file(out / "summary.json", document); })
-      .and_then([&] { return write_json_file(out / "convergence.json", curve); })
-      .and_then([&] { return report::write_html(out / "report.html", page); });
+  return write_together([&] {
+    return write_text_file(out / "convergence.csv", csv)
+        .and_then([&] { return write_json_file(out / "summary.json", document); })
+        .and_then([&] { return write_json_file(out / "convergence.json", curve); })
+        .and_then([&] { return report::write_html(out / "report.html", page); });
+  });
 }
 
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "study/demo_noise.h"
+#include "base/noise.h"
 
 namespace glisson::study {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <numbers>
 
+#include "base/noise.h"
 #include "base/parallel.h"
 #include "segmentation/edit.h"
-#include "study/demo_noise.h"
 
 namespace glisson::study {
 namespace {

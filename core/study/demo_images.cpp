@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "base/noise.h"
 #include "base/parallel.h"
-#include "study/demo_noise.h"
 
 namespace glisson::study {
 namespace {

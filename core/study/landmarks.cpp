@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/units.h"
+#include "base/write_file.h"
 #include "geometry/surface.h"
 #include "imaging/filters.h"
 #include "mechanics/compliance_distance.h"
@@ -56,9 +57,13 @@ Result<LandmarksSummary> run_landmarks(const fs::path& folder, const fs::path& o
   progress.report(0.9, GLISSON_TEXT("Drawing typical and extreme patients"));
   const auto pictures = draw_landmarks_pictures(*subjects, out, summary, options);
   if (!pictures) return failure(pictures.error());
-  return write_batch_csv(out / "landmarks.csv", summary.rows)
-      .and_then([&] { return write_text_file(out / "summary.json", summary_text(summary)); })
-      .and_then([&] { return report::write_html(out / "report.html", landmarks_page(summary, options, *pictures)); })
+  return write_together([&] {
+           return write_batch_csv(out / "landmarks.csv", summary.rows)
+               .and_then([&] { return write_text_file(out / "summary.json", summary_text(summary)); })
+               .and_then([&] {
+                 return report::write_html(out / "report.html", landmarks_page(summary, options, *pictures));
+               });
+         })
       .map([&] { return std::move(summary); });
 }
 

@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/units.h"
+#include "base/write_file.h"
 #include "geometry/mesh_file.h"
 #include "geometry/nearest.h"
 #include "geometry/tetrahedra.h"
@@ -331,9 +332,11 @@ Result<void> write_outcome(const fs::path& out, const PalpationSummary& summary,
           summary.mean_mm, summary.worst_mm, reported_mean_in_text_mm, summary.reported_mean_mm,
           options.tool_radius_mm)},
       std::move(table), std::move(plot)};
-  if (auto written = write_batch_csv(out / "palpation.csv", summary.rows); !written) return written;
-  if (auto written = write_json_file(out / "summary.json", document); !written) return written;
-  return report::write_html(out / "report.html", page);
+  return write_together([&] {
+    return write_batch_csv(out / "palpation.csv", summary.rows)
+        .and_then([&] { return write_json_file(out / "summary.json", document); })
+        .and_then([&] { return report::write_html(out / "report.html", page); });
+  });
 }
 
 }  // namespace

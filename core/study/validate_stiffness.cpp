@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/units.h"
+#include "base/write_file.h"
 #include "elastography/region_statistics.h"
 #include "imaging/stiffness_map.h"
 #include "imaging/volume_file.h"
@@ -219,9 +220,11 @@ Result<void> write_outcome(const fs::path& out, const StiffnessValidation& valid
   page.footer = fmt::format("Glisson {}. Research software; not a medical device.", version());
   page.blocks = {std::move(table), std::move(plot)};
   for (const std::string& note : validation.notes) page.blocks.emplace_back(report::Paragraph{note});
-  if (auto written = write_text_file(out / "validation.csv", csv); !written) return written;
-  if (auto written = write_json_file(out / "summary.json", document); !written) return written;
-  return report::write_html(out / "report.html", page);
+  return write_together([&] {
+    return write_text_file(out / "validation.csv", csv)
+        .and_then([&] { return write_json_file(out / "summary.json", document); })
+        .and_then([&] { return report::write_html(out / "report.html", page); });
+  });
 }
 
 }  // namespace

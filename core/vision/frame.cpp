@@ -23,7 +23,8 @@ bool comes_before(const fs::path& a, const fs::path& b);
 Result<Frame> read_frame(const fs::path& file) {
   cv::Mat image;
   try {
-    if (fs::is_regular_file(file)) image = cv::imread(file.string(), cv::IMREAD_COLOR);
+    std::error_code problem;
+    if (fs::is_regular_file(file, problem)) image = cv::imread(file.string(), cv::IMREAD_COLOR);
   } catch (const cv::Exception&) {
     image.release();
   }

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 #include <opencv2/videoio.hpp>
+#include <optional>
 #include <system_error>
 
+#include "base/write_file.h"
 #include "vision/opencv_internal.h"
 
 namespace glisson::vision {
@@ -20,7 +22,8 @@ tl::unexpected<Error> not_written(const fs::path& file, const char* what_to_do) 
 
 struct MovieWriter::Inside {
   fs::path file;
-  fs::path beside;  // what is written, until it is whole
+  fs::path beside;                   // the folder of pictures, until it is whole
+  std::optional<MemoryFile> memory;  // the film, since its encoder does not notice a full disk
   double frames_per_second = 25;
   bool is_video = false;
   cv::VideoWriter video;
@@ -31,7 +34,7 @@ struct MovieWriter::Inside {
   ~Inside() {
     video.release();
     std::error_code ignored;
-    fs::remove_all(beside, ignored);
+    if (!beside.empty()) fs::remove_all(beside, ignored);
   }
 };
 
@@ -52,10 +55,15 @@ Result<MovieWriter> MovieWriter::begin(const fs::path& file, double frames_per_s
   if (!inside->is_video && fs::exists(file, problem)) {
     return not_written(file, GLISSON_TEXT("Choose a name that is not there yet."));
   }
-  // The ending tells the encoder which sort of file it is.
+  if (inside->is_video) {
+    auto memory = MemoryFile::create(file);
+    if (!memory) return failure(std::move(memory.error()));
+    inside->memory = std::move(*memory);
+    return MovieWriter(std::move(inside));
+  }
   inside->beside = folder / ("." + file.stem().string() + ".part" + file.extension().string());
   fs::remove_all(inside->beside, problem);
-  if (!inside->is_video && !fs::create_directory(inside->beside, problem)) {
+  if (!fs::create_directory(inside->beside, problem)) {
     return not_written(file, GLISSON_TEXT("Choose a folder in which you may write."));
   }
   return MovieWriter(std::move(inside));
@@ -75,7 +83,8 @@ Result<void> MovieWriter::add(const Frame& frame) {
   const cv::Size even(in.width - in.width % 2, in.height - in.height % 2);
   try {
     if (in.count == 1) {
-      in.video.open(in.beside.string(), cv::VideoWriter::fourcc('m', 'p', '4', 'v'), in.frames_per_second, even);
+      in.video.open(in.memory->path().string(), cv::VideoWriter::fourcc('m', 'p', '4', 'v'), in.frames_per_second,
+                    even);
     }
     if (in.video.isOpened()) in.video.write(to_opencv(frame)(cv::Rect({0, 0}, even)).clone());
   } catch (const cv::Exception&) {
@@ -89,6 +98,7 @@ Result<void> MovieWriter::add(const Frame& frame) {
 Result<void> MovieWriter::finish() {
   Inside& in = *inside_;
   in.video.release();
+  if (in.is_video && in.count > 0) return in.memory->write_to(in.file);
   std::error_code problem;
   if (in.count > 0) fs::rename(in.beside, in.file, problem);
   if (in.count > 0 && !problem) return {};

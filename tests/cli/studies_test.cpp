@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/files.h"
+#include "support/folders.h"
 #include "support/process.h"
 
 namespace glisson::test {
@@ -42,19 +43,20 @@ TEST(Study, ACohortRunsInAWorkflowThatIsKilledAndTakenUpAgain) {
   answer({"study", "cohort", "--simulated", "16", "--out", maker});
   const std::string maps = (fs::path(maker) / "simulated").string();
   const fs::path out = folder.path() / "out";
-  const std::vector<std::string> workflow{snakemake.string(),
-                                          "--snakefile",
-                                          std::string(GLISSON_SOURCE_DIR) + "/packaging/cohort/Snakefile",
-                                          "--directory",
-                                          folder.path().string(),
-                                          "--cores",
-                                          "2",
-                                          "--nolock",
-                                          "--rerun-incomplete",
-                                          "--config",
-                                          "folder=" + maps,
-                                          "out=" + out.string(),
-                                          std::string("glisson_cli=") + GLISSON_BINARY_DIR + "/bin/glisson-cli"};
+  const std::vector<std::string> workflow{
+      snakemake.string(),
+      "--snakefile",
+      glisson::test::source_folder().string() + "/packaging/cohort/Snakefile",
+      "--directory",
+      folder.path().string(),
+      "--cores",
+      "2",
+      "--nolock",
+      "--rerun-incomplete",
+      "--config",
+      "folder=" + maps,
+      "out=" + out.string(),
+      std::string("glisson_cli=") + glisson::test::build_folder().string() + "/bin/glisson-cli"};
   const auto rows = [&] {
     std::error_code problem;
     const fs::directory_iterator files(out / "patients", problem);
@@ -85,11 +87,12 @@ TEST(Study, LandmarksRunInTheSameWorkflow) {
   const std::string maker = (folder.path() / "maker").string();
   answer({"study", "cohort", "--simulated", "2", "--out", maker});
   const fs::path out = folder.path() / "out";
-  const Finished finished = run(
-      snakemake, {"--snakefile", std::string(GLISSON_SOURCE_DIR) + "/packaging/cohort/Snakefile", "--directory",
-                  folder.path().string(), "--cores", "2", "--config", "study=landmarks",
-                  "folder=" + (fs::path(maker) / "simulated").string(), "out=" + out.string(),
-                  "options=--target-cells 800", std::string("glisson_cli=") + GLISSON_BINARY_DIR + "/bin/glisson-cli"});
+  const Finished finished =
+      run(snakemake,
+          {"--snakefile", glisson::test::source_folder().string() + "/packaging/cohort/Snakefile", "--directory",
+           folder.path().string(), "--cores", "2", "--config", "study=landmarks",
+           "folder=" + (fs::path(maker) / "simulated").string(), "out=" + out.string(), "options=--target-cells 800",
+           std::string("glisson_cli=") + glisson::test::build_folder().string() + "/bin/glisson-cli"});
   ASSERT_EQ(finished.exit_code, 0) << finished.err;
   const Json summary = parse_json(read_text_file(out / "summary.json").value()).value();
   EXPECT_EQ(summary.at("patients"), 2);

@@ -102,7 +102,8 @@ TEST_F(HumanLiver, GoesFromLabelsToAMovedLandmark) {
 
 TEST_F(HumanLiver, AsksForWhatIsMissingInsteadOfGuessing) {
   EXPECT_THAT(glisson_cli({"mesh", case_, "--quiet"}).err, HasSubstr("Segment it first"));
-  const Finished several = glisson_cli({"segment", case_, "--structure", "liver", "--labels", labels_, "--quiet"});
+  // The map names its values: the liver is found in it by name, and a tumour is not.
+  const Finished several = glisson_cli({"segment", case_, "--structure", "tumour-1", "--labels", labels_, "--quiet"});
   EXPECT_EQ(several.exit_code, 1);
   EXPECT_THAT(several.err, HasSubstr("--label-value"));
   answer({"segment", case_, "--structure", "liver", "--labels", labels_, "--label-value", "5"});

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "base/files.h"
+#include "support/folders.h"
 #include "support/process.h"
 
 namespace glisson::test {
@@ -52,6 +53,44 @@ TEST(Usage, AFailedImportLeavesAnExistingCaseUntouched) {
       glisson_cli({"import", "/no/such/folder", "--case", (folder.path() / "patient.glisson").string(), "--quiet"});
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_EQ(read_text_file(folder.path() / "patient.glisson" / "case.json").value(), "precious");
+}
+
+// Values of other types than they should be, and names that no file can have.
+TEST(Usage, HostileJsonIsRefusedAndNoDefect) {
+  const TemporaryFolder folder;
+  const auto at = [&](const char* name) { return (folder.path() / name).string(); };
+  ASSERT_TRUE(write_text_file(at("session.json"), R"({"format": 1, "commands": []})"));
+  const Finished session = glisson_cli({"session", at("none.glisson"), "--commands", at("session.json"), "--quiet"});
+  EXPECT_EQ(session.exit_code, 1) << session.err;
+  EXPECT_THAT(session.err, HasSubstr("session"));
+  ASSERT_TRUE(write_text_file(at("sequence.json"), R"({"frames": [{"cloud": ")" + std::string(300, 'n') +
+                                                       R"("}], "landmarks": "tracks.csv", "model": "model.ply"})"));
+  const Finished sequence =
+      glisson_cli({"sirgn", at("sequence.json"), "--method", "icp", "--out", at("out"), "--quiet"});
+  EXPECT_EQ(sequence.exit_code, 1) << sequence.err;
+  EXPECT_THAT(sequence.err, HasSubstr("Frame 0 is missing"));
+}
+
+// A surface of lines and points has no nearest place to anything.
+TEST(Usage, ASurfaceWithoutAnAreaIsRefusedAndNoDefect) {
+  const TemporaryFolder folder;
+  const std::string flat = (folder.path() / "flat.obj").string(), out = (folder.path() / "out.ply").string();
+  ASSERT_TRUE(write_text_file(flat, "v 0 0 0\nv 1 1 1\nv 2 2 2\nv 3 3 3\nf 1 2 3\nf 2 3 4\nf 1 1 2\n"));
+  for (const char* method : {"icp", "geo"}) {
+    const Finished refused = glisson_cli({"register", flat, flat, "--method", method, "--out", out, "--quiet"});
+    EXPECT_EQ(refused.exit_code, 1) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr("area"));
+  }
+  EXPECT_FALSE(fs::exists(out));
+}
+
+// The answer itself may meet a full disk.
+TEST(Usage, AnAnswerThatCannotBeWrittenIsNoSuccess) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  const Finished finished =
+      run("/bin/sh", {"-c", (build_folder() / "bin" / "glisson-cli").string() + " platform list --json > /dev/full"});
+  EXPECT_EQ(finished.exit_code, 1);
+  EXPECT_THAT(finished.err, HasSubstr("No space left"));
 }
 
 }  // namespace

@@ -3,10 +3,8 @@
 #include "rehearsal/resection.h"
 
 #include <gmock/gmock.h>
-#include <cmath>
-#include <Eigen/Geometry>
 
-#include "mechanics/bodies.h"
+#include "shapes_in_a_block.h"
 
 namespace glisson::rehearsal {
 namespace {
@@ -14,41 +12,9 @@ namespace {
 using Eigen::Vector3d;
 using geometry::CutSurface;
 
-geometry::TetMesh block() {
-  auto mesh = mechanics::test::box(8, 6, 6, {80, 60, 60});
-  mechanics::test::disturb_inner_points(mesh, 2.0);
-  return mesh;
-}
-
-// A ball, or a tube along a direction, of fine triangles.
-geometry::Surface grid(int rows, int columns, const std::function<Vector3d(double, double)>& at) {
-  geometry::Surface surface;
-  for (int i = 0; i <= rows; ++i) {
-    for (int k = 0; k < columns; ++k) surface.points_mm.push_back(at(double(i) / rows, double(k) / columns));
-  }
-  for (int i = 0; i < rows; ++i) {
-    for (int k = 0; k < columns; ++k) {
-      const int a = i * columns + k, b = i * columns + (k + 1) % columns;
-      surface.triangles.push_back({a, b, b + columns});
-      surface.triangles.push_back({a, b + columns, a + columns});
-    }
-  }
-  return surface;
-}
-geometry::Surface ball(const Vector3d& center, double radius) {
-  return grid(40, 60, [&](double u, double v) -> Vector3d {
-    const double polar = (1e-3 + u * (1 - 2e-3)) * std::numbers::pi, around = 2 * std::numbers::pi * v;
-    return center +
-           radius * Vector3d(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), std::cos(polar));
-  });
-}
-geometry::Surface tube(const Vector3d& from, const Vector3d& to, double radius) {
-  const Vector3d axis = (to - from).normalized(), first = axis.unitOrthogonal(), second = axis.cross(first);
-  return grid(40, 60, [&](double u, double v) -> Vector3d {
-    const double around = 2 * std::numbers::pi * v;
-    return from + u * (to - from) + radius * (std::cos(around) * first + std::sin(around) * second);
-  });
-}
+using test::ball;
+using test::block;
+using test::tube;
 
 TEST(Resection, VolumesMarginsSidesAndVesselsAreThoseOfTheGeometry) {
   const std::vector<NamedStructure> structures{
