@@ -4,7 +4,6 @@
 #include <cmath>
 #include <QCloseEvent>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -22,6 +21,7 @@
 #include "help/shortcuts_window.h"
 #include "help/tour_stops.h"
 #include "model/model_panel.h"
+#include "panels/ask_path.h"
 #include "panels/platform_view.h"
 #include "register/register_page.h"
 #include "report/report_view.h"
@@ -48,6 +48,12 @@ QString diary_file() {
   std::error_code problem;
   fs::create_directories(own_folder(), problem);
   return text_of(own_folder() / "glisson.log");
+}
+
+// The demo patient has its name however it was opened, and whatever was done to it.
+Patient named(Patient patient) {
+  if (patient.folder == own_folder() / "demo" / "demo.glisson") patient.name = demo_patient_name;
+  return patient;
 }
 
 }  // namespace
@@ -111,7 +117,7 @@ MainWindow::~MainWindow() {
   qDeleteAll(findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
 }
 
-// In the order of the work.
+// In the order of the work, research last.
 void MainWindow::make_workspaces() {
   add_workspace(StudyPage::workspace(bench()));
   study_page_ = findChild<StudyPage*>();
@@ -129,13 +135,17 @@ void MainWindow::make_workspaces() {
                      },
                  .missing = model_missing});
   add_workspace(ResectPanel::workspace(bench()));
-  add_workspace(RegisterPage::workspace(bench()));
   QWidget* platforms = PlatformView::shipped();
+  add_workspace(ReportView::workspace(bench(), [view = qobject_cast<PlatformView*>(platforms)] {
+    return view != nullptr ? view->plan() : std::nullopt;
+  }));
+  add_workspace(RegisterPage::workspace(bench()));
   add_workspace({.id = "platform",
                  .name = [] { return tr("Platform"); },
                  .about = [] { return tr("Find what can be worn for this case."); },
                  .widget = platforms,
                  .place = Workspace::Place::whole_window,
+                 .group = Workspace::Group::research,
                  .show_patient =
                      [view = qobject_cast<PlatformView*>(platforms)](const Patient& patient) {
                        if (view == nullptr || patient.name.empty()) return;
@@ -144,9 +154,6 @@ void MainWindow::make_workspaces() {
                                        patient.mean_youngs_kPa);
                      }});
   add_workspace(EvidenceView::workspace(bench()));
-  add_workspace(ReportView::workspace(bench(), [view = qobject_cast<PlatformView*>(platforms)] {
-    return view != nullptr ? view->plan() : std::nullopt;
-  }));
 }
 
 void MainWindow::add_workspace(Workspace workspace) {
@@ -176,7 +183,12 @@ Bench MainWindow::bench() {
           .undo = undo_,
           .patient = [this]() -> const Patient& { return patient_; },
           .change = [this](const QString& title, auto loader) { change(title, std::move(loader)); },
-          .open = [this](const QString& title, auto loader) { load(title, std::move(loader)); },
+          .open =
+              [this](const QString& title, auto loader) {
+                load(title, [loader = std::move(loader)](const Progress& progress, const FirstLook& /*first_look*/) {
+                  return loader(progress);
+                });
+              },
           .tell_error = [this](const Error& error) { show_error(error); },
           .tell_status = [this](const QString& text) { status_->say(text); },
           .go_to = [this](const QString& workspace_id) { go_to(workspace_id); },
@@ -187,8 +199,9 @@ void MainWindow::open_path(const fs::path& opened) {
   // A file manager hands over the file that stands for the case.
   const fs::path path = opened.filename() == "case.json" ? opened.parent_path() : opened;
   if (kind_of(path) == OpenedThing::case_folder) {
-    load(tr("Opening %1").arg(text_of(path.filename())),
-         [path](const Progress& progress) { return load_patient(path, progress); });
+    load(tr("Opening %1").arg(text_of(path.filename())), [path](const Progress& progress, const FirstLook& first_look) {
+      return load_patient(path, progress, first_look);
+    });
     return;
   }
   go_to("study");
@@ -199,19 +212,17 @@ void MainWindow::open_demo_then(std::function<void()> once_shown) {
   const fs::path folder = own_folder() / "demo";
   load(
       tr("Opening the demo patient"),
-      [folder](const Progress& progress) -> Result<Patient> {
+      [folder](const Progress& progress, const FirstLook& first_look) -> Result<Patient> {
         std::error_code problem;
         fs::create_directories(folder, problem);
-        return load_demo(folder, progress).map([&](Patient patient) {
-          patient.name = demo_patient_name;
-          return patient;
-        });
+        return load_demo(folder, progress, first_look);
       },
       std::move(once_shown));
 }
 
 void MainWindow::show_patient(const Patient& patient) {
   if (patient.folder != patient_.folder || patient.name != patient_.name) measure_->clear();
+  const bool same_case = !patient.folder.empty() && patient.folder == patient_.folder;
   patient_ = patient;
   welcome_->hide();
   viewing_->show();
@@ -227,18 +238,31 @@ void MainWindow::show_patient(const Patient& patient) {
   study_panel_->show_patient(patient);
   view_bar_->show_patient(patient);
   patient_views_->show_patient(patient);
-  rehearsal_.set_body(patient.rehearsal, patient.rehearsal_setup);
+  if (same_case) {
+    rehearsal_.exchange_body(patient.rehearsal, patient.rehearsal_setup);
+  } else {
+    rehearsal_.set_body(patient.rehearsal, patient.rehearsal_setup);
+  }
   rehearsal_undo_.begin();
   undo_.open_case(patient.folder);
   for (const Workspace& workspace : workspaces_) workspace.show_patient(patient);
   bar_->show_patient(patient);
-  save_picture_->setEnabled(true);
-  show_waves_->setEnabled(!patient.folder.empty() && WaveView::has_waves(patient.folder));
+  allow_for_case();
   next_step_->show_case(patient.folder);
   word_patient();
   if (!patient.folder.empty()) remember_case(patient.folder);
   keep_open_work();
   diary_.note("A patient is shown.");
+}
+
+// What of the menu has something to do.
+void MainWindow::allow_for_case() {
+  const bool has_case = !patient_.folder.empty();
+  save_picture_->setEnabled(!viewing_->isHidden());
+  show_waves_->setEnabled(has_case && WaveView::has_waves(patient_.folder));
+  add_labels_->setEnabled(has_case);
+  export_->setEnabled(has_case);
+  close_case_->setEnabled(has_case);
 }
 
 void MainWindow::word_patient() {
@@ -253,11 +277,18 @@ void MainWindow::make_menus() {
   QAction* open_demo = file->addAction({}, QKeySequence("Ctrl+D"), this, &MainWindow::open_demo);
   QMenu* recent = file->addMenu(QString());
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { list_recent(*recent); });
+  add_labels_ = file->addAction({}, this, &MainWindow::choose_labels);
+  add_labels_->setObjectName("add_labels");
   file->addSeparator();
+  export_ = new ExportMenu(bench(), this);
+  file->addMenu(export_);
   save_picture_ = file->addAction({}, QKeySequence::Save, this, &MainWindow::save_picture);
-  save_picture_->setEnabled(false);
   show_waves_ = file->addAction({}, QKeySequence("Ctrl+W"), this, &MainWindow::show_waves);
-  show_waves_->setEnabled(false);
+  close_case_ = file->addAction({}, this, &MainWindow::close_case);
+  close_case_->setObjectName("close_case");
+  export_->addSeparator();
+  export_->addAction(save_picture_);
+  allow_for_case();
   file->addSeparator();
   QAction* settings = file->addAction({}, QKeySequence("Ctrl+,"), this, [this] { SettingsWindow(this).exec(); });
   settings->setObjectName("settings");
@@ -282,9 +313,12 @@ void MainWindow::make_menus() {
   worded(this, [=, this] {
     file->setTitle(tr("&File"));
     open_case->setText(tr("&Open a case..."));
-    open_images->setText(tr("Open &images (DICOM folder)..."));
+    open_images->setText(tr("Open &images..."));
     open_demo->setText(tr("Open the &demo patient"));
     recent->setTitle(tr("Open &recent"));
+    add_labels_->setText(tr("&Add labels..."));
+    export_->setTitle(tr("&Export"));
+    close_case_->setText(tr("&Close the case"));
     settings->setText(tr("Se&ttings..."));
     tour->setText(tr("&Tour on the demo patient"));
     keys->setText(tr("&Keys..."));
@@ -408,18 +442,38 @@ void MainWindow::connect_parts() {
 }
 
 void MainWindow::choose_case() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a case (a folder NAME.glisson)"));
-  if (!folder.isEmpty()) open_path(path_of(folder));
+  const QString chosen = ask_for_file_or_folder(this, tr("Open a case (a folder NAME.glisson)"));
+  if (!chosen.isEmpty()) open_path(path_of(chosen));
 }
 
 void MainWindow::choose_study() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a folder of images"));
-  if (!folder.isEmpty()) open_path(path_of(folder));
+  const QString chosen = ask_for_file_or_folder(this, tr("Open images: a folder, or a file of them"));
+  if (!chosen.isEmpty()) open_path(path_of(chosen));
+}
+
+void MainWindow::choose_labels() {
+  const QString file = ask_for_file(this, tr("Add labels"),
+                                    tr("Label maps and DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;"
+                                       "All files (*)"));
+  if (!file.isEmpty()) study_page_->add_labels(path_of(file));
+}
+
+void MainWindow::close_case() {
+  if (work_.busy()) {
+    notices_->say([] { return tr("Something else is still under way. Wait for it, or cancel it first."); });
+    return;
+  }
+  show_patient({});
+  viewing_->hide();
+  welcome_->show();
+  allow_for_case();
+  open_work_.forget();
+  diary_.note("The case is closed.");
 }
 
 void MainWindow::save_picture() {
   const QString name = "glisson.png";
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save the picture"), name, tr("Pictures (*.png)"));
+  const QString file = ask_where_to_save(this, tr("Save the picture"), name, tr("Pictures (*.png)"));
   if (file.isEmpty()) return;
   if (!views_->space().picture().save(file))
     notices_->say([file] { return tr("The picture could not be written to %1.").arg(file); });
@@ -457,10 +511,17 @@ void MainWindow::start_tour() {
     connect(page, &RegisterPage::opened, page, &RegisterPage::compute, Qt::SingleShotConnection);
     page->open_example();
   };
+  // Who goes on before Register has done is not kept waiting for it.
+  const auto evidence_example = [this, begin = press("evidence_example")] {
+    if (!work_.busy()) return begin();
+    constexpr auto once_later = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
+    connect(&work_, &BackgroundWork::finished, this, begin, once_later);
+    work_.cancel();
+  };
   tour_->start(tour_stops(there, {{"rehearse", [this] { rehearse_panel_->hoist_segment_vi(); }},
                                   {"resect", press("cut_through_crosshair")},
                                   {"register", example_sequence},
-                                  {"evidence", press("evidence_example")}}));
+                                  {"evidence", evidence_example}}));
 }
 
 void MainWindow::show_diary() {
@@ -489,7 +550,9 @@ void MainWindow::open_lost_work() {
   const OpenWork work = *lost_work_;
   load(
       tr("Opening %1").arg(text_of(work.case_folder.filename())),
-      [folder = work.case_folder](const Progress& progress) { return load_patient(folder, progress); },
+      [folder = work.case_folder](const Progress& progress, const FirstLook& first_look) {
+        return load_patient(folder, progress, first_look);
+      },
       [this, work] {
         for (const Workspace& workspace : workspaces_) {
           if (workspace.id.toStdString() == work.workspace) go_to(workspace.id);
@@ -532,23 +595,32 @@ void MainWindow::about() {
                          .arg(QString::fromStdString(version())));
 }
 
-void MainWindow::load(const QString& title, std::function<Result<Patient>(const Progress&)> loader,
-                      std::function<void()> once_shown) {
+void MainWindow::load(const QString& title, Loader loader, std::function<void()> once_shown) {
   work_.start(title, [this, loader = std::move(loader), once_shown = std::move(once_shown)](const Progress& progress) {
-    auto patient = std::make_shared<Result<Patient>>(loader(progress));
+    const FirstLook first_look = [this](const Patient& patient) {
+      QMetaObject::invokeMethod(
+          this, [this, patient] { show_patient(named(patient)); }, Qt::QueuedConnection);
+    };
+    auto patient = std::make_shared<Result<Patient>>(loader(progress, first_look));
     return BackgroundWork::Then([this, patient, once_shown] {
       if (!*patient) {
+        if (patient_.preparing) {  // shown, and its model will not come
+          Patient without_model = patient_;
+          without_model.preparing = false;
+          show_patient(without_model);
+        }
         show_error(patient->error());
         return;
       }
-      show_patient(**patient);
+      show_patient(named(**patient));
       if (once_shown) once_shown();
     });
   });
 }
 
 void MainWindow::change(const QString& title, std::function<Result<Patient>(const Progress&)> loader) {
-  load(title, [this, name = Sentence{title.toStdString(), {}}, loader = std::move(loader)](const Progress& progress) {
+  load(title, [this, name = Sentence{title.toStdString(), {}}, loader = std::move(loader)](
+                  const Progress& progress, const FirstLook& /*first_look*/) {
     Result<Patient> patient = failure("cancelled", {});
     undo_.wait();  // what was drawn before belongs to what is worked on now
     const auto recorded = undo_.recorded(name, [&]() -> Result<void> {
@@ -566,7 +638,9 @@ void MainWindow::show_moved_entries(const QStringList& ids) {
       std::all_of(ids.begin(), ids.end(), [](const QString& id) { return id.startsWith("labels/"); });
   if (outlines_alone && workspace() == "segment") return;
   load(tr("Opening %1").arg(text_of(patient_.folder.filename())),
-       [folder = patient_.folder](const Progress& progress) { return load_patient(folder, progress); });
+       [folder = patient_.folder](const Progress& progress, const FirstLook& /*first_look*/) {
+         return load_patient(folder, progress);
+       });
 }
 
 void MainWindow::take_next_step(NextStep step) {

@@ -12,6 +12,7 @@
 #include "diary/stall_watch.h"
 #include "help/manual_window.h"
 #include "help/tour.h"
+#include "panels/export_menu.h"
 #include "panels/next_step_box.h"
 #include "panels/notices.h"
 #include "panels/rehearse_panel.h"
@@ -78,6 +79,8 @@ class MainWindow : public QMainWindow {
 
   void choose_case();
   void choose_study();
+  void choose_labels();
+  void close_case();
   void save_picture();
   void show_manual();
   void show_diary();
@@ -86,13 +89,14 @@ class MainWindow : public QMainWindow {
   void offer_lost_work();
   void open_lost_work();
   void keep_open_work();
+  void allow_for_case();
   void show_waves();
   void about();
 
   void open_demo_then(std::function<void()> once_shown);
   // Loads a patient on a worker thread, then shows it or says what went wrong.
-  void load(const QString& title, std::function<Result<Patient>(const Progress&)> loader,
-            std::function<void()> once_shown = {});
+  using Loader = std::function<Result<Patient>(const Progress&, const FirstLook&)>;
+  void load(const QString& title, Loader loader, std::function<void()> once_shown = {});
   // The same for work that changes the case: one step of undo.
   void change(const QString& title, std::function<Result<Patient>(const Progress&)> loader);
   void show_moved_entries(const QStringList& ids);
@@ -130,6 +134,9 @@ class MainWindow : public QMainWindow {
   WelcomePage* welcome_ = nullptr;
   NextStepBox* next_step_ = nullptr;
   StatusLine* status_ = nullptr;
+  ExportMenu* export_ = nullptr;
+  QAction* add_labels_ = nullptr;
+  QAction* close_case_ = nullptr;
   QAction* save_picture_ = nullptr;
   QAction* show_waves_ = nullptr;
 };

@@ -2,10 +2,21 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AskPath</name>
+    <message>
+        <source>Take this folder</source>
+        <translation>Diesen Ordner nehmen</translation>
+    </message>
+</context>
+<context>
     <name>Workspace</name>
     <message>
         <source>Needs a model of the liver: build it first.</source>
         <translation>Braucht ein Modell der Leber: Erstellen Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>The model is being prepared.</source>
+        <translation>Das Modell wird vorbereitet.</translation>
     </message>
 </context>
 <context>
@@ -142,10 +153,6 @@
         <translation>Prüfen Sie den Ordner, Ihre Rechte dort und den freien Speicherplatz.</translation>
     </message>
     <message>
-        <source>the disk or the folder refused it</source>
-        <translation>der Datenträger oder der Ordner hat es verweigert</translation>
-    </message>
-    <message>
         <source>The file {0} has {1} bytes; at most {2} are read.</source>
         <translation>Die Datei {0} hat {1} Bytes; höchstens {2} werden gelesen.</translation>
     </message>
@@ -228,10 +235,6 @@
     <message>
         <source>{0} cannot be put in its place: {1}.</source>
         <translation>{0} kann nicht an seinen Platz gebracht werden: {1}.</translation>
-    </message>
-    <message>
-        <source>{0} names a file outside the case folder: {1}.</source>
-        <translation>{0} nennt eine Datei außerhalb des Fallordners: {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: {1}.</source>
@@ -3702,34 +3705,6 @@
         <translation>{0} enthält keine Voxel.</translation>
     </message>
     <message>
-        <source>first i</source>
-        <translation>ersten (i)</translation>
-    </message>
-    <message>
-        <source>first j</source>
-        <translation>ersten (j)</translation>
-    </message>
-    <message>
-        <source>first k</source>
-        <translation>ersten (k)</translation>
-    </message>
-    <message>
-        <source>last i</source>
-        <translation>letzten (i)</translation>
-    </message>
-    <message>
-        <source>last j</source>
-        <translation>letzten (j)</translation>
-    </message>
-    <message>
-        <source>last k</source>
-        <translation>letzten (k)</translation>
-    </message>
-    <message>
-        <source>The image cuts the body at its {0} side; it is closed there by a flat cap.</source>
-        <translation>Das Bild schneidet den Körper an seiner {0} Seite ab; dort ist er durch eine ebene Fläche geschlossen.</translation>
-    </message>
-    <message>
         <source>The body falls in {0} parts; the largest is kept, and the rest is left out: {1}.</source>
         <translation>Der Körper zerfällt in {0} Teile; der größte bleibt, der Rest fällt weg: {1}.</translation>
     </message>
@@ -3772,6 +3747,330 @@
     <message>
         <source>The walls of cuts can be kept apart in equilibrium by finite elements, without a grain and not straight from data.</source>
         <translation>Die Wände von Schnitten können im Gleichgewicht mit finiten Elementen auseinandergehalten werden, ohne Faserrichtung und nicht unmittelbar aus Daten.</translation>
+    </message>
+    <message>
+        <source>The displacement has {0} points, the liver {1}; or one of them is not a number.</source>
+        <translation>Die Verschiebung hat {0} Punkte, die Leber {1}; oder eine davon ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>Simulate it again with the model as it is now.</source>
+        <translation>Simulieren Sie erneut mit dem jetzigen Modell.</translation>
+    </message>
+    <message>
+        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
+        <translation>So gehalten sind {0} Zellen der Leber umgestülpt: Dort lässt sich nichts messen.</translation>
+    </message>
+    <message>
+        <source>Pull or push with less force.</source>
+        <translation>Ziehen oder drücken Sie mit weniger Kraft.</translation>
+    </message>
+    <message>
+        <source>The result {0} is not of this model: its points at rest are others.</source>
+        <translation>Das Ergebnis {0} gehört nicht zu diesem Modell: Seine Punkte in Ruhe sind andere.</translation>
+    </message>
+    <message>
+        <source>one of its elements does not end</source>
+        <translation>eines ihrer Elemente endet nicht</translation>
+    </message>
+    <message>
+        <source>a compressed array has no blocks</source>
+        <translation>ein komprimiertes Feld hat keine Blöcke</translation>
+    </message>
+    <message>
+        <source>the blocks of a compressed array have no size</source>
+        <translation>die Blöcke eines komprimierten Felds haben keine Größe</translation>
+    </message>
+    <message>
+        <source>a compressed array has more bytes than the file can hold</source>
+        <translation>ein komprimiertes Feld hat mehr Bytes, als die Datei fassen kann</translation>
+    </message>
+    <message>
+        <source>an array begins behind its end</source>
+        <translation>ein Feld beginnt hinter ihrem Ende</translation>
+    </message>
+    <message>
+        <source>Mesh the surface anew, for example with MeshLab.</source>
+        <translation>Vernetzen Sie die Oberfläche neu, zum Beispiel mit MeshLab.</translation>
+    </message>
+    <message>
+        <source>No triangle of the surface has an area.</source>
+        <translation>Kein Dreieck der Oberfläche hat eine Fläche.</translation>
+    </message>
+    <message>
+        <source>Make the surface anew; a cloud of points is not one.</source>
+        <translation>Erzeugen Sie die Oberfläche neu; eine Punktwolke ist keine.</translation>
+    </message>
+    <message>
+        <source>The surface is in {0} pieces, between which there is no way along it; the largest has {1} % of its area.</source>
+        <translation>Die Oberfläche besteht aus {0} Stücken, zwischen denen kein Weg auf ihr führt; das größte hat {1} % ihrer Fläche.</translation>
+    </message>
+    <message>
+        <source>Keep its largest piece, or join the pieces.</source>
+        <translation>Behalten Sie das größte Stück, oder verbinden Sie die Stücke.</translation>
+    </message>
+    <message>
+        <source>Points at the place of another, joined with it: {0}.</source>
+        <translation>Punkte am Ort eines anderen, mit ihm vereint: {0}.</translation>
+    </message>
+    <message>
+        <source>Doubled or empty triangles left out: {0}.</source>
+        <translation>Doppelte oder leere Dreiecke weggelassen: {0}.</translation>
+    </message>
+    <message>
+        <source>Triangles turned to fit their neighbours: {0}.</source>
+        <translation>Dreiecke, die passend zu ihren Nachbarn gedreht wurden: {0}.</translation>
+    </message>
+    <message>
+        <source>Points parted where the surface only touches itself: {0}.</source>
+        <translation>Punkte, die geteilt wurden, wo die Oberfläche sich nur berührt: {0}.</translation>
+    </message>
+    <message>
+        <source>Pieces left out, together below 1 % of the area: {0}.</source>
+        <translation>Weggelassene Stücke, zusammen unter 1 % der Fläche: {0}.</translation>
+    </message>
+    <message>
+        <source>the patient&apos;s left</source>
+        <translation>zur linken Seite des Patienten</translation>
+    </message>
+    <message>
+        <source>the patient&apos;s right</source>
+        <translation>zur rechten Seite des Patienten</translation>
+    </message>
+    <message>
+        <source>the back</source>
+        <translation>zum Rücken</translation>
+    </message>
+    <message>
+        <source>the front</source>
+        <translation>nach vorn</translation>
+    </message>
+    <message>
+        <source>the head</source>
+        <translation>zum Kopf</translation>
+    </message>
+    <message>
+        <source>the feet</source>
+        <translation>zu den Füßen</translation>
+    </message>
+    <message>
+        <source>The image cuts the body off towards {0}; it is closed there by a flat cap.</source>
+        <translation>Das Bild schneidet den Körper {0} hin ab; dort ist er durch eine ebene Kappe geschlossen.</translation>
+    </message>
+    <message>
+        <source>Most rows of {0} are far shorter than its first.</source>
+        <translation>Die meisten Zeilen von {0} sind weit kürzer als die erste.</translation>
+    </message>
+    <message>
+        <source>{0} is left out: its pixels cannot be written without what else is stored with them.</source>
+        <translation>{0} wird weggelassen: Seine Bildpunkte lassen sich nicht ohne das schreiben, was sonst mit ihnen gespeichert ist.</translation>
+    </message>
+    <message>
+        <source>{0} does not say whether its pixels are signed: PixelRepresentation is {1}.</source>
+        <translation>{0} sagt nicht, ob seine Bildpunkte ein Vorzeichen haben: PixelRepresentation ist {1}.</translation>
+    </message>
+    <message>
+        <source>its voxels lie in several files</source>
+        <translation>seine Voxel liegen in mehreren Dateien</translation>
+    </message>
+    <message>
+        <source>its voxels are encoded in a way that is not read</source>
+        <translation>seine Voxel sind auf eine Weise kodiert, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>{0} has {1} million voxels; at most {2} million are read.</source>
+        <translation>{0} hat {1} Millionen Voxel; höchstens {2} Millionen werden gelesen.</translation>
+    </message>
+    <message>
+        <source>Cut out the part that is needed, or resample it to larger voxels.</source>
+        <translation>Schneiden Sie den benötigten Teil aus oder rechnen Sie auf größere Voxel um.</translation>
+    </message>
+    <message>
+        <source>The compressed voxels of {0} are damaged or cut short.</source>
+        <translation>Die komprimierten Voxel von {0} sind beschädigt oder abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>{0} holds more voxels than its header declares: its sizes are not those that it was written with.</source>
+        <translation>{0} enthält mehr Voxel, als sein Kopf angibt: Seine Größen sind nicht die, mit denen es geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>There is no room in the liver for {0} of {1} mm: make it smaller, or let it lie elsewhere.</source>
+        <translation>In der Leber ist kein Platz für {0} von {1} mm: Machen Sie sie kleiner, oder lassen Sie sie anderswo liegen.</translation>
+    </message>
+    <message>
+        <source>A liver of {0} ml cannot be made: ask for 800 to 2800 ml.</source>
+        <translation>Eine Leber von {0} ml lässt sich nicht erzeugen: Verlangen Sie 800 bis 2800 ml.</translation>
+    </message>
+    <message>
+        <source>A fat fraction of {0} with fibrosis of stage {1} cannot be made: the first is 0 to 0.5, the second 0 to 4.</source>
+        <translation>Ein Fettanteil von {0} mit Fibrose im Stadium {1} lässt sich nicht erzeugen: Der erste liegt zwischen 0 und 0.5, das zweite zwischen 0 und 4.</translation>
+    </message>
+    <message>
+        <source>shaping the liver</source>
+        <translation>die Leber wird geformt</translation>
+    </message>
+    <message>
+        <source>growing the vessels</source>
+        <translation>die Gefäße wachsen</translation>
+    </message>
+    <message>
+        <source>The lesion {0} is not understood: give its diameter in mm, as 30, and if you like its segment, 30@7, or its place, 30@x,y,z.</source>
+        <translation>Die Läsion {0} ist nicht verständlich: Geben Sie den Durchmesser in mm an, wie 30, und wenn Sie möchten das Segment, 30@7, oder den Ort, 30@x,y,z.</translation>
+    </message>
+    <message>
+        <source>others are writing it</source>
+        <translation>andere schreiben sie gerade</translation>
+    </message>
+    <message>
+        <source>{0} is a link to another place, where nothing is written.</source>
+        <translation>{0} verweist auf einen anderen Ort; dorthin wird nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Put the folder itself there.</source>
+        <translation>Legen Sie den Ordner selbst dorthin.</translation>
+    </message>
+    <message>
+        <source>{0} names a file outside its place in the case folder: {1}.</source>
+        <translation>{0} nennt eine Datei außerhalb ihres Platzes im Fallordner: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is being made by another program.</source>
+        <translation>{0} wird gerade von einem anderen Programm angelegt.</translation>
+    </message>
+    <message>
+        <source>Wait until it has finished, or choose another name.</source>
+        <translation>Warten Sie, bis es fertig ist, oder wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>{0} was replaced by another program and does not fit the liver of this case.</source>
+        <translation>{0} wurde von einem anderen Programm ersetzt und passt nicht zur Leber dieses Falls.</translation>
+    </message>
+    <message>
+        <source>Put the file back, or make it anew: glisson-cli segment, mesh, stiffness.</source>
+        <translation>Legen Sie die Datei zurück oder erzeugen Sie sie neu: glisson-cli segment, mesh, stiffness.</translation>
+    </message>
+    <message>
+        <source>Another program has changed {0} since it was saved.</source>
+        <translation>Ein anderes Programm hat {0} seit dem Speichern geändert.</translation>
+    </message>
+    <message>
+        <source>What {0} was made from has changed since: make it anew.</source>
+        <translation>Woraus {0} entstand, hat sich seitdem geändert: erzeugen Sie es neu.</translation>
+    </message>
+    <message>
+        <source>Point {0} of the surface lies farther off than a thousand kilometres.</source>
+        <translation>Punkt {0} der Oberfläche liegt weiter als tausend Kilometer entfernt.</translation>
+    </message>
+    <message>
+        <source>No triangle of the surface has an area: they are lines or points.</source>
+        <translation>Kein Dreieck der Oberfläche hat eine Fläche: es sind Linien oder Punkte.</translation>
+    </message>
+    <message>
+        <source>Point {0} of the mesh lies farther off than a thousand kilometres.</source>
+        <translation>Punkt {0} des Netzes liegt weiter als tausend Kilometer entfernt.</translation>
+    </message>
+    <message>
+        <source>The command is done, but its answer cannot be written: {0}.</source>
+        <translation>Der Befehl ist ausgeführt, aber seine Antwort kann nicht geschrieben werden: {0}.</translation>
+    </message>
+    <message>
+        <source>Check where standard output goes, and the space there.</source>
+        <translation>Prüfen Sie, wohin die Standardausgabe geht, und den Platz dort.</translation>
+    </message>
+    <message>
+        <source>They are of another patient.</source>
+        <translation>Sie sind von einem anderen Patienten.</translation>
+    </message>
+    <message>
+        <source>They are of another examination.</source>
+        <translation>Sie sind von einer anderen Untersuchung.</translation>
+    </message>
+    <message>
+        <source>They have another frame of reference: the patient may have moved between them.</source>
+        <translation>Sie haben ein anderes Bezugssystem: Der Patient kann sich dazwischen bewegt haben.</translation>
+    </message>
+    <message>
+        <source>They lie elsewhere: only {0} % of their place is that of the case&apos;s anatomy.</source>
+        <translation>Sie liegen anderswo: Nur {0} % ihres Raumes sind der der Anatomie des Falls.</translation>
+    </message>
+    <message>
+        <source>This was measured on &quot;{0}&quot;, and nothing shows that it is tissue of {1}.</source>
+        <translation>Das wurde an „{0}“ gemessen, und nichts zeigt, dass es Gewebe von {1} ist.</translation>
+    </message>
+    <message>
+        <source>Where it is, name the case in the experiment&apos;s title, or say so with --of-this-patient.</source>
+        <translation>Ist es das, so nennen Sie den Fall im Titel des Versuchs, oder sagen Sie es mit --of-this-patient.</translation>
+    </message>
+    <message>
+        <source>The effect {0} would change nothing in the rehearsal: {1}</source>
+        <translation>Die Wirkung {0} würde an der Probe nichts ändern: {1}</translation>
+    </message>
+    <message>
+        <source>Accept the others alone (--effect KIND).</source>
+        <translation>Nehmen Sie die anderen allein an (--effect ART).</translation>
+    </message>
+    <message>
+        <source>Make a case of their own, or take them all the same with --replace.</source>
+        <translation>Machen Sie einen eigenen Fall daraus, oder nehmen Sie sie trotzdem mit --replace.</translation>
+    </message>
+    <message>
+        <source>These images may not belong to {0}.{1}</source>
+        <translation>Diese Bilder gehören vielleicht nicht zu {0}.{1}</translation>
+    </message>
+    <message>
+        <source>{0} has an anatomy already, which these images would replace.</source>
+        <translation>{0} hat schon eine Anatomie, die diese Bilder ersetzen würden.</translation>
+    </message>
+    <message>
+        <source>Drawn on another grid ({0} x {1} x {2}) and carried to the anatomy&apos;s, each voxel from the nearest one.</source>
+        <translation>Auf einem anderen Gitter gezeichnet ({0} x {1} x {2}) und auf das der Anatomie übertragen, jedes Voxel vom nächsten.</translation>
+    </message>
+    <message>
+        <source>Left out of the label map: {0}.</source>
+        <translation>Aus der Labelkarte weggelassen: {0}.</translation>
+    </message>
+    <message>
+        <source>Nothing says what the values of {0} are: {1}.</source>
+        <translation>Nichts sagt, was die Werte von {0} sind: {1}.</translation>
+    </message>
+    <message>
+        <source>Name them, as in --label-value 1=liver --label-value 2=tumour-1.</source>
+        <translation>Benennen Sie sie, etwa --label-value 1=liver --label-value 2=tumour-1.</translation>
+    </message>
+    <message>
+        <source>Two files bring the structure {0}: {1} is the second.</source>
+        <translation>Zwei Dateien bringen die Struktur {0}: {1} ist die zweite.</translation>
+    </message>
+    <message>
+        <source>Leave one of them out (--labels UID takes that label map alone).</source>
+        <translation>Lassen Sie eine davon weg (--labels UID nimmt nur diese Labelkarte).</translation>
+    </message>
+    <message>
+        <source>No voxel of {0} lies inside the anatomy.</source>
+        <translation>Kein Voxel von {0} liegt in der Anatomie.</translation>
+    </message>
+    <message>
+        <source>Named after the file.</source>
+        <translation>Nach der Datei benannt.</translation>
+    </message>
+    <message>
+        <source>Named by you.</source>
+        <translation>Von Ihnen benannt.</translation>
+    </message>
+    <message>
+        <source>Named by 3D Slicer&apos;s segments.</source>
+        <translation>Nach den Segmenten von 3D Slicer benannt.</translation>
+    </message>
+    <message>
+        <source>Named by the table in the file.</source>
+        <translation>Nach der Tabelle in der Datei benannt.</translation>
+    </message>
+    <message>
+        <source>Named by the label description beside the file.</source>
+        <translation>Nach der Label-Beschreibung neben der Datei benannt.</translation>
+    </message>
+    <message>
+        <source>Named by TotalSegmentator&apos;s class numbers: see whether they are right.</source>
+        <translation>Nach den Klassennummern von TotalSegmentator benannt: Prüfen Sie, ob sie stimmen.</translation>
     </message>
 </context>
 <context>
@@ -4278,14 +4577,6 @@
         <translation>Nichts fehlt: Was das angegebene Modell übrig lässt, %1, ist Rauschen.</translation>
     </message>
     <message>
-        <source>Explained: the error falls from %1 to %2, as small as the noise.</source>
-        <translation>Erklärt: Der Fehler fällt von %1 auf %2, so klein wie das Rauschen.</translation>
-    </message>
-    <message>
-        <source>Not explained: the error falls from %1 to %2 and stays above the noise. What is named is a part of it, not its cause.</source>
-        <translation>Nicht erklärt: Der Fehler fällt von %1 auf %2 und bleibt über dem Rauschen. Was genannt ist, ist ein Teil davon, nicht seine Ursache.</translation>
-    </message>
-    <message>
         <source>No test finds anything in it that noise would not do.</source>
         <translation>Kein Test findet darin etwas, das Rauschen nicht täte.</translation>
     </message>
@@ -4328,6 +4619,26 @@
     <message>
         <source>The error before and after</source>
         <translation>Der Fehler vorher und nachher</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>%1: no effect that Glisson knows explains the error.</source>
+        <translation>%1: Kein Effekt, den Glisson kennt, erklärt den Fehler.</translation>
+    </message>
+    <message>
+        <source>%1: %2. This takes away %3 % of the error; what is left is noise.</source>
+        <translation>%1: %2. Das nimmt %3 % des Fehlers weg; was bleibt, ist Rauschen.</translation>
+    </message>
+    <message>
+        <source>%1: %2. This takes away %3 % of the error. More than noise is left: it is a part of the answer, and no proof of a cause.</source>
+        <translation>%1: %2. Das nimmt %3 % des Fehlers weg. Mehr als Rauschen bleibt: Es ist ein Teil der Antwort und kein Beweis einer Ursache.</translation>
+    </message>
+    <message>
+        <source>The error falls from %1 to %2.</source>
+        <translation>Der Fehler fällt von %1 auf %2.</translation>
     </message>
 </context>
 <context>
@@ -4425,10 +4736,6 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnliche
     <message>
         <source>Open the patient&apos;s case first.</source>
         <translation>Öffnen Sie zuerst den Fall des Patienten.</translation>
-    </message>
-    <message>
-        <source>Needs a model of the liver: build it first.</source>
-        <translation>Braucht ein Modell der Leber: Erstellen Sie es zuerst.</translation>
     </message>
     <message>
         <source>Tick an effect among what was found.</source>
@@ -4538,6 +4845,93 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnliche
         <source>The report is in %1</source>
         <translation>Der Bericht liegt in %1</translation>
     </message>
+    <message>
+        <source>What was found would change nothing in the rehearsal: %1</source>
+        <translation>Was gefunden wurde, würde an der Probe nichts ändern: %1</translation>
+    </message>
+    <message>
+        <source>This was measured on &quot;%1&quot;, and nothing shows that it is tissue of %2.</source>
+        <translation>Das wurde an „%1“ gemessen, und nichts zeigt, dass es Gewebe von %2 ist.</translation>
+    </message>
+    <message>
+        <source>Accept for this patient?</source>
+        <translation>Für diesen Patienten annehmen?</translation>
+    </message>
+    <message>
+        <source>Specimen: %1
+Patient: %2
+
+The organ that is rehearsed changes:
+%3</source>
+        <translation>Probe: %1
+Patient: %2
+
+Das geprobte Organ ändert sich:
+%3</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Annehmen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ExportMenu</name>
+    <message>
+        <source>Images and outlines as NIfTI...</source>
+        <translation>Bilder und Umrisse als NIfTI...</translation>
+    </message>
+    <message>
+        <source>Images and outlines as NRRD (3D Slicer)...</source>
+        <translation>Bilder und Umrisse als NRRD (3D Slicer)...</translation>
+    </message>
+    <message>
+        <source>Outlines as DICOM SEG...</source>
+        <translation>Umrisse als DICOM SEG...</translation>
+    </message>
+    <message>
+        <source>Surfaces as STL...</source>
+        <translation>Oberflächen als STL...</translation>
+    </message>
+    <message>
+        <source>Surfaces as OBJ...</source>
+        <translation>Oberflächen als OBJ...</translation>
+    </message>
+    <message>
+        <source>Surfaces as VTP (ParaView)...</source>
+        <translation>Oberflächen als VTP (ParaView)...</translation>
+    </message>
+    <message>
+        <source>The model&apos;s tetrahedra as VTU...</source>
+        <translation>Die Tetraeder des Modells als VTU...</translation>
+    </message>
+    <message>
+        <source>Save the outlines</source>
+        <translation>Umrisse speichern</translation>
+    </message>
+    <message>
+        <source>DICOM (*.dcm)</source>
+        <translation>DICOM (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Save the model</source>
+        <translation>Modell speichern</translation>
+    </message>
+    <message>
+        <source>VTK meshes (*.vtu)</source>
+        <translation>VTK-Netze (*.vtu)</translation>
+    </message>
+    <message>
+        <source>Write the files into this folder</source>
+        <translation>Dateien in diesen Ordner schreiben</translation>
+    </message>
+    <message>
+        <source>Exporting</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Files written: %1, in %2</source>
+        <translation>Geschriebene Dateien: %1, in %2</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::FiguresTable</name>
@@ -4623,6 +5017,33 @@ Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnliche
     <message>
         <source>● left open by the data</source>
         <translation>● von den Daten offen gelassen</translation>
+    </message>
+    <message>
+        <source>changes nothing in the rehearsal</source>
+        <translation>ändert an der Probe nichts</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::LabelNamesDialog</name>
+    <message>
+        <source>What the labels are</source>
+        <translation>Was die Labels sind</translation>
+    </message>
+    <message>
+        <source>%1 does not say what its values are. Choose a structure for each that you want.</source>
+        <translation>%1 sagt nicht, was seine Werte sind. Wählen Sie für jeden, den Sie wollen, eine Struktur.</translation>
+    </message>
+    <message>
+        <source>%1: %2 ml</source>
+        <translation>%1: %2 ml</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Weglassen</translation>
+    </message>
+    <message>
+        <source>Take them</source>
+        <translation>Übernehmen</translation>
     </message>
 </context>
 <context>
@@ -4767,10 +5188,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <translation>Fall ö&amp;ffnen …</translation>
     </message>
     <message>
-        <source>Open &amp;images (DICOM folder)...</source>
-        <translation>&amp;Bilder öffnen (DICOM-Ordner) …</translation>
-    </message>
-    <message>
         <source>Open the &amp;demo patient</source>
         <translation>&amp;Demopatienten öffnen</translation>
     </message>
@@ -4809,10 +5226,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>Open a case (a folder NAME.glisson)</source>
         <translation>Fall öffnen (ein Ordner NAME.glisson)</translation>
-    </message>
-    <message>
-        <source>Open a folder of images</source>
-        <translation>Ordner mit Bildern öffnen</translation>
     </message>
     <message>
         <source>Save the picture</source>
@@ -4917,6 +5330,34 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>&amp;View</source>
         <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Open &amp;images...</source>
+        <translation>&amp;Bilder öffnen...</translation>
+    </message>
+    <message>
+        <source>&amp;Add labels...</source>
+        <translation>&amp;Labels hinzufügen...</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Export</translation>
+    </message>
+    <message>
+        <source>&amp;Close the case</source>
+        <translation>Fall s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Open images: a folder, or a file of them</source>
+        <translation>Bilder öffnen: ein Ordner oder eine Datei davon</translation>
+    </message>
+    <message>
+        <source>Add labels</source>
+        <translation>Labels hinzufügen</translation>
+    </message>
+    <message>
+        <source>Label maps and DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;All files (*)</source>
+        <translation>Labelkarten und DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -6735,10 +7176,6 @@ figures</source>
         <translation>Ein Ordner, ein DICOMDIR oder eine Datei; Ablegen auf dem Fenster tut dasselbe</translation>
     </message>
     <message>
-        <source>Patients&apos; names are not shown: they are not read from the images. The images are never written to.</source>
-        <translation>Patientennamen werden nicht gezeigt: Sie werden aus den Bildern nicht gelesen. Die Bilder werden nie verändert.</translation>
-    </message>
-    <message>
         <source>Keep the case as</source>
         <translation>Fall aufbewahren als</translation>
     </message>
@@ -6779,16 +7216,20 @@ figures</source>
         <translation>Es ist kein Fall geöffnet.</translation>
     </message>
     <message>
-        <source>Series of the same role are replaced; Ctrl+Z brings them back</source>
-        <translation>Serien derselben Rolle werden ersetzt; Strg+Z bringt sie zurück</translation>
+        <source>Patients&apos; names are neither shown nor kept: a case keeps a hash of them. The images are never written to.</source>
+        <translation>Patientennamen werden weder gezeigt noch behalten: Ein Fall behält nur einen Hashwert davon. In die Bilder wird nie geschrieben.</translation>
     </message>
     <message>
-        <source>Open a folder of images</source>
-        <translation>Ordner mit Bildern öffnen</translation>
+        <source>Labels need the images that they were drawn on: give one series another role.</source>
+        <translation>Labels brauchen die Bilder, auf denen sie gezeichnet wurden: Geben Sie einer Serie eine andere Rolle.</translation>
     </message>
     <message>
-        <source>Importing</source>
-        <translation>Import läuft</translation>
+        <source>Glisson asks before anything is replaced; Ctrl+Z brings it back</source>
+        <translation>Glisson fragt, bevor etwas ersetzt wird; Strg+Z holt es zurück</translation>
+    </message>
+    <message>
+        <source>Open images: a folder, or a file of them</source>
+        <translation>Bilder öffnen: ein Ordner oder eine Datei davon</translation>
     </message>
 </context>
 <context>
@@ -6849,10 +7290,6 @@ je %2</translation>
         <translation>An ausgelassenen Versuchen</translation>
     </message>
     <message>
-        <source>ΔBIC</source>
-        <translation>ΔBIC</translation>
-    </message>
-    <message>
         <source>These data cannot tell it from</source>
         <translation>Diese Daten unterscheiden es nicht von</translation>
     </message>
@@ -6865,16 +7302,71 @@ je %2</translation>
         <translation>Quadratisches Mittel auf ganz ausgelassenen Versuchen, an die es nicht angepasst wurde</translation>
     </message>
     <message>
-        <source>Evidence against the declared model: below -10 is very strong</source>
-        <translation>Evidenz gegen das angegebene Modell: unter -10 ist sehr stark</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>out of the running: %1</source>
         <translation>aus dem Rennen: %1</translation>
+    </message>
+    <message>
+        <source>very strong</source>
+        <translation>sehr stark</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>stark</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>schwach</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Beleg</translation>
+    </message>
+    <message>
+        <source>Against the declared model, by the difference of BIC</source>
+        <translation>Gegen das angegebene Modell, nach dem Unterschied des BIC</translation>
+    </message>
+    <message>
+        <source>ΔBIC %1</source>
+        <translation>ΔBIC %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TakingIn</name>
+    <message>
+        <source>Looking at the labels</source>
+        <translation>Labels ansehen</translation>
+    </message>
+    <message>
+        <source>The case %1 has an anatomy already. These images would replace it; what was outlined and modelled on it then no longer fits.</source>
+        <translation>Der Fall %1 hat schon eine Anatomie. Diese Bilder würden sie ersetzen; was darauf umrissen und modelliert wurde, passt dann nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Replace the anatomy?</source>
+        <translation>Die Anatomie ersetzen?</translation>
+    </message>
+    <message>
+        <source>Is it this patient?</source>
+        <translation>Ist es dieser Patient?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Add all the same</source>
+        <translation>Trotzdem hinzufügen</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>Import läuft</translation>
     </message>
 </context>
 <context>
@@ -7502,6 +7994,10 @@ Von Hand: mit der rechten Taste ziehen</translation>
         <source>%1 (Ctrl+%2)</source>
         <translation>%1 (Strg+%2)</translation>
     </message>
+    <message>
+        <source>Research</source>
+        <translation>Forschung</translation>
+    </message>
 </context>
 <context>
     <name>patients</name>
@@ -7583,6 +8079,46 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>Hilum</source>
         <translation>Leberhilus</translation>
+    </message>
+    <message>
+        <source>Vena cava</source>
+        <translation>Hohlvene</translation>
+    </message>
+    <message>
+        <source>Duodenum</source>
+        <translation>Zwölffingerdarm</translation>
+    </message>
+    <message>
+        <source>Small bowel</source>
+        <translation>Dünndarm</translation>
+    </message>
+    <message>
+        <source>Colon</source>
+        <translation>Dickdarm</translation>
+    </message>
+    <message>
+        <source>Esophagus</source>
+        <translation>Speiseröhre</translation>
+    </message>
+    <message>
+        <source>Adrenal gland</source>
+        <translation>Nebenniere</translation>
+    </message>
+    <message>
+        <source>Kidney left</source>
+        <translation>Niere links</translation>
+    </message>
+    <message>
+        <source>Kidney right</source>
+        <translation>Niere rechts</translation>
+    </message>
+    <message>
+        <source>Adrenal gland left</source>
+        <translation>Nebenniere links</translation>
+    </message>
+    <message>
+        <source>Adrenal gland right</source>
+        <translation>Nebenniere rechts</translation>
     </message>
 </context>
 <context>

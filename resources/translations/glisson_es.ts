@@ -2,10 +2,21 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
+    <name>AskPath</name>
+    <message>
+        <source>Take this folder</source>
+        <translation>Tomar esta carpeta</translation>
+    </message>
+</context>
+<context>
     <name>Workspace</name>
     <message>
         <source>Needs a model of the liver: build it first.</source>
         <translation>Necesita un modelo del hígado: constrúyalo primero.</translation>
+    </message>
+    <message>
+        <source>The model is being prepared.</source>
+        <translation>El modelo se está preparando.</translation>
     </message>
 </context>
 <context>
@@ -142,10 +153,6 @@
         <translation>Compruebe la carpeta, sus permisos en ella y el espacio libre.</translation>
     </message>
     <message>
-        <source>the disk or the folder refused it</source>
-        <translation>el disco o la carpeta lo ha rechazado</translation>
-    </message>
-    <message>
         <source>The file {0} has {1} bytes; at most {2} are read.</source>
         <translation>El archivo {0} tiene {1} bytes; se leen como máximo {2}.</translation>
     </message>
@@ -228,10 +235,6 @@
     <message>
         <source>{0} cannot be put in its place: {1}.</source>
         <translation>No se puede poner {0} en su lugar: {1}.</translation>
-    </message>
-    <message>
-        <source>{0} names a file outside the case folder: {1}.</source>
-        <translation>{0} nombra un archivo fuera de la carpeta del caso: {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: {1}.</source>
@@ -3702,34 +3705,6 @@
         <translation>{0} no contiene ningún vóxel.</translation>
     </message>
     <message>
-        <source>first i</source>
-        <translation>primer (i)</translation>
-    </message>
-    <message>
-        <source>first j</source>
-        <translation>primer (j)</translation>
-    </message>
-    <message>
-        <source>first k</source>
-        <translation>primer (k)</translation>
-    </message>
-    <message>
-        <source>last i</source>
-        <translation>último (i)</translation>
-    </message>
-    <message>
-        <source>last j</source>
-        <translation>último (j)</translation>
-    </message>
-    <message>
-        <source>last k</source>
-        <translation>último (k)</translation>
-    </message>
-    <message>
-        <source>The image cuts the body at its {0} side; it is closed there by a flat cap.</source>
-        <translation>La imagen corta el cuerpo en su {0} lado; allí se cierra con una superficie plana.</translation>
-    </message>
-    <message>
         <source>The body falls in {0} parts; the largest is kept, and the rest is left out: {1}.</source>
         <translation>El cuerpo se divide en {0} partes; se conserva la mayor y se descarta el resto: {1}.</translation>
     </message>
@@ -3772,6 +3747,330 @@
     <message>
         <source>The walls of cuts can be kept apart in equilibrium by finite elements, without a grain and not straight from data.</source>
         <translation>Las paredes de las secciones pueden mantenerse separadas en equilibrio con elementos finitos, sin dirección de fibras y no directamente a partir de datos.</translation>
+    </message>
+    <message>
+        <source>The displacement has {0} points, the liver {1}; or one of them is not a number.</source>
+        <translation>El desplazamiento tiene {0} puntos, el hígado {1}; o uno de ellos no es un número.</translation>
+    </message>
+    <message>
+        <source>Simulate it again with the model as it is now.</source>
+        <translation>Simúlelo de nuevo con el modelo tal como es ahora.</translation>
+    </message>
+    <message>
+        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
+        <translation>Sujeto así, {0} celdas del hígado están vueltas del revés: allí no se puede medir nada.</translation>
+    </message>
+    <message>
+        <source>Pull or push with less force.</source>
+        <translation>Tire o empuje con menos fuerza.</translation>
+    </message>
+    <message>
+        <source>The result {0} is not of this model: its points at rest are others.</source>
+        <translation>El resultado {0} no es de este modelo: sus puntos en reposo son otros.</translation>
+    </message>
+    <message>
+        <source>one of its elements does not end</source>
+        <translation>uno de sus elementos no termina</translation>
+    </message>
+    <message>
+        <source>a compressed array has no blocks</source>
+        <translation>una matriz comprimida no tiene bloques</translation>
+    </message>
+    <message>
+        <source>the blocks of a compressed array have no size</source>
+        <translation>los bloques de una matriz comprimida no tienen tamaño</translation>
+    </message>
+    <message>
+        <source>a compressed array has more bytes than the file can hold</source>
+        <translation>una matriz comprimida tiene más bytes de los que caben en el archivo</translation>
+    </message>
+    <message>
+        <source>an array begins behind its end</source>
+        <translation>una matriz empieza después de su final</translation>
+    </message>
+    <message>
+        <source>Mesh the surface anew, for example with MeshLab.</source>
+        <translation>Vuelva a mallar la superficie, por ejemplo con MeshLab.</translation>
+    </message>
+    <message>
+        <source>No triangle of the surface has an area.</source>
+        <translation>Ningún triángulo de la superficie tiene área.</translation>
+    </message>
+    <message>
+        <source>Make the surface anew; a cloud of points is not one.</source>
+        <translation>Genere de nuevo la superficie; una nube de puntos no lo es.</translation>
+    </message>
+    <message>
+        <source>The surface is in {0} pieces, between which there is no way along it; the largest has {1} % of its area.</source>
+        <translation>La superficie está en {0} piezas, entre las que no hay camino sobre ella; la mayor tiene el {1} % de su área.</translation>
+    </message>
+    <message>
+        <source>Keep its largest piece, or join the pieces.</source>
+        <translation>Conserve la pieza mayor o una las piezas.</translation>
+    </message>
+    <message>
+        <source>Points at the place of another, joined with it: {0}.</source>
+        <translation>Puntos en el lugar de otro, unidos a él: {0}.</translation>
+    </message>
+    <message>
+        <source>Doubled or empty triangles left out: {0}.</source>
+        <translation>Triángulos dobles o vacíos omitidos: {0}.</translation>
+    </message>
+    <message>
+        <source>Triangles turned to fit their neighbours: {0}.</source>
+        <translation>Triángulos girados para concordar con sus vecinos: {0}.</translation>
+    </message>
+    <message>
+        <source>Points parted where the surface only touches itself: {0}.</source>
+        <translation>Puntos separados donde la superficie solo se toca: {0}.</translation>
+    </message>
+    <message>
+        <source>Pieces left out, together below 1 % of the area: {0}.</source>
+        <translation>Piezas omitidas, juntas menos del 1 % del área: {0}.</translation>
+    </message>
+    <message>
+        <source>the patient&apos;s left</source>
+        <translation>la izquierda del paciente</translation>
+    </message>
+    <message>
+        <source>the patient&apos;s right</source>
+        <translation>la derecha del paciente</translation>
+    </message>
+    <message>
+        <source>the back</source>
+        <translation>la espalda</translation>
+    </message>
+    <message>
+        <source>the front</source>
+        <translation>el frente</translation>
+    </message>
+    <message>
+        <source>the head</source>
+        <translation>la cabeza</translation>
+    </message>
+    <message>
+        <source>the feet</source>
+        <translation>los pies</translation>
+    </message>
+    <message>
+        <source>The image cuts the body off towards {0}; it is closed there by a flat cap.</source>
+        <translation>La imagen corta el cuerpo hacia {0}; allí se cierra con una tapa plana.</translation>
+    </message>
+    <message>
+        <source>Most rows of {0} are far shorter than its first.</source>
+        <translation>La mayoría de las filas de {0} son mucho más cortas que la primera.</translation>
+    </message>
+    <message>
+        <source>{0} is left out: its pixels cannot be written without what else is stored with them.</source>
+        <translation>{0} se omite: sus píxeles no pueden escribirse sin lo que está guardado junto a ellos.</translation>
+    </message>
+    <message>
+        <source>{0} does not say whether its pixels are signed: PixelRepresentation is {1}.</source>
+        <translation>{0} no dice si sus píxeles tienen signo: PixelRepresentation es {1}.</translation>
+    </message>
+    <message>
+        <source>its voxels lie in several files</source>
+        <translation>sus vóxeles están en varios archivos</translation>
+    </message>
+    <message>
+        <source>its voxels are encoded in a way that is not read</source>
+        <translation>sus vóxeles están codificados de una manera que no se lee</translation>
+    </message>
+    <message>
+        <source>{0} has {1} million voxels; at most {2} million are read.</source>
+        <translation>{0} tiene {1} millones de vóxeles; se leen como máximo {2} millones.</translation>
+    </message>
+    <message>
+        <source>Cut out the part that is needed, or resample it to larger voxels.</source>
+        <translation>Recorte la parte necesaria o remuestree con vóxeles más grandes.</translation>
+    </message>
+    <message>
+        <source>The compressed voxels of {0} are damaged or cut short.</source>
+        <translation>Los vóxeles comprimidos de {0} están dañados o cortados.</translation>
+    </message>
+    <message>
+        <source>{0} holds more voxels than its header declares: its sizes are not those that it was written with.</source>
+        <translation>{0} contiene más vóxeles de los que declara su cabecera: sus tamaños no son aquellos con los que se escribió.</translation>
+    </message>
+    <message>
+        <source>There is no room in the liver for {0} of {1} mm: make it smaller, or let it lie elsewhere.</source>
+        <translation>No hay sitio en el hígado para {0} de {1} mm: redúzcala o colóquela en otro lugar.</translation>
+    </message>
+    <message>
+        <source>A liver of {0} ml cannot be made: ask for 800 to 2800 ml.</source>
+        <translation>No se puede generar un hígado de {0} ml: pida de 800 a 2800 ml.</translation>
+    </message>
+    <message>
+        <source>A fat fraction of {0} with fibrosis of stage {1} cannot be made: the first is 0 to 0.5, the second 0 to 4.</source>
+        <translation>No se puede generar una fracción de grasa de {0} con fibrosis de estadio {1}: la primera va de 0 a 0.5, el segundo de 0 a 4.</translation>
+    </message>
+    <message>
+        <source>shaping the liver</source>
+        <translation>dando forma al hígado</translation>
+    </message>
+    <message>
+        <source>growing the vessels</source>
+        <translation>creciendo los vasos</translation>
+    </message>
+    <message>
+        <source>The lesion {0} is not understood: give its diameter in mm, as 30, and if you like its segment, 30@7, or its place, 30@x,y,z.</source>
+        <translation>No se entiende la lesión {0}: indique su diámetro en mm, como 30, y si quiere su segmento, 30@7, o su lugar, 30@x,y,z.</translation>
+    </message>
+    <message>
+        <source>others are writing it</source>
+        <translation>otros lo están escribiendo</translation>
+    </message>
+    <message>
+        <source>{0} is a link to another place, where nothing is written.</source>
+        <translation>{0} es un enlace a otro lugar, donde no se escribe nada.</translation>
+    </message>
+    <message>
+        <source>Put the folder itself there.</source>
+        <translation>Ponga allí la carpeta misma.</translation>
+    </message>
+    <message>
+        <source>{0} names a file outside its place in the case folder: {1}.</source>
+        <translation>{0} nombra un archivo fuera de su lugar en la carpeta del caso: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is being made by another program.</source>
+        <translation>Otro programa está creando {0}.</translation>
+    </message>
+    <message>
+        <source>Wait until it has finished, or choose another name.</source>
+        <translation>Espere a que termine o elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>{0} was replaced by another program and does not fit the liver of this case.</source>
+        <translation>{0} fue sustituido por otro programa y no corresponde al hígado de este caso.</translation>
+    </message>
+    <message>
+        <source>Put the file back, or make it anew: glisson-cli segment, mesh, stiffness.</source>
+        <translation>Devuelva el archivo o hágalo de nuevo: glisson-cli segment, mesh, stiffness.</translation>
+    </message>
+    <message>
+        <source>Another program has changed {0} since it was saved.</source>
+        <translation>Otro programa ha cambiado {0} desde que se guardó.</translation>
+    </message>
+    <message>
+        <source>What {0} was made from has changed since: make it anew.</source>
+        <translation>Aquello de lo que se hizo {0} ha cambiado desde entonces: hágalo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Point {0} of the surface lies farther off than a thousand kilometres.</source>
+        <translation>El punto {0} de la superficie está a más de mil kilómetros.</translation>
+    </message>
+    <message>
+        <source>No triangle of the surface has an area: they are lines or points.</source>
+        <translation>Ningún triángulo de la superficie tiene área: son líneas o puntos.</translation>
+    </message>
+    <message>
+        <source>Point {0} of the mesh lies farther off than a thousand kilometres.</source>
+        <translation>El punto {0} de la malla está a más de mil kilómetros.</translation>
+    </message>
+    <message>
+        <source>The command is done, but its answer cannot be written: {0}.</source>
+        <translation>La orden está hecha, pero no se puede escribir su respuesta: {0}.</translation>
+    </message>
+    <message>
+        <source>Check where standard output goes, and the space there.</source>
+        <translation>Compruebe adónde va la salida estándar y el espacio que hay allí.</translation>
+    </message>
+    <message>
+        <source>They are of another patient.</source>
+        <translation>Son de otro paciente.</translation>
+    </message>
+    <message>
+        <source>They are of another examination.</source>
+        <translation>Son de otro examen.</translation>
+    </message>
+    <message>
+        <source>They have another frame of reference: the patient may have moved between them.</source>
+        <translation>Tienen otro sistema de referencia: el paciente puede haberse movido entre ellas.</translation>
+    </message>
+    <message>
+        <source>They lie elsewhere: only {0} % of their place is that of the case&apos;s anatomy.</source>
+        <translation>Están en otro lugar: solo el {0} % de su espacio es el de la anatomía del caso.</translation>
+    </message>
+    <message>
+        <source>This was measured on &quot;{0}&quot;, and nothing shows that it is tissue of {1}.</source>
+        <translation>Esto se midió en «{0}», y nada muestra que sea tejido de {1}.</translation>
+    </message>
+    <message>
+        <source>Where it is, name the case in the experiment&apos;s title, or say so with --of-this-patient.</source>
+        <translation>Si lo es, nombre el caso en el título del experimento, o dígalo con --of-this-patient.</translation>
+    </message>
+    <message>
+        <source>The effect {0} would change nothing in the rehearsal: {1}</source>
+        <translation>El efecto {0} no cambiaría nada en el ensayo: {1}</translation>
+    </message>
+    <message>
+        <source>Accept the others alone (--effect KIND).</source>
+        <translation>Acepte solo los otros (--effect CLASE).</translation>
+    </message>
+    <message>
+        <source>Make a case of their own, or take them all the same with --replace.</source>
+        <translation>Haga de ellas un caso aparte, o tómelas de todos modos con --replace.</translation>
+    </message>
+    <message>
+        <source>These images may not belong to {0}.{1}</source>
+        <translation>Puede que estas imágenes no pertenezcan a {0}.{1}</translation>
+    </message>
+    <message>
+        <source>{0} has an anatomy already, which these images would replace.</source>
+        <translation>{0} ya tiene una anatomía, que estas imágenes reemplazarían.</translation>
+    </message>
+    <message>
+        <source>Drawn on another grid ({0} x {1} x {2}) and carried to the anatomy&apos;s, each voxel from the nearest one.</source>
+        <translation>Dibujado en otra rejilla ({0} x {1} x {2}) y llevado a la de la anatomía, cada vóxel desde el más cercano.</translation>
+    </message>
+    <message>
+        <source>Left out of the label map: {0}.</source>
+        <translation>Omitido del mapa de etiquetas: {0}.</translation>
+    </message>
+    <message>
+        <source>Nothing says what the values of {0} are: {1}.</source>
+        <translation>Nada dice qué son los valores de {0}: {1}.</translation>
+    </message>
+    <message>
+        <source>Name them, as in --label-value 1=liver --label-value 2=tumour-1.</source>
+        <translation>Nómbrelos, como en --label-value 1=liver --label-value 2=tumour-1.</translation>
+    </message>
+    <message>
+        <source>Two files bring the structure {0}: {1} is the second.</source>
+        <translation>Dos archivos traen la estructura {0}: {1} es el segundo.</translation>
+    </message>
+    <message>
+        <source>Leave one of them out (--labels UID takes that label map alone).</source>
+        <translation>Omita uno de ellos (--labels UID toma solo ese mapa de etiquetas).</translation>
+    </message>
+    <message>
+        <source>No voxel of {0} lies inside the anatomy.</source>
+        <translation>Ningún vóxel de {0} está dentro de la anatomía.</translation>
+    </message>
+    <message>
+        <source>Named after the file.</source>
+        <translation>Nombrado por el archivo.</translation>
+    </message>
+    <message>
+        <source>Named by you.</source>
+        <translation>Nombrado por usted.</translation>
+    </message>
+    <message>
+        <source>Named by 3D Slicer&apos;s segments.</source>
+        <translation>Nombrado por los segmentos de 3D Slicer.</translation>
+    </message>
+    <message>
+        <source>Named by the table in the file.</source>
+        <translation>Nombrado por la tabla del archivo.</translation>
+    </message>
+    <message>
+        <source>Named by the label description beside the file.</source>
+        <translation>Nombrado por la descripción de etiquetas junto al archivo.</translation>
+    </message>
+    <message>
+        <source>Named by TotalSegmentator&apos;s class numbers: see whether they are right.</source>
+        <translation>Nombrado por los números de clase de TotalSegmentator: compruebe que son correctos.</translation>
     </message>
 </context>
 <context>
@@ -4278,14 +4577,6 @@
         <translation>No falta nada: lo que deja el modelo declarado, %1, es ruido.</translation>
     </message>
     <message>
-        <source>Explained: the error falls from %1 to %2, as small as the noise.</source>
-        <translation>Explicado: el error baja de %1 a %2, tan pequeño como el ruido.</translation>
-    </message>
-    <message>
-        <source>Not explained: the error falls from %1 to %2 and stays above the noise. What is named is a part of it, not its cause.</source>
-        <translation>Sin explicar: el error baja de %1 a %2 y queda por encima del ruido. Lo nombrado es una parte, no su causa.</translation>
-    </message>
-    <message>
         <source>No test finds anything in it that noise would not do.</source>
         <translation>Ninguna prueba encuentra en ello nada que el ruido no haría.</translation>
     </message>
@@ -4328,6 +4619,26 @@
     <message>
         <source>The error before and after</source>
         <translation>El error antes y después</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Detalles</translation>
+    </message>
+    <message>
+        <source>%1: no effect that Glisson knows explains the error.</source>
+        <translation>%1: ningún efecto que Glisson conozca explica el error.</translation>
+    </message>
+    <message>
+        <source>%1: %2. This takes away %3 % of the error; what is left is noise.</source>
+        <translation>%1: %2. Esto quita el %3 % del error; lo que queda es ruido.</translation>
+    </message>
+    <message>
+        <source>%1: %2. This takes away %3 % of the error. More than noise is left: it is a part of the answer, and no proof of a cause.</source>
+        <translation>%1: %2. Esto quita el %3 % del error. Queda más que ruido: es una parte de la respuesta, y no prueba de una causa.</translation>
+    </message>
+    <message>
+        <source>The error falls from %1 to %2.</source>
+        <translation>El error baja de %1 a %2.</translation>
     </message>
 </context>
 <context>
@@ -4425,10 +4736,6 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     <message>
         <source>Open the patient&apos;s case first.</source>
         <translation>Abra primero el caso del paciente.</translation>
-    </message>
-    <message>
-        <source>Needs a model of the liver: build it first.</source>
-        <translation>Necesita un modelo del hígado: constrúyalo primero.</translation>
     </message>
     <message>
         <source>Tick an effect among what was found.</source>
@@ -4538,6 +4845,93 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
         <source>The report is in %1</source>
         <translation>El informe está en %1</translation>
     </message>
+    <message>
+        <source>What was found would change nothing in the rehearsal: %1</source>
+        <translation>Lo hallado no cambiaría nada en el ensayo: %1</translation>
+    </message>
+    <message>
+        <source>This was measured on &quot;%1&quot;, and nothing shows that it is tissue of %2.</source>
+        <translation>Esto se midió en «%1», y nada muestra que sea tejido de %2.</translation>
+    </message>
+    <message>
+        <source>Accept for this patient?</source>
+        <translation>¿Aceptar para este paciente?</translation>
+    </message>
+    <message>
+        <source>Specimen: %1
+Patient: %2
+
+The organ that is rehearsed changes:
+%3</source>
+        <translation>Muestra: %1
+Paciente: %2
+
+El órgano que se ensaya cambia:
+%3</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Aceptar</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ExportMenu</name>
+    <message>
+        <source>Images and outlines as NIfTI...</source>
+        <translation>Imágenes y contornos como NIfTI...</translation>
+    </message>
+    <message>
+        <source>Images and outlines as NRRD (3D Slicer)...</source>
+        <translation>Imágenes y contornos como NRRD (3D Slicer)...</translation>
+    </message>
+    <message>
+        <source>Outlines as DICOM SEG...</source>
+        <translation>Contornos como DICOM SEG...</translation>
+    </message>
+    <message>
+        <source>Surfaces as STL...</source>
+        <translation>Superficies como STL...</translation>
+    </message>
+    <message>
+        <source>Surfaces as OBJ...</source>
+        <translation>Superficies como OBJ...</translation>
+    </message>
+    <message>
+        <source>Surfaces as VTP (ParaView)...</source>
+        <translation>Superficies como VTP (ParaView)...</translation>
+    </message>
+    <message>
+        <source>The model&apos;s tetrahedra as VTU...</source>
+        <translation>Los tetraedros del modelo como VTU...</translation>
+    </message>
+    <message>
+        <source>Save the outlines</source>
+        <translation>Guardar los contornos</translation>
+    </message>
+    <message>
+        <source>DICOM (*.dcm)</source>
+        <translation>DICOM (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Save the model</source>
+        <translation>Guardar el modelo</translation>
+    </message>
+    <message>
+        <source>VTK meshes (*.vtu)</source>
+        <translation>Mallas VTK (*.vtu)</translation>
+    </message>
+    <message>
+        <source>Write the files into this folder</source>
+        <translation>Escribir los archivos en esta carpeta</translation>
+    </message>
+    <message>
+        <source>Exporting</source>
+        <translation>Exportación</translation>
+    </message>
+    <message>
+        <source>Files written: %1, in %2</source>
+        <translation>Archivos escritos: %1, en %2</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::FiguresTable</name>
@@ -4623,6 +5017,33 @@ Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué c
     <message>
         <source>● left open by the data</source>
         <translation>● los datos lo dejan abierto</translation>
+    </message>
+    <message>
+        <source>changes nothing in the rehearsal</source>
+        <translation>no cambia nada en el ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::LabelNamesDialog</name>
+    <message>
+        <source>What the labels are</source>
+        <translation>Qué son las etiquetas</translation>
+    </message>
+    <message>
+        <source>%1 does not say what its values are. Choose a structure for each that you want.</source>
+        <translation>%1 no dice qué son sus valores. Elija una estructura para cada uno de los que quiera.</translation>
+    </message>
+    <message>
+        <source>%1: %2 ml</source>
+        <translation>%1: %2 ml</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Omitir</translation>
+    </message>
+    <message>
+        <source>Take them</source>
+        <translation>Tomarlas</translation>
     </message>
 </context>
 <context>
@@ -4769,10 +5190,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <translation>&amp;Abrir un caso…</translation>
     </message>
     <message>
-        <source>Open &amp;images (DICOM folder)...</source>
-        <translation>Abrir &amp;imágenes (carpeta DICOM)…</translation>
-    </message>
-    <message>
         <source>Open the &amp;demo patient</source>
         <translation>Abrir el paciente de &amp;demostración</translation>
     </message>
@@ -4811,10 +5228,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>Open a case (a folder NAME.glisson)</source>
         <translation>Abrir un caso (una carpeta NOMBRE.glisson)</translation>
-    </message>
-    <message>
-        <source>Open a folder of images</source>
-        <translation>Abrir una carpeta de imágenes</translation>
     </message>
     <message>
         <source>Save the picture</source>
@@ -4919,6 +5332,34 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>&amp;View</source>
         <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>Open &amp;images...</source>
+        <translation>Abrir &amp;imágenes...</translation>
+    </message>
+    <message>
+        <source>&amp;Add labels...</source>
+        <translation>&amp;Añadir etiquetas...</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportar</translation>
+    </message>
+    <message>
+        <source>&amp;Close the case</source>
+        <translation>&amp;Cerrar el caso</translation>
+    </message>
+    <message>
+        <source>Open images: a folder, or a file of them</source>
+        <translation>Abrir imágenes: una carpeta o uno de sus archivos</translation>
+    </message>
+    <message>
+        <source>Add labels</source>
+        <translation>Añadir etiquetas</translation>
+    </message>
+    <message>
+        <source>Label maps and DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;All files (*)</source>
+        <translation>Mapas de etiquetas y DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
@@ -6738,10 +7179,6 @@ supuestas</translation>
         <translation>Una carpeta, un DICOMDIR o un archivo; soltarlo en la ventana hace lo mismo</translation>
     </message>
     <message>
-        <source>Patients&apos; names are not shown: they are not read from the images. The images are never written to.</source>
-        <translation>Los nombres de los pacientes no se muestran: no se leen de las imágenes. Las imágenes nunca se modifican.</translation>
-    </message>
-    <message>
         <source>Keep the case as</source>
         <translation>Guardar el caso como</translation>
     </message>
@@ -6782,16 +7219,20 @@ supuestas</translation>
         <translation>No hay ningún caso abierto.</translation>
     </message>
     <message>
-        <source>Series of the same role are replaced; Ctrl+Z brings them back</source>
-        <translation>Las series de la misma función se sustituyen; Ctrl+Z las recupera</translation>
+        <source>Patients&apos; names are neither shown nor kept: a case keeps a hash of them. The images are never written to.</source>
+        <translation>Los nombres de los pacientes ni se muestran ni se guardan: un caso guarda solo un resumen de ellos. Nunca se escribe en las imágenes.</translation>
     </message>
     <message>
-        <source>Open a folder of images</source>
-        <translation>Abrir una carpeta de imágenes</translation>
+        <source>Labels need the images that they were drawn on: give one series another role.</source>
+        <translation>Las etiquetas necesitan las imágenes sobre las que se dibujaron: dé otro papel a una serie.</translation>
     </message>
     <message>
-        <source>Importing</source>
-        <translation>Importando</translation>
+        <source>Glisson asks before anything is replaced; Ctrl+Z brings it back</source>
+        <translation>Glisson pregunta antes de reemplazar nada; Ctrl+Z lo recupera</translation>
+    </message>
+    <message>
+        <source>Open images: a folder, or a file of them</source>
+        <translation>Abrir imágenes: una carpeta o uno de sus archivos</translation>
     </message>
 </context>
 <context>
@@ -6852,10 +7293,6 @@ de %2 cada uno</translation>
         <translation>En ensayos apartados</translation>
     </message>
     <message>
-        <source>ΔBIC</source>
-        <translation>ΔBIC</translation>
-    </message>
-    <message>
         <source>These data cannot tell it from</source>
         <translation>Estos datos no lo distinguen de</translation>
     </message>
@@ -6868,16 +7305,71 @@ de %2 cada uno</translation>
         <translation>Media cuadrática en ensayos enteros apartados, a los que no se ajustó</translation>
     </message>
     <message>
-        <source>Evidence against the declared model: below -10 is very strong</source>
-        <translation>Evidencia contra el modelo declarado: por debajo de -10 es muy fuerte</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>out of the running: %1</source>
         <translation>fuera de concurso: %1</translation>
+    </message>
+    <message>
+        <source>very strong</source>
+        <translation>muy fuerte</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>fuerte</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>débil</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Evidencia</translation>
+    </message>
+    <message>
+        <source>Against the declared model, by the difference of BIC</source>
+        <translation>Contra el modelo declarado, por la diferencia de BIC</translation>
+    </message>
+    <message>
+        <source>ΔBIC %1</source>
+        <translation>ΔBIC %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TakingIn</name>
+    <message>
+        <source>Looking at the labels</source>
+        <translation>Examinando las etiquetas</translation>
+    </message>
+    <message>
+        <source>The case %1 has an anatomy already. These images would replace it; what was outlined and modelled on it then no longer fits.</source>
+        <translation>El caso %1 ya tiene una anatomía. Estas imágenes la reemplazarían; lo que se contorneó y modeló sobre ella dejaría de encajar.</translation>
+    </message>
+    <message>
+        <source>Replace the anatomy?</source>
+        <translation>¿Reemplazar la anatomía?</translation>
+    </message>
+    <message>
+        <source>Is it this patient?</source>
+        <translation>¿Es este paciente?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>Add all the same</source>
+        <translation>Añadir de todos modos</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>Importando</translation>
     </message>
 </context>
 <context>
@@ -7505,6 +7997,10 @@ A mano: arrastre con el botón derecho</translation>
         <source>%1 (Ctrl+%2)</source>
         <translation>%1 (Ctrl+%2)</translation>
     </message>
+    <message>
+        <source>Research</source>
+        <translation>Investigación</translation>
+    </message>
 </context>
 <context>
     <name>patients</name>
@@ -7586,6 +8082,46 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>Hilum</source>
         <translation>Hilio hepático</translation>
+    </message>
+    <message>
+        <source>Vena cava</source>
+        <translation>Vena cava</translation>
+    </message>
+    <message>
+        <source>Duodenum</source>
+        <translation>Duodeno</translation>
+    </message>
+    <message>
+        <source>Small bowel</source>
+        <translation>Intestino delgado</translation>
+    </message>
+    <message>
+        <source>Colon</source>
+        <translation>Colon</translation>
+    </message>
+    <message>
+        <source>Esophagus</source>
+        <translation>Esófago</translation>
+    </message>
+    <message>
+        <source>Adrenal gland</source>
+        <translation>Glándula suprarrenal</translation>
+    </message>
+    <message>
+        <source>Kidney left</source>
+        <translation>Riñón izquierdo</translation>
+    </message>
+    <message>
+        <source>Kidney right</source>
+        <translation>Riñón derecho</translation>
+    </message>
+    <message>
+        <source>Adrenal gland left</source>
+        <translation>Glándula suprarrenal izquierda</translation>
+    </message>
+    <message>
+        <source>Adrenal gland right</source>
+        <translation>Glándula suprarrenal derecha</translation>
     </message>
 </context>
 <context>

@@ -2,10 +2,21 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
+    <name>AskPath</name>
+    <message>
+        <source>Take this folder</source>
+        <translation>Prendre ce dossier</translation>
+    </message>
+</context>
+<context>
     <name>Workspace</name>
     <message>
         <source>Needs a model of the liver: build it first.</source>
         <translation>Il faut un modèle du foie&#xa0;: construisez-le d’abord.</translation>
+    </message>
+    <message>
+        <source>The model is being prepared.</source>
+        <translation>Le modèle est en cours de préparation.</translation>
     </message>
 </context>
 <context>
@@ -142,10 +153,6 @@
         <translation>Vérifiez le dossier, vos droits sur celui-ci et l’espace libre.</translation>
     </message>
     <message>
-        <source>the disk or the folder refused it</source>
-        <translation>le disque ou le dossier l’a refusé</translation>
-    </message>
-    <message>
         <source>The file {0} has {1} bytes; at most {2} are read.</source>
         <translation>Le fichier {0} a {1} octets&#xa0;; {2} au plus sont lus.</translation>
     </message>
@@ -228,10 +235,6 @@
     <message>
         <source>{0} cannot be put in its place: {1}.</source>
         <translation>{0} ne peut pas être mis à sa place&#xa0;: {1}.</translation>
-    </message>
-    <message>
-        <source>{0} names a file outside the case folder: {1}.</source>
-        <translation>{0} désigne un fichier hors du dossier du cas&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: {1}.</source>
@@ -3702,34 +3705,6 @@
         <translation>{0} ne contient aucun voxel.</translation>
     </message>
     <message>
-        <source>first i</source>
-        <translation>première (i)</translation>
-    </message>
-    <message>
-        <source>first j</source>
-        <translation>première (j)</translation>
-    </message>
-    <message>
-        <source>first k</source>
-        <translation>première (k)</translation>
-    </message>
-    <message>
-        <source>last i</source>
-        <translation>dernière (i)</translation>
-    </message>
-    <message>
-        <source>last j</source>
-        <translation>dernière (j)</translation>
-    </message>
-    <message>
-        <source>last k</source>
-        <translation>dernière (k)</translation>
-    </message>
-    <message>
-        <source>The image cuts the body at its {0} side; it is closed there by a flat cap.</source>
-        <translation>L’image coupe le corps à sa {0} face&#xa0;; il y est fermé par une surface plane.</translation>
-    </message>
-    <message>
         <source>The body falls in {0} parts; the largest is kept, and the rest is left out: {1}.</source>
         <translation>Le corps se divise en {0} parties&#xa0;; la plus grande est gardée, le reste est écarté&#xa0;: {1}.</translation>
     </message>
@@ -3772,6 +3747,330 @@
     <message>
         <source>The walls of cuts can be kept apart in equilibrium by finite elements, without a grain and not straight from data.</source>
         <translation>Les parois des sections peuvent être tenues séparées à l&apos;équilibre par éléments finis, sans orientation des fibres et pas directement à partir de données.</translation>
+    </message>
+    <message>
+        <source>The displacement has {0} points, the liver {1}; or one of them is not a number.</source>
+        <translation>Le déplacement a {0} points, le foie {1} ; ou l&apos;un d&apos;eux n&apos;est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>Simulate it again with the model as it is now.</source>
+        <translation>Simulez de nouveau avec le modèle actuel.</translation>
+    </message>
+    <message>
+        <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
+        <translation>Tenu ainsi, {0} cellules du foie sont retournées : rien ne peut y être mesuré.</translation>
+    </message>
+    <message>
+        <source>Pull or push with less force.</source>
+        <translation>Tirez ou poussez avec moins de force.</translation>
+    </message>
+    <message>
+        <source>The result {0} is not of this model: its points at rest are others.</source>
+        <translation>Le résultat {0} n&apos;est pas de ce modèle : ses points au repos sont autres.</translation>
+    </message>
+    <message>
+        <source>one of its elements does not end</source>
+        <translation>l&apos;un de ses éléments ne se termine pas</translation>
+    </message>
+    <message>
+        <source>a compressed array has no blocks</source>
+        <translation>un tableau compressé n&apos;a pas de blocs</translation>
+    </message>
+    <message>
+        <source>the blocks of a compressed array have no size</source>
+        <translation>les blocs d&apos;un tableau compressé n&apos;ont pas de taille</translation>
+    </message>
+    <message>
+        <source>a compressed array has more bytes than the file can hold</source>
+        <translation>un tableau compressé a plus d&apos;octets que le fichier n&apos;en peut contenir</translation>
+    </message>
+    <message>
+        <source>an array begins behind its end</source>
+        <translation>un tableau commence après sa fin</translation>
+    </message>
+    <message>
+        <source>Mesh the surface anew, for example with MeshLab.</source>
+        <translation>Remaillez la surface, par exemple avec MeshLab.</translation>
+    </message>
+    <message>
+        <source>No triangle of the surface has an area.</source>
+        <translation>Aucun triangle de la surface n&apos;a d&apos;aire.</translation>
+    </message>
+    <message>
+        <source>Make the surface anew; a cloud of points is not one.</source>
+        <translation>Refaites la surface ; un nuage de points n&apos;en est pas une.</translation>
+    </message>
+    <message>
+        <source>The surface is in {0} pieces, between which there is no way along it; the largest has {1} % of its area.</source>
+        <translation>La surface est en {0} morceaux, entre lesquels aucun chemin ne la suit ; le plus grand a {1} % de son aire.</translation>
+    </message>
+    <message>
+        <source>Keep its largest piece, or join the pieces.</source>
+        <translation>Gardez le plus grand morceau, ou réunissez les morceaux.</translation>
+    </message>
+    <message>
+        <source>Points at the place of another, joined with it: {0}.</source>
+        <translation>Points à la place d&apos;un autre, réunis avec lui : {0}.</translation>
+    </message>
+    <message>
+        <source>Doubled or empty triangles left out: {0}.</source>
+        <translation>Triangles doubles ou vides laissés de côté : {0}.</translation>
+    </message>
+    <message>
+        <source>Triangles turned to fit their neighbours: {0}.</source>
+        <translation>Triangles retournés pour s&apos;accorder à leurs voisins : {0}.</translation>
+    </message>
+    <message>
+        <source>Points parted where the surface only touches itself: {0}.</source>
+        <translation>Points séparés là où la surface ne fait que se toucher : {0}.</translation>
+    </message>
+    <message>
+        <source>Pieces left out, together below 1 % of the area: {0}.</source>
+        <translation>Morceaux laissés de côté, ensemble moins de 1 % de l&apos;aire : {0}.</translation>
+    </message>
+    <message>
+        <source>the patient&apos;s left</source>
+        <translation>la gauche du patient</translation>
+    </message>
+    <message>
+        <source>the patient&apos;s right</source>
+        <translation>la droite du patient</translation>
+    </message>
+    <message>
+        <source>the back</source>
+        <translation>le dos</translation>
+    </message>
+    <message>
+        <source>the front</source>
+        <translation>l&apos;avant</translation>
+    </message>
+    <message>
+        <source>the head</source>
+        <translation>la tête</translation>
+    </message>
+    <message>
+        <source>the feet</source>
+        <translation>les pieds</translation>
+    </message>
+    <message>
+        <source>The image cuts the body off towards {0}; it is closed there by a flat cap.</source>
+        <translation>L&apos;image coupe le corps vers {0} ; il y est fermé par une face plane.</translation>
+    </message>
+    <message>
+        <source>Most rows of {0} are far shorter than its first.</source>
+        <translation>La plupart des lignes de {0} sont bien plus courtes que la première.</translation>
+    </message>
+    <message>
+        <source>{0} is left out: its pixels cannot be written without what else is stored with them.</source>
+        <translation>{0} est laissé de côté : ses pixels ne peuvent pas être écrits sans ce qui est enregistré avec eux.</translation>
+    </message>
+    <message>
+        <source>{0} does not say whether its pixels are signed: PixelRepresentation is {1}.</source>
+        <translation>{0} ne dit pas si ses pixels sont signés : PixelRepresentation vaut {1}.</translation>
+    </message>
+    <message>
+        <source>its voxels lie in several files</source>
+        <translation>ses voxels se trouvent dans plusieurs fichiers</translation>
+    </message>
+    <message>
+        <source>its voxels are encoded in a way that is not read</source>
+        <translation>ses voxels sont codés d’une façon qui n’est pas lue</translation>
+    </message>
+    <message>
+        <source>{0} has {1} million voxels; at most {2} million are read.</source>
+        <translation>{0} a {1} millions de voxels ; {2} millions au plus sont lus.</translation>
+    </message>
+    <message>
+        <source>Cut out the part that is needed, or resample it to larger voxels.</source>
+        <translation>Découpez la partie nécessaire ou rééchantillonnez en voxels plus grands.</translation>
+    </message>
+    <message>
+        <source>The compressed voxels of {0} are damaged or cut short.</source>
+        <translation>Les voxels compressés de {0} sont endommagés ou tronqués.</translation>
+    </message>
+    <message>
+        <source>{0} holds more voxels than its header declares: its sizes are not those that it was written with.</source>
+        <translation>{0} contient plus de voxels que son en-tête n’en déclare : ses dimensions ne sont pas celles de son écriture.</translation>
+    </message>
+    <message>
+        <source>There is no room in the liver for {0} of {1} mm: make it smaller, or let it lie elsewhere.</source>
+        <translation>Il n&apos;y a pas de place dans le foie pour {0} de {1} mm : réduisez sa taille ou placez-la ailleurs.</translation>
+    </message>
+    <message>
+        <source>A liver of {0} ml cannot be made: ask for 800 to 2800 ml.</source>
+        <translation>Un foie de {0} ml ne peut pas être généré : demandez de 800 à 2800 ml.</translation>
+    </message>
+    <message>
+        <source>A fat fraction of {0} with fibrosis of stage {1} cannot be made: the first is 0 to 0.5, the second 0 to 4.</source>
+        <translation>Une fraction de graisse de {0} avec une fibrose de stade {1} ne peut pas être générée : la première va de 0 à 0.5, le second de 0 à 4.</translation>
+    </message>
+    <message>
+        <source>shaping the liver</source>
+        <translation>mise en forme du foie</translation>
+    </message>
+    <message>
+        <source>growing the vessels</source>
+        <translation>croissance des vaisseaux</translation>
+    </message>
+    <message>
+        <source>The lesion {0} is not understood: give its diameter in mm, as 30, and if you like its segment, 30@7, or its place, 30@x,y,z.</source>
+        <translation>La lésion {0} n&apos;est pas comprise : donnez son diamètre en mm, comme 30, et si vous le souhaitez son segment, 30@7, ou son emplacement, 30@x,y,z.</translation>
+    </message>
+    <message>
+        <source>others are writing it</source>
+        <translation>d’autres sont en train de l’écrire</translation>
+    </message>
+    <message>
+        <source>{0} is a link to another place, where nothing is written.</source>
+        <translation>{0} est un lien vers un autre endroit, où rien n’est écrit.</translation>
+    </message>
+    <message>
+        <source>Put the folder itself there.</source>
+        <translation>Placez-y le dossier lui-même.</translation>
+    </message>
+    <message>
+        <source>{0} names a file outside its place in the case folder: {1}.</source>
+        <translation>{0} nomme un fichier hors de sa place dans le dossier du cas : {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is being made by another program.</source>
+        <translation>{0} est en train d’être créé par un autre programme.</translation>
+    </message>
+    <message>
+        <source>Wait until it has finished, or choose another name.</source>
+        <translation>Attendez qu’il ait fini, ou choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>{0} was replaced by another program and does not fit the liver of this case.</source>
+        <translation>{0} a été remplacé par un autre programme et ne correspond pas au foie de ce cas.</translation>
+    </message>
+    <message>
+        <source>Put the file back, or make it anew: glisson-cli segment, mesh, stiffness.</source>
+        <translation>Remettez le fichier, ou refaites-le : glisson-cli segment, mesh, stiffness.</translation>
+    </message>
+    <message>
+        <source>Another program has changed {0} since it was saved.</source>
+        <translation>Un autre programme a modifié {0} depuis son enregistrement.</translation>
+    </message>
+    <message>
+        <source>What {0} was made from has changed since: make it anew.</source>
+        <translation>Ce dont {0} a été fait a changé depuis : refaites-le.</translation>
+    </message>
+    <message>
+        <source>Point {0} of the surface lies farther off than a thousand kilometres.</source>
+        <translation>Le point {0} de la surface se trouve à plus de mille kilomètres.</translation>
+    </message>
+    <message>
+        <source>No triangle of the surface has an area: they are lines or points.</source>
+        <translation>Aucun triangle de la surface n’a d’aire : ce sont des lignes ou des points.</translation>
+    </message>
+    <message>
+        <source>Point {0} of the mesh lies farther off than a thousand kilometres.</source>
+        <translation>Le point {0} du maillage se trouve à plus de mille kilomètres.</translation>
+    </message>
+    <message>
+        <source>The command is done, but its answer cannot be written: {0}.</source>
+        <translation>La commande est exécutée, mais sa réponse ne peut pas être écrite : {0}.</translation>
+    </message>
+    <message>
+        <source>Check where standard output goes, and the space there.</source>
+        <translation>Vérifiez où va la sortie standard, et la place qui y reste.</translation>
+    </message>
+    <message>
+        <source>They are of another patient.</source>
+        <translation>Elles sont d&apos;un autre patient.</translation>
+    </message>
+    <message>
+        <source>They are of another examination.</source>
+        <translation>Elles sont d&apos;un autre examen.</translation>
+    </message>
+    <message>
+        <source>They have another frame of reference: the patient may have moved between them.</source>
+        <translation>Elles ont un autre référentiel : le patient a pu bouger entre les deux.</translation>
+    </message>
+    <message>
+        <source>They lie elsewhere: only {0} % of their place is that of the case&apos;s anatomy.</source>
+        <translation>Elles se trouvent ailleurs : {0} % seulement de leur espace est celui de l&apos;anatomie du cas.</translation>
+    </message>
+    <message>
+        <source>This was measured on &quot;{0}&quot;, and nothing shows that it is tissue of {1}.</source>
+        <translation>Cela a été mesuré sur « {0} », et rien ne montre que ce soit du tissu de {1}.</translation>
+    </message>
+    <message>
+        <source>Where it is, name the case in the experiment&apos;s title, or say so with --of-this-patient.</source>
+        <translation>Si c&apos;en est, nommez le cas dans le titre de l&apos;expérience, ou dites-le par --of-this-patient.</translation>
+    </message>
+    <message>
+        <source>The effect {0} would change nothing in the rehearsal: {1}</source>
+        <translation>L&apos;effet {0} ne changerait rien à la répétition : {1}</translation>
+    </message>
+    <message>
+        <source>Accept the others alone (--effect KIND).</source>
+        <translation>Acceptez les autres seuls (--effect SORTE).</translation>
+    </message>
+    <message>
+        <source>Make a case of their own, or take them all the same with --replace.</source>
+        <translation>Faites-en un cas à part, ou prenez-les malgré tout avec --replace.</translation>
+    </message>
+    <message>
+        <source>These images may not belong to {0}.{1}</source>
+        <translation>Ces images n&apos;appartiennent peut-être pas à {0}.{1}</translation>
+    </message>
+    <message>
+        <source>{0} has an anatomy already, which these images would replace.</source>
+        <translation>{0} a déjà une anatomie, que ces images remplaceraient.</translation>
+    </message>
+    <message>
+        <source>Drawn on another grid ({0} x {1} x {2}) and carried to the anatomy&apos;s, each voxel from the nearest one.</source>
+        <translation>Dessiné sur une autre grille ({0} x {1} x {2}) et porté sur celle de l&apos;anatomie, chaque voxel du plus proche.</translation>
+    </message>
+    <message>
+        <source>Left out of the label map: {0}.</source>
+        <translation>Laissé de côté dans la carte d&apos;étiquettes : {0}.</translation>
+    </message>
+    <message>
+        <source>Nothing says what the values of {0} are: {1}.</source>
+        <translation>Rien ne dit ce que sont les valeurs de {0} : {1}.</translation>
+    </message>
+    <message>
+        <source>Name them, as in --label-value 1=liver --label-value 2=tumour-1.</source>
+        <translation>Nommez-les, par exemple --label-value 1=liver --label-value 2=tumour-1.</translation>
+    </message>
+    <message>
+        <source>Two files bring the structure {0}: {1} is the second.</source>
+        <translation>Deux fichiers apportent la structure {0} : {1} est le second.</translation>
+    </message>
+    <message>
+        <source>Leave one of them out (--labels UID takes that label map alone).</source>
+        <translation>Laissez-en un de côté (--labels UID ne prend que cette carte d&apos;étiquettes).</translation>
+    </message>
+    <message>
+        <source>No voxel of {0} lies inside the anatomy.</source>
+        <translation>Aucun voxel de {0} ne se trouve dans l&apos;anatomie.</translation>
+    </message>
+    <message>
+        <source>Named after the file.</source>
+        <translation>Nommé d&apos;après le fichier.</translation>
+    </message>
+    <message>
+        <source>Named by you.</source>
+        <translation>Nommé par vous.</translation>
+    </message>
+    <message>
+        <source>Named by 3D Slicer&apos;s segments.</source>
+        <translation>Nommé par les segments de 3D Slicer.</translation>
+    </message>
+    <message>
+        <source>Named by the table in the file.</source>
+        <translation>Nommé par la table du fichier.</translation>
+    </message>
+    <message>
+        <source>Named by the label description beside the file.</source>
+        <translation>Nommé par la description d&apos;étiquettes à côté du fichier.</translation>
+    </message>
+    <message>
+        <source>Named by TotalSegmentator&apos;s class numbers: see whether they are right.</source>
+        <translation>Nommé par les numéros de classe de TotalSegmentator : vérifiez qu&apos;ils sont justes.</translation>
     </message>
 </context>
 <context>
@@ -4278,14 +4577,6 @@
         <translation>Rien ne manque&#xa0;: ce que laisse le modèle déclaré, %1, est du bruit.</translation>
     </message>
     <message>
-        <source>Explained: the error falls from %1 to %2, as small as the noise.</source>
-        <translation>Expliqué&#xa0;: l’erreur passe de %1 à %2, aussi petite que le bruit.</translation>
-    </message>
-    <message>
-        <source>Not explained: the error falls from %1 to %2 and stays above the noise. What is named is a part of it, not its cause.</source>
-        <translation>Non expliqué&#xa0;: l’erreur passe de %1 à %2 et reste au-dessus du bruit. Ce qui est nommé en est une partie, pas la cause.</translation>
-    </message>
-    <message>
         <source>No test finds anything in it that noise would not do.</source>
         <translation>Aucun test n’y trouve rien que le bruit ne ferait pas.</translation>
     </message>
@@ -4328,6 +4619,26 @@
     <message>
         <source>The error before and after</source>
         <translation>L’erreur avant et après</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Détails</translation>
+    </message>
+    <message>
+        <source>%1: no effect that Glisson knows explains the error.</source>
+        <translation>%1 : aucun effet que Glisson connaît n&apos;explique l&apos;erreur.</translation>
+    </message>
+    <message>
+        <source>%1: %2. This takes away %3 % of the error; what is left is noise.</source>
+        <translation>%1 : %2. Cela enlève %3 % de l&apos;erreur ; ce qui reste est du bruit.</translation>
+    </message>
+    <message>
+        <source>%1: %2. This takes away %3 % of the error. More than noise is left: it is a part of the answer, and no proof of a cause.</source>
+        <translation>%1 : %2. Cela enlève %3 % de l&apos;erreur. Il reste plus que du bruit : c&apos;est une partie de la réponse, et non la preuve d&apos;une cause.</translation>
+    </message>
+    <message>
+        <source>The error falls from %1 to %2.</source>
+        <translation>L&apos;erreur tombe de %1 à %2.</translation>
     </message>
 </context>
 <context>
@@ -4425,10 +4736,6 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: du silicone de rig
     <message>
         <source>Open the patient&apos;s case first.</source>
         <translation>Ouvrez d’abord le cas du patient.</translation>
-    </message>
-    <message>
-        <source>Needs a model of the liver: build it first.</source>
-        <translation>Il faut un modèle du foie&#xa0;: construisez-le d’abord.</translation>
     </message>
     <message>
         <source>Tick an effect among what was found.</source>
@@ -4538,6 +4845,93 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: du silicone de rig
         <source>The report is in %1</source>
         <translation>Le rapport est dans %1</translation>
     </message>
+    <message>
+        <source>What was found would change nothing in the rehearsal: %1</source>
+        <translation>Ce qui a été trouvé ne changerait rien à la répétition : %1</translation>
+    </message>
+    <message>
+        <source>This was measured on &quot;%1&quot;, and nothing shows that it is tissue of %2.</source>
+        <translation>Cela a été mesuré sur « %1 », et rien ne montre que ce soit du tissu de %2.</translation>
+    </message>
+    <message>
+        <source>Accept for this patient?</source>
+        <translation>Accepter pour ce patient ?</translation>
+    </message>
+    <message>
+        <source>Specimen: %1
+Patient: %2
+
+The organ that is rehearsed changes:
+%3</source>
+        <translation>Échantillon : %1
+Patient : %2
+
+L&apos;organe répété change :
+%3</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Accepter</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::ExportMenu</name>
+    <message>
+        <source>Images and outlines as NIfTI...</source>
+        <translation>Images et contours en NIfTI...</translation>
+    </message>
+    <message>
+        <source>Images and outlines as NRRD (3D Slicer)...</source>
+        <translation>Images et contours en NRRD (3D Slicer)...</translation>
+    </message>
+    <message>
+        <source>Outlines as DICOM SEG...</source>
+        <translation>Contours en DICOM SEG...</translation>
+    </message>
+    <message>
+        <source>Surfaces as STL...</source>
+        <translation>Surfaces en STL...</translation>
+    </message>
+    <message>
+        <source>Surfaces as OBJ...</source>
+        <translation>Surfaces en OBJ...</translation>
+    </message>
+    <message>
+        <source>Surfaces as VTP (ParaView)...</source>
+        <translation>Surfaces en VTP (ParaView)...</translation>
+    </message>
+    <message>
+        <source>The model&apos;s tetrahedra as VTU...</source>
+        <translation>Les tétraèdres du modèle en VTU...</translation>
+    </message>
+    <message>
+        <source>Save the outlines</source>
+        <translation>Enregistrer les contours</translation>
+    </message>
+    <message>
+        <source>DICOM (*.dcm)</source>
+        <translation>DICOM (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Save the model</source>
+        <translation>Enregistrer le modèle</translation>
+    </message>
+    <message>
+        <source>VTK meshes (*.vtu)</source>
+        <translation>Maillages VTK (*.vtu)</translation>
+    </message>
+    <message>
+        <source>Write the files into this folder</source>
+        <translation>Écrire les fichiers dans ce dossier</translation>
+    </message>
+    <message>
+        <source>Exporting</source>
+        <translation>Exportation</translation>
+    </message>
+    <message>
+        <source>Files written: %1, in %2</source>
+        <translation>Fichiers écrits : %1, dans %2</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::FiguresTable</name>
@@ -4623,6 +5017,33 @@ Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: du silicone de rig
     <message>
         <source>● left open by the data</source>
         <translation>● laissé ouvert par les données</translation>
+    </message>
+    <message>
+        <source>changes nothing in the rehearsal</source>
+        <translation>ne change rien à la répétition</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::LabelNamesDialog</name>
+    <message>
+        <source>What the labels are</source>
+        <translation>Ce que sont les étiquettes</translation>
+    </message>
+    <message>
+        <source>%1 does not say what its values are. Choose a structure for each that you want.</source>
+        <translation>%1 ne dit pas ce que sont ses valeurs. Choisissez une structure pour chacune de celles que vous voulez.</translation>
+    </message>
+    <message>
+        <source>%1: %2 ml</source>
+        <translation>%1 : %2 ml</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Laisser de côté</translation>
+    </message>
+    <message>
+        <source>Take them</source>
+        <translation>Les prendre</translation>
     </message>
 </context>
 <context>
@@ -4769,10 +5190,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>&amp;Ouvrir un cas…</translation>
     </message>
     <message>
-        <source>Open &amp;images (DICOM folder)...</source>
-        <translation>Ouvrir des &amp;images (dossier DICOM)…</translation>
-    </message>
-    <message>
         <source>Open the &amp;demo patient</source>
         <translation>Ouvrir le patient de &amp;démonstration</translation>
     </message>
@@ -4811,10 +5228,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>Open a case (a folder NAME.glisson)</source>
         <translation>Ouvrir un cas (un dossier NOM.glisson)</translation>
-    </message>
-    <message>
-        <source>Open a folder of images</source>
-        <translation>Ouvrir un dossier d’images</translation>
     </message>
     <message>
         <source>Save the picture</source>
@@ -4919,6 +5332,34 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>&amp;View</source>
         <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <source>Open &amp;images...</source>
+        <translation>Ouvrir des &amp;images...</translation>
+    </message>
+    <message>
+        <source>&amp;Add labels...</source>
+        <translation>&amp;Ajouter des étiquettes...</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exporter</translation>
+    </message>
+    <message>
+        <source>&amp;Close the case</source>
+        <translation>&amp;Fermer le cas</translation>
+    </message>
+    <message>
+        <source>Open images: a folder, or a file of them</source>
+        <translation>Ouvrir des images : un dossier, ou un de leurs fichiers</translation>
+    </message>
+    <message>
+        <source>Add labels</source>
+        <translation>Ajouter des étiquettes</translation>
+    </message>
+    <message>
+        <source>Label maps and DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;All files (*)</source>
+        <translation>Cartes d&apos;étiquettes et DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -6738,10 +7179,6 @@ supposés</translation>
         <translation>Un dossier, un DICOMDIR ou un fichier&#xa0;; le déposer sur la fenêtre fait de même</translation>
     </message>
     <message>
-        <source>Patients&apos; names are not shown: they are not read from the images. The images are never written to.</source>
-        <translation>Les noms des patients ne sont pas affichés&#xa0;: ils ne sont pas lus dans les images. Les images ne sont jamais modifiées.</translation>
-    </message>
-    <message>
         <source>Keep the case as</source>
         <translation>Conserver le cas sous</translation>
     </message>
@@ -6782,16 +7219,20 @@ supposés</translation>
         <translation>Aucun cas n’est ouvert.</translation>
     </message>
     <message>
-        <source>Series of the same role are replaced; Ctrl+Z brings them back</source>
-        <translation>Les séries du même rôle sont remplacées&#xa0;; Ctrl+Z les ramène</translation>
+        <source>Patients&apos; names are neither shown nor kept: a case keeps a hash of them. The images are never written to.</source>
+        <translation>Les noms des patients ne sont ni montrés ni gardés : un cas n&apos;en garde qu&apos;une empreinte. Rien n&apos;est jamais écrit dans les images.</translation>
     </message>
     <message>
-        <source>Open a folder of images</source>
-        <translation>Ouvrir un dossier d’images</translation>
+        <source>Labels need the images that they were drawn on: give one series another role.</source>
+        <translation>Les étiquettes ont besoin des images sur lesquelles elles ont été dessinées : donnez un autre rôle à une série.</translation>
     </message>
     <message>
-        <source>Importing</source>
-        <translation>Importation</translation>
+        <source>Glisson asks before anything is replaced; Ctrl+Z brings it back</source>
+        <translation>Glisson demande avant de remplacer quoi que ce soit ; Ctrl+Z le ramène</translation>
+    </message>
+    <message>
+        <source>Open images: a folder, or a file of them</source>
+        <translation>Ouvrir des images : un dossier, ou un de leurs fichiers</translation>
     </message>
 </context>
 <context>
@@ -6852,10 +7293,6 @@ de %2 chacun</translation>
         <translation>Sur les essais écartés</translation>
     </message>
     <message>
-        <source>ΔBIC</source>
-        <translation>ΔBIC</translation>
-    </message>
-    <message>
         <source>These data cannot tell it from</source>
         <translation>Ces données ne le distinguent pas de</translation>
     </message>
@@ -6868,16 +7305,71 @@ de %2 chacun</translation>
         <translation>Moyenne quadratique sur des essais entiers écartés, auxquels il n’a pas été ajusté</translation>
     </message>
     <message>
-        <source>Evidence against the declared model: below -10 is very strong</source>
-        <translation>Preuve contre le modèle déclaré&#xa0;: en dessous de -10, très forte</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>out of the running: %1</source>
         <translation>hors course&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>very strong</source>
+        <translation>très forte</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>forte</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>faible</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Preuve</translation>
+    </message>
+    <message>
+        <source>Against the declared model, by the difference of BIC</source>
+        <translation>Contre le modèle déclaré, par la différence de BIC</translation>
+    </message>
+    <message>
+        <source>ΔBIC %1</source>
+        <translation>ΔBIC %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::TakingIn</name>
+    <message>
+        <source>Looking at the labels</source>
+        <translation>Examen des étiquettes</translation>
+    </message>
+    <message>
+        <source>The case %1 has an anatomy already. These images would replace it; what was outlined and modelled on it then no longer fits.</source>
+        <translation>Le cas %1 a déjà une anatomie. Ces images la remplaceraient ; ce qui y a été contouré et modélisé ne conviendrait plus.</translation>
+    </message>
+    <message>
+        <source>Replace the anatomy?</source>
+        <translation>Remplacer l&apos;anatomie ?</translation>
+    </message>
+    <message>
+        <source>Is it this patient?</source>
+        <translation>Est-ce bien ce patient ?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>Add all the same</source>
+        <translation>Ajouter malgré tout</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>Importation</translation>
     </message>
 </context>
 <context>
@@ -7505,6 +7997,10 @@ By hand: drag with the right button</source>
         <source>%1 (Ctrl+%2)</source>
         <translation>%1 (Ctrl+%2)</translation>
     </message>
+    <message>
+        <source>Research</source>
+        <translation>Recherche</translation>
+    </message>
 </context>
 <context>
     <name>patients</name>
@@ -7586,6 +8082,46 @@ By hand: drag with the right button</source>
     <message>
         <source>Hilum</source>
         <translation>Hile hépatique</translation>
+    </message>
+    <message>
+        <source>Vena cava</source>
+        <translation>Veine cave</translation>
+    </message>
+    <message>
+        <source>Duodenum</source>
+        <translation>Duodénum</translation>
+    </message>
+    <message>
+        <source>Small bowel</source>
+        <translation>Intestin grêle</translation>
+    </message>
+    <message>
+        <source>Colon</source>
+        <translation>Côlon</translation>
+    </message>
+    <message>
+        <source>Esophagus</source>
+        <translation>Œsophage</translation>
+    </message>
+    <message>
+        <source>Adrenal gland</source>
+        <translation>Glande surrénale</translation>
+    </message>
+    <message>
+        <source>Kidney left</source>
+        <translation>Rein gauche</translation>
+    </message>
+    <message>
+        <source>Kidney right</source>
+        <translation>Rein droit</translation>
+    </message>
+    <message>
+        <source>Adrenal gland left</source>
+        <translation>Glande surrénale gauche</translation>
+    </message>
+    <message>
+        <source>Adrenal gland right</source>
+        <translation>Glande surrénale droite</translation>
     </message>
 </context>
 <context>

@@ -43,6 +43,7 @@
 #include "registration/trwls_simd_internal.h"
 #include "registration/trws.h"
 #include "support/data.h"
+#include "support/folders.h"
 
 namespace glisson::registration {
 namespace {
@@ -261,7 +262,7 @@ class BaselineEnergies {
 
   BaselineEnergies() {
     const char* named = std::getenv("GLISSON_BASELINES");
-    file_ = named != nullptr ? named : GLISSON_BINARY_DIR "/baseline_energies.json";
+    file_ = named != nullptr ? named : (glisson::test::build_folder() / "baseline_energies.json").string();
     if (auto known = read_json_file(file_)) known_ = std::move(*known);
   }
 

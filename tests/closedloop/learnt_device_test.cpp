@@ -8,13 +8,14 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "platform/device_file.h"
+#include "support/folders.h"
 
 namespace glisson::closedloop {
 namespace {
 
 platform::Device declared() {
   const auto devices =
-      platform::read_devices(std::filesystem::path(GLISSON_SOURCE_DIR) / "resources" / "devices" / "devices.json");
+      platform::read_devices(glisson::test::source_folder() / "resources" / "devices" / "devices.json");
   for (const platform::Device& device : devices.value()) {
     if (device.id == "tx2-gpu") return device;
   }

@@ -9,11 +9,12 @@
 
 #include "platform/convergence_curve.h"
 #include "platform/device_file.h"
+#include "support/folders.h"
 
 namespace glisson::platform::test {
 
 inline std::filesystem::path devices_file() {
-  return std::filesystem::path(GLISSON_SOURCE_DIR) / "resources" / "devices" / "devices.json";
+  return glisson::test::source_folder() / "resources" / "devices" / "devices.json";
 }
 
 inline std::vector<Device> shipped_devices() {

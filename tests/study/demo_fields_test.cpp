@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
+#include "base/noise.h"
 #include "study/demo_elastography.h"
-#include "study/demo_noise.h"
 
 namespace glisson::study {
 namespace {

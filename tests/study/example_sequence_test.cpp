@@ -7,13 +7,14 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "quality/register_sequence.h"
+#include "support/folders.h"
 
 namespace glisson::study {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path anatomy = fs::path(GLISSON_SOURCE_DIR) / "resources" / "demo" / "anatomy";
+const fs::path anatomy = glisson::test::source_folder() / "resources" / "demo" / "anatomy";
 
 ExampleSequenceOptions small() {
   ExampleSequenceOptions options;

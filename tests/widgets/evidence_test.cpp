@@ -1,12 +1,16 @@
 // Evidence, driven as a person drives it: the example that ships, a palpation whose missing effect is known, a report
 // opened again, other trials predicted, and evidence accepted for a patient and taken back.
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QtTest>
 
 #include "base/files.h"
@@ -16,10 +20,12 @@
 #include "closedloop/palpation_model.h"
 #include "evidence/evidence_view.h"
 #include "geometry/mesh_file.h"
+#include "kept_pictures.h"
 #include "main_window.h"
 #include "modelled_case.h"
 #include "run_test.h"
 #include "shown.h"
+#include "support/folders.h"
 
 namespace glisson::widgets {
 namespace {
@@ -41,7 +47,7 @@ fs::path soft_pad(const fs::path& folder) {
   if (!geometry::write_tetrahedra(folder / "pad.vtu", mesh)) qFatal("the mesh could not be written");
   Json json{{"format", "glisson-experiment/1"},
             {"kind", "palpation"},
-            {"title", "A pad"},
+            {"title", "Pad cut of Small, table 1"},
             {"specimen",
              {{"mesh", "pad.vtu"}, {"youngs_modulus_kPa", 17.5}, {"poisson_ratio", 0.45}, {"density_kg_m3", 1000}}},
             {"supports", Json::array({{{"point_array", "fixed"}}})},
@@ -105,7 +111,16 @@ class EvidenceTest : public QObject {
     // Silicone stiffens in compression and softens once it was stretched; no one effect explains it to the noise.
     QCOMPARE(view_->record()->verdict, std::string("unexplained"));
     QCOMPARE(view_->record()->effects.front().kind, std::string("strain-stiffening"));
+    // In plain words first: whose, what, and how much of the error it takes away; numbers are asked for.
+    const QString verdict = child<QLabel>("patient_name")->text();
+    QVERIFY2(verdict.contains("Silicone EF10_75T in compression") && verdict.contains("Stiffens as it deforms") &&
+                 QRegularExpression("takes away 9\\d %").match(verdict).hasMatch(),
+             qPrintable(verdict));
     const auto* suspects = child<QTableWidget>("evidence_suspects");
+    QVERIFY(!suspects->isVisible());
+    child<QCheckBox>("evidence_details")->click();
+    QVERIFY(suspects->isVisible());
+    QCOMPARE(suspects->item(0, SuspectsTable::delta_bic)->text(), QString("very strong"));
     QCOMPARE(suspects->rowCount(), int(view_->record()->ranking.size()));
     QCOMPARE(suspects->item(0, SuspectsTable::name)->text().section(" (", 0, 0), QString("Stiffens as it deforms"));
     // By how well they predict what they were not fitted to.
@@ -166,15 +181,65 @@ class EvidenceTest : public QObject {
     const fs::path folder = test::modelled_case(folder_);
     window_->open_path(folder);
     QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("evidence_accept")->isEnabled(), patience_ms);
-    QSignalSpy finished(&window_->work(), &BackgroundWork::finished);
-    QTest::mouseClick(child<QPushButton>("evidence_accept"), Qt::LeftButton);
-    QVERIFY(finished.wait(patience_ms));
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->work().busy(), patience_ms);
+    // A tool is in hand, and what it did is recorded.
+    LiveRehearsal& rehearsal = window_->rehearsal();
+    QSignalSpy placed(&rehearsal, &LiveRehearsal::placed);
+    const Eigen::Vector3d top = test::small_middle_mm() + Eigen::Vector3d(0, -12, 0);
+    rehearsal.hold({.preset = {},
+                    .center_mm = top,
+                    .outward = {0, -1, 0},
+                    .radius_mm = 8,
+                    .direction = {0, -1, 0},
+                    .force_N = 0.1});
+    QVERIFY(placed.wait(patience_ms));
+    const std::size_t moments = rehearsal.track().moments().size();
+    QVERIFY(moments > 0);
+    const double before_mm = rehearsal.frame()->patient.max_displacement_mm;
+    const QString title = window_->windowTitle();
+
+    answer_question("evidence_accept", nullptr);
+    QVERIFY2(asked_.contains("Pad cut of Small, table 1") && asked_.contains("small"), qPrintable(asked_));
+    QVERIFY(casefile::Case::open(folder)->find("evidence/model") == nullptr);  // thought better of it
+
+    answer_question("evidence_accept", "accept_go");
     QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("evidence_take_back")->isEnabled(), patience_ms);
     QVERIFY(casefile::Case::open(folder)->find("evidence/model") != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(rehearsal.has_tool() && rehearsal.solving() == Solving::solved, patience_ms);
+    QVERIFY(rehearsal.tool_center_mm() == top);
+    QVERIFY(rehearsal.track().moments().size() >= moments);
+    QCOMPARE(window_->windowTitle(), title);
+    // Half as stiff; springs beneath do not soften, so that it moves by less than twice as far.
+    const double after_mm = rehearsal.frame()->patient.max_displacement_mm;
+    QVERIFY2(after_mm > 1.2 * before_mm && after_mm < 2.1 * before_mm, qPrintable(QString::number(after_mm)));
     QTest::mouseClick(child<QPushButton>("evidence_take_back"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("evidence_take_back")->isEnabled(), patience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(!window_->work().busy(), patience_ms);
     QVERIFY(casefile::Case::open(folder)->find("evidence/model") == nullptr);
+  }
+
+  // The silicone that ships is nobody's liver, and what was found of it changes nothing.
+  void refuses_what_is_not_of_this_patient_or_changes_nothing() {
+    const fs::path kept = view_->record()->folder;
+    finish([this] { QTest::mouseClick(child<QPushButton>("evidence_example"), Qt::LeftButton); });
+    auto* accept = child<QPushButton>("evidence_accept");
+    QVERIFY(!accept->isEnabled());
+    QVERIFY2(accept->toolTip().contains("change nothing"), qPrintable(accept->toolTip()));
+    const auto* found = child<FoundTree>("evidence_found");
+    QVERIFY(found->ticked_kinds().empty());
+    QVERIFY(!(found->topLevelItem(0)->flags() & Qt::ItemIsUserCheckable));
+
+    const fs::path strange = folder_ / "strange";
+    fs::copy(kept, strange);
+    Json model = read_json_file(strange / "model.json").value();
+    model["title"] = "Silicone pad";
+    QVERIFY(bool(write_json_file(strange / "model.json", model)));
+    view_->open(strange);
+    QVERIFY(!accept->isEnabled());
+    QVERIFY2(accept->toolTip().contains("Silicone pad") && accept->toolTip().contains("tissue"),
+             qPrintable(accept->toolTip()));
+    view_->open(kept);
+    QVERIFY(accept->isEnabled());
   }
 
   void nothing_ticked_is_nothing_accepted() {
@@ -213,6 +278,18 @@ class EvidenceTest : public QObject {
   Widget* child(const char* name) {
     return child_of<Widget>(*view_, name);
   }
+  // Presses a button, reads what it asks, and presses that answer; without one, Escape.
+  void answer_question(const char* button, const char* answer) {
+    asked_.clear();
+    QTimer::singleShot(200, this, [this, answer] {
+      auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (question == nullptr) return;
+      asked_ = question->text();
+      auto* go = answer == nullptr ? nullptr : question->findChild<QPushButton*>(answer);
+      go != nullptr ? QTest::mouseClick(go, Qt::LeftButton) : QTest::keyClick(question, Qt::Key_Escape);
+    });
+    QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton);
+  }
   void finish(const std::function<void()>& begin) {
     QSignalSpy finished(&window_->work(), &BackgroundWork::finished);
     begin();
@@ -220,9 +297,10 @@ class EvidenceTest : public QObject {
     QTest::qWait(20);
   }
 
+  QString asked_;
   std::unique_ptr<MainWindow> window_;
   EvidenceView* view_ = nullptr;
-  const QString pictures_ = GLISSON_BINARY_DIR "/pictures";
+  const QString pictures_ = glisson::test::kept_pictures();
   QTemporaryDir temporary_;
   fs::path folder_;
 };

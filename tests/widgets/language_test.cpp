@@ -19,6 +19,7 @@
 #include "panels/platform_view.h"
 #include "run_test.h"
 #include "shown.h"
+#include "support/folders.h"
 #include "support/shapes.h"
 #include "views/wave_view.h"
 #include "words/number_box.h"
@@ -29,7 +30,8 @@ namespace {
 
 // What resources/translations has for an English text, in whatever context.
 std::map<QString, std::set<QString>> translations(const QString& language) {
-  QFile file(QString(GLISSON_SOURCE_DIR "/resources/translations/glisson_%1.ts").arg(language));
+  QFile file(QString::fromStdString((glisson::test::source_folder() / "resources/translations/glisson_%1.ts").string())
+                 .arg(language));
   if (!file.open(QIODevice::ReadOnly)) qFatal("there is no %s", qPrintable(file.fileName()));
   std::map<QString, std::set<QString>> found;
   QXmlStreamReader reader(&file);

@@ -13,6 +13,7 @@
 #include "base/files.h"
 #include "run_test.h"
 #include "shown.h"
+#include "support/folders.h"
 #include "words/language.h"
 #include "words/paths.h"
 
@@ -21,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path manual_folder = fs::path(GLISSON_SOURCE_DIR) / "resources" / "manual";
+const fs::path manual_folder = glisson::test::source_folder() / "resources" / "manual";
 
 QString text_in(const fs::path& page) {
   QFile file(text_of(page));

@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "kept_pictures.h"
 #include "main_window.h"
 #include "model/model_panel.h"
 #include "modelled_case.h"
@@ -90,15 +91,14 @@ class ModelTest : public QObject {
     SpaceView& space = window_->views().space();
     QTest::qWait(100);
     const QImage stiffness = space.picture();
-    QVERIFY(QDir().mkpath(GLISSON_BINARY_DIR "/pictures"));
-    QVERIFY(window_->grab().save(GLISSON_BINARY_DIR "/pictures/model_stiffness.png"));
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("model_stiffness.png")));
     QTest::mouseClick(child<QPushButton>("show_supports"), Qt::LeftButton);
     QTest::qWait(100);
     const QImage supports = space.picture();
     QVERIFY(supports != stiffness);
     QVERIFY(!panel_->facts()->held.triangles.empty());
     QVERIFY(!panel_->facts()->on_springs.triangles.empty());
-    QVERIFY(window_->grab().save(GLISSON_BINARY_DIR "/pictures/model_supports.png"));
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("model_supports.png")));
     QTest::mouseClick(child<QPushButton>("show_patient"), Qt::LeftButton);
     QTest::qWait(100);
     QVERIFY(space.picture() != supports);

@@ -4,10 +4,12 @@
 #include <QDir>
 #include <QtTest>
 
+#include "kept_pictures.h"
 #include "panels/platform_view.h"
 #include "platform/device_file.h"
 #include "run_test.h"
 #include "shown.h"
+#include "support/folders.h"
 
 namespace glisson::widgets {
 namespace {
@@ -141,7 +143,7 @@ class PlatformViewTest : public QObject {
     view_->show_case("Demo patient", 2096, 11.4);
     choose(row_of("tx2-gpu"));
     QTest::qWait(100);
-    const QString pictures = GLISSON_BINARY_DIR "/pictures";
+    const QString pictures = glisson::test::kept_pictures();
     QVERIFY(QDir().mkpath(pictures));
     QVERIFY(view_->grab().save(pictures + "/platform_view.png"));
     child<NumberSlider>("duration")->set_value(2);
@@ -165,7 +167,7 @@ class PlatformViewTest : public QObject {
   void choose(int row) { child<PlatformTable>("platforms")->setCurrentCell(row, PlatformTable::name); }
   static platform::Device device(const std::string& id) {
     const auto devices =
-        platform::read_devices(std::filesystem::path(GLISSON_SOURCE_DIR) / "resources" / "devices" / "devices.json");
+        platform::read_devices(glisson::test::source_folder() / "resources" / "devices" / "devices.json");
     for (const platform::Device& known : devices.value()) {
       if (known.id == id) return known;
     }

@@ -9,10 +9,12 @@
 #include <QtTest>
 
 #include "base/files.h"
+#include "kept_pictures.h"
 #include "register/register_page.h"
 #include "run_test.h"
 #include "shown.h"
 #include "study/example_sequence.h"
+#include "support/folders.h"
 
 namespace glisson::widgets {
 namespace {
@@ -30,7 +32,7 @@ class RegisterPageTest : public QObject {
     options.landmarks = 50;
     options.step_px = 14;
     options.outlier_share = 0;
-    const auto made = study::write_example_sequence(fs::path(GLISSON_SOURCE_DIR) / "resources" / "demo" / "anatomy",
+    const auto made = study::write_example_sequence(glisson::test::source_folder() / "resources" / "demo" / "anatomy",
                                                     folder_.path() / "example", options);
     QVERIFY2(made.has_value(), made ? "" : made.error().message().c_str());
     file_ = *made;
@@ -280,7 +282,7 @@ class RegisterPageTest : public QObject {
   }
   void keep_picture(const char* name) {
     QTest::qWait(100);
-    const QString pictures = GLISSON_BINARY_DIR "/pictures";
+    const QString pictures = glisson::test::kept_pictures();
     QVERIFY(QDir().mkpath(pictures));
     QVERIFY(page_->grab().save(pictures + "/" + name + ".png"));
   }

@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "base/files.h"
+#include "kept_pictures.h"
 #include "main_window.h"
 #include "modelled_case.h"
 #include "report/report_view.h"
@@ -88,11 +89,10 @@ class ReportViewTest : public QObject {
   }
 
   void leaves_a_picture_to_look_at() {
-    QVERIFY(QDir().mkpath(GLISSON_BINARY_DIR "/pictures"));
     QTest::qWait(100);
-    QVERIFY(window_->grab().save(GLISSON_BINARY_DIR "/pictures/report.png"));
-    QFile::remove(GLISSON_BINARY_DIR "/pictures/report.pdf");
-    QVERIFY(QFile::copy(temporary_.filePath("report.pdf"), GLISSON_BINARY_DIR "/pictures/report.pdf"));
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("report.png")));
+    QFile::remove(glisson::test::kept_picture("report.pdf"));
+    QVERIFY(QFile::copy(temporary_.filePath("report.pdf"), glisson::test::kept_picture("report.pdf")));
   }
 
   void shuts_down_cleanly() { window_.reset(); }

@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include "block_patient.h"
+#include "kept_pictures.h"
 #include "main_window.h"
 #include "resect/resect_panel.h"
 #include "run_test.h"
@@ -211,8 +212,7 @@ class ResectTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(specimen_ml() > 0, patience_ms);
     child<QSlider>("apart")->setValue(25);
     QTest::qWait(200);
-    QVERIFY(QDir().mkpath(GLISSON_BINARY_DIR "/pictures"));
-    QVERIFY(window_->grab().save(GLISSON_BINARY_DIR "/pictures/resect.png"));
+    QVERIFY(window_->grab().save(glisson::test::kept_picture("resect.png")));
   }
 
   void shuts_down_cleanly() { window_.reset(); }

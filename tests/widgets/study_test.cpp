@@ -96,6 +96,19 @@ class StudyTest : public QObject {
     QVERIFY(!fs::exists(case_folder()));
   }
 
+  // Thumbnails that are wider than tall came in, and no row changed its height.
+  void use_as_stays_in_its_row_when_pictures_come() {
+    auto* series = window_->findChild<QTreeWidget*>("series");
+    for (const int k : {0, 1}) {
+      const QRect row = series->visualItemRect(series->topLevelItem(k));
+      const QPoint middle = choice(k)->mapTo(series->viewport(), choice(k)->rect().center());
+      QVERIFY2(std::abs(middle.y() - row.center().y()) <= 2,
+               qPrintable(QString("%1 in %2 to %3").arg(middle.y()).arg(row.top()).arg(row.bottom())));
+      QCOMPARE(row.height(), series->visualItemRect(series->topLevelItem(0)).height());
+      QVERIFY(row.height() >= 92);
+    }
+  }
+
   void says_why_nothing_can_be_made_of_it_yet() {
     for (const int k : {0, 1}) choice(k)->setCurrentIndex(choice(k)->count() - 1);
     QVERIFY(!make()->isEnabled());

@@ -80,6 +80,17 @@ class WindowTest : public QObject {
     QVERIFY(child<QPushButton>("place")->isVisible());
   }
 
+  // From the study to the report nothing stands between that a surgeon does not need.
+  void research_stands_apart_behind_the_report() {
+    QStringList names;
+    for (const QToolButton* button : window_->findChild<WorkspaceBar*>()->findChildren<QToolButton*>())
+      names << button->objectName().section('_', 1);
+    QCOMPARE(names.join(' '), QString("study segment model rehearse resect report register platform evidence"));
+    const auto* group = child<QLabel>("research_group");
+    QVERIFY(child<QToolButton>("workspace_report")->geometry().right() < group->x());
+    QVERIFY(group->geometry().right() < child<QToolButton>("workspace_register")->x() + 1);
+  }
+
   void a_workspace_that_is_not_ready_says_what_it_needs() {
     Patient bare = simulated_block();
     bare.rehearsal = nullptr;

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QFontDatabase>
 #include <QLabel>
 #include <QMessageBox>
@@ -10,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "panels/ask_path.h"
 #include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
@@ -59,8 +59,8 @@ DiaryWindow::DiaryWindow(const Diary& diary, QString graphics, QWidget* parent)
 
 void DiaryWindow::save() {
   const QString file =
-      QFileDialog::getSaveFileName(this, tr("Save a report of the problem"), "glisson-report.txt",  // not translated
-                                   tr("Text (*.txt)"));
+      ask_where_to_save(this, tr("Save a report of the problem"), "glisson-report.txt",  // not translated
+                        tr("Text (*.txt)"));
   if (file.isEmpty()) return;
   const auto written = write_text_file(path_of(file), problem_report(diary_, graphics_).toStdString());
   if (!written) QMessageBox::warning(this, windowTitle(), told(written.error()));

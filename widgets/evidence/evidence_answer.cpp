@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "evidence/effect_words.h"
 #include "evidence/svg_view.h"
 #include "words/told.h"
 #include "words/worded.h"
@@ -32,6 +33,10 @@ EvidenceAnswer::EvidenceAnswer(QWidget* parent) : QScrollArea(parent) {
   column->setSpacing(10);
   verdict_ = label("patient_name", page);
   column->addWidget(verdict_);
+  details_ = new QCheckBox(page);
+  details_->setObjectName("evidence_details");
+  column->addWidget(details_);
+  connect(details_, &QCheckBox::toggled, this, &EvidenceAnswer::word);
   shape_ = label("faint", page);
   column->addWidget(shape_);
   across_ = new QSplitter(Qt::Horizontal, page);
@@ -163,6 +168,7 @@ void EvidenceAnswer::show_drawings() {
 void EvidenceAnswer::word() {
   before_->setText(tr("Before"));
   after_->setText(tr("After"));
+  details_->setText(tr("Details"));
   suspects_title_->setText(tr("Suspects"));
   suspects_->setAccessibleName(tr("Suspects"));
   trial_->setAccessibleName(tr("Trial that is shown"));
@@ -172,12 +178,20 @@ void EvidenceAnswer::word() {
   const EvidenceRecord& record = *record_;
   const QString before = with_unit(record.before.rms, record), after = with_unit(record.after.rms, record);
   const bool nothing_missing = record.verdict == "nothing-missing", explained = record.verdict == "explained";
+  std::vector<std::string> kinds;
+  for (const EvidenceEffect& effect : record.effects) kinds.push_back(effect.kind);
+  const QString title = QString::fromStdString(record.title);
+  const double share = record.before.rms > 0 ? 100 * (1 - record.after.rms / record.before.rms) : 0;
+  const QString percent = QString::number(share, 'f', 0);
   verdict_->setText(
       nothing_missing ? tr("Nothing is missing: what the declared model leaves, %1, is noise.").arg(before)
-      : explained     ? tr("Explained: the error falls from %1 to %2, as small as the noise.").arg(before, after)
-                      : tr("Not explained: the error falls from %1 to %2 and stays above the noise. What is named is "
-                               "a part of it, not its cause.")
-                        .arg(before, after));
+      : kinds.empty() ? tr("%1: no effect that Glisson knows explains the error.").arg(title)
+      : explained     ? tr("%1: %2. This takes away %3 % of the error; what is left is noise.")
+                        .arg(title, effect_labels(kinds), percent)
+                  : tr("%1: %2. This takes away %3 % of the error. More than noise is left: it is a part of the "
+                       "answer, and no proof of a cause.")
+                        .arg(title, effect_labels(kinds), percent));
+  verdict_->setToolTip(tr("The error falls from %1 to %2.").arg(before, after));
   const auto shape = [](const std::vector<std::string>& features) {
     QStringList words;
     for (const std::string& feature : features) words << told(feature);
@@ -193,8 +207,9 @@ void EvidenceAnswer::word() {
   found_->show_record(record);
   suspects_->show_record(record);
   for (QWidget* each : std::initializer_list<QWidget*>{suspects_title_, suspects_}) {
-    each->setVisible(!record.ranking.empty());
+    each->setVisible(!record.ranking.empty() && details_->isChecked());
   }
+  for (QWidget* each : std::initializer_list<QWidget*>{shape_, errors_}) each->setVisible(details_->isChecked());
   next_title_->setText(tr("What to measure next"));
   next_->setText(record.next_measurement.empty()
                      ? tr("No further trial is known that would tell the leading explanations apart.")
@@ -202,7 +217,7 @@ void EvidenceAnswer::word() {
   QStringList notes;
   for (const std::string& note : record.notes) notes << told(note);
   notes_->setText(notes.join("\n"));
-  notes_->setVisible(!notes.isEmpty());
+  notes_->setVisible(!notes.isEmpty() && details_->isChecked());
   if (explained_ && has_residual_scene(*explained_)) show_residual();
 }
 

@@ -3,6 +3,7 @@
 // what is left, the suspects with their evidence, and what to measure next.
 
 #include <memory>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
@@ -40,6 +41,7 @@ class EvidenceAnswer : public QScrollArea {
   std::shared_ptr<const EvidenceRecord> record_;
   std::shared_ptr<const closedloop::Explained> explained_;
   QLabel* verdict_;
+  QCheckBox* details_;  // numbers and suspects: hidden until asked for
   QLabel* shape_;
   QSplitter* across_;
   QWidget* residual_;

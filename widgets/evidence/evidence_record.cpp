@@ -100,6 +100,7 @@ EvidenceRecord record_in(const Json& said, const Json& model) {
   record.unit = said.at("unit").get<std::string>();
   record.experiment_kind = model.at("kind").get<std::string>();
   record.learnt_from = model.value("learnt_from", std::string());
+  record.title = model.value("title", record.learnt_from);
   record.before = reader.errors(said.at("before"));
   record.after = reader.errors(said.at("after"));
   if (said.contains("residual")) {

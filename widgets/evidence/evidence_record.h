@@ -49,6 +49,7 @@ struct EvidenceRecord {
   std::filesystem::path folder;
   std::string experiment_kind;  // "palpation", "material", "platform"
   std::string learnt_from;      // name of the experiment's file
+  std::string title;            // of the experiment; of an old report that file's name
   std::string verdict;          // "nothing-missing", "explained", "unexplained"
   std::string unit;             // "mm", "kPa", "noise"
   EvidenceErrors before, after;

@@ -1,5 +1,6 @@
 #include "evidence/evidence_tables.h"
 
+#include <algorithm>
 #include <QHeaderView>
 #include <QLocale>
 
@@ -30,6 +31,15 @@ void put(QTableWidget& table, int row, int column, const QString& text, bool num
   cell->setToolTip(text);
   if (number) cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   table.setItem(row, column, cell);
+}
+
+// In the words of Kass and Raftery, Bayes factors, J Am Stat Assoc 90 (1995) 773-795, table 2: a BIC that falls by 2, 6
+// and 10.
+QString strength(double delta_bic) {
+  return delta_bic < -10  ? SuspectsTable::tr("very strong")
+         : delta_bic < -6 ? SuspectsTable::tr("strong")
+         : delta_bic < -2 ? SuspectsTable::tr("weak")
+                          : SuspectsTable::tr("none");
 }
 
 void fit_height(QTableWidget& table) {
@@ -115,6 +125,21 @@ void FoundTree::show_record(const EvidenceRecord& record) {
   }
 }
 
+void FoundTree::show_consequences(const std::vector<closedloop::LearntEffect>& effects) {
+  const QSignalBlocker quiet(this);
+  for (int k = 0; k < topLevelItemCount(); ++k) {
+    QTreeWidgetItem* row = topLevelItem(k);
+    const std::string kind = row->data(0, Qt::UserRole).toString().toStdString();
+    const auto found = std::find_if(effects.begin(), effects.end(), [&](const auto& one) { return one.kind == kind; });
+    if (found == effects.end()) continue;
+    row->setToolTip(0, told(found->sentence));
+    row->setFlags(row->flags().setFlag(Qt::ItemIsUserCheckable, found->carried));
+    if (found->carried) continue;
+    row->setCheckState(0, Qt::Unchecked);
+    row->setText(2, tr("changes nothing in the rehearsal"));
+  }
+}
+
 std::vector<std::string> FoundTree::ticked_kinds() const {
   std::vector<std::string> kinds;
   for (int k = 0; k < topLevelItemCount(); ++k) {
@@ -133,12 +158,12 @@ SuspectsTable::SuspectsTable(QWidget* parent) : QTableWidget(0, 5, parent) {
 }
 
 void SuspectsTable::show_record(const EvidenceRecord& record) {
-  setHorizontalHeaderLabels({tr("Suspect, each by itself"), tr("Error"), tr("On trials left out"), tr("ΔBIC"),
+  setHorizontalHeaderLabels({tr("Suspect, each by itself"), tr("Error"), tr("On trials left out"), tr("Evidence"),
                              tr("These data cannot tell it from")});
   horizontalHeaderItem(rms)->setToolTip(tr("Root mean square on the trials that it was fitted to"));
   horizontalHeaderItem(held_out)->setToolTip(
       tr("Root mean square on trials that it was not fitted to, left out whole"));
-  horizontalHeaderItem(delta_bic)->setToolTip(tr("Evidence against the declared model: below -10 is very strong"));
+  horizontalHeaderItem(delta_bic)->setToolTip(tr("Against the declared model, by the difference of BIC"));
   setRowCount(static_cast<int>(record.ranking.size()));
   int row = 0;
   for (const EvidenceSuspect& suspect : record.ranking) {
@@ -148,7 +173,8 @@ void SuspectsTable::show_record(const EvidenceRecord& record) {
         false);
     put(*this, row, rms, figure(suspect.rms));
     put(*this, row, held_out, figure(suspect.held_out_rms));
-    put(*this, row, delta_bic, suspect.delta_bic ? QLocale().toString(*suspect.delta_bic, 'f', 0) : QString("–"));
+    put(*this, row, delta_bic, suspect.delta_bic ? strength(*suspect.delta_bic) : QString("–"), false);
+    if (suspect.delta_bic) item(row, delta_bic)->setToolTip(tr("ΔBIC %1").arg(*suspect.delta_bic, 0, 'f', 0));
     put(*this, row, alike,
         suspect.removed.empty() ? effect_labels(suspect.alike)
                                 : tr("out of the running: %1").arg(told(suspect.removed)),

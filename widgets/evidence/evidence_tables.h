@@ -4,6 +4,7 @@
 #include <QTableWidget>
 #include <QTreeWidget>
 
+#include "closedloop/learnt_organ.h"
 #include "evidence/evidence_record.h"
 
 namespace glisson::widgets {
@@ -24,6 +25,8 @@ class FoundTree : public QTreeWidget {
   explicit FoundTree(QWidget* parent = nullptr);
   void show_record(const EvidenceRecord& record);
   [[nodiscard]] std::vector<std::string> ticked_kinds() const;
+  // What each effect would do to the patient's organ: one that does nothing cannot be ticked and says why.
+  void show_consequences(const std::vector<closedloop::LearntEffect>& effects);
 
  Q_SIGNALS:
   void ticked();

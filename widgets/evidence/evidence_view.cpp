@@ -1,13 +1,15 @@
 #include "evidence/evidence_view.h"
 
-#include <QFileDialog>
+#include <algorithm>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QMessageBox>
 #include <QVBoxLayout>
 
 #include "base/files.h"
 #include "casefile/evidence.h"
 #include "evidence/effect_words.h"
+#include "panels/ask_path.h"
 #include "panels/parts.h"
 #include "report/explanation_folder.h"
 #include "session/load_patient.h"
@@ -59,6 +61,7 @@ Workspace EvidenceView::workspace(Bench bench) {
           .about = [] { return tr("Hold measurements against the model, and find what it lacks."); },
           .widget = view,
           .place = Workspace::Place::whole_window,
+          .group = Workspace::Group::research,
           .show_patient = [view](const Patient& patient) { view->show_patient(patient); }};
 }
 
@@ -194,12 +197,25 @@ void EvidenceView::show_report(const fs::path& folder, std::shared_ptr<const clo
   right_->setCurrentWidget(answer_);
   answer_->show_record(record_, std::move(explained));
   comparison_->hide();
+  weigh();
   word_state();
 }
 
 void EvidenceView::show_patient(const Patient& patient) {
   patient_ = patient;
+  weigh();
   word_state();
+}
+
+void EvidenceView::weigh() {
+  weighed_.reset();
+  if (!record_ || !patient_.rehearsal_setup || record_->experiment_kind == "platform") return;
+  const rehearsal::RehearsalSetup& setup = *patient_.rehearsal_setup;
+  closedloop::OrganModel organ;
+  organ.youngs_kPa = setup.patient_youngs_kPa;
+  organ.supports = setup.supports;
+  auto learnt = closedloop::learn_organ(std::move(organ), setup.mesh, record_->folder / "model.json");
+  if (learnt) weighed_ = *std::move(learnt);
 }
 
 QString EvidenceView::why_not_accept() const {
@@ -207,13 +223,24 @@ QString EvidenceView::why_not_accept() const {
   if (record_->effects.empty()) return tr("Nothing was found missing that could be accepted.");
   if (record_->experiment_kind == "platform") return tr("What was found is of a computer, not of a patient.");
   if (patient_.folder.empty()) return tr("Open the patient's case first.");
-  if (!patient_.rehearsal) return tr("Needs a model of the liver: build it first.");
+  if (const QString missing = model_missing(patient_); !missing.isEmpty()) return missing;
+  if (weighed_) {
+    const auto& effects = weighed_->effects;
+    if (std::none_of(effects.begin(), effects.end(), [](const auto& effect) { return effect.carried; })) {
+      return tr("What was found would change nothing in the rehearsal: %1").arg(told(effects.front().sentence));
+    }
+    if (!casefile::is_of_patient(weighed_->specimen, patient_.folder.stem().string())) {
+      return tr("This was measured on \"%1\", and nothing shows that it is tissue of %2.")
+          .arg(QString::fromStdString(weighed_->specimen.title), patient_label(patient_.name));
+    }
+  }
   if (answer_->found().ticked_kinds().empty()) return tr("Tick an effect among what was found.");
   return {};
 }
 
 void EvidenceView::word_state() {
   const bool busy = explaining_;
+  if (weighed_) answer_->found().show_consequences(weighed_->effects);
   for (QPushButton* each : {open_, example_, open_report_}) each->setEnabled(!busy);
   opened_->setText(record_ ? tr("%1, learnt from %2")
                                  .arg(record_->experiment_kind == "palpation"  ? tr("A palpation")
@@ -251,7 +278,23 @@ void EvidenceView::tell_time_left(double fraction) {
 }
 
 void EvidenceView::accept() {
-  if (!why_not_accept().isEmpty()) return;
+  if (!why_not_accept().isEmpty() || !weighed_) return;
+  QStringList what;
+  for (const closedloop::LearntEffect& effect : weighed_->effects) {
+    const auto kinds = answer_->found().ticked_kinds();
+    if (std::find(kinds.begin(), kinds.end(), effect.kind) != kinds.end()) what << "- " + told(effect.sentence);
+  }
+  QMessageBox question(
+      QMessageBox::Question, tr("Accept for this patient?"),
+      tr("Specimen: %1\nPatient: %2\n\nThe organ that is rehearsed changes:\n%3")
+          .arg(QString::fromStdString(weighed_->specimen.title), patient_label(patient_.name), what.join("\n")),
+      QMessageBox::Cancel, this);
+  question.setObjectName("accept_question");
+  QPushButton* go = question.addButton(tr("Accept"), QMessageBox::AcceptRole);
+  go->setObjectName("accept_go");
+  question.setDefaultButton(QMessageBox::Cancel);
+  question.exec();
+  if (question.clickedButton() != go) return;
   bench_.change(tr("Accepting the evidence"),
                 [folder = patient_.folder, model = record_->folder / "model.json",
                  kinds = answer_->found().ticked_kinds()](const Progress& progress) -> Result<Patient> {
@@ -316,22 +359,22 @@ void EvidenceView::show_comparison(const closedloop::Prediction& declared, const
 }
 
 void EvidenceView::choose_experiment() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open an experiment"), {}, tr("Experiments (*.json)"));
+  const QString file = ask_for_file(this, tr("Open an experiment"), tr("Experiments (*.json)"));
   if (!file.isEmpty()) open(path_of(file));
 }
 
 void EvidenceView::choose_report() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a report (a folder with report.json)"));
+  const QString folder = ask_for_folder(this, tr("Open a report (a folder with report.json)"));
   if (!folder.isEmpty()) open(path_of(folder));
 }
 
 void EvidenceView::choose_trials() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Predict other trials"), {}, tr("Experiments (*.json)"));
+  const QString file = ask_for_file(this, tr("Predict other trials"), tr("Experiments (*.json)"));
   if (!file.isEmpty()) compare_trials(path_of(file));
 }
 
 void EvidenceView::save_report() {
-  const QString chosen = QFileDialog::getExistingDirectory(this, tr("Save the report in this folder"));
+  const QString chosen = ask_for_folder(this, tr("Save the report in this folder"));
   if (chosen.isEmpty() || !record_) return;
   for (const char* name : {"report.json", "report.html", "model.json"}) {
     const auto bytes = read_text_file(record_->folder / name, std::uint64_t{64} << 20);

@@ -40,6 +40,8 @@ class EvidenceView : public QWidget {
   void explain(const std::filesystem::path& experiment);
   void show_report(const std::filesystem::path& folder, std::shared_ptr<const closedloop::Explained> explained);
   void show_comparison(const closedloop::Prediction& declared, const closedloop::Prediction& better);
+  // What the record would do to the patient's organ, and whether it is of this patient.
+  void weigh();
   void accept();
   void take_back();
   void save_report();
@@ -54,7 +56,8 @@ class EvidenceView : public QWidget {
   Bench bench_;
   Patient patient_;
   std::shared_ptr<const EvidenceRecord> record_;
-  QTemporaryDir scratch_;  // reports made here until they are saved
+  std::optional<closedloop::LearntOrgan> weighed_;  // absent without a patient's model, or where nothing was learnt
+  QTemporaryDir scratch_;                           // reports made here until they are saved
   int made_here_ = 0;
   bool explaining_ = false;
   QElapsedTimer since_;

@@ -34,6 +34,10 @@ constexpr Words all[] = {
      QT_TRANSLATE_NOOP("tour",
                        "A cutting surface divides the liver: volumes of specimen and remnant, the smallest margin "
                        "to each tumour, and the vessels that are crossed.")},
+    {"report", QT_TRANSLATE_NOOP("tour", "Report: one page"),
+     QT_TRANSLATE_NOOP("tour",
+                       "All that was done for this patient, to read, save or print. The name is masked unless you "
+                       "ask for it in the settings.")},
     {"register", QT_TRANSLATE_NOOP("tour", "Register: can the overlay be trusted"),
      QT_TRANSLATE_NOOP("tour",
                        "Laparoscopic video is registered to the model, and SIRGn shows on each triangle how well, "
@@ -46,10 +50,6 @@ constexpr Words all[] = {
      QT_TRANSLATE_NOOP("tour",
                        "Measurements are held against the model. What it cannot explain is traced to a cause; you "
                        "accept that cause for this patient, and can take it back.")},
-    {"report", QT_TRANSLATE_NOOP("tour", "Report: one page"),
-     QT_TRANSLATE_NOOP("tour",
-                       "All that was done for this patient, to read, save or print. The name is masked unless you "
-                       "ask for it in the settings.")},
 };
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QLocale>
 #include <QPushButton>
@@ -11,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "panels/ask_path.h"
 #include "panels/parts.h"
 #include "panels/platform_words.h"
 #include "platform/device_file.h"
@@ -286,7 +286,7 @@ QWidget* PlatformView::make_answer() {
 }
 
 void PlatformView::choose_devices() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Add devices"), {}, tr("Device tables (*.json)"));
+  const QString file = ask_for_file(this, tr("Add devices"), tr("Device tables (*.json)"));
   if (file.isEmpty()) return;
   auto devices = platform::read_devices(path_of(file));
   if (devices) {

@@ -1,12 +1,12 @@
 #include "panels/rehearse_panel.h"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QSplitter>
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "panels/ask_path.h"
 #include "panels/parts.h"
 #include "words/paths.h"
 #include "words/told.h"
@@ -213,7 +213,7 @@ void RehearsePanel::save_landmarks() {
     return;
   }
   const QString file =
-      QFileDialog::getSaveFileName(this, tr("Save the landmarks as a table"), proposed_file, tr("Tables (*.csv)"));
+      ask_where_to_save(this, tr("Save the landmarks as a table"), proposed_file, tr("Tables (*.csv)"));
   if (file.isEmpty()) return;
   if (auto written = write_text_file(path_of(file), landmark_csv(*rehearsal_.frame())); !written) {
     Q_EMIT failed(written.error());

@@ -69,7 +69,9 @@ StudyPanel::StudyPanel(QWidget* parent) : QWidget(parent) {
 }
 
 void StudyPanel::show_patient(const Patient& patient) {
+  const bool seen = patient.completes(patient_);
   patient_ = patient;
+  if (seen) return word_patient();
   slice_image_->setCurrentIndex(0);
   slice_image_->setEnabled(patient.stiffness != nullptr);
 

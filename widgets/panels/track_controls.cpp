@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "panels/ask_path.h"
 #include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
@@ -128,8 +128,8 @@ void TrackControls::choose_movie() {
     movie_->stop();
     return;
   }
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save a movie of the rehearsal"), proposed_movie,
-                                                    tr("Movies (*.mp4);;Folder of pictures (*)"));
+  const QString file = ask_where_to_save(this, tr("Save a movie of the rehearsal"), proposed_movie,
+                                         tr("Movies (*.mp4);;Folder of pictures (*)"));
   if (!file.isEmpty()) make_movie(path_of(file));
 }
 
@@ -141,7 +141,7 @@ void TrackControls::make_movie(const std::filesystem::path& file) {
 
 void TrackControls::save_table() {
   const QString file =
-      QFileDialog::getSaveFileName(this, tr("Save the rehearsal as a table"), proposed_table, tr("Tables (*.csv)"));
+      ask_where_to_save(this, tr("Save the rehearsal as a table"), proposed_table, tr("Tables (*.csv)"));
   if (file.isEmpty()) return;
   std::vector<std::string> ids;
   if (rehearsal_.frame()) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <QFileDialog>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QPointer>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "panels/ask_path.h"
 #include "panels/parts.h"
 #include "settings/settings.h"
 #include "study/example_sequence.h"
@@ -55,7 +55,8 @@ Workspace RegisterPage::workspace(const Bench& bench) {
           .name = [] { return tr("Register"); },
           .about = [] { return tr("See how good a registration of a video is, place by place."); },
           .widget = new RegisterPage(bench.work),
-          .place = Workspace::Place::whole_window};
+          .place = Workspace::Place::whole_window,
+          .group = Workspace::Group::research};
 }
 
 const Judged* RegisterPage::judged(int side) const {
@@ -259,7 +260,7 @@ void RegisterPage::connect_parts() {
 }
 
 void RegisterPage::choose_file() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open a sequence"), {}, tr("Sequences (*.json)"));
+  const QString file = ask_for_file(this, tr("Open a sequence"), tr("Sequences (*.json)"));
   if (!file.isEmpty()) open(path_of(file));
 }
 

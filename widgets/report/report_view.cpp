@@ -1,11 +1,11 @@
 #include "report/report_view.h"
 
 #include <QDateTime>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QPrinter>
 #include <QVBoxLayout>
 
+#include "panels/ask_path.h"
 #include "panels/parts.h"
 #include "report/html.h"
 #include "report/page_document.h"
@@ -201,7 +201,7 @@ void ReportView::print_pdf(const QString& file) const {
 }
 
 void ReportView::choose_html() {
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save the report"), html_name, tr("Web pages (*.html)"));
+  const QString file = ask_where_to_save(this, tr("Save the report"), html_name, tr("Web pages (*.html)"));
   if (file.isEmpty()) return;
   if (auto written = save_html(path_of(file)); !written) {
     bench_.tell_error(written.error());
@@ -211,7 +211,7 @@ void ReportView::choose_html() {
 }
 
 void ReportView::choose_pdf() {
-  const QString file = QFileDialog::getSaveFileName(this, tr("Print the report"), pdf_name, tr("PDF (*.pdf)"));
+  const QString file = ask_where_to_save(this, tr("Print the report"), pdf_name, tr("PDF (*.pdf)"));
   if (file.isEmpty()) return;
   print_pdf(file);
   if (QFileInfo(file).size() > 0) {

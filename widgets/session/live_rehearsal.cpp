@@ -39,6 +39,21 @@ void LiveRehearsal::set_body(std::shared_ptr<const rehearsal::StaticRehearsal> b
   start_anew();
 }
 
+void LiveRehearsal::exchange_body(std::shared_ptr<const rehearsal::StaticRehearsal> body,
+                                  std::shared_ptr<const rehearsal::RehearsalSetup> setup) {
+  const bool same_mesh = body && body_ && setup && setup_ && setup->mesh.points_mm == setup_->mesh.points_mm &&
+                         setup->mesh.cells == setup_->mesh.cells;
+  if (!same_mesh) return set_body(std::move(body), std::move(setup));
+  const std::vector<ToolInHand> tools = tools_;
+  const RehearsalTrack track = track_;
+  const Touch touch = touch_;
+  set_body(std::move(body), std::move(setup));
+  set_touch(touch);
+  track_ = track;
+  Q_EMIT track_changed();
+  hold_all(tools);
+}
+
 void LiveRehearsal::set_touch(Touch touch) {
   if (touch == touch_ || (touch == Touch::rigid && !setup_)) return;
   touch_ = touch;

@@ -32,6 +32,10 @@ class LiveRehearsal : public QObject {
   // Starts anew with this body, no tool on it; nullptr for none. Rigid tools need the setup that it was made from.
   void set_body(std::shared_ptr<const rehearsal::StaticRehearsal> body,
                 std::shared_ptr<const rehearsal::RehearsalSetup> setup = nullptr);
+  // The same patient read anew. On the same mesh the tools stay where they are and how they touch, and what was
+  // recorded stays, with the figures of the organ as it was then; on another mesh it starts anew.
+  void exchange_body(std::shared_ptr<const rehearsal::StaticRehearsal> body,
+                     std::shared_ptr<const rehearsal::RehearsalSetup> setup);
   [[nodiscard]] const rehearsal::StaticRehearsal* body() const { return body_.get(); }
   [[nodiscard]] bool knows_rigid_tools() const { return setup_ != nullptr; }
 

@@ -1,5 +1,6 @@
 #include "session/load_patient.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "casefile/case.h"
@@ -40,7 +41,8 @@ void leave_out_lost_landmarks(rehearsal::RehearsalSetup& setup, Patient& patient
 }
 
 // The smooth surfaces, the liver's among them, ride in the model.
-Result<void> prepare_rehearsal(const casefile::Case& from, Patient& patient, const Progress& progress) {
+Result<void> prepare_rehearsal(const casefile::Case& from, Patient& patient, const Progress& progress,
+                               const FirstLook& first_look) {
   auto model = casefile::read_model(from);
   if (!model) return failure(model.error());
   patient.structures.push_back(structure_of(model->liver));
@@ -49,14 +51,28 @@ Result<void> prepare_rehearsal(const casefile::Case& from, Patient& patient, con
                             static_cast<double>(std::max<std::size_t>(1, model->youngs_kPa.size()));
   patient.atlas_youngs_kPa = model->atlas_youngs_kPa;
   patient.evidence = model->evidence;
+  if (first_look) {
+    Patient shown = patient;
+    shown.preparing = true;
+    first_look(shown);
+  }
   rehearsal::RehearsalSetup setup = casefile::rehearsal_setup(*std::move(model));
   for (const PatientStructure& structure : patient.structures) setup.structures.push_back(*structure.surface);
   leave_out_lost_landmarks(setup, patient);
-  patient.rehearsal_setup = std::make_shared<rehearsal::RehearsalSetup>(setup);
-  auto rehearsal = rehearsal::StaticRehearsal::create(std::move(setup), progress);
+  auto rehearsal = rehearsal::StaticRehearsal::create(setup, progress);
   if (!rehearsal) return failure(rehearsal.error());
+  setup.models = rehearsal->models();
+  patient.rehearsal_setup = std::make_shared<rehearsal::RehearsalSetup>(std::move(setup));
   patient.rehearsal = std::make_shared<rehearsal::StaticRehearsal>(*std::move(rehearsal));
   return {};
+}
+
+// Of many structures of one file the same is said once.
+void add_new(std::vector<Sentence>& remarks, const std::vector<Sentence>& notes) {
+  for (const Sentence& note : notes) {
+    const auto same = [&](const Sentence& one) { return one.message() == note.message(); };
+    if (std::none_of(remarks.begin(), remarks.end(), same)) remarks.push_back(note);
+  }
 }
 
 // Before there is a model: what has been outlined so far.
@@ -80,7 +96,7 @@ OpenedThing kind_of(const fs::path& path) {
   return fs::exists(path / "case.json", ignored) ? OpenedThing::case_folder : OpenedThing::study;
 }
 
-Result<Patient> load_patient(const fs::path& case_folder, const Progress& progress) {
+Result<Patient> load_patient(const fs::path& case_folder, const Progress& progress, const FirstLook& first_look) {
   progress.report(0, GLISSON_TEXT("Reading the case"));
   const auto opened = casefile::Case::open(case_folder);
   if (!opened) return failure(opened.error());
@@ -95,10 +111,10 @@ Result<Patient> load_patient(const fs::path& case_folder, const Progress& progre
   if (!stiffness) return failure(stiffness.error());
   patient.stiffness = *stiffness;
   if (progress.cancelled()) return cancelled();
-  progress.report(0.2, GLISSON_TEXT("Preparing the model"));
+  progress.report(0.05, GLISSON_TEXT("Preparing the model"));
   if (opened->find("meshes/model") != nullptr) {
     const Patient before = patient;
-    const auto prepared = prepare_rehearsal(*opened, patient, progress.part(0.2, 1));
+    const auto prepared = prepare_rehearsal(*opened, patient, progress.part(0.05, 1), first_look);
     if (prepared) return patient;
     if (prepared.error().code == "cancelled") return failure(prepared.error());
     // A model that cannot be used any more keeps nobody from the case.
@@ -111,17 +127,20 @@ Result<Patient> load_patient(const fs::path& case_folder, const Progress& progre
 }
 
 Result<Patient> import_patient(const imaging::Study& study, const std::vector<casefile::SeriesRole>& roles,
-                               const fs::path& case_folder, const Progress& progress) {
+                               const fs::path& case_folder, const Progress& progress, casefile::Replacing replacing) {
   std::error_code ignored;
   const bool there = fs::exists(case_folder / "case.json", ignored);
   auto patient = there ? casefile::Case::open(case_folder) : casefile::Case::create(case_folder);
   if (!patient) return failure(patient.error());
-  const auto imported = casefile::import_series_as(*patient, study, roles, progress.part(0, 0.8));
+  const auto imported = casefile::import_series_as(*patient, study, roles, progress.part(0, 0.8), replacing);
   if (!imported) {
     if (!there) fs::remove_all(case_folder, ignored);  // nothing was there before: Case::create saw to it
     return failure(imported.error());
   }
-  return load_patient(case_folder, progress.part(0.8, 1));
+  return load_patient(case_folder, progress.part(0.8, 1)).map([&](Patient loaded) {
+    for (const casefile::ImportedStructure& structure : imported->structures) add_new(loaded.remarks, structure.notes);
+    return loaded;
+  });
 }
 
 NextStep next_step(const fs::path& case_folder) {
@@ -155,13 +174,13 @@ Result<Patient> build_model(const fs::path& case_folder, const Progress& progres
   return load_patient(case_folder, progress.part(0.6, 1));
 }
 
-Result<Patient> load_demo(const fs::path& folder, const Progress& progress) {
+Result<Patient> load_demo(const fs::path& folder, const Progress& progress, const FirstLook& first_look) {
   const fs::path made_before = folder / "demo.glisson";
   std::error_code ignored;
-  if (fs::exists(made_before / "case.json", ignored)) return load_patient(made_before, progress);
+  if (fs::exists(made_before / "case.json", ignored)) return load_patient(made_before, progress, first_look);
   const auto summary = study::run_demo(folder, {}, progress.part(0, 0.9));
   if (!summary) return failure(summary.error());
-  return load_patient(summary->case_folder, progress.part(0.9, 1));
+  return load_patient(summary->case_folder, progress.part(0.9, 1), first_look);
 }
 
 }  // namespace glisson::widgets

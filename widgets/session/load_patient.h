@@ -1,6 +1,8 @@
 #pragma once
 // From a case folder, a study or the demo to a Patient: long work, called on a worker thread.
 
+#include <functional>
+
 #include "base/progress.h"
 #include "base/result.h"
 #include "casefile/import.h"
@@ -13,12 +15,19 @@ namespace glisson::widgets {
 enum class OpenedThing { case_folder, study };
 [[nodiscard]] OpenedThing kind_of(const std::filesystem::path& path);
 
-// Reads the case and, where it has a model, prepares the rehearsal (factorises, with the atlas twin).
-Result<Patient> load_patient(const std::filesystem::path& case_folder, const Progress& progress);
+// Called, on the worker thread, with what can be shown already: images and structures, `preparing` set.
+using FirstLook = std::function<void(const Patient&)>;
 
-// Takes these series of a study, each in its role, into a case, which is made where it is not there yet; loads it.
+// Reads the case and, where it has a model, prepares the rehearsal (factorises, with the atlas twin). What was read is
+// handed to `first_look` before the preparing, which takes seconds.
+Result<Patient> load_patient(const std::filesystem::path& case_folder, const Progress& progress,
+                             const FirstLook& first_look = {});
+
+// Takes these series of a study, each in its role, into a case, which is made where it is not there yet; loads it. What
+// is to be known of the labels stands in the patient's remarks.
 Result<Patient> import_patient(const imaging::Study& study, const std::vector<casefile::SeriesRole>& roles,
-                               const std::filesystem::path& case_folder, const Progress& progress);
+                               const std::filesystem::path& case_folder, const Progress& progress,
+                               casefile::Replacing replacing = casefile::Replacing::refused);
 
 // What a case still lacks before a retraction can be rehearsed.
 enum class NextStep { outline_liver, build_model, none };
@@ -31,6 +40,7 @@ Result<Patient> outline_liver(const std::filesystem::path& case_folder, const Ei
 Result<Patient> build_model(const std::filesystem::path& case_folder, const Progress& progress);
 
 // The demo patient in `folder`, made there the first time (minutes), opened from there later.
-Result<Patient> load_demo(const std::filesystem::path& folder, const Progress& progress);
+Result<Patient> load_demo(const std::filesystem::path& folder, const Progress& progress,
+                          const FirstLook& first_look = {});
 
 }  // namespace glisson::widgets

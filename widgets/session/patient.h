@@ -34,7 +34,12 @@ struct Patient {
   casefile::Evidence evidence;  // accepted of measurements: in the rehearsal, or said why not
   double mean_youngs_kPa = 0;   // of the model's cells
   double atlas_youngs_kPa = 0;  // of its atlas twin
+  bool preparing = false;       // there is a model, and the rehearsal is still being made of it
 
+  // Whether this is the patient shown before as being prepared: what is seen of it stays as it is.
+  [[nodiscard]] bool completes(const Patient& before) const {
+    return before.preparing && before.folder == folder && before.name == name;
+  }
   // The outlined liver; null where there is none.
   [[nodiscard]] const PatientStructure* liver() const {
     return !structures.empty() && structures.front().name == "liver" ? &structures.front() : nullptr;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <QFutureWatcher>
 #include <QHeaderView>
+#include <QPainter>
 #include <QtConcurrentRun>
 #include <QVBoxLayout>
 
 #include "imaging/read_series.h"
+#include "segmentation/structures.h"
 #include "session/patient.h"
 #include "words/grid_words.h"
 #include "words/told.h"
@@ -21,6 +23,37 @@ constexpr int picture_side = 92;
 constexpr std::array<Role, 8> choices{Role::anatomy,   Role::mre_stiffness, Role::mre_confidence, Role::mre_magnitude,
                                       Role::mre_phase, Role::mre_wave,      Role::segmentation,   Role::other};
 enum Column { what_column, size_column, role_column, problems_column };
+
+// Of several patients' label maps those of the chosen anatomy.
+void leave_out_others_labels(const imaging::Study& study, std::vector<Role>& roles) {
+  const auto anatomy = std::find(roles.begin(), roles.end(), Role::anatomy);
+  if (anatomy == roles.end()) return;
+  const auto fitting = casefile::label_maps_on(study, study.series[static_cast<std::size_t>(anatomy - roles.begin())]);
+  for (std::size_t k = 0; k < roles.size(); ++k) {
+    const bool fits = std::find(fitting.begin(), fitting.end(), k) != fitting.end();
+    if (roles[k] == Role::segmentation && casefile::is_label_map(study.series[k]) && !fits) roles[k] = Role::other;
+  }
+}
+
+// In the middle of a square, so that no row of the table changes its height when its picture comes.
+QPixmap on_square(const QImage& picture) {
+  QPixmap square(picture_side, picture_side);
+  square.fill(Qt::black);
+  if (picture.isNull()) return square;
+  QPainter painter(&square);
+  painter.drawImage((picture_side - picture.width()) / 2, (picture_side - picture.height()) / 2, picture);
+  return square;
+}
+
+// As wide and tall as it is in the body.
+QImage in_proportion(const QImage& slice, const imaging::Grid& grid, int side, Qt::TransformationMode mode) {
+  const double tall_mm = grid.size[1] * grid.spacing_mm[1], wide_mm = grid.size[0] * grid.spacing_mm[0];
+  const double scale = side / std::max(tall_mm, wide_mm);
+  // The front above and the right side left, however a transverse slice lies in its file.
+  return slice.mirrored(grid.direction(0, 0) < 0, grid.direction(1, 1) < 0)
+      .scaled(std::max(1, static_cast<int>(wide_mm * scale)), std::max(1, static_cast<int>(tall_mm * scale)),
+              Qt::IgnoreAspectRatio, mode);
+}
 
 // The roles as the headers tell them; where several series have the same, the one of most voxels has it (phases, which
 // come a direction a series, all keep theirs). One image of which nothing is known is the anatomy.
@@ -39,6 +72,7 @@ std::vector<Role> proposed(const imaging::Study& study) {
     }
   }
   if (roles.size() == 1 && roles.front() == Role::other) roles.front() = Role::anatomy;
+  leave_out_others_labels(study, roles);
   return roles;
 }
 
@@ -56,10 +90,36 @@ QImage middle_slice(const imaging::Volume& volume, int side) {
       line[i] = static_cast<uchar>(255 * std::clamp(share, 0.0, 1.0));
     }
   }
-  const double tall_mm = grid.size[1] * grid.spacing_mm[1], wide_mm = grid.size[0] * grid.spacing_mm[0];
-  const double scale = side / std::max(tall_mm, wide_mm);
-  return slice.scaled(std::max(1, static_cast<int>(wide_mm * scale)), std::max(1, static_cast<int>(tall_mm * scale)),
-                      Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  return in_proportion(slice, grid, side, Qt::SmoothTransformation);
+}
+
+QImage label_slice(const casefile::ReadLabelMap& map, int side) {
+  const imaging::Grid& grid = map.labels.grid;
+  const auto per_slice = static_cast<std::ptrdiff_t>(grid.size[0]) * grid.size[1];
+  int fullest = 0;
+  std::ptrdiff_t most = -1;
+  for (int k = 0; k < grid.size[2]; ++k) {
+    const auto begin = map.labels.values.begin() + k * per_slice;
+    const auto labelled = std::count_if(begin, begin + per_slice, [](std::uint16_t value) { return value != 0; });
+    if (labelled > most) fullest = k;
+    most = std::max(most, labelled);
+  }
+  std::map<int, QRgb> colours;
+  for (const casefile::LabelledPart& part : map.parts) {
+    const auto rgb = segmentation::known_structure(part.structure).color_rgb;
+    const bool known = segmentation::known_structure(part.structure).place != segmentation::Place::unknown;
+    // Steps of the golden angle keep the colours of neighbours apart.
+    colours[part.value] = known ? QColor::fromRgbF(float(rgb[0]), float(rgb[1]), float(rgb[2])).rgb()
+                                : QColor::fromHsv(part.value * 137 % 360, 130, 200).rgb();
+  }
+  QImage slice(grid.size[0], grid.size[1], QImage::Format_RGB32);
+  for (int j = 0; j < grid.size[1]; ++j) {
+    for (int i = 0; i < grid.size[0]; ++i) {
+      const int value = map.labels.at(i, j, fullest);
+      slice.setPixel(i, j, value == 0 ? qRgb(0, 0, 0) : colours[value]);
+    }
+  }
+  return in_proportion(slice, grid, side, Qt::FastTransformation);
 }
 
 SeriesTable::SeriesTable(QWidget* parent) : QTreeWidget(parent), stop_(std::make_shared<std::stop_source>()) {
@@ -94,9 +154,7 @@ void SeriesTable::show_study(std::shared_ptr<const imaging::Study> study) {
   const std::vector<Role> proposals = proposed(*study_);
   for (const Role proposal : proposals) {
     auto* row = new QTreeWidgetItem(this);
-    QPixmap blank(picture_side, picture_side);
-    blank.fill(Qt::black);
-    row->setIcon(what_column, QIcon(blank));
+    row->setIcon(what_column, QIcon(on_square({})));
     auto* choice = new QComboBox;
     choice->setObjectName(QString("role_%1").arg(roles_.size()));
     choice->addItems(QStringList(static_cast<int>(choices.size()), QString()));
@@ -127,6 +185,13 @@ int SeriesTable::chosen() const {
   const auto all = roles();
   return static_cast<int>(
       std::count_if(all.begin(), all.end(), [](const casefile::SeriesRole& one) { return one.role != Role::other; }));
+}
+
+int SeriesTable::chosen_images() const {
+  const auto all = roles();
+  return static_cast<int>(std::count_if(all.begin(), all.end(), [](const casefile::SeriesRole& one) {
+    return one.role != Role::other && one.role != Role::segmentation;
+  }));
 }
 
 void SeriesTable::word() {
@@ -161,11 +226,16 @@ void SeriesTable::make_pictures() {
       watcher->deleteLater();
       const QImage picture = watcher->result();
       if (study != study_ || picture.isNull()) return;
-      topLevelItem(k)->setIcon(what_column, QIcon(QPixmap::fromImage(picture)));
+      topLevelItem(k)->setIcon(what_column, QIcon(on_square(picture)));
     });
     watcher->setFuture(QtConcurrent::run(&painters_, [study = study_, k, stop = stop_]() -> QImage {
       const imaging::Series& series = study->series[static_cast<std::size_t>(k)];
-      if (stop->stop_requested() || series.role == Role::segmentation) return {};
+      if (stop->stop_requested()) return {};
+      if (series.role == Role::segmentation && casefile::is_label_map(series)) {
+        const auto map = casefile::read_label_map(series.files.front());
+        return map ? label_slice(*map, picture_side) : QImage();
+      }
+      if (series.role == Role::segmentation) return {};
       const auto volume = imaging::read_series(series, 0, Progress({}, stop->get_token()));
       return volume ? middle_slice(*volume, picture_side) : QImage();
     }));

@@ -25,6 +25,8 @@ class SeriesTable : public QTreeWidget {
   [[nodiscard]] std::vector<casefile::SeriesRole> roles() const;
   // How many series have a role.
   [[nodiscard]] int chosen() const;
+  // Of these, those that are no segmentation.
+  [[nodiscard]] int chosen_images() const;
 
  Q_SIGNALS:
   void roles_changed();
@@ -41,5 +43,8 @@ class SeriesTable : public QTreeWidget {
 
 // The middle slice of a volume, transverse to its first two axes, in its usual window; at most `side` pixels across.
 [[nodiscard]] QImage middle_slice(const imaging::Volume& volume, int side);
+
+// The slice of a label map that holds most of it, each value in the colour of its structure, else in one of its own.
+[[nodiscard]] QImage label_slice(const casefile::ReadLabelMap& map, int side);
 
 }  // namespace glisson::widgets

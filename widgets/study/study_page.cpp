@@ -1,10 +1,11 @@
 #include "study/study_page.h"
 
+#include <algorithm>
 #include <QDir>
-#include <QFileDialog>
 #include <QSplitter>
 #include <QStandardPaths>
 
+#include "panels/ask_path.h"
 #include "panels/parts.h"
 #include "session/load_patient.h"
 #include "words/paths.h"
@@ -15,6 +16,12 @@ namespace glisson::widgets {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::vector<casefile::SeriesRole> as_labels(const imaging::Study& study) {
+  std::vector<casefile::SeriesRole> roles;
+  for (const imaging::Series& series : study.series) roles.push_back({series.uid, imaging::Role::segmentation});
+  return roles;
+}
 
 }  // namespace
 
@@ -28,7 +35,8 @@ Workspace StudyPage::workspace(const Bench& bench) {
           .show_patient = [page](const Patient& patient) { page->show_patient(patient); }};
 }
 
-StudyPage::StudyPage(const Bench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+StudyPage::StudyPage(const Bench& bench, QWidget* parent)
+    : QWidget(parent), bench_(bench), taking_in_(new TakingIn(bench, this)) {
   setObjectName("panel");
   setAttribute(Qt::WA_StyledBackground);
   auto* images = new QWidget;
@@ -79,35 +87,57 @@ StudyPage::StudyPage(const Bench& bench, QWidget* parent) : QWidget(parent), ben
   connect(open_, &QPushButton::clicked, this, &StudyPage::choose_folder);
   connect(series_, &SeriesTable::roles_changed, this, &StudyPage::show_state);
   connect(keep_as_, &QLineEdit::textChanged, this, &StudyPage::show_state);
-  connect(make_, &QPushButton::clicked, this, [this] { import_into(path_of(keep_as_->text())); });
-  connect(add_, &QPushButton::clicked, this, [this] { import_into(case_); });
+  connect(make_, &QPushButton::clicked, this,
+          [this] { taking_in_->take(*series_->study(), series_->roles(), path_of(keep_as_->text())); });
+  connect(add_, &QPushButton::clicked, this, [this] { taking_in_->take(*series_->study(), series_->roles(), case_); });
+  connect(taking_in_, &TakingIn::begun, this, [this](const fs::path& folder) { importing_into_ = folder; });
   connect(&bench_.undo, &Undo::settled, this, [this] {
     if (isVisible()) overview_->show_case(case_);
   });
   worded(this, [this] { word(); });
 }
 
+// A label map alone, while a case is open, is meant for it.
 void StudyPage::browse(const fs::path& path) {
-  bench_.work.start(tr("Looking for images"), [this, path](const Progress& progress) -> BackgroundWork::Then {
+  look(path, [this, path](const imaging::Study& study) {
+    const bool labels = std::all_of(study.series.begin(), study.series.end(), [](const imaging::Series& series) {
+      return series.role == imaging::Role::segmentation;
+    });
+    if (labels && !case_.empty()) {
+      taking_in_->take(study, as_labels(study), case_);
+    } else {
+      list(path, study);
+    }
+  });
+}
+
+void StudyPage::add_labels(const fs::path& file) {
+  look(file, [this](const imaging::Study& study) { taking_in_->take(study, as_labels(study), case_); });
+}
+
+void StudyPage::look(const fs::path& path, const std::function<void(const imaging::Study&)>& then) {
+  bench_.work.start(tr("Looking for images"), [this, path, then](const Progress& progress) -> BackgroundWork::Then {
     auto study = std::make_shared<Result<imaging::Study>>(imaging::scan(path, progress));
-    return [this, path, study] {
+    return [this, path, study, then] {
       if (!*study) {
         bench_.tell_error(study->error());
-        return;
-      }
-      if ((*study)->series.empty()) {
+      } else if ((*study)->series.empty()) {
         bench_.tell_error(
             Error{"study-no-images", GLISSON_TEXT("No images were found in {0}."), {path.string()}, {}, {}});
-        return;
+      } else {
+        then(**study);
       }
-      browsed_ = path;
-      series_->show_study(std::make_shared<const imaging::Study>(*std::move(*study)));
-      keep_as_->setText(QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
-                            .filePath(text_of(path.stem()) + ".glisson"));
-      show_state();
-      Q_EMIT listed();
     };
   });
+}
+
+void StudyPage::list(const fs::path& path, const imaging::Study& study) {
+  browsed_ = path;
+  series_->show_study(std::make_shared<const imaging::Study>(study));
+  keep_as_->setText(QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+                        .filePath(text_of(path.stem()) + ".glisson"));
+  show_state();
+  Q_EMIT listed();
 }
 
 void StudyPage::show_patient(const Patient& patient) {
@@ -129,7 +159,7 @@ void StudyPage::word() {
   open_->setText(tr("Look in a folder..."));
   open_->setToolTip(tr("A folder, a DICOMDIR or one file; dropping it on the window does the same"));
   privacy_->setText(
-      tr("Patients' names are not shown: they are not read from the images. The images are never written to."));
+      tr("Patients' names are neither shown nor kept: a case keeps a hash of them. The images are never written to."));
   keep_title_->setText(tr("Keep the case as"));
   keep_as_->setAccessibleName(keep_title_->text());
   make_->setText(tr("Make a case"));
@@ -153,35 +183,25 @@ void StudyPage::show_state() {
     found_->setToolTip(skipped.join("\n"));
   }
   const bool chosen = study != nullptr && series_->chosen() > 0;
+  const bool images = study != nullptr && series_->chosen_images() > 0;  // labels alone make no case
   const fs::path wanted = path_of(keep_as_->text());
   std::error_code ignored;
   const bool taken = fs::exists(wanted, ignored);
-  make_->setEnabled(chosen && !wanted.empty() && !taken);
-  make_->setToolTip(!chosen ? tr("Give at least one series a role first.")
-                    : taken ? tr("There is something of that name already: choose another.")
-                            : tr("Copies the chosen series into a new case"));
+  make_->setEnabled(images && !wanted.empty() && !taken);
+  make_->setToolTip(!chosen   ? tr("Give at least one series a role first.")
+                    : !images ? tr("Labels need the images that they were drawn on: give one series another role.")
+                    : taken   ? tr("There is something of that name already: choose another.")
+                              : tr("Copies the chosen series into a new case"));
   add_->setEnabled(chosen && !case_.empty());
   add_->setToolTip(case_.empty() ? tr("No case is open.")
                    : !chosen     ? tr("Give at least one series a role first.")
-                                 : tr("Series of the same role are replaced; Ctrl+Z brings them back"));
+                                 : tr("Glisson asks before anything is replaced; Ctrl+Z brings it back"));
   series_->setVisible(study != nullptr);
 }
 
 void StudyPage::choose_folder() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a folder of images"));
+  const QString folder = ask_for_file_or_folder(this, tr("Open images: a folder, or a file of them"));
   if (!folder.isEmpty()) browse(path_of(folder));
-}
-
-void StudyPage::import_into(const fs::path& folder) {
-  importing_into_ = folder;
-  const auto import = [study = *series_->study(), roles = series_->roles(), folder](const Progress& progress) {
-    return import_patient(study, roles, folder, progress);
-  };
-  if (folder == case_) {
-    bench_.change(tr("Importing"), import);
-  } else {
-    bench_.open(tr("Importing"), import);
-  }
 }
 
 }  // namespace glisson::widgets

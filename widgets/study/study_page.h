@@ -1,6 +1,6 @@
 #pragma once
 // The Study workspace: the images found under a folder, what each series is for, and the case that is made of them;
-// beside it what the open case holds. Patients' names are not read from the images at all.
+// beside it what the open case holds. Patients' names are neither shown nor kept.
 
 #include <QLabel>
 #include <QLineEdit>
@@ -8,6 +8,7 @@
 
 #include "study/case_overview.h"
 #include "study/series_table.h"
+#include "study/taking_in.h"
 
 namespace glisson::widgets {
 
@@ -21,6 +22,8 @@ class StudyPage : public QWidget {
 
   // Looks for images there, on a worker, and lists them.
   void browse(const std::filesystem::path& path);
+  // Takes a label map or DICOM SEG straight into the open case.
+  void add_labels(const std::filesystem::path& file);
   void show_patient(const Patient& patient);
 
  Q_SIGNALS:
@@ -33,9 +36,11 @@ class StudyPage : public QWidget {
   void word();
   void show_state();
   void choose_folder();
-  void import_into(const std::filesystem::path& folder);
+  void list(const std::filesystem::path& path, const imaging::Study& study);
+  void look(const std::filesystem::path& path, const std::function<void(const imaging::Study&)>& then);
 
   Bench bench_;
+  TakingIn* taking_in_;
   std::filesystem::path browsed_;
   std::filesystem::path case_;
   std::filesystem::path importing_into_;  // until the patient of it is shown

@@ -1,8 +1,8 @@
 #include "views/linked_views.h"
 
 #include <algorithm>
-#include <QFileDialog>
 
+#include "panels/ask_path.h"
 #include "session/patient.h"
 
 #include "words/worded.h"
@@ -115,7 +115,7 @@ void LinkedViews::save_picture(std::size_t frame) {
   const std::array<RenderWidget*, 5> views{slices_[0], space_, slices_[1], slices_[2], twin_};
   const QImage picture = views[frame]->picture();  // as it is now, before a dialog lies over it
   static constexpr const char* proposed = "view.png";
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save the picture"), proposed, tr("Pictures (*.png)"));
+  const QString file = ask_where_to_save(this, tr("Save the picture"), proposed, tr("Pictures (*.png)"));
   if (!file.isEmpty() && !picture.save(file)) Q_EMIT picture_not_saved(file);
 }
 

@@ -59,6 +59,10 @@ double arrow_force_N(double length_mm) { return std::max(0.0, (length_mm - short
 PatientViews::PatientViews(LinkedViews& views, QObject* parent) : QObject(parent), views_(views) {}
 
 void PatientViews::show_patient(const Patient& patient) {
+  if (patient.completes(patient_)) {
+    patient_ = patient;
+    return;
+  }
   const bool another = patient.folder != patient_.folder || patient.name != patient_.name;
   patient_ = patient;
   if (another) {

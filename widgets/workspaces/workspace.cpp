@@ -5,7 +5,8 @@
 namespace glisson::widgets {
 
 QString model_missing(const Patient& patient) {
-  return patient.rehearsal ? QString()
+  if (patient.rehearsal) return {};
+  return patient.preparing ? QCoreApplication::translate("Workspace", "The model is being prepared.")
                            : QCoreApplication::translate("Workspace", "Needs a model of the liver: build it first.");
 }
 

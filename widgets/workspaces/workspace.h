@@ -1,6 +1,7 @@
 #pragma once
-// A workspace is one stop of the work, left to right: Study, Segment, Model, Rehearse, Resect, Register, Platform,
-// Evidence, Report. Any widget can be one; it says by showEvent() and hideEvent() when it is at work.
+// A workspace is one stop of the work, left to right: Study, Segment, Model, Rehearse, Resect, Report; then, in a group
+// of their own, those of research: Register, Platform, Evidence. Any widget can be one; it says by showEvent() and
+// hideEvent() when it is at work.
 
 #include <functional>
 #include <QString>
@@ -16,12 +17,14 @@ namespace glisson::widgets {
 
 struct Workspace {
   enum class Place { beside_views, whole_window };
+  enum class Group { surgery, research };
 
   QString id;                      // "rehearse": for code, never seen
   std::function<QString()> name;   // in the language of now
   std::function<QString()> about;  // one sentence: what is done here
   QWidget* widget = nullptr;
   Place place = Place::beside_views;
+  Group group = Group::surgery;
   // A patient was opened, or what is known of this one has changed.
   std::function<void(const Patient&)> show_patient = [](const Patient&) {};
   // What it needs before anything can be done here, and how to get it; empty when it is ready.

@@ -27,6 +27,11 @@ void WorkspaceBar::add(const Workspace& workspace) {
   button->setCheckable(true);
   button->setAutoRaise(true);
   button->setFocusPolicy(Qt::TabFocus);
+  if (workspace.group == Workspace::Group::research && research_ == nullptr) {
+    research_ = new QLabel;
+    research_->setObjectName("research_group");
+    row_->insertWidget(row_->count() - 1, research_);
+  }
   row_->insertWidget(row_->count() - 1, button);
   group_->addButton(button, static_cast<int>(buttons_.size()));
   buttons_.push_back(button);
@@ -42,6 +47,7 @@ void WorkspaceBar::show_patient(const Patient& patient) {
 }
 
 void WorkspaceBar::word() {
+  if (research_ != nullptr) research_->setText(tr("Research"));
   for (std::size_t k = 0; k < buttons_.size(); ++k) {
     const Workspace& workspace = workspaces_[k];
     QToolButton* button = buttons_[k];

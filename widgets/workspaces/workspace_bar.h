@@ -1,9 +1,10 @@
 #pragma once
-// The row of workspaces at the top of the window, in the order of the work. What is not ready yet is dimmed, can be
-// entered all the same (it says there what it needs), and says so in its tooltip.
+// The row of workspaces at the top of the window, in the order of the work, those of research apart behind it. What is
+// not ready yet is dimmed, can be entered all the same (it says there what it needs), and says so in its tooltip.
 
 #include <QBoxLayout>
 #include <QButtonGroup>
+#include <QLabel>
 #include <QToolButton>
 #include <vector>
 
@@ -29,6 +30,7 @@ class WorkspaceBar : public QWidget {
   void word();
 
   QHBoxLayout* row_;
+  QLabel* research_ = nullptr;  // before the first of that group
   QButtonGroup* group_;
   std::vector<Workspace> workspaces_;
   std::vector<QToolButton*> buttons_;

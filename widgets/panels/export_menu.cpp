@@ -1,0 +1,69 @@
+#include "panels/export_menu.h"
+
+#include "panels/ask_path.h"
+#include "words/paths.h"
+#include "words/worded.h"
+
+namespace glisson::widgets {
+
+using casefile::ExportFormat;
+
+ExportMenu::ExportMenu(const Bench& bench, QWidget* parent) : QMenu(parent), bench_(bench) {
+  struct Listed {
+    const char* name;
+    ExportFormat format;
+  };
+  for (const Listed& one : {Listed{"export_nifti", ExportFormat::nifti}, Listed{"export_nrrd", ExportFormat::nrrd},
+                            Listed{"export_dicom_seg", ExportFormat::dicom_seg},
+                            Listed{"export_stl", ExportFormat::stl}, Listed{"export_obj", ExportFormat::obj},
+                            Listed{"export_vtp", ExportFormat::vtp}, Listed{"export_vtu", ExportFormat::vtu}}) {
+    QAction* action = addAction(QString(), this, [this, format = one.format] { ask(format); });
+    action->setObjectName(one.name);
+    formats_.emplace_back(action, one.format);
+    if (one.format == ExportFormat::dicom_seg || one.format == ExportFormat::vtp) addSeparator();
+  }
+  worded(this, [this] { word(); });
+}
+
+void ExportMenu::word() {
+  for (const auto& [action, format] : formats_) {
+    switch (format) {
+      case ExportFormat::nifti: action->setText(tr("Images and outlines as NIfTI...")); break;
+      case ExportFormat::nrrd: action->setText(tr("Images and outlines as NRRD (3D Slicer)...")); break;
+      case ExportFormat::dicom_seg: action->setText(tr("Outlines as DICOM SEG...")); break;
+      case ExportFormat::stl: action->setText(tr("Surfaces as STL...")); break;
+      case ExportFormat::obj: action->setText(tr("Surfaces as OBJ...")); break;
+      case ExportFormat::vtp: action->setText(tr("Surfaces as VTP (ParaView)...")); break;
+      case ExportFormat::vtu: action->setText(tr("The model's tetrahedra as VTU...")); break;
+    }
+  }
+}
+
+void ExportMenu::ask(ExportFormat format) {
+  const QString name = text_of(bench_.patient().folder.stem());
+  const QString dicom_name = name + ".dcm", mesh_name = name + ".vtu";
+  QString out;
+  if (format == ExportFormat::dicom_seg) {
+    out = ask_where_to_save(parentWidget(), tr("Save the outlines"), dicom_name, tr("DICOM (*.dcm)"));
+  } else if (format == ExportFormat::vtu) {
+    out = ask_where_to_save(parentWidget(), tr("Save the model"), mesh_name, tr("VTK meshes (*.vtu)"));
+  } else {
+    out = ask_for_folder(parentWidget(), tr("Write the files into this folder"));
+  }
+  if (!out.isEmpty()) write(format, path_of(out));
+}
+
+void ExportMenu::write(ExportFormat format, const std::filesystem::path& out) {
+  bench_.work.start(
+      tr("Exporting"),
+      [this, folder = bench_.patient().folder, format, out](const Progress& progress) -> BackgroundWork::Then {
+        const auto written = casefile::Case::open(folder).and_then(
+            [&](const casefile::Case& patient) { return casefile::export_case(patient, format, out, progress); });
+        return [this, written, out] {
+          if (!written) return bench_.tell_error(written.error());
+          bench_.tell_status(tr("Files written: %1, in %2").arg(written->size()).arg(text_of(out)));
+        };
+      });
+}
+
+}  // namespace glisson::widgets

@@ -1,0 +1,29 @@
+#pragma once
+// File, Export: what of the open case goes to other programs, a line each. The files are written by a worker; where
+// they are stands in the status line.
+
+#include <QMenu>
+
+#include "casefile/export.h"
+#include "workspaces/workspace.h"
+
+namespace glisson::widgets {
+
+class ExportMenu : public QMenu {
+  Q_OBJECT
+
+ public:
+  ExportMenu(const Bench& bench, QWidget* parent);
+
+  // Without a question, for who knows where to.
+  void write(casefile::ExportFormat format, const std::filesystem::path& out);
+
+ private:
+  void ask(casefile::ExportFormat format);
+  void word();
+
+  Bench bench_;
+  std::vector<std::pair<QAction*, casefile::ExportFormat>> formats_;
+};
+
+}  // namespace glisson::widgets

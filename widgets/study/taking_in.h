@@ -1,0 +1,35 @@
+#pragma once
+// Takes series of a study into a case. What the files do not say is asked: the names of labels; and before images of
+// another patient, or another anatomy, come into a case that holds one, that is said and asked too.
+
+#include <filesystem>
+#include <QObject>
+#include <vector>
+
+#include "casefile/belonging.h"
+#include "imaging/study.h"
+#include "workspaces/workspace.h"
+
+namespace glisson::widgets {
+
+class TakingIn : public QObject {
+  Q_OBJECT
+
+ public:
+  TakingIn(const Bench& bench, QWidget* parent);
+
+  // Into the case in that folder, which is made where there is none.
+  void take(const imaging::Study& study, std::vector<casefile::SeriesRole> roles, const std::filesystem::path& folder);
+
+ Q_SIGNALS:
+  void begun(const std::filesystem::path& folder);  // all was answered, and the import runs
+
+ private:
+  struct Asked;
+  void ask(Asked asked);
+
+  Bench bench_;
+  QWidget* window_;
+};
+
+}  // namespace glisson::widgets
