@@ -572,7 +572,7 @@ void MainWindow::keep_open_work() {
   if (patient_.folder.empty()) return;
   OpenWork work{.case_folder = patient_.folder, .workspace = workspace().toStdString(), .tool = {}};
   if (rehearsal_.has_tool()) {
-    const ToolInHand& tool = rehearsal_.tools().back();
+    const PlacedTool& tool = rehearsal_.tools().back();
     work.tool = {tool.center_mm, tool.radius_mm, tool.force_N, tool.direction};
   }
   if (const auto kept = open_work_.keep(work); !kept) diary_.note(kept.error());

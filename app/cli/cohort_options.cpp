@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <filesystem>
 
-#include "study/cohort.h"
+#include "studies/cohort.h"
 
 namespace glisson::cli {
 
@@ -22,7 +22,7 @@ void add_cohort_options(CLI::App& command, CohortChoice& choice) {
 Result<std::string> folder_of(const CohortChoice& choice) {
   if (choice.simulated > 0) {
     const std::string folder = (std::filesystem::path(choice.out) / "simulated").string();
-    return study::write_simulated_cohort(folder, choice.simulated, choice.seed).map([&] { return folder; });
+    return studies::write_simulated_cohort(folder, choice.simulated, choice.seed).map([&] { return folder; });
   }
   if (choice.folder.empty()) {
     return failure("cohort-no-folder", GLISSON_TEXT("Name the cohort's folder, or ask for a simulated one with "
@@ -32,16 +32,16 @@ Result<std::string> folder_of(const CohortChoice& choice) {
 }
 
 Result<Outcome> list_patients(const std::string& folder) {
-  return study::cohort_patients(folder).map([](const std::vector<std::string>& ids) {
+  return studies::cohort_patients(folder).map([](const std::vector<std::string>& ids) {
     Outcome outcome{{{"ids", ids}}, {}};
     for (const std::string& id : ids) outcome.text += id + "\n";
     return outcome;
   });
 }
 
-void add_rows(const std::vector<study::BatchRow>& rows, Outcome& outcome) {
+void add_rows(const std::vector<studies::BatchRow>& rows, Outcome& outcome) {
   outcome.document["rows"] = Json::array();
-  for (const study::BatchRow& row : rows) {
+  for (const studies::BatchRow& row : rows) {
     Json json{{"patient", row.id}};
     for (const auto& [name, value] : row.values) json[name] = value;
     if (!row.error.empty()) {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "command.h"
-#include "study/batch.h"
-#include "study/cohort.h"
+#include "studies/batch.h"
+#include "studies/cohort.h"
 
 namespace glisson::cli {
 
@@ -36,11 +36,11 @@ Result<Outcome> run_over_cohort(const CohortChoice& choice, StudyOptions options
   if (!folder) return failure(folder.error());
   if (choice.list) return list_patients(*folder);
   options.only = choice.only;
-  options.warning = study::cohort_warning(*folder);
+  options.warning = studies::cohort_warning(*folder);
   return study(*folder, options);
 }
 
 // "rows" of the document, and a line of the text for each patient who could not be used.
-void add_rows(const std::vector<study::BatchRow>& rows, Outcome& outcome);
+void add_rows(const std::vector<studies::BatchRow>& rows, Outcome& outcome);
 
 }  // namespace glisson::cli

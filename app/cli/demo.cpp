@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include "command.h"
-#include "study/demo.h"
+#include "studies/demo.h"
 
 namespace glisson::cli {
 namespace {
 
-Outcome describe(const study::DemoSummary& summary) {
+Outcome describe(const studies::DemoSummary& summary) {
   const auto& comparison = summary.atlas_against_mre;
   std::string text = fmt::format(
       "SIMULATED from a real patient's anatomy; not a medical device.\n"
@@ -23,7 +23,7 @@ Outcome describe(const study::DemoSummary& summary) {
                         landmark.displacement_b_mm, landmark.difference_mm,
                         landmark.displacement_a_mm >= rehearsal::significant_mm ? "  moves by 5 mm or more" : "");
   }
-  return {parse_json(study::summary_text(summary)).value(),
+  return {parse_json(studies::summary_text(summary)).value(),
           text + fmt::format("{:.0f} s; report: {}\n", summary.seconds, summary.report.string())};
 }
 
@@ -33,13 +33,13 @@ void add_demo(CLI::App& app, Action& chosen) {
   CLI::App* command =
       app.add_subcommand("demo", "The main job, end to end, on the simulated patient that ships inside");
   auto out = std::make_shared<std::string>();
-  auto options = std::make_shared<study::DemoRunOptions>();
+  auto options = std::make_shared<studies::DemoRunOptions>();
   command->add_option("--out", *out, "Folder for the study, the case and the report")->required();
   command->add_option("--force-N", options->force_N, "Force of the retractor (default: its usual force)")
       ->check(CLI::Range(0.01, 100.0));
   command->callback([&chosen, out, options] {
     chosen = [out, options](const Progress& progress) {
-      return study::run_demo(*out, *options, progress).map(describe);
+      return studies::run_demo(*out, *options, progress).map(describe);
     };
   });
 }

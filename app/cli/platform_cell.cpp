@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "platform/cell.h"
+#include "hardware/cell.h"
 #include "platform_commands.h"
 
 namespace glisson::cli {

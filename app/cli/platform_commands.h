@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "command.h"
-#include "platform/convergence_curve.h"
-#include "platform/device_file.h"
-#include "platform/plan.h"
+#include "hardware/convergence_curve.h"
+#include "hardware/device_file.h"
+#include "hardware/plan.h"
 
 namespace glisson::cli {
 
@@ -25,13 +25,13 @@ struct DeviceTables {
   std::string convergence_file;  // empty: the shipped curve
 
   void add_options(CLI::App& command);
-  [[nodiscard]] Result<std::vector<platform::Device>> devices() const;
-  [[nodiscard]] Result<platform::ConvergenceCurve> curve() const;
+  [[nodiscard]] Result<std::vector<hardware::Device>> devices() const;
+  [[nodiscard]] Result<hardware::ConvergenceCurve> curve() const;
 };
 
-Result<platform::Device> device_with_id(const std::vector<platform::Device>& devices, const std::string& id);
+Result<hardware::Device> device_with_id(const std::vector<hardware::Device>& devices, const std::string& id);
 
 // Duration, frame rate, temperatures and the domain of influence.
-void add_request_options(CLI::App& command, platform::PlanRequest& request);
+void add_request_options(CLI::App& command, hardware::PlanRequest& request);
 
 }  // namespace glisson::cli

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "platform/grid.h"
+#include "hardware/grid.h"
 #include "platform_commands.h"
 
 namespace glisson::cli {

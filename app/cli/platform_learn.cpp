@@ -25,13 +25,13 @@ Result<Outcome> run(const Options& options) {
   auto learnt = closedloop::learn_device(*declared, options.model);
   if (!learnt) return failure(learnt.error());
   learnt->device.id = options.id.empty() ? declared->id + "-learnt" : options.id;
-  if (const auto written = platform::write_devices(options.out, {learnt->device}); !written)
+  if (const auto written = hardware::write_devices(options.out, {learnt->device}); !written)
     return failure(written.error());
   Outcome outcome{
       {{"device", learnt->device.id}, {"changed", Json::object()}, {"remarks", Json::array()}, {"out", options.out}},
       {}};
-  const auto before = platform::figures_of(*declared);
-  const auto after = platform::figures_of(learnt->device);
+  const auto before = hardware::figures_of(*declared);
+  const auto after = hardware::figures_of(learnt->device);
   for (std::size_t i = 0; i < after.size(); ++i) {
     if (std::find(learnt->changed.begin(), learnt->changed.end(), after[i].name) == learnt->changed.end()) continue;
     outcome.document["changed"][after[i].name] = {{"before", before[i].figure.value}, {"after", after[i].figure.value}};
@@ -39,7 +39,7 @@ Result<Outcome> run(const Options& options) {
         fmt::format("  {:32} {:.4g} -> {:.4g}\n", after[i].name, before[i].figure.value, after[i].figure.value);
   }
   if (learnt->changed.empty()) outcome.text += "  Nothing was learnt that a plan could use.\n";
-  for (const platform::Sentence& remark : learnt->remarks) {
+  for (const hardware::Sentence& remark : learnt->remarks) {
     outcome.document["remarks"].push_back(remark.message());
     outcome.text += "Note: " + remark.message() + "\n";
   }

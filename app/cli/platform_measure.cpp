@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/csv.h"
-#include "platform/measure.h"
-#include "platform/opencl_product.h"
+#include "hardware/measure.h"
+#include "hardware/opencl_product.h"
 #include "platform_commands.h"
 
 namespace glisson::cli {

@@ -1,6 +1,6 @@
 // glisson-cli review A B: two registrations of one video side by side, with a timeline.
 
-#include "study/review.h"
+#include "studies/review.h"
 
 #include <fmt/format.h>
 
@@ -12,15 +12,15 @@ namespace {
 
 struct ReviewCommand {
   std::string a, b, out;
-  study::ReviewOptions options;
+  studies::ReviewOptions options;
 };
 
 Result<Outcome> run(const ReviewCommand& command, const Progress& progress) {
-  const auto a = quality::read_quality(command.a);
+  const auto a = registration_quality::read_quality(command.a);
   if (!a) return failure(a.error());
-  const auto b = quality::read_quality(command.b);
+  const auto b = registration_quality::read_quality(command.b);
   if (!b) return failure(b.error());
-  const auto review = study::write_review(*a, *b, command.out, command.options, progress);
+  const auto review = studies::write_review(*a, *b, command.out, command.options, progress);
   if (!review) return failure(review.error());
   return Outcome{
       {{"frames", review->frames}, {"scale", {review->range[0], review->range[1]}}, {"file", review->page.string()}},
@@ -30,7 +30,7 @@ Result<Outcome> run(const ReviewCommand& command, const Progress& progress) {
 }  // namespace
 
 void add_review(CLI::App& app, Action& chosen) {
-  using study::ReviewedValue;
+  using studies::ReviewedValue;
   CLI::App* command = app.add_subcommand("review", "Show two registrations of a video side by side, with a timeline");
   auto settings = std::make_shared<ReviewCommand>();
   command->add_option("a", settings->a, "Folder that sirgn wrote")->required();

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
-#include "quality/video_sequence.h"
+#include "registration_quality/video_sequence.h"
 #include "shared_options.h"
 
 namespace glisson::cli {
@@ -11,7 +11,7 @@ namespace {
 
 struct SequenceCommand {
   std::string left, right, calibration, out, model, landmarks;
-  quality::VideoSequenceOptions options;
+  registration_quality::VideoSequenceOptions options;
 };
 
 Result<Outcome> run(SequenceCommand command, const Progress& progress) {
@@ -25,7 +25,8 @@ Result<Outcome> run(SequenceCommand command, const Progress& progress) {
   if (!command.landmarks.empty()) command.options.landmarks = command.landmarks;
   command.options.tracks.nearest_mm = command.options.stereo.nearest_mm;
   command.options.tracks.farthest_mm = command.options.stereo.farthest_mm;
-  const auto sequence = quality::make_sequence(*left, *right, *calibration, command.out, command.options, progress);
+  const auto sequence =
+      registration_quality::make_sequence(*left, *right, *calibration, command.out, command.options, progress);
   if (!sequence) return failure(sequence.error());
   std::vector<std::string> notes = calibration->notes;
   notes.insert(notes.end(), sequence->notes.begin(), sequence->notes.end());

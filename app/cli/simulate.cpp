@@ -6,10 +6,10 @@
 #include "casefile/model.h"
 #include "casefile/result_folder.h"
 #include "casefile/used_entries.h"
-#include "closedloop/stress_strain_file.h"
+#include "closedloop/material/stress_strain_file.h"
 #include "command.h"
 #include "geometry/mesh_file.h"
-#include "mechanics/scenario_file.h"
+#include "mechanics/scenario/scenario_file.h"
 #include "mechanics/simulation.h"
 #include "shared_options.h"
 
@@ -45,7 +45,7 @@ Result<Question> question(const Options& options, mechanics::Scenario scenario) 
   if (!model) return failure(model.error());
   if (options.data_file) {  // which say how stiff the organ is, in every direction
     model->capsule.reset();
-    model->grain.reset();
+    model->anisotropy.reset();
     std::erase_if(model->evidence.effects, [](const closedloop::LearntEffect& effect) {
       return effect.kind != "support-compliance" && effect.kind != "preload";
     });

@@ -1,6 +1,6 @@
 // glisson-cli sirgn SEQUENCE.json: how good a registration of a video is, triangle by triangle.
 
-#include "quality/sirgn.h"
+#include "registration_quality/sirgn.h"
 
 #include <fmt/format.h>
 #include <chrono>
@@ -8,25 +8,25 @@
 
 #include "command.h"
 #include "one_of.h"
-#include "quality/quality_file.h"
-#include "quality/register_sequence.h"
-#include "quality/sequence_file.h"
+#include "registration_quality/quality_file.h"
+#include "registration_quality/register_sequence.h"
+#include "registration_quality/sequence_file.h"
 #include "shared_options.h"
-#include "study/review.h"
+#include "studies/review.h"
 
 namespace glisson::cli {
 namespace {
 
-using Method = quality::SequenceMethod;
+using Method = registration_quality::SequenceMethod;
 
 struct SirgnCommand {
   std::string sequence, out;
   Method method = Method::given;
-  quality::SirgnOptions options;
+  registration_quality::SirgnOptions options;
   bool pictures = false;
 };
 
-Outcome describe(const quality::Quality& quality, const SirgnCommand& command, std::size_t frames,
+Outcome describe(const registration_quality::Quality& quality, const SirgnCommand& command, std::size_t frames,
                  const std::string& simulated, double time_s, double judging_s);
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -35,20 +35,21 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 Result<Outcome> run(const SirgnCommand& command, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const auto files = quality::read_sequence(command.sequence);
+  const auto files = registration_quality::read_sequence(command.sequence);
   if (!files) return failure(files.error());
-  const auto sequence = quality::register_sequence(*files, command.method, progress.part(0, 0.7));
+  const auto sequence = registration_quality::register_sequence(*files, command.method, progress.part(0, 0.7));
   if (!sequence) return failure(sequence.error());
   const auto judging_start = std::chrono::steady_clock::now();
-  const auto quality = quality::sirgn(*sequence, command.options, progress.part(0.7, 1));
+  const auto quality = registration_quality::sirgn(*sequence, command.options, progress.part(0.7, 1));
   if (!quality) return failure(quality.error());
   const double judging_s = seconds_since(judging_start);
 
-  const quality::StoredQuality stored{command.sequence, std::string(name_of(command.method)),
-                                      command.options.tolerances_mm, *quality};
-  if (auto written = quality::write_quality(command.out, stored); !written) return failure(written.error());
+  const registration_quality::StoredQuality stored{command.sequence, std::string(name_of(command.method)),
+                                                   command.options.tolerances_mm, *quality};
+  if (auto written = registration_quality::write_quality(command.out, stored); !written)
+    return failure(written.error());
   if (command.pictures) {
-    const auto drawn = study::write_heat_pictures(stored, std::filesystem::path(command.out) / "frames");
+    const auto drawn = studies::write_heat_pictures(stored, std::filesystem::path(command.out) / "frames");
     if (!drawn) return failure(drawn.error());
   }
   return describe(*quality, command, sequence->frames.size(), files->simulated, seconds_since(start), judging_s);
@@ -58,7 +59,7 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-Outcome describe(const quality::Quality& quality, const SirgnCommand& command, std::size_t frames,
+Outcome describe(const registration_quality::Quality& quality, const SirgnCommand& command, std::size_t frames,
                  const std::string& simulated, double time_s, double judging_s) {
   Outcome outcome{
       {{"landmarks", quality.mesh.points_mm.size()},

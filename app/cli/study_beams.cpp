@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "casefile/model.h"
-#include "study/beam_regions.h"
+#include "studies/beam_regions.h"
 #include "study_commands.h"
 
 namespace glisson::cli {
@@ -13,11 +13,11 @@ namespace {
 struct Options {
   std::vector<std::string> cases;
   std::string out;
-  study::BeamOptions beams;
+  studies::BeamOptions beams;
 };
 
 Result<Outcome> run(const Options& options, const Progress& progress) {
-  std::vector<study::BeamRow> rows;
+  std::vector<studies::BeamRow> rows;
   for (std::size_t i = 0; i < options.cases.size(); ++i) {
     const double share = 1.0 / double(options.cases.size());
     const auto model = casefile::Case::open(options.cases[i]).and_then([](const casefile::Case& patient) {
@@ -25,22 +25,22 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
     });
     if (!model) return failure(model.error());
     auto row =
-        study::compare_beams(std::filesystem::path(options.cases[i]).stem().string(), model->mesh, model->youngs_kPa,
-                             options.beams, progress.part(share * double(i), share * double(i + 1)));
+        studies::compare_beams(std::filesystem::path(options.cases[i]).stem().string(), model->mesh, model->youngs_kPa,
+                               options.beams, progress.part(share * double(i), share * double(i + 1)));
     if (!row) return failure(std::move(row.error()));
     rows.push_back(std::move(*row));
   }
-  if (auto written = study::write_beams(options.out, rows, options.beams); !written) return failure(written.error());
+  if (auto written = studies::write_beams(options.out, rows, options.beams); !written) return failure(written.error());
   auto document = read_json_file(std::filesystem::path(options.out) / "summary.json");
   if (!document) return failure(document.error());
   Outcome outcome{std::move(*document), {}};
-  for (const study::BeamRow& row : rows) {
+  for (const studies::BeamRow& row : rows) {
     outcome.text += fmt::format("{}: liver {:.1f} kPa, control lifted by {:.1f} mm\n", row.patient, row.mean_kPa,
                                 row.control_displacement_mm);
     for (std::size_t r = 0; r < row.regions.size(); ++r) {
-      const study::BeamComparison& region = row.regions[r];
+      const studies::BeamComparison& region = row.regions[r];
       outcome.text += fmt::format("  {:18} {:5.1f} kPa (sd {:.1f}): {:.1f} mm apart on average, {:.1f} mm at most{}\n",
-                                  study::region_names[r], region.place.mean_kPa, region.place.sd_kPa, region.mean_mm,
+                                  studies::region_names[r], region.place.mean_kPa, region.place.sd_kPa, region.mean_mm,
                                   region.max_mm, region.max_mm >= options.beams.significant_mm ? "  >= 5 mm" : "");
     }
   }

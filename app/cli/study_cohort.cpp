@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cohort_options.h"
-#include "study/cohort.h"
+#include "studies/cohort.h"
 #include "study_commands.h"
 
 namespace glisson::cli {
@@ -11,10 +11,10 @@ namespace {
 
 struct Options {
   CohortChoice patients;
-  study::CohortOptions cohort;
+  studies::CohortOptions cohort;
 };
 
-Outcome describe(const study::CohortSummary& summary) {
+Outcome describe(const studies::CohortSummary& summary) {
   std::string text = fmt::format(
       "{} patients ({} from an earlier run), {} could not be used\n"
       "Mean shear stiffness {:.2f} kPa (median {:.2f}, sd {:.2f}); 95 % lie between {:.2f} and {:.2f} kPa\n"
@@ -24,14 +24,14 @@ Outcome describe(const study::CohortSummary& summary) {
       summary.patients, summary.reused, summary.failed, summary.mean_kPa, summary.median_kPa, summary.sd_kPa,
       summary.low_kPa, summary.high_kPa, 100 * summary.like_atlas_fraction, 100 * summary.in_atlas_fraction,
       summary.upper_limit_ratio, summary.rank_correlation);
-  Outcome outcome{parse_json(study::summary_text(summary)).value(), std::move(text)};
+  Outcome outcome{parse_json(studies::summary_text(summary)).value(), std::move(text)};
   add_rows(summary.rows, outcome);
   return outcome;
 }
 
 Result<Outcome> run(const Options& options, const Progress& progress) {
   return run_over_cohort(options.patients, options.cohort, [&](const std::string& folder, const auto& chosen) {
-    return study::run_cohort(folder, options.patients.out, chosen, progress).map(describe);
+    return studies::run_cohort(folder, options.patients.out, chosen, progress).map(describe);
   });
 }
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <filesystem>
 
-#include "study/convergence_study.h"
+#include "studies/convergence_study.h"
 #include "study_commands.h"
 
 namespace glisson::cli {
@@ -11,19 +11,19 @@ namespace {
 
 struct Options {
   std::string out;
-  study::ConvergenceOptions study;
+  studies::ConvergenceOptions study;
 };
 
 Result<Outcome> run(const Options& options, const Progress& progress) {
-  const auto study = study::run_convergence(options.study, progress);
+  const auto study = studies::run_convergence(options.study, progress);
   if (!study) return failure(study.error());
-  if (auto written = study::write_convergence(options.out, *study); !written) return failure(written.error());
+  if (auto written = studies::write_convergence(options.out, *study); !written) return failure(written.error());
   auto document = read_json_file(std::filesystem::path(options.out) / "summary.json");
   if (!document) return failure(document.error());
   Outcome outcome{std::move(*document), {}};
   outcome.text = fmt::format("Theory puts the tip {:.2f} mm lower ({:.2f} mm by eq. 6.6 without shear)\n",
                              study->theory_tip_mm, study->eq_6_6_tip_mm);
-  for (const study::ConvergenceRow& row : study->rows) {
+  for (const studies::ConvergenceRow& row : study->rows) {
     outcome.text += fmt::format("  {:7.2f} mm3 {:5} nodes: {:6.2f} mm missing at the tip, {:.2f} s set-up\n",
                                 row.resolution_mm3, row.nodes, row.error_mm, row.setup_s);
   }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/files.h"
-#include "study/example_sequence.h"
+#include "studies/example_sequence.h"
 #include "study_commands.h"
 
 namespace glisson::cli {
@@ -11,14 +11,14 @@ namespace {
 
 struct Options {
   std::string out;
-  study::ExampleSequenceOptions sequence;
+  studies::ExampleSequenceOptions sequence;
 };
 
 Result<Outcome> run(const Options& options, const Progress& progress) {
   const auto resources = resource_folder();
   if (!resources) return failure(resources.error());
   const auto file =
-      study::write_example_sequence(*resources / "demo" / "anatomy", options.out, options.sequence, progress);
+      studies::write_example_sequence(*resources / "demo" / "anatomy", options.out, options.sequence, progress);
   if (!file) return failure(file.error());
   return Outcome{{{"frames", options.sequence.frames}, {"file", file->string()}},
                  fmt::format("{} simulated frames: {}\n", options.sequence.frames, file->string())};

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "cohort_options.h"
-#include "study/cohort.h"
-#include "study/landmarks.h"
+#include "studies/cohort.h"
+#include "studies/landmarks.h"
 #include "study_commands.h"
 
 namespace glisson::cli {
@@ -12,22 +12,22 @@ namespace {
 
 struct Options {
   CohortChoice patients;
-  study::LandmarksOptions landmarks;
+  studies::LandmarksOptions landmarks;
 };
 
-std::string described(const std::string& title, const std::vector<study::LandmarksSpread>& spreads) {
+std::string described(const std::string& title, const std::vector<studies::LandmarksSpread>& spreads) {
   std::string text =
       fmt::format("{:28} {:>8} {:>8} {:>8} {:>13}\n", title + " (mm)", "mean", "median", "largest", "5 mm or more");
-  for (const study::LandmarksSpread& spread : spreads) {
+  for (const studies::LandmarksSpread& spread : spreads) {
     text += fmt::format("  {:26} {:8.1f} {:8.1f} {:8.1f} {:11.0f} %\n", spread.says, spread.mm.mean, spread.mm.median,
                         spread.mm.max, 100 * spread.significant_fraction);
   }
   return text;
 }
 
-Outcome describe(const study::LandmarksSummary& summary) {
+Outcome describe(const studies::LandmarksSummary& summary) {
   Outcome outcome{
-      parse_json(study::summary_text(summary)).value(),
+      parse_json(studies::summary_text(summary)).value(),
       fmt::format("{} patients ({} from an earlier run), {} could not be used; {:.1f} s at most a patient\n",
                   summary.patients, summary.reused, summary.failed, summary.slowest_s) +
           described("Between patients", summary.between) + described("Within a liver", summary.within) +
@@ -39,7 +39,7 @@ Outcome describe(const study::LandmarksSummary& summary) {
 
 Result<Outcome> run(const Options& options, const Progress& progress) {
   return run_over_cohort(options.patients, options.landmarks, [&](const std::string& folder, const auto& chosen) {
-    return study::run_landmarks(folder, options.patients.out, chosen, progress).map(describe);
+    return studies::run_landmarks(folder, options.patients.out, chosen, progress).map(describe);
   });
 }
 
@@ -52,7 +52,7 @@ void add_study_landmarks(CLI::App& study, Action& chosen) {
                            "most uneven tissue (section 4.4); run again, it goes on");
   auto options = std::make_shared<Options>();
   add_cohort_options(*command, options->patients);
-  study::RetractionOptions& retraction = options->landmarks.retraction;
+  studies::RetractionOptions& retraction = options->landmarks.retraction;
   command->add_option("--atlas-kPa", retraction.atlas_kPa, "Mean shear stiffness of the atlas")
       ->capture_default_str()
       ->check(CLI::Range(0.01, 1000.0));

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "study/palpation.h"
+#include "studies/palpation.h"
 #include "study_commands.h"
 
 namespace glisson::cli {
@@ -11,32 +11,32 @@ namespace {
 struct Options {
   std::string out;
   std::string scans;
-  study::PalpationOptions palpation;
+  studies::PalpationOptions palpation;
 };
 
-Outcome describe(const study::PalpationSummary& summary) {
+Outcome describe(const studies::PalpationSummary& summary) {
   Outcome outcome{{{"trials", Json::array()},
                    {"mean_mm", summary.mean_mm},
                    {"worst_mm", summary.worst_mm},
-                   {"dissertation_text_mm", study::reported_mean_in_text_mm},
+                   {"dissertation_text_mm", studies::reported_mean_in_text_mm},
                    {"dissertation_table_mm", summary.reported_mean_mm},
                    {"scans", summary.simulated_scans ? "simulated" : "given"}},
                   {}};
   if (summary.simulated_scans) outcome.text = "The scans are SIMULATED: no phantom was measured here.\n";
-  for (const study::BatchRow& row : summary.rows) {
+  for (const studies::BatchRow& row : summary.rows) {
     Json json{{"trial", row.id}};
     for (const auto& [name, value] : row.values) json[name] = value;
     if (!row.error.empty()) json["error"] = row.error;
-    outcome.text +=
-        row.error.empty()
-            ? fmt::format("{:10} {:6.2f} mm, near the tool {:6.2f} mm, pressed in by {:6.2f} mm\n", row.id,
-                          study::column_of({row}, "mean_mm").front(), study::column_of({row}, "near_tool_mm").front(),
-                          study::column_of({row}, "depth_mm").front())
-            : fmt::format("{:10} {}\n", row.id, row.error);
+    outcome.text += row.error.empty()
+                        ? fmt::format("{:10} {:6.2f} mm, near the tool {:6.2f} mm, pressed in by {:6.2f} mm\n", row.id,
+                                      studies::column_of({row}, "mean_mm").front(),
+                                      studies::column_of({row}, "near_tool_mm").front(),
+                                      studies::column_of({row}, "depth_mm").front())
+                        : fmt::format("{:10} {}\n", row.id, row.error);
     outcome.document["trials"].push_back(std::move(json));
   }
   outcome.text += fmt::format("Mean {:.2f} mm; the dissertation says {:.2f} mm, and its table averages {:.2f} mm\n",
-                              summary.mean_mm, study::reported_mean_in_text_mm, summary.reported_mean_mm);
+                              summary.mean_mm, studies::reported_mean_in_text_mm, summary.reported_mean_mm);
   return outcome;
 }
 
@@ -61,7 +61,7 @@ void add_study_palpation(CLI::App& study, Action& chosen) {
   command->callback([&chosen, options] {
     chosen = [options](const Progress& progress) {
       if (!options->scans.empty()) options->palpation.scans = options->scans;
-      return study::run_palpation(options->out, options->palpation, progress).map(describe);
+      return studies::run_palpation(options->out, options->palpation, progress).map(describe);
     };
   });
 }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "shared_options.h"
-#include "study/validate_stiffness.h"
+#include "studies/validate_stiffness.h"
 #include "study_commands.h"
 
 namespace glisson::cli {
@@ -14,13 +14,13 @@ struct Options {
   double poisson_ratio = 0.45;
 };
 
-Outcome describe(const study::StiffnessValidation& validation) {
+Outcome describe(const studies::StiffnessValidation& validation) {
   Outcome outcome{{{"materials", Json::array()},
                    {"largest_difference_percent", validation.largest_difference_percent},
                    {"notes", validation.notes}},
                   fmt::format("{:10} {:>10} {:>14} {:>11} {:>13} {:>11}\n", "material", "MRE (kPa)", "machine (kPa)",
                               "difference", "stated (kPa)", "difference")};
-  for (const study::MaterialAgreement& m : validation.materials) {
+  for (const studies::MaterialAgreement& m : validation.materials) {
     Json json{{"material", m.material},       {"mre_kPa", m.mre_kPa},
               {"machine_kPa", m.machine_kPa}, {"machine_range_kPa", {m.machine_low_kPa, m.machine_high_kPa}},
               {"samples", m.samples},         {"difference_percent", m.difference_percent}};
@@ -39,12 +39,12 @@ Outcome describe(const study::StiffnessValidation& validation) {
 }
 
 Result<Outcome> run(const Options& options) {
-  const auto samples = options.tests.empty() ? study::dissertation_samples() : study::read_samples(options.tests);
+  const auto samples = options.tests.empty() ? studies::dissertation_samples() : studies::read_samples(options.tests);
   if (!samples) return failure(samples.error());
-  Result<std::vector<study::MreRegion>> regions = study::dissertation_regions();
-  if (!options.map.empty()) regions = study::regions_of(options.map, options.labels, options.poisson_ratio);
+  Result<std::vector<studies::MreRegion>> regions = studies::dissertation_regions();
+  if (!options.map.empty()) regions = studies::regions_of(options.map, options.labels, options.poisson_ratio);
   if (!regions) return failure(regions.error());
-  return study::validate_stiffness(*regions, *samples, options.out).map(describe);
+  return studies::validate_stiffness(*regions, *samples, options.out).map(describe);
 }
 
 }  // namespace

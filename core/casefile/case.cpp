@@ -124,7 +124,7 @@ Result<void> Case::set_origin(std::string origin) {
   return saved;
 }
 
-Result<void> Case::add(const std::string& id, const std::string& extension, Made made,
+Result<void> Case::add(const std::string& id, const std::string& extension, Provenance made,
                        const std::function<Result<void>(const fs::path&)>& write) {
   const FolderLock lock(folder_, FolderLock::Wait::until_free);
   if (auto read = reread(); !read) return read;

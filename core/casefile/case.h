@@ -25,7 +25,7 @@
 namespace glisson::casefile {
 
 // How an entry was made. `from` names entries of this case; `sources` maps files from outside to their SHA-256.
-struct Made {
+struct Provenance {
   std::string by;                              // the stage: "import", "segment", "mesh", ...
   std::map<std::string, std::string> options;  // as a person would write them, numbers with a dot
   std::vector<std::string> from;
@@ -37,7 +37,7 @@ struct Entry {
   std::string id;              // "volumes/anatomy", "labels/liver", "meshes/liver"
   std::filesystem::path file;  // relative to the case folder
   std::string sha256;
-  Made made;
+  Provenance made;
   std::map<std::string, std::string> from_sha256;  // the content of each entry in made.from when this was made
   std::string version;                             // of Glisson
   std::string when_utc;                            // ISO 8601
@@ -80,7 +80,7 @@ class Case {
   Result<void> set_origin(std::string origin);
 
   // Writes a file with write(path) and records it under `id`, replacing an entry of that id.
-  Result<void> add(const std::string& id, const std::string& extension, Made made,
+  Result<void> add(const std::string& id, const std::string& extension, Provenance made,
                    const std::function<Result<void>(const std::filesystem::path&)>& write);
 
   // Takes an entry out and removes its file.

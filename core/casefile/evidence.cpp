@@ -80,7 +80,7 @@ Result<Evidence> take_back_evidence(Case& patient, const std::vector<std::string
   if (kinds.empty() || left.empty()) {
     return patient.remove(entry_id).map([] { return Evidence{}; });
   }
-  const Made made = entry->made;
+  const Provenance made = entry->made;
   return keep(patient, patient.folder() / entry->file, made.sources, left).and_then([&] {
     return evidence_of(patient);
   });
@@ -137,7 +137,7 @@ Result<void> keep(Case& patient, const fs::path& model_file, std::map<std::strin
   std::string accepted;
   for (const std::string& kind : kinds) accepted += (accepted.empty() ? "" : ",") + kind;
   return patient.add(entry_id, ".json",
-                     Made{"accept", {{effects_option, accepted}}, {"meshes/model"}, std::move(sources), {}},
+                     Provenance{"accept", {{effects_option, accepted}}, {"meshes/model"}, std::move(sources), {}},
                      [&](const fs::path& file) { return write_text_file(file, *text); });
 }
 

@@ -24,8 +24,8 @@ std::optional<Entry> find(const std::vector<Entry>& entries, const std::string& 
 
 }  // namespace
 
-struct History::Parts {
-  Parts(fs::path of_case, HistoryCaps limits)
+struct History::Impl {
+  Impl(fs::path of_case, HistoryCaps limits)
       : case_folder(std::move(of_case)),
         folder(case_folder / "history"),
         caps(limits),
@@ -64,12 +64,12 @@ struct History::Parts {
   mutable std::mutex telling;  // held while the listing is replaced, or read beside a change
 };
 
-History::History(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+History::History(std::unique_ptr<Impl> parts) : impl_(std::move(parts)) {}
 History::~History() = default;
 
 Result<std::unique_ptr<History>> History::open(const fs::path& case_folder, HistoryCaps caps) {
   if (auto there = Case::open(case_folder); !there) return failure(there.error());
-  auto parts = std::make_unique<Parts>(case_folder, caps);
+  auto parts = std::make_unique<Impl>(case_folder, caps);
   if (parts->in_use.taken()) {
     return failure(Error{"history-in-use",
                          GLISSON_TEXT("{0} is open in another window: what is done here cannot be undone."),
@@ -83,7 +83,7 @@ Result<std::unique_ptr<History>> History::open(const fs::path& case_folder, Hist
     const fs::path aside = case_folder / "history.damaged";
     fs::remove_all(aside, ignored);
     fs::rename(parts->folder, aside, ignored);
-    parts = std::make_unique<Parts>(case_folder, caps);
+    parts = std::make_unique<Impl>(case_folder, caps);
   }
   return std::unique_ptr<History>(new History(std::move(parts)));
 }
@@ -91,21 +91,21 @@ Result<std::unique_ptr<History>> History::open(const fs::path& case_folder, Hist
 Result<void> History::record(const Sentence& name, const std::function<Result<void>()>& change,
                              const std::vector<std::string>& touches) {
   const std::lock_guard one_at_a_time(changing_);
-  if (auto begun = parts_->begin(name, touches); !begun) return begun;
+  if (auto begun = impl_->begin(name, touches); !begun) return begun;
   Result<void> outcome;
   try {
     outcome = change();
   } catch (...) {
-    (void)parts_->finish();
+    (void)impl_->finish();
     throw;
   }
-  auto finished = parts_->finish();
+  auto finished = impl_->finish();
   return outcome ? finished : outcome;
 }
 
 Result<void> History::record_values(const Sentence& name, const std::vector<ValueChange>& values, Joins joins) {
   const std::lock_guard one_at_a_time(changing_);
-  Listing next = parts_->listing;
+  Listing next = impl_->listing;
   for (const ValueChange& value : values) next.values[value.key] = value.after;
   if (joins == Joins::last_of_same_keys && next.done > 0 && next.done == next.steps.size()) {
     Step& last = next.steps.back();
@@ -113,67 +113,67 @@ Result<void> History::record_values(const Sentence& name, const std::vector<Valu
                                  [](const ValueChange& a, const ValueChange& b) { return a.key == b.key; });
     if (same && !values.empty()) {
       for (std::size_t k = 0; k < values.size(); ++k) last.values[k].after = values[k].after;
-      return parts_->install(std::move(next));
+      return impl_->install(std::move(next));
     }
   }
-  return parts_->append(std::move(next), Step{0, name, values, {}});
+  return impl_->append(std::move(next), Step{0, name, values, {}});
 }
 
 std::string History::value_of(const std::string& key) const {
-  const std::lock_guard reading(parts_->telling);
-  const auto found = parts_->listing.values.find(key);
-  return found == parts_->listing.values.end() ? std::string() : found->second;
+  const std::lock_guard reading(impl_->telling);
+  const auto found = impl_->listing.values.find(key);
+  return found == impl_->listing.values.end() ? std::string() : found->second;
 }
 
 std::optional<Sentence> History::undo_name() const {
-  const std::lock_guard reading(parts_->telling);
-  const Listing& listing = parts_->listing;
+  const std::lock_guard reading(impl_->telling);
+  const Listing& listing = impl_->listing;
   return listing.done > 0 ? std::optional(listing.steps[listing.done - 1].name) : std::nullopt;
 }
 
 std::optional<Sentence> History::redo_name() const {
-  const std::lock_guard reading(parts_->telling);
-  const Listing& listing = parts_->listing;
+  const std::lock_guard reading(impl_->telling);
+  const Listing& listing = impl_->listing;
   return listing.done < listing.steps.size() ? std::optional(listing.steps[listing.done].name) : std::nullopt;
 }
 
 Result<History::Moved> History::undo() {
   const std::lock_guard one_at_a_time(changing_);
-  const Listing& listing = parts_->listing;
+  const Listing& listing = impl_->listing;
   if (listing.done == 0) return failure("history-nothing-left", GLISSON_TEXT("There is nothing left to undo."));
-  return parts_->move(Step(listing.steps[listing.done - 1]), Side::before);
+  return impl_->move(Step(listing.steps[listing.done - 1]), Side::before);
 }
 
 Result<History::Moved> History::redo() {
   const std::lock_guard one_at_a_time(changing_);
-  const Listing& listing = parts_->listing;
+  const Listing& listing = impl_->listing;
   if (listing.done == listing.steps.size()) {
     return failure("history-nothing-left", GLISSON_TEXT("There is nothing left to redo."));
   }
-  return parts_->move(Step(listing.steps[listing.done]), Side::after);
+  return impl_->move(Step(listing.steps[listing.done]), Side::after);
 }
 
 std::size_t History::steps_to_undo() const {
-  const std::lock_guard reading(parts_->telling);
-  return parts_->listing.done;
+  const std::lock_guard reading(impl_->telling);
+  return impl_->listing.done;
 }
 
 std::size_t History::steps_to_redo() const {
-  const std::lock_guard reading(parts_->telling);
-  return parts_->listing.steps.size() - parts_->listing.done;
+  const std::lock_guard reading(impl_->telling);
+  return impl_->listing.steps.size() - impl_->listing.done;
 }
 
 std::uintmax_t History::disk_bytes() const {
   std::uintmax_t bytes = 0;
   std::error_code ignored;
-  for (const auto& file : fs::recursive_directory_iterator(parts_->folder, ignored)) {
+  for (const auto& file : fs::recursive_directory_iterator(impl_->folder, ignored)) {
     if (file.is_regular_file(ignored)) bytes += file.file_size(ignored);
   }
   return bytes;
 }
 
 // What a kill may have left: a change under way, an undo under way, files that no step names.
-Result<void> History::Parts::take_up() {
+Result<void> History::Impl::take_up() {
   std::error_code ignored;
   if (fs::exists(journal_file(), ignored)) {
     const auto document = read_json_file(journal_file());
@@ -205,7 +205,7 @@ Result<void> History::Parts::take_up() {
   return {};
 }
 
-Result<void> History::Parts::begin(const Sentence& name, const std::vector<std::string>& touches) {
+Result<void> History::Impl::begin(const Sentence& name, const std::vector<std::string>& touches) {
   const auto before = Case::open(case_folder);
   if (!before) return failure(before.error());
   Json entries = Json::array();
@@ -223,7 +223,7 @@ Result<void> History::Parts::begin(const Sentence& name, const std::vector<std::
 }
 
 // Makes a step of what has changed since begin(), by this program or, after a kill, by the one before.
-Result<void> History::Parts::finish() {
+Result<void> History::Impl::finish() {
   std::error_code ignored;
   if (!fs::exists(begun_file(), ignored)) return {};
   const auto begun = read_json_file(begun_file());
@@ -275,7 +275,7 @@ Result<void> History::Parts::finish() {
   return {};
 }
 
-Result<void> History::Parts::append(Listing next, Step step) {
+Result<void> History::Impl::append(Listing next, Step step) {
   next.steps.resize(next.done);
   step.number = next.next++;
   next.steps.push_back(std::move(step));
@@ -284,7 +284,7 @@ Result<void> History::Parts::append(Listing next, Step step) {
   return install(std::move(next));
 }
 
-Result<History::Moved> History::Parts::move(const Step& step, Side to) {
+Result<History::Moved> History::Impl::move(const Step& step, Side to) {
   if (step.values.empty()) return move_entries(step, to);
   Moved moved{step.name, {}, {}};
   Listing next = listing;
@@ -298,7 +298,7 @@ Result<History::Moved> History::Parts::move(const Step& step, Side to) {
   return moved;
 }
 
-Result<History::Moved> History::Parts::move_entries(const Step& step, Side to) {
+Result<History::Moved> History::Impl::move_entries(const Step& step, Side to) {
   auto now = Case::open(case_folder);
   if (!now) return failure(now.error());
   const auto changes = read_changes(step_file(step.number));
@@ -346,14 +346,14 @@ Result<History::Moved> History::Parts::move_entries(const Step& step, Side to) {
   return moved;
 }
 
-Result<void> History::Parts::install(Listing next) {
+Result<void> History::Impl::install(Listing next) {
   if (auto written = write_json_file(journal_file(), json_of(next)); !written) return written;
   const std::lock_guard writing(telling);
   listing = std::move(next);
   return {};
 }
 
-Result<void> History::Parts::forget_all() {
+Result<void> History::Impl::forget_all() {
   Listing empty;
   empty.next = listing.next;
   empty.values = listing.values;
@@ -363,7 +363,7 @@ Result<void> History::Parts::forget_all() {
 }
 
 // The newest step stays, even where it alone takes more than the cap.
-void History::Parts::forget_beyond_caps(Listing& next) const {
+void History::Impl::forget_beyond_caps(Listing& next) const {
   std::map<std::string, std::uintmax_t> kept_bytes;
   std::map<int, std::uintmax_t> step_bytes;
   std::error_code ignored;
@@ -388,7 +388,7 @@ void History::Parts::forget_beyond_caps(Listing& next) const {
 }
 
 // Files that no step needs go.
-void History::Parts::sweep() const {
+void History::Impl::sweep() const {
   std::set<std::string> needed;
   std::set<int> numbers;
   for (const Step& step : listing.steps) {

@@ -87,9 +87,9 @@ class History {
   ~History();
 
  private:
-  struct Parts;
-  explicit History(std::unique_ptr<Parts> parts);
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  explicit History(std::unique_ptr<Impl> parts);
+  std::unique_ptr<Impl> impl_;
   std::mutex changing_;  // held throughout a change
 };
 

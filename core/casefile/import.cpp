@@ -315,8 +315,8 @@ Result<imaging::Grid> anatomy_grid(const Case& patient) {
 }
 
 // With whose images they are, by which later ones are judged.
-Made made_of_anatomy(const Series& series) {
-  Made made = made_from(series);
+Provenance made_of_anatomy(const Series& series) {
+  Provenance made = made_from(series);
   made.options.merge(whose(series));
   return made;
 }
@@ -336,7 +336,7 @@ Result<void> import_mean_as_anatomy(Case& patient, const Chosen& chosen, std::ve
       mean.values[v] += volume->values[v] / static_cast<float>(count);
     }
   }
-  Made made = made_of_anatomy(series);
+  Provenance made = made_of_anatomy(series);
   made.notes.push_back({GLISSON_TEXT("The mean of the elastography's magnitude images serves as the anatomy."), {}});
   imported.push_back({chosen.id, chosen.role, mean.grid, messages(made.notes)});
   return patient.add(chosen.id, ".nrrd", std::move(made),
@@ -349,14 +349,14 @@ Result<void> import_series(Case& patient, const Chosen& chosen, std::vector<Impo
   if (chosen.role == Role::anatomy && series.role == Role::mre_magnitude) {
     return import_mean_as_anatomy(patient, chosen, imported, progress);
   }
-  const Made source = chosen.role == Role::anatomy ? made_of_anatomy(series) : made_from(series);
+  const Provenance source = chosen.role == Role::anatomy ? made_of_anatomy(series) : made_from(series);
   for (int index = 0; index < series.volumes; ++index) {
     if (progress.cancelled()) return cancelled();
     const double count = series.volumes;
     auto volume = imaging::read_series(series, index, progress.part(index / count, (index + 1) / count));
     if (!volume) return failure(volume.error());
 
-    Made made = source;
+    Provenance made = source;
     if (series.volumes > 1) made.options["volume"] = std::to_string(index + 1);
     if (chosen.role == Role::mre_stiffness) {
       auto stiffness = imaging::stiffness_in_kPa(std::move(*volume), series.unit_evidence);

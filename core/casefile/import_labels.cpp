@@ -23,7 +23,7 @@ struct Brought {
   std::string name;
   imaging::Mask mask;
   std::array<double, 3> color_rgb;
-  Made made;
+  Provenance made;
 };
 struct Read {
   std::vector<Brought> structures;
@@ -79,8 +79,8 @@ Result<std::vector<ImportedStructure>> import_labels(Case& patient, const std::v
   return imported;
 }
 
-Made made_from(const Series& series) {
-  Made made{"import", {{"series", series.uid}, {"description", series.description}}, {}, {}, {}};
+Provenance made_from(const Series& series) {
+  Provenance made{"import", {{"series", series.uid}, {"description", series.description}}, {}, {}, {}};
   for (const std::string& problem : series.problems) made.notes.push_back({problem, {}});
   for (const auto& file : series.files) {
     made.sources[file.filename().string()] = sha256_of_file(file).value_or("unreadable");
@@ -95,7 +95,7 @@ Result<Read> read_dicom(const Series& series) {
   if (!segments) return failure(segments.error());
   Read read;
   for (imaging::SegmentedMask& segment : *segments) {
-    Made made = made_from(series);
+    Provenance made = made_from(series);
     made.options["segment"] = segment.info.name;
     // Of several "Tumour" each is kept.
     const std::string name = structure_name(segment.info.name);
@@ -128,7 +128,7 @@ Result<Read> read_map(const WantedLabels& wanted) {
   for (const LabelledPart& part : map->parts) {
     const auto same = [&](const Brought& one) { return one.name == part.structure; };
     if (part.structure.empty() || std::any_of(read.structures.begin(), read.structures.end(), same)) continue;
-    Made made = made_from(series);
+    Provenance made = made_from(series);
     made.options["label-value"] = std::to_string(part.value);
     if (!part.written.empty()) made.options["segment"] = part.written;
     if (!map->named_by.text.empty()) made.notes.push_back(map->named_by);

@@ -30,6 +30,6 @@ Result<std::vector<ImportedStructure>> import_labels(Case& patient, const std::v
                                                      const imaging::Grid& anatomy, const Progress& progress);
 
 // How an entry that comes of a series was made.
-[[nodiscard]] Made made_from(const imaging::Series& series);
+[[nodiscard]] Provenance made_from(const imaging::Series& series);
 
 }  // namespace glisson::casefile

@@ -24,7 +24,7 @@ bool in_liver(const Structure& structure) {
 
 Result<void> save_structure_surfaces(Case& patient, const std::vector<Structure>& structures);
 Result<elastography::CellStiffness> stiffness_from_mre(const Case& patient, const geometry::TetMesh& mesh,
-                                                       const elastography::StiffnessOptions& options, Made& made);
+                                                       const elastography::StiffnessOptions& options, Provenance& made);
 std::vector<Eigen::Vector3d> centroids_mm(const geometry::TetMesh& mesh);
 
 }  // namespace
@@ -49,7 +49,7 @@ Result<meshing::LiverMesh> mesh_liver(Case& patient, const meshing::MeshOptions&
   auto meshed = meshing::mesh_labels(composed->labels, named, progress.part(0.05, 0.85));
   if (!meshed) return failure(meshed.error());
 
-  Made made{"mesh", {{"target-cells", std::to_string(options.target_cells)}}, {}, {}, meshed->notes};
+  Provenance made{"mesh", {{"target-cells", std::to_string(options.target_cells)}}, {}, {}, meshed->notes};
   for (const Structure& structure : *structures) made.from.push_back("labels/" + structure.name);
   for (const std::string& lesion : whole.added) {
     made.notes.push_back({GLISSON_TEXT("{0} was not wholly inside the liver; it was meshed as part of it."), {lesion}});
@@ -79,7 +79,7 @@ Result<elastography::CellStiffness> assign_stiffness(Case& patient, const Stiffn
       patient.file_of("meshes/liver").and_then([](const fs::path& file) { return geometry::read_tetrahedra(file); });
   if (!mesh) return failure(mesh.error());
 
-  Made made{"stiffness", {{"poisson-ratio", fmt::format("{}", options.poisson_ratio)}}, {"meshes/liver"}, {}, {}};
+  Provenance made{"stiffness", {{"poisson-ratio", fmt::format("{}", options.poisson_ratio)}}, {"meshes/liver"}, {}, {}};
   Result<elastography::CellStiffness> stiffness = tl::unexpected(Error{});
   if (std::holds_alternative<FromMre>(choice)) {
     progress.report(0.2, GLISSON_TEXT("Stiffness of each cell from the MRE map"));
@@ -138,7 +138,7 @@ Result<PatientModel> read_model(const Case& patient) {
   geometry::set_field(model->mesh.cell_fields, {mechanics::youngs_modulus_field, 1, model->youngs_kPa});
   model->supports = std::move(learnt->organ.supports);
   model->capsule = learnt->organ.capsule;
-  model->grain = learnt->organ.grain;
+  model->anisotropy = learnt->organ.anisotropy;
   model->standing_loads = std::move(learnt->organ.standing_loads);
   model->evidence = std::move(learnt->evidence);
   return model;
@@ -200,7 +200,7 @@ Result<void> save_structure_surfaces(Case& patient, const std::vector<Structure>
     const auto surface = smooth_outline(structure);
     if (!surface) return failure(surface.error());
     auto saved =
-        patient.add("surfaces/" + structure.name, ".vtp", Made{"mesh", {}, {"labels/" + structure.name}, {}, {}},
+        patient.add("surfaces/" + structure.name, ".vtp", Provenance{"mesh", {}, {"labels/" + structure.name}, {}, {}},
                     [&](const fs::path& file) { return geometry::write_surface(file, *surface); });
     if (!saved) return saved;
   }
@@ -208,7 +208,8 @@ Result<void> save_structure_surfaces(Case& patient, const std::vector<Structure>
 }
 
 Result<elastography::CellStiffness> stiffness_from_mre(const Case& patient, const geometry::TetMesh& mesh,
-                                                       const elastography::StiffnessOptions& options, Made& made) {
+                                                       const elastography::StiffnessOptions& options,
+                                                       Provenance& made) {
   const auto map = patient.volume("volumes/stiffness");
   if (!map) {
     return failure(Error{map.error()}.with_hint(

@@ -10,7 +10,7 @@
 #include "casefile/case.h"
 #include "casefile/evidence.h"
 #include "elastography/cell_stiffness.h"
-#include "mechanics/scenario.h"
+#include "mechanics/scenario/scenario.h"
 #include "meshing/mesh_labels.h"
 #include "rehearsal/static_rehearsal.h"
 #include "segmentation/structures.h"
@@ -54,10 +54,10 @@ struct StructureSurface {
 struct PatientModel {
   geometry::TetMesh mesh;          // with youngs_modulus_kPa (as below), bare_area, diaphragm
   std::vector<double> youngs_kPa;  // one a cell
-  double atlas_youngs_kPa = 0;     // of the twin that it is compared with
+  double atlas_youngs_kPa = 0;     // of the reference body that it is compared with
   std::vector<mechanics::Support> supports;
   std::optional<mechanics::Capsule> capsule;  // these three by evidence alone
-  std::optional<mechanics::Grain> grain;
+  std::optional<mechanics::TransverseIsotropy> anisotropy;
   mechanics::Loads standing_loads;
   Evidence evidence;  // that is in all of this
   std::vector<mechanics::Landmark> landmarks;

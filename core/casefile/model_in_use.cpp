@@ -8,7 +8,7 @@
 namespace glisson::casefile {
 
 closedloop::OrganModel organ_of(const PatientModel& model) {
-  return {model.youngs_kPa, model.supports, model.capsule, model.grain, model.standing_loads};
+  return {model.youngs_kPa, model.supports, model.capsule, model.anisotropy, model.standing_loads};
 }
 
 rehearsal::RehearsalSetup rehearsal_setup(PatientModel model) {
@@ -20,7 +20,7 @@ rehearsal::RehearsalSetup rehearsal_setup(PatientModel model) {
   setup.standing_loads = std::move(model.standing_loads);
   setup.landmarks = std::move(model.landmarks);
   setup.options.capsule = model.capsule;
-  setup.options.grain = model.grain;
+  setup.options.anisotropy = model.anisotropy;
   return setup;
 }
 
@@ -52,7 +52,7 @@ std::vector<Sentence> put_into(mechanics::Scenario& scenario, const PatientModel
   if (!own_supports) scenario.supports = model.supports;
   if (scenario.landmarks.empty()) scenario.landmarks = model.landmarks;
   if (!own_capsule) scenario.capsule = model.capsule;
-  if (!no_grain && !scenario.grain) scenario.grain = model.grain;
+  if (!no_grain && !scenario.anisotropy) scenario.anisotropy = model.anisotropy;
   scenario.loads.insert(scenario.loads.end(), model.standing_loads.begin(), model.standing_loads.end());
   return said;
 }

@@ -3,7 +3,7 @@
 #include "base/json_value.h"
 #include "base/write_file.h"
 #include "geometry/mesh_file.h"
-#include "mechanics/scenario_file.h"
+#include "mechanics/scenario/scenario_file.h"
 
 namespace glisson::casefile {
 namespace fs = std::filesystem;
@@ -44,7 +44,7 @@ std::string result_text(const mechanics::Simulation& simulation) {
                 {"largest_strain", result.largest_strain},
                 {"inverted_cells", result.inverted_cells},
                 {"applied_force_N", json_of(result.applied_force_mN * 1e-3)},
-                {"held_reaction_N", json_of(result.held_reaction_mN * 1e-3)},
+                {"held_reaction_N", json_of(result.fixed_reaction_mN * 1e-3)},
                 {"foundation_reaction_N", json_of(result.foundation_reaction_mN * 1e-3)},
                 {"ligament_reaction_N", json_of(result.ligament_reaction_mN * 1e-3)},
                 {"timing", {{"setup_s", result.setup_s}, {"step_ms", result.step_ms}}},
@@ -90,7 +90,7 @@ Json steps_of(const mechanics::Simulation& simulation) {
     }
     steps.push_back({{"time_s", step.time_s},
                      {"landmarks", std::move(landmarks)},
-                     {"held_reaction_N", json_of(step.held_reaction_mN * 1e-3)},
+                     {"held_reaction_N", json_of(step.fixed_reaction_mN * 1e-3)},
                      {"foundation_reaction_N", json_of(step.foundation_reaction_mN * 1e-3)},
                      {"ligament_reaction_N", json_of(step.ligament_reaction_mN * 1e-3)},
                      {"converged", step.report.converged},

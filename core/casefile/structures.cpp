@@ -37,7 +37,7 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
   auto grown = segmentation::grow_from_seeds(*anatomy, seeds_mm, {}, progress);
   if (!grown) return failure(grown.error());
 
-  Made made{"segment", {{"method", "seeds"}}, {"volumes/anatomy"}, {}, {}};
+  Provenance made{"segment", {{"method", "seeds"}}, {"volumes/anatomy"}, {}, {}};
   for (std::size_t i = 0; i < seeds_mm.size(); ++i) {
     const Eigen::Vector3d& seed = seeds_mm[i];
     made.options[fmt::format("seed-{}_mm", i + 1)] = fmt::format("{:.2f},{:.2f},{:.2f}", seed.x(), seed.y(), seed.z());
@@ -77,15 +77,15 @@ Result<SavedStructure> import_structure(Case& patient, const std::string& name, 
                          GLISSON_TEXT("Check that both belong to the same patient and frame of reference."),
                          labels});
   }
-  Made made{"segment",
-            {{"method", "labels"}, {"label-value", std::to_string(picked->value)}},
-            {"volumes/anatomy"},
-            {{labels.filename().string(), sha256_of_file(labels).value_or("unreadable")}},
-            {}};
+  Provenance made{"segment",
+                  {{"method", "labels"}, {"label-value", std::to_string(picked->value)}},
+                  {"volumes/anatomy"},
+                  {{labels.filename().string(), sha256_of_file(labels).value_or("unreadable")}},
+                  {}};
   return save_structure(patient, segmentation::make_structure(name, mask), std::move(made));
 }
 
-Result<SavedStructure> save_structure(Case& patient, const Structure& structure, Made made) {
+Result<SavedStructure> save_structure(Case& patient, const Structure& structure, Provenance made) {
   SavedStructure saved{structure.name,
                        "labels/" + structure.name,
                        segmentation::voxel_count(structure.mask),

@@ -9,7 +9,7 @@
 #include "base/progress.h"
 #include "base/sentence.h"
 #include "casefile/case.h"
-#include "mechanics/scenario.h"
+#include "mechanics/scenario/scenario.h"
 #include "segmentation/structures.h"
 
 namespace glisson::casefile {
@@ -34,7 +34,7 @@ Result<SavedStructure> import_structure(Case& patient, const std::string& name, 
                                         std::optional<int> label_value, const Progress& progress = {});
 
 // Saves a structure that was edited; its name decides the entry.
-Result<SavedStructure> save_structure(Case& patient, const segmentation::Structure& structure, Made made);
+Result<SavedStructure> save_structure(Case& patient, const segmentation::Structure& structure, Provenance made);
 
 // All structures of the case, the liver first.
 Result<std::vector<segmentation::Structure>> read_structures(const Case& patient);

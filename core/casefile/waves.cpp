@@ -93,7 +93,7 @@ Result<InvertedWaves> inverted_waves(const Case& patient, const elastography::As
   progress.report(0, GLISSON_TEXT("Reading the waves"));
   const auto sorted = read_waves(patient, asked);
   if (!sorted) return failure(sorted.error());
-  Made made{"invert", {{"method", std::string(elastography::method_name(options.method))}}, {}, {}, {}};
+  Provenance made{"invert", {{"method", std::string(elastography::method_name(options.method))}}, {}, {}, {}};
   for (const char* kind : {"volumes/phase", "volumes/wave", "volumes/magnitude"}) {
     for (const Entry* entry : entries_of(patient, kind)) made.from.push_back(entry->id);
   }

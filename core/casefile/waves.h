@@ -14,7 +14,7 @@ Result<elastography::SortedWaves> read_waves(const Case& patient, const elastogr
 // What an inversion found and how, not yet in the case.
 struct InvertedWaves {
   elastography::ModulusMap map;
-  Made made;
+  Provenance made;
 };
 
 // Inverts them inside labels/liver, where that exists; the case stays as it is.

@@ -1,6 +1,9 @@
 #include "closedloop/explain.h"
 
-#include "closedloop/trace.h"
+#include "closedloop/hardware/model.h"
+#include "closedloop/inference/diagnosis.h"
+#include "closedloop/material/model.h"
+#include "closedloop/palpation/model.h"
 
 namespace glisson::closedloop {
 
@@ -10,9 +13,21 @@ Result<Explained> explain(const std::filesystem::path& file, const Progress& pro
   if (!experiment) return failure(std::move(experiment.error()));
   auto model = forward_model(*experiment, progress.part(0, 0.1));
   if (!model) return failure(std::move(model.error()));
-  auto explanation = trace(**model, {}, progress.part(0.1, 1));
+  auto explanation = diagnose(**model, {}, progress.part(0.1, 1));
   if (!explanation) return failure(std::move(explanation.error()));
   return Explained{*std::move(experiment), *std::move(model), *std::move(explanation)};
+}
+
+Result<std::unique_ptr<ForwardModel>> forward_model(Experiment experiment, const Progress& progress) {
+  if (auto* palpation = std::get_if<Palpation>(&experiment.setup)) {
+    return palpation_model(std::move(*palpation), progress).map_error([&](Error error) {
+      return error.file.empty() ? std::move(error).in_file(experiment.file) : error;
+    });
+  }
+  if (auto* material = std::get_if<Material>(&experiment.setup)) return material_model(std::move(*material));
+  return platform_model(std::move(std::get<Platform>(experiment.setup))).map_error([&](Error error) {
+    return std::move(error).in_file(experiment.file);
+  });
 }
 
 }  // namespace glisson::closedloop

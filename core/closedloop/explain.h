@@ -6,10 +6,13 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "closedloop/explanation.h"
-#include "closedloop/forward_model.h"
+#include "closedloop/experiment/forward_model.h"
+#include "closedloop/inference/explanation.h"
 
 namespace glisson::closedloop {
+
+// The declared model of an experiment and its catalogue. Fails where the declared model cannot be solved.
+Result<std::unique_ptr<ForwardModel>> forward_model(Experiment experiment, const Progress& progress = {});
 
 struct Explained {
   Experiment experiment;

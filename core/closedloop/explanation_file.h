@@ -7,8 +7,8 @@
 #include <string>
 
 #include "base/result.h"
-#include "closedloop/explanation.h"
-#include "closedloop/forward_model.h"
+#include "closedloop/experiment/forward_model.h"
+#include "closedloop/inference/explanation.h"
 
 namespace glisson::closedloop {
 

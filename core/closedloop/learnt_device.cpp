@@ -8,8 +8,8 @@
 namespace glisson::closedloop {
 namespace {
 
-using platform::Figure;
-using platform::Source;
+using hardware::Figure;
+using hardware::Source;
 
 constexpr double plans_rated_hours = 5;  // battery.h
 
@@ -30,7 +30,7 @@ struct Learner {
 double rated_hours(const std::string& form) { return form == "rated-1h" ? 1 : form == "rated-20h" ? 20 : 5; }
 
 void take_rate_capacity(Learner& learner, const std::string& form, double exponent) {
-  platform::DeviceBattery& battery = learner.learnt.device.battery;
+  hardware::DeviceBattery& battery = learner.learnt.device.battery;
   learner.set("battery.rate_exponent", battery.rate_exponent, exponent);
   if (const double hours = rated_hours(form); hours != plans_rated_hours) {
     learner.set("battery.capacity_mAh", battery.capacity_mAh,
@@ -47,7 +47,7 @@ double mean_over_discharge(const Json& coefficients) {
 }
 
 void take(Learner& learner, const std::string& kind, const std::string& form, const Json& parameters) {
-  platform::Device& device = learner.learnt.device;
+  hardware::Device& device = learner.learnt.device;
   const auto value = [&](const char* name) { return parameters.at(name).get<double>(); };
   if (kind == "internal-resistance") {
     learner.set("battery.internal_resistance_ohm", device.battery.internal_resistance_ohm, value("resistance_ohm"));
@@ -77,7 +77,7 @@ void take(Learner& learner, const std::string& kind, const std::string& form, co
 
 }  // namespace
 
-Result<LearntDevice> learn_device(const platform::Device& declared, const std::filesystem::path& model_file) {
+Result<LearntDevice> learn_device(const hardware::Device& declared, const std::filesystem::path& model_file) {
   const auto document = read_json_file(model_file);
   if (!document) return failure(document.error());
   Learner learner{{declared, {}, {}}, {}, {}};

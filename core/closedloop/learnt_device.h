@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "base/result.h"
-#include "platform/device.h"
-#include "platform/sentence.h"
+#include "hardware/device.h"
+#include "hardware/sentence.h"
 
 namespace glisson::closedloop {
 
 struct LearntDevice {
-  platform::Device device;
+  hardware::Device device;
   std::vector<std::string> changed;         // the figures that are now measured, by their names in files
-  std::vector<platform::Sentence> remarks;  // what the plan has no figure for, and a verdict that is no proof
+  std::vector<hardware::Sentence> remarks;  // what the plan has no figure for, and a verdict that is no proof
 };
 
 // `model_file` is the model.json that explain wrote for an experiment of kind "platform" that declared this device.
@@ -26,6 +26,6 @@ struct LearntDevice {
 // A Peukert exponent found for another rated time than the plan's 5 h is brought there by the capacity:
 // C_5 = C (5 / h)^((k-1)/k) has the same charge at every current.
 // Refused: "model-invalid"; figures outside a device's limits ("device-invalid").
-Result<LearntDevice> learn_device(const platform::Device& declared, const std::filesystem::path& model_file);
+Result<LearntDevice> learn_device(const hardware::Device& declared, const std::filesystem::path& model_file);
 
 }  // namespace glisson::closedloop

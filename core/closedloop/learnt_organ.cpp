@@ -7,9 +7,9 @@
 
 #include "base/json.h"
 #include "base/units.h"
-#include "closedloop/palpation_effects.h"
-#include "closedloop/palpation_structure.h"
-#include "mechanics/quadrature.h"
+#include "closedloop/palpation/effects.h"
+#include "closedloop/palpation/internal/structure.h"
+#include "mechanics/elements/quadrature.h"
 
 namespace glisson::closedloop {
 namespace {
@@ -157,7 +157,7 @@ void put_in(const Inclusion& inclusion, const geometry::TetMesh& mesh, std::vect
 // What holds in some directions only, or is a ligament, stays as it is.
 void give_way(std::vector<mechanics::Support>& supports, double foundation_kPa_per_mm) {
   for (mechanics::Support& support : supports) {
-    if (const auto* held = std::get_if<mechanics::Held>(&support.how)) {
+    if (const auto* held = std::get_if<mechanics::Fixed>(&support.how)) {
       if (held->directions == std::array<bool, 3>{true, true, true}) {
         support.how = mechanics::Foundation{foundation_kPa_per_mm};
       }
@@ -207,14 +207,15 @@ LearntEffect preloaded(const Learnt& effect, const Circumstances& about, OrganMo
                  {shown(gravity_m_s2.x()), shown(gravity_m_s2.y()), shown(gravity_m_s2.z())});
 }
 
-LearntEffect grained(const Learnt& effect, const Circumstances& about, OrganModel& organ) {
-  const mechanics::Grain grain{
-      effect.form == palpation::form_engineering ? mechanics::GrainLaw::engineering : mechanics::GrainLaw::fibres,
-      effect.vector("axis"), effect.above_zero("ratio")};
-  if (!mechanics::check_grain(grain, mechanics::Scenario{}.poisson_ratio)) throw Misfit{"ratio"};
-  organ.grain = grain;
-  const Eigen::Vector3d axis = grain.axis.normalized();
-  const std::vector<std::string> arguments{shown(grain.ratio), shown(axis.x()), shown(axis.y()), shown(axis.z())};
+LearntEffect anisotropic(const Learnt& effect, const Circumstances& about, OrganModel& organ) {
+  const mechanics::TransverseIsotropy anisotropy{effect.form == palpation::form_engineering
+                                                     ? mechanics::AnisotropyLaw::engineering
+                                                     : mechanics::AnisotropyLaw::fibres,
+                                                 effect.vector("axis"), effect.above_zero("ratio")};
+  if (!mechanics::check_anisotropy(anisotropy, mechanics::Scenario{}.poisson_ratio)) throw Misfit{"ratio"};
+  organ.anisotropy = anisotropy;
+  const Eigen::Vector3d axis = anisotropy.axis.normalized();
+  const std::vector<std::string> arguments{shown(anisotropy.ratio), shown(axis.x()), shown(axis.y()), shown(axis.z())};
   return about.same_organ
              ? carried(effect, GLISSON_TEXT("The organ is {0} times as stiff along ({1}, {2}, {3}) as across."),
                        arguments)
@@ -261,7 +262,7 @@ LearntEffect take(const Learnt& effect, const Circumstances& about, OrganModel& 
     put_skin_on(units::mN_from_N(stiffness_N_per_mm), organ.capsule);
     return carried(effect, GLISSON_TEXT("A skin of {0} N/mm lies around the organ."), {shown(stiffness_N_per_mm)});
   }
-  if (effect.kind == palpation::anisotropy) return grained(effect, about, organ);
+  if (effect.kind == palpation::anisotropy) return anisotropic(effect, about, organ);
   if (effect.kind == palpation::strain_stiffening) return stiffening(effect, about);
   if (effect.kind == palpation::preload) return preloaded(effect, about, organ);
   if (effect.kind == palpation::force_bias) {

@@ -6,10 +6,10 @@
 // | stiffness-scale    | Young's modulus of every cell, by the factor                                                |
 // | viscoelastic-creep | Young's modulus of every cell, to what is left of it after long: a retractor stays          |
 // | stiff-inclusion    | the modulus of the cells in the ball, where the specimen was this organ in this place       |
-// | anisotropy         | a grain (mechanics/grain.h), its axis taken as a direction of the patient                   |
-// | support-compliance | what holds it gives way by so much more a kPa: springs in series, in place of what is held  |
-// | capsule            | a skin (mechanics/capsule.h), besides one that there is                                     |
-// | preload            | acts always, where the specimen was this organ                                              |
+// | anisotropy         | a fibre direction (mechanics/anisotropy.h), its axis taken as a direction of the patient | |
+// support-compliance | what holds it gives way by so much more a kPa: springs in series, in place of what is held  | |
+// capsule            | a skin (mechanics/capsule.h), besides one that there is                                     | |
+// preload            | acts always, where the specimen was this organ                                              |
 //
 // Nothing is dropped in silence: each effect of the model is listed with a sentence, carried over or not. Not carried:
 // strain-stiffening, softening, hysteresis and tension-compression-asymmetry, which linear elasticity cannot hold;
@@ -26,7 +26,7 @@
 
 #include "base/sentence.h"
 #include "geometry/tetrahedra.h"
-#include "mechanics/scenario.h"
+#include "mechanics/scenario/scenario.h"
 
 namespace glisson::closedloop {
 
@@ -35,7 +35,7 @@ struct OrganModel {
   std::vector<double> youngs_kPa;  // one a cell
   std::vector<mechanics::Support> supports;
   std::optional<mechanics::Capsule> capsule;
-  std::optional<mechanics::Grain> grain;
+  std::optional<mechanics::TransverseIsotropy> anisotropy;
   mechanics::Loads standing_loads;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <cmath>
 
+#include "closedloop/explain.h"
 #include "closedloop/explanation_file.h"
 
 namespace glisson::closedloop {

@@ -8,8 +8,8 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "closedloop/observations.h"
-#include "closedloop/residual.h"
+#include "closedloop/experiment/observations.h"
+#include "closedloop/experiment/residual.h"
 
 namespace glisson::closedloop {
 

@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanics/body.h"
-#include "mechanics/data_driven.h"
-#include "mechanics/equilibrium.h"
-#include "mechanics/large_deformation.h"
-#include "mechanics/meshfree_model.h"
-#include "mechanics/simulation_internal.h"
-#include "mechanics/static_model.h"
-#include "mechanics/stopwatch.h"
+#include "base/stopwatch.h"
+#include "mechanics/elements/body.h"
+#include "mechanics/elements/internal_forces.h"
+#include "mechanics/internal/simulation_answer.h"
+#include "mechanics/meshfree/meshfree_model.h"
+#include "mechanics/statics/data_driven.h"
+#include "mechanics/statics/displacements.h"
+#include "mechanics/statics/equilibrium.h"
+#include "mechanics/statics/static_model.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 bool is_linear(const Scenario& scenario);
 bool has_friction(const Scenario& scenario);
 Result<void> check_tools(const Scenario& scenario);
-Result<void> check_grain(const Scenario& scenario, const SimulationOptions& options);
+Result<void> check_anisotropy(const Scenario& scenario, const SimulationOptions& options);
 Result<void> check_walls(const Scenario& scenario, const SimulationOptions& options);
 Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
                                  const Scenario& scenario, const Places& places, const Progress& progress);
@@ -39,7 +40,7 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
                             const Progress& progress) {
   if (auto checked = geometry::check_tetrahedra(whole); !checked) return failure(std::move(checked.error()));
   if (auto available = check_tools(scenario); !available) return failure(std::move(available.error()));
-  if (auto available = check_grain(scenario, options); !available) return failure(std::move(available.error()));
+  if (auto available = check_anisotropy(scenario, options); !available) return failure(std::move(available.error()));
   if (auto available = check_walls(scenario, options); !available) return failure(std::move(available.error()));
   const bool meshfree = scenario.engine == Engine::meshfree;
   const auto body = open_cuts(whole, scenario.cuts, meshfree ? Along::exactly : Along::nearly);
@@ -186,7 +187,7 @@ StaticOptions options_of(const Scenario& scenario) {
   options.poisson_ratio = scenario.poisson_ratio;
   options.density_kg_mm3 = scenario.density_kg_mm3;
   options.capsule = scenario.capsule;
-  options.grain = scenario.grain;
+  options.anisotropy = scenario.anisotropy;
   options.parts = scenario.cuts.empty() ? StaticOptions::Parts::one : StaticOptions::Parts::several;
   return options;
 }
@@ -198,15 +199,15 @@ bool is_linear(const Scenario& scenario) {
 }
 
 bool has_friction(const Scenario& scenario) {
-  return std::any_of(scenario.tools.begin(), scenario.tools.end(), [](const ToolInHand& tool) {
-    const auto* rigid = std::get_if<RigidToolInHand>(&tool.what);
+  return std::any_of(scenario.tools.begin(), scenario.tools.end(), [](const ScenarioTool& tool) {
+    const auto* rigid = std::get_if<ScenarioRigidTool>(&tool.what);
     return rigid != nullptr && rigid->friction > 0;
   });
 }
 
 Result<void> check_tools(const Scenario& scenario) {
   if (scenario.tools.empty()) return {};
-  if (scenario.grain && has_friction(scenario)) {
+  if (scenario.anisotropy && has_friction(scenario)) {
     return failure(Error{"not-available",
                          GLISSON_TEXT("Tools with friction are not there for a body with a grain."),
                          {},
@@ -216,8 +217,8 @@ Result<void> check_tools(const Scenario& scenario) {
   return {};
 }
 
-Result<void> check_grain(const Scenario& scenario, const SimulationOptions& options) {
-  if (!scenario.grain || (may_have_grain(scenario) && !options.data)) return {};
+Result<void> check_anisotropy(const Scenario& scenario, const SimulationOptions& options) {
+  if (!scenario.anisotropy || (may_have_grain(scenario) && !options.data)) return {};
   return failure(
       "not-available",
       GLISSON_TEXT("A grain is there for equilibrium by finite elements, with the material \"linear\" and without "
@@ -225,7 +226,7 @@ Result<void> check_grain(const Scenario& scenario, const SimulationOptions& opti
 }
 
 Result<void> check_walls(const Scenario& scenario, const SimulationOptions& options) {
-  const bool can_be = scenario.engine == Engine::fem && !scenario.motion && !scenario.grain && !options.data;
+  const bool can_be = scenario.engine == Engine::fem && !scenario.motion && !scenario.anisotropy && !options.data;
   if (scenario.cut_walls == Scenario::Walls::free || can_be) return {};
   return failure(
       "not-available",

@@ -8,13 +8,13 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "geometry/tetrahedra.h"
-#include "mechanics/contact.h"
-#include "mechanics/cut.h"
-#include "mechanics/material_data.h"
-#include "mechanics/motion.h"
-#include "mechanics/point_location.h"
-#include "mechanics/scenario.h"
-#include "mechanics/static_result.h"
+#include "mechanics/contact/contact.h"
+#include "mechanics/dynamics/implicit_euler.h"
+#include "mechanics/elements/point_location.h"
+#include "mechanics/materials/material_data.h"
+#include "mechanics/scenario/cut.h"
+#include "mechanics/scenario/scenario.h"
+#include "mechanics/statics/static_result.h"
 
 namespace glisson::mechanics {
 
@@ -32,8 +32,8 @@ struct DisplacedLandmark {
 // A step of a motion, at its end.
 struct MotionStep {
   double time_s = 0;
-  std::vector<Eigen::Vector3d> landmarks_mm;  // in the scenario's order
-  Eigen::Vector3d held_reaction_mN{0, 0, 0};  // as in StaticResult, with what the damping takes
+  std::vector<Eigen::Vector3d> landmarks_mm;   // in the scenario's order
+  Eigen::Vector3d fixed_reaction_mN{0, 0, 0};  // as in StaticResult, with what the damping takes
   Eigen::Vector3d foundation_reaction_mN{0, 0, 0};
   Eigen::Vector3d ligament_reaction_mN{0, 0, 0};
   StepReport report;
@@ -66,7 +66,7 @@ struct Simulation {
 Result<Simulation> simulate(const geometry::TetMesh& mesh, const Scenario& scenario,
                             const SimulationOptions& options = {}, const Progress& progress = {});
 
-// Can this question be asked of a body with a grain?
+// Can this question be asked of a body with a fibre direction?
 [[nodiscard]] bool may_have_grain(const Scenario& scenario);
 
 // Where the landmarks lie in the body. Failures: "landmark-outside" (the first beyond the tolerance),

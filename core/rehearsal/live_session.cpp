@@ -20,7 +20,7 @@ bool replaces(const SessionCommand& later, const SessionCommand& earlier) {
 
 }  // namespace
 
-struct LiveSession::Parts {
+struct LiveSession::Impl {
   mutable std::mutex mutex;
   std::condition_variable changed;
   std::deque<SessionCommand> waiting;
@@ -33,20 +33,21 @@ struct LiveSession::Parts {
   void run(const std::stop_token& closing, RehearsalSetup setup);
 };
 
-LiveSession::LiveSession(RehearsalSetup setup) : parts_(std::make_unique<Parts>()) {
-  parts_->thread = std::jthread([parts = parts_.get(), given = std::move(setup)](
-                                    const std::stop_token& closing) mutable { parts->run(closing, std::move(given)); });
+LiveSession::LiveSession(RehearsalSetup setup) : impl_(std::make_unique<Impl>()) {
+  impl_->thread = std::jthread([parts = impl_.get(), given = std::move(setup)](const std::stop_token& closing) mutable {
+    parts->run(closing, std::move(given));
+  });
 }
 
 LiveSession::~LiveSession() {
-  parts_->thread.request_stop();
+  impl_->thread.request_stop();
   {
-    const std::lock_guard lock(parts_->mutex);  // it waits, or will look before it does
+    const std::lock_guard lock(impl_->mutex);  // it waits, or will look before it does
   }
-  parts_->changed.notify_all();
+  impl_->changed.notify_all();
 }
 
-void LiveSession::Parts::run(const std::stop_token& closing, RehearsalSetup setup) {
+void LiveSession::Impl::run(const std::stop_token& closing, RehearsalSetup setup) {
   auto engine = SessionEngine::create(std::move(setup), Progress({}, closing));
   std::unique_lock lock(mutex);
   if (!engine) {
@@ -71,33 +72,33 @@ void LiveSession::Parts::run(const std::stop_token& closing, RehearsalSetup setu
 
 void LiveSession::post(SessionCommand command) {
   {
-    const std::lock_guard lock(parts_->mutex);
-    if (!parts_->waiting.empty() && replaces(command, parts_->waiting.back())) parts_->waiting.pop_back();
-    parts_->waiting.push_back(std::move(command));
+    const std::lock_guard lock(impl_->mutex);
+    if (!impl_->waiting.empty() && replaces(command, impl_->waiting.back())) impl_->waiting.pop_back();
+    impl_->waiting.push_back(std::move(command));
   }
-  parts_->changed.notify_all();
+  impl_->changed.notify_all();
 }
 
 SessionState LiveSession::state() const {
-  const std::lock_guard lock(parts_->mutex);
-  if (parts_->error) return SessionState::failed;
-  if (!parts_->latest) return SessionState::preparing;
-  return parts_->is_stepping || !parts_->waiting.empty() ? SessionState::stepping : SessionState::ready;
+  const std::lock_guard lock(impl_->mutex);
+  if (impl_->error) return SessionState::failed;
+  if (!impl_->latest) return SessionState::preparing;
+  return impl_->is_stepping || !impl_->waiting.empty() ? SessionState::stepping : SessionState::ready;
 }
 
 std::shared_ptr<const SessionFrame> LiveSession::latest() const {
-  const std::lock_guard lock(parts_->mutex);
-  return parts_->latest;
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->latest;
 }
 
 std::optional<Error> LiveSession::error() const {
-  const std::lock_guard lock(parts_->mutex);
-  return parts_->error;
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->error;
 }
 
 Recording LiveSession::recording() const {
-  const std::lock_guard lock(parts_->mutex);
-  return parts_->recording;
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->recording;
 }
 
 }  // namespace glisson::rehearsal

@@ -52,7 +52,7 @@ Result<void> mark_attachments(geometry::TetMesh& liver) {
 
 std::vector<mechanics::Support> usual_supports() {
   return {
-      {mechanics::NamedPoints{"bare_area"}, mechanics::Held{}},
+      {mechanics::NamedPoints{"bare_area"}, mechanics::Fixed{}},
       {mechanics::NamedPoints{"diaphragm"}, mechanics::Foundation{abdominal_wall_kPa / abdominal_wall_thickness_mm}}};
 }
 

@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::Vector3d;
 using glisson::json_of;
+using mechanics::ContactTool;
 using mechanics::Grasp;
-using mechanics::HandTool;
 using mechanics::Rod;
 using mechanics::TouchingTool;
 
@@ -21,7 +21,7 @@ Vector3d vector_from(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
-Json json_of(const HandTool& tool) {
+Json json_of(const ContactTool& tool) {
   Json json{{"id", tool.id}};
   if (const auto* grasp = std::get_if<Grasp>(&tool.what)) {
     json["grasp"] = {{"at_rest_mm", json_of(grasp->at_rest_mm)}, {"radius_mm", grasp->radius_mm}};
@@ -56,7 +56,7 @@ void check_keys(const Json& json, std::initializer_list<std::string_view> known)
   }
 }
 
-HandTool tool_from(const Json& json) {
+ContactTool tool_from(const Json& json) {
   const std::string id = json.at("id").get<std::string>();
   if (json.contains("grasp")) {
     check_keys(json, {"id", "grasp", "displacement_mm", "pull_mN", "direction"});

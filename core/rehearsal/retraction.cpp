@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mechanics/point_location.h"
+#include "mechanics/elements/point_location.h"
 #include "mechanics/simulation.h"
 
 namespace glisson::rehearsal {

@@ -13,11 +13,11 @@ namespace {
 using Eigen::Vector3d;
 using mechanics::ContactBody;
 using mechanics::ContactState;
+using mechanics::ContactTool;
 using mechanics::Grasp;
-using mechanics::HandTool;
 using mechanics::TouchingTool;
 using Clock = std::chrono::steady_clock;
-using Tools = std::vector<HandTool>;
+using Tools = std::vector<ContactTool>;
 
 // All that a command starts from, and undo goes back to.
 struct Moment {
@@ -36,7 +36,7 @@ std::string digest_of(const Moment& moment);
 
 }  // namespace
 
-struct SessionEngine::Parts {
+struct SessionEngine::Impl {
   std::optional<ContactBody> patient, atlas;
   std::vector<mechanics::Landmark> landmarks;
   std::vector<mechanics::PointInMesh> landmark_places;
@@ -51,7 +51,7 @@ struct SessionEngine::Parts {
 };
 
 Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress& progress) {
-  auto parts = std::make_shared<Parts>();
+  auto parts = std::make_shared<Impl>();
   auto places = mechanics::locate_landmarks(setup.mesh, setup.landmarks, setup.landmark_tolerance_mm);
   if (!places) return failure(std::move(places.error()));
   std::vector<mechanics::PointInMesh> watched = *places;
@@ -82,12 +82,12 @@ Result<SessionEngine> SessionEngine::create(RehearsalSetup setup, const Progress
 
 const SessionFrame& SessionEngine::step(const SessionCommand& command) {
   const auto start = Clock::now();
-  Parts& parts = *parts_;
+  Impl& parts = *impl_;
   ++parts.commands;
   std::string refused;
   Tools tools = parts.moments.back().tools;
   const auto of_id = [&](const std::string& id) {
-    return std::find_if(tools.begin(), tools.end(), [&](const HandTool& tool) { return tool.id == id; });
+    return std::find_if(tools.begin(), tools.end(), [&](const ContactTool& tool) { return tool.id == id; });
   };
   if (const auto* hold = std::get_if<HoldTool>(&command)) {
     const auto held = of_id(hold->tool.id);
@@ -125,7 +125,7 @@ const SessionFrame& SessionEngine::step(const SessionCommand& command) {
 }
 
 // The twin is moved beside the patient, on a thread of its own.
-Result<Moment> SessionEngine::Parts::moved(const Moment& from, const Tools& tools) const {
+Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools) const {
   const mechanics::ContactOptions options;
   // A force that grows at once carries the surface past the tool that it should meet; a quarter of a newton moves a
   // liver by some millimetres.
@@ -163,7 +163,7 @@ Result<Moment> SessionEngine::Parts::moved(const Moment& from, const Tools& tool
   return moment;
 }
 
-RehearsalBody SessionEngine::Parts::shown(const ContactBody& body, const ContactState& state) const {
+RehearsalBody SessionEngine::Impl::shown(const ContactBody& body, const ContactState& state) const {
   RehearsalBody shown;
   const auto& rest_mm = body.surface().points_mm;
   for (std::size_t p = 0; p < rest_mm.size(); ++p) {
@@ -182,7 +182,7 @@ RehearsalBody SessionEngine::Parts::shown(const ContactBody& body, const Contact
   return shown;
 }
 
-SessionFrame SessionEngine::Parts::frame_of(const Moment& moment) const {
+SessionFrame SessionEngine::Impl::frame_of(const Moment& moment) const {
   SessionFrame frame;
   frame.tools = moment.tools;
   frame.patient = shown(*patient, moment.patient);
@@ -200,11 +200,11 @@ SessionFrame SessionEngine::Parts::frame_of(const Moment& moment) const {
   return frame;
 }
 
-const SessionFrame& SessionEngine::frame() const { return *parts_->latest; }
-std::shared_ptr<const SessionFrame> SessionEngine::shared_frame() const { return parts_->latest; }
-const geometry::Surface& SessionEngine::surface() const { return parts_->patient->surface(); }
+const SessionFrame& SessionEngine::frame() const { return *impl_->latest; }
+std::shared_ptr<const SessionFrame> SessionEngine::shared_frame() const { return impl_->latest; }
+const geometry::Surface& SessionEngine::surface() const { return impl_->patient->surface(); }
 Result<mechanics::StaticResult> SessionEngine::whole_result() const {
-  return parts_->patient->whole_result(parts_->moments.back().patient);
+  return impl_->patient->whole_result(impl_->moments.back().patient);
 }
 
 std::optional<std::size_t> replay(SessionEngine& engine, const Recording& recording) {
@@ -220,8 +220,9 @@ namespace {
 
 Tools between(const Tools& from, const Tools& to, double part) {
   Tools tools = to;
-  for (HandTool& tool : tools) {
-    const auto before = std::find_if(from.begin(), from.end(), [&](const HandTool& old) { return old.id == tool.id; });
+  for (ContactTool& tool : tools) {
+    const auto before =
+        std::find_if(from.begin(), from.end(), [&](const ContactTool& old) { return old.id == tool.id; });
     if (auto* touching = std::get_if<TouchingTool>(&tool.what)) {
       const auto* old = before == from.end() ? nullptr : std::get_if<TouchingTool>(&before->what);
       if (old == nullptr || !old->push_mN) {

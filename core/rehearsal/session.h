@@ -1,5 +1,6 @@
 #pragma once
-// A rehearsal with tools in the hand: the patient's liver and its atlas twin under the same tools, step by step.
+// A rehearsal with tools in the hand: the patient's liver and its reference body (the atlas) under the same tools, step
+// by step.
 //
 // SessionEngine is the rehearsal itself, without a clock: a command and what was before give the next frame, always the
 // same to the bit. LiveSession runs one on a thread of its own and never keeps its caller waiting.
@@ -18,14 +19,14 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "mechanics/contact.h"
+#include "mechanics/contact/contact.h"
 #include "rehearsal/static_rehearsal.h"
 
 namespace glisson::rehearsal {
 
 // Takes a tool, or moves, turns, pushes the one of that id.
 struct HoldTool {
-  mechanics::HandTool tool;
+  mechanics::ContactTool tool;
 };
 struct ReleaseTool {
   std::string id;
@@ -41,7 +42,7 @@ struct SessionStep {
 
 struct SessionFrame {
   std::uint64_t number = 0;  // of the commands that led here
-  std::vector<mechanics::HandTool> tools;
+  std::vector<mechanics::ContactTool> tools;
   RehearsalBody patient;
   std::optional<RehearsalBody> atlas;
   SessionStep patient_step;
@@ -70,9 +71,9 @@ class SessionEngine {
   [[nodiscard]] Result<mechanics::StaticResult> whole_result() const;
 
  private:
-  struct Parts;
-  explicit SessionEngine(std::shared_ptr<Parts> parts) : parts_(std::move(parts)) {}
-  std::shared_ptr<Parts> parts_;
+  struct Impl;
+  explicit SessionEngine(std::shared_ptr<Impl> parts) : impl_(std::move(parts)) {}
+  std::shared_ptr<Impl> impl_;
 };
 
 enum class SessionState { preparing, ready, stepping, failed };
@@ -96,8 +97,8 @@ class LiveSession {
   [[nodiscard]] std::vector<std::pair<SessionCommand, std::string>> recording() const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 // A recording as JSON, "glisson-session/1": {"commands": [{"hold": {...}} | {"release": id} | {"undo": true}], each

@@ -5,7 +5,7 @@
 #include <future>
 
 #include "base/units.h"
-#include "mechanics/live_strain.h"
+#include "mechanics/statics/live_strain.h"
 
 namespace glisson::rehearsal {
 namespace {
@@ -46,7 +46,7 @@ Result<void> usable(const StaticResult& result);
 
 }  // namespace
 
-struct StaticRehearsal::Parts {
+struct StaticRehearsal::Impl {
   geometry::Surface surface;
   std::vector<std::size_t> mesh_point;  // of each point of the surface
   std::vector<geometry::Surface> structures;
@@ -67,8 +67,8 @@ struct StaticRehearsal::Parts {
   [[nodiscard]] RehearsalBody body_under(const BodyResponse& response, const Vector3d& force_N) const;
 };
 
-struct PlacedTool::Parts {
-  std::shared_ptr<const StaticRehearsal::Parts> rehearsal;
+struct PlacedTool::Impl {
+  std::shared_ptr<const StaticRehearsal::Impl> rehearsal;
   Vector3d center_mm;
   double radius_mm = 0;
   std::size_t touched_faces = 0;
@@ -86,10 +86,10 @@ Result<std::shared_ptr<const RehearsalModels>> rehearsal_models(const RehearsalS
   if (!patient) return failure(std::move(patient.error()));
   RehearsalModels made{std::move(*patient), std::nullopt};
   if (setup.atlas_youngs_kPa) {
-    mechanics::StaticOptions twins_options = setup.options;
-    twins_options.grain.reset();
+    mechanics::StaticOptions reference_options = setup.options;
+    reference_options.anisotropy.reset();
     auto atlas = StaticModel::create(setup.mesh, std::vector<double>(setup.mesh.cells.size(), *setup.atlas_youngs_kPa),
-                                     setup.supports, twins_options, progress.part(0.5, 1.0));
+                                     setup.supports, reference_options, progress.part(0.5, 1.0));
     if (!atlas) return failure(std::move(atlas.error()));
     made.atlas = std::move(*atlas);
   }
@@ -98,15 +98,15 @@ Result<std::shared_ptr<const RehearsalModels>> rehearsal_models(const RehearsalS
 
 Result<StaticRehearsal> StaticRehearsal::create(RehearsalSetup setup, const Progress& progress) {
   const auto start = Clock::now();
-  auto parts = std::make_shared<Parts>();
+  auto parts = std::make_shared<Impl>();
   auto models = rehearsal_models(setup, progress.part(0.0, 0.95));
   if (!models) return failure(std::move(models.error()));
   parts->models = *models;
-  const auto body_of = [&](const StaticModel& model) -> Result<Parts::Body> {
+  const auto body_of = [&](const StaticModel& model) -> Result<Impl::Body> {
     auto standing = model.solve(setup.standing_loads);
     if (!standing) return failure(std::move(standing.error()));
     if (auto checked = usable(*standing); !checked) return failure(std::move(checked.error()));
-    return Parts::Body{model, std::move(*standing)};
+    return Impl::Body{model, std::move(*standing)};
   };
   auto patient = body_of(parts->models->patient);
   if (!patient) return failure(std::move(patient.error()));
@@ -138,22 +138,22 @@ Result<StaticRehearsal> StaticRehearsal::create(RehearsalSetup setup, const Prog
 
 Result<PlacedTool> StaticRehearsal::place_tool(const Vector3d& center_mm, double radius_mm) const {
   const auto start = Clock::now();
-  const auto touched = parts_->patient->model.faces_touched_by(center_mm, radius_mm);
+  const auto touched = impl_->patient->model.faces_touched_by(center_mm, radius_mm);
   if (!touched) return failure(touched.error());
 
-  auto placed = std::make_shared<PlacedTool::Parts>();
-  placed->rehearsal = parts_;
+  auto placed = std::make_shared<PlacedTool::Impl>();
+  placed->rehearsal = impl_;
   placed->center_mm = center_mm;
   placed->radius_mm = radius_mm;
   placed->touched_faces = *touched;
   // Side by side: a solve reads the whole factor, on one core.
   std::future<Result<BodyResponse>> beside;
-  if (parts_->atlas) {
+  if (impl_->atlas) {
     beside =
-        std::async(std::launch::async, [&] { return parts_->response_to_tool(*parts_->atlas, center_mm, radius_mm); });
+        std::async(std::launch::async, [&] { return impl_->response_to_tool(*impl_->atlas, center_mm, radius_mm); });
   }
-  auto patient = parts_->response_to_tool(*parts_->patient, center_mm, radius_mm);
-  if (parts_->atlas) {
+  auto patient = impl_->response_to_tool(*impl_->patient, center_mm, radius_mm);
+  if (impl_->atlas) {
     auto atlas = beside.get();
     if (!atlas) return failure(std::move(atlas.error()));
     placed->atlas = std::move(*atlas);
@@ -164,8 +164,8 @@ Result<PlacedTool> StaticRehearsal::place_tool(const Vector3d& center_mm, double
   return PlacedTool(std::move(placed));
 }
 
-Result<BodyResponse> StaticRehearsal::Parts::response_to_tool(const Body& body, const Vector3d& center_mm,
-                                                              double radius_mm) const {
+Result<BodyResponse> StaticRehearsal::Impl::response_to_tool(const Body& body, const Vector3d& center_mm,
+                                                             double radius_mm) const {
   // A force of 1 N along each axis; any other is their sum.
   std::vector<mechanics::Loads> unit_loads;
   unit_loads.reserve(3);
@@ -197,7 +197,7 @@ Result<BodyResponse> StaticRehearsal::Parts::response_to_tool(const Body& body, 
   return response;
 }
 
-RehearsalBody StaticRehearsal::Parts::body_under(const BodyResponse& response, const Vector3d& force_N) const {
+RehearsalBody StaticRehearsal::Impl::body_under(const BodyResponse& response, const Vector3d& force_N) const {
   RehearsalBody body;
   body.surface_mm = displaced(surface.points_mm, response.surface, force_N);
   for (std::size_t p = 0; p < body.surface_mm.size(); ++p) {
@@ -219,12 +219,12 @@ RehearsalFrame PlacedTool::answer(const Vector3d& force_N) const {
   const auto start = Clock::now();
   RehearsalFrame frame;
   frame.force_N = force_N;
-  frame.patient = parts_->rehearsal->body_under(parts_->patient, force_N);
-  frame.relative_residual = parts_->patient.relative_residual;
-  frame.largest_strain = parts_->patient.strain->largest(force_N);
-  if (parts_->atlas) {
-    frame.atlas = parts_->rehearsal->body_under(*parts_->atlas, force_N);
-    frame.relative_residual = std::max(frame.relative_residual, parts_->atlas->relative_residual);
+  frame.patient = impl_->rehearsal->body_under(impl_->patient, force_N);
+  frame.relative_residual = impl_->patient.relative_residual;
+  frame.largest_strain = impl_->patient.strain->largest(force_N);
+  if (impl_->atlas) {
+    frame.atlas = impl_->rehearsal->body_under(*impl_->atlas, force_N);
+    frame.relative_residual = std::max(frame.relative_residual, impl_->atlas->relative_residual);
     frame.differences = differences_between(frame.patient.landmarks, frame.atlas->landmarks);
     double squared_mm2 = 0;
     for (std::size_t p = 0; p < frame.patient.surface_mm.size(); ++p) {
@@ -239,21 +239,21 @@ RehearsalFrame PlacedTool::answer(const Vector3d& force_N) const {
 std::vector<Vector3d> PlacedTool::patient_displacement_mm(const Vector3d& force_N) const {
   GLISSON_ASSERT(force_N.allFinite());
   std::vector<Vector3d> displacements;
-  displacements.reserve(parts_->patient.points.size());
-  for (const Response& point : parts_->patient.points) displacements.push_back(point.at(force_N));
+  displacements.reserve(impl_->patient.points.size());
+  for (const Response& point : impl_->patient.points) displacements.push_back(point.at(force_N));
   return displacements;
 }
 
-const Vector3d& PlacedTool::center_mm() const { return parts_->center_mm; }
-double PlacedTool::radius_mm() const { return parts_->radius_mm; }
-std::size_t PlacedTool::touched_faces() const { return parts_->touched_faces; }
-double PlacedTool::solve_ms() const { return parts_->solve_ms; }
+const Vector3d& PlacedTool::center_mm() const { return impl_->center_mm; }
+double PlacedTool::radius_mm() const { return impl_->radius_mm; }
+std::size_t PlacedTool::touched_faces() const { return impl_->touched_faces; }
+double PlacedTool::solve_ms() const { return impl_->solve_ms; }
 
-const geometry::Surface& StaticRehearsal::surface() const { return parts_->surface; }
-const std::shared_ptr<const RehearsalModels>& StaticRehearsal::models() const { return parts_->models; }
-const StaticModel& StaticRehearsal::patient() const { return parts_->patient->model; }
-const StaticModel* StaticRehearsal::atlas() const { return parts_->atlas ? &parts_->atlas->model : nullptr; }
-double StaticRehearsal::setup_s() const { return parts_->setup_s; }
+const geometry::Surface& StaticRehearsal::surface() const { return impl_->surface; }
+const std::shared_ptr<const RehearsalModels>& StaticRehearsal::models() const { return impl_->models; }
+const StaticModel& StaticRehearsal::patient() const { return impl_->patient->model; }
+const StaticModel* StaticRehearsal::atlas() const { return impl_->atlas ? &impl_->atlas->model : nullptr; }
+double StaticRehearsal::setup_s() const { return impl_->setup_s; }
 
 namespace {
 

@@ -1,6 +1,7 @@
 #pragma once
-// A live linear rehearsal: the patient's liver and its atlas twin (same mesh and supports, one modulus) under the
-// same tool. Moving the tool costs a solve; turning it or changing its force is a superposition, well under 1 ms.
+// A live linear rehearsal: the patient's liver and its reference body (the atlas) (same mesh and supports, one modulus)
+// under the same tool. Moving the tool costs a solve; turning it or changing its force is a superposition, well under 1
+// ms.
 //
 // There is no state in which a force could be set and no tool be there: create() gives the rehearsal, place_tool()
 // gives a tool placed, and only that answers. All of it is immutable: the window may place a tool on a worker
@@ -16,7 +17,7 @@
 #include "base/result.h"
 #include "geometry/surface.h"
 #include "geometry/tetrahedra.h"
-#include "mechanics/static_model.h"
+#include "mechanics/statics/static_model.h"
 #include "rehearsal/comparison.h"
 
 namespace glisson::rehearsal {
@@ -26,12 +27,12 @@ struct RehearsalModels;
 struct RehearsalSetup {
   geometry::TetMesh mesh;
   std::vector<double> patient_youngs_kPa;  // one a cell
-  std::optional<double> atlas_youngs_kPa;  // the twin's single modulus; absent: no twin
+  std::optional<double> atlas_youngs_kPa;  // the reference body's single modulus; absent: no reference body
   std::vector<mechanics::Support> supports;
   mechanics::Loads standing_loads;  // act always: gravity, pneumoperitoneum
   std::vector<mechanics::Landmark> landmarks;
   std::vector<geometry::Surface> structures;  // tumours, vessels: their points move with the liver around them
-  mechanics::StaticOptions options;           // a grain in them is the patient's; the twin has none
+  mechanics::StaticOptions options;           // a fibre direction in them is the patient's; the reference body has none
   double landmark_tolerance_mm = 10.0;
   // Of this very setup, where they were made before: seconds and a factor each are spared.
   std::shared_ptr<const RehearsalModels> models = nullptr;
@@ -40,7 +41,7 @@ struct RehearsalSetup {
 // The two bodies, factorised. Copies are cheap.
 struct RehearsalModels {
   mechanics::StaticModel patient;
-  std::optional<mechanics::StaticModel> atlas;  // absent without a twin
+  std::optional<mechanics::StaticModel> atlas;  // absent without a reference body
 };
 // `setup.models` where there are any. Failures: those of StaticModel::create.
 Result<std::shared_ptr<const RehearsalModels>> rehearsal_models(const RehearsalSetup& setup,
@@ -58,7 +59,7 @@ struct RehearsalFrame {
   Eigen::Vector3d force_N{0, 0, 0};
   RehearsalBody patient;
   std::optional<RehearsalBody> atlas;
-  std::vector<LandmarkDifference> differences;  // patient against atlas; empty without a twin
+  std::vector<LandmarkDifference> differences;  // patient against atlas; empty without a reference body
   double max_difference_mm = 0;                 // over the surface
   double relative_residual = 0;                 // the larger of the solves it is made from
   double largest_strain = 0;  // principal, of the patient's body; above about 0.2 small strain is stretched
@@ -80,9 +81,9 @@ class PlacedTool {
 
  private:
   friend class StaticRehearsal;
-  struct Parts;
-  explicit PlacedTool(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
-  std::shared_ptr<const Parts> parts_;
+  struct Impl;
+  explicit PlacedTool(std::shared_ptr<const Impl> parts) : impl_(std::move(parts)) {}
+  std::shared_ptr<const Impl> impl_;
 };
 
 class StaticRehearsal {
@@ -97,13 +98,13 @@ class StaticRehearsal {
   [[nodiscard]] const geometry::Surface& surface() const;
   [[nodiscard]] const std::shared_ptr<const RehearsalModels>& models() const;
   [[nodiscard]] const mechanics::StaticModel& patient() const;
-  [[nodiscard]] const mechanics::StaticModel* atlas() const;  // nullptr without a twin
+  [[nodiscard]] const mechanics::StaticModel* atlas() const;  // nullptr without a reference body
   [[nodiscard]] double setup_s() const;
 
  private:
-  struct Parts;
-  explicit StaticRehearsal(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
-  std::shared_ptr<const Parts> parts_;
+  struct Impl;
+  explicit StaticRehearsal(std::shared_ptr<const Impl> parts) : impl_(std::move(parts)) {}
+  std::shared_ptr<const Impl> impl_;
   friend class PlacedTool;
 };
 

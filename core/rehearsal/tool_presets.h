@@ -7,7 +7,7 @@
 
 #include "base/result.h"
 #include "geometry/tetrahedra.h"
-#include "mechanics/scenario.h"
+#include "mechanics/scenario/scenario.h"
 
 namespace glisson::rehearsal {
 

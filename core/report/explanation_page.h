@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "closedloop/explanation.h"
+#include "closedloop/inference/explanation.h"
 #include "report/page.h"
 
 namespace glisson::report {

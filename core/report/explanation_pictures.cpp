@@ -21,7 +21,7 @@ struct Moment {
   int sample = 0;
 };
 
-// Of measured points, of what was foretold before an effect was added, and after.
+// Of measured points, of what was predicted before an effect was added, and after.
 const PlotCurve measured_curve{{}, {}, PlotCurve::Style::dots, "currentColor"};
 const PlotCurve before_curve{{}, {}, PlotCurve::Style::dashes, "#d55e00"};
 const PlotCurve after_curve{{}, {}, PlotCurve::Style::line, "#0072b2"};

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "closedloop/explanation.h"
+#include "closedloop/inference/explanation.h"
 #include "report/page.h"
 
 namespace glisson::report {

@@ -17,7 +17,7 @@ using casefile::Freshness;
 void add_images(Page& page, const Case& patient, bool names_shown);
 Result<void> add_structures(Page& page, const Case& patient);
 void add_retraction(Page& page, const std::optional<RehearsedRetraction>& retraction);
-void add_plan(Page& page, const std::optional<platform::Plan>& plan);
+void add_plan(Page& page, const std::optional<hardware::Plan>& plan);
 void add_files(Page& page, const Case& patient);
 
 }  // namespace
@@ -116,7 +116,7 @@ void add_retraction(Page& page, const std::optional<RehearsedRetraction>& retrac
   page.blocks.push_back(std::move(table));
 }
 
-void add_plan(Page& page, const std::optional<platform::Plan>& plan) {
+void add_plan(Page& page, const std::optional<hardware::Plan>& plan) {
   if (!plan) return;
   page.blocks.push_back(Heading{"What can be worn"});
   page.blocks.push_back(Paragraph{fmt::format(
@@ -126,7 +126,7 @@ void add_plan(Page& page, const std::optional<platform::Plan>& plan) {
       plan->recommended ? "the least obtrusive that holds is " + *plan->recommended
                         : "none of the known platforms holds")});
   Table table{"", {"Platform", "Frames/s", "Battery (h)", "Surface (deg C)", "Holds"}, {}};
-  for (const platform::PlatformAnswer& answer : plan->platforms) {
+  for (const hardware::PlatformAnswer& answer : plan->platforms) {
     table.rows.push_back(
         {{answer.name},
          {fmt::format("{:.1f}", answer.fps)},

@@ -11,7 +11,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "casefile/case.h"
-#include "platform/plan.h"
+#include "hardware/plan.h"
 #include "report/page.h"
 
 namespace glisson::report {
@@ -38,7 +38,7 @@ struct PatientPageContent {
   std::optional<std::string> name;  // nothing: withheld
   std::vector<Figure> figures;
   std::optional<RehearsedRetraction> retraction;
-  std::optional<platform::Plan> plan;
+  std::optional<hardware::Plan> plan;
   std::string when;  // as a person reads it; empty for none
 };
 

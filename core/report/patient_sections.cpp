@@ -7,7 +7,7 @@
 #include "casefile/evidence.h"
 #include "casefile/model.h"
 #include "geometry/mesh_file.h"
-#include "mechanics/scenario.h"
+#include "mechanics/scenario/scenario.h"
 #include "report/patient_sections_internal.h"
 
 namespace glisson::report {

@@ -10,7 +10,7 @@
 #include "casefile/result_folder.h"
 #include "casefile/structures.h"
 #include "geometry/mesh_file.h"
-#include "mechanics/point_location.h"
+#include "mechanics/elements/point_location.h"
 #include "scene/anatomy.h"
 
 namespace glisson::scene {
@@ -66,7 +66,7 @@ Result<Scene> case_scene(const casefile::Case& patient, const std::string& name)
   if (name == "model") scene = model_scene(patient);
   if (name == "waves") scene = waves_scene(patient);
   if (name == "confidence") scene = confidence_scene(patient);
-  if (scene) scene->furniture.warning = warning_of(patient);
+  if (scene) scene->annotations.warning = warning_of(patient);
   return scene;
 }
 
@@ -83,7 +83,7 @@ Result<Scene> result_scene(const fs::path& result_folder) {
   liver.opacity = 0.55;
   liver.colouring = Colouring{"displacement_mm", ColourMap::viridis, {0, round_up(largest)}, "Displacement (mm)"};
   add_landmarks_and_tools(*scene, *shown);
-  scene->furniture.title = "Displacement under the tool";
+  scene->annotations.title = "Displacement under the tool";
   return scene;
 }
 
@@ -103,7 +103,7 @@ Result<Comparison> comparison_scene(const fs::path& in_red, const std::string& r
     // Only brightness counts in the composite: bright vessels stand out of a dim organ.
     for (SurfaceItem& item : scene.surfaces) item.colour = Colour{1, 1, 1};
     scene.surfaces.front().opacity = 0.6;
-    scene.furniture.title = red_label + " against " + blue_label;
+    scene.annotations.title = red_label + " against " + blue_label;
   }
   return comparison;
 }
@@ -165,7 +165,7 @@ Scene slice_scene(SliceItem slice, const imaging::Grid& framed) {
   focus.z() = slice.center_mm.z();
   scene.camera = look_at_slice(focus, Eigen::Vector3d::UnitZ(), (box.max_mm - box.min_mm).y() * 1.05);
   scene.slices.push_back(std::move(slice));
-  scene.furniture.orientation = Furniture::Orientation::letters;
+  scene.annotations.orientation = Annotations::Orientation::letters;
   return scene;
 }
 
@@ -182,7 +182,7 @@ Result<Scene> anatomy_scene(const casefile::Case& patient) {
   add_outlines(slice, *structures);
   const imaging::Grid framed = slice.volume->grid;
   Scene scene = slice_scene(std::move(slice), framed);
-  scene.furniture.title = "Anatomy and structures";
+  scene.annotations.title = "Anatomy and structures";
   return scene;
 }
 
@@ -203,7 +203,7 @@ Result<Scene> map_scene(const casefile::Case& patient, const std::string& id, co
   colour(slice);
   add_outlines(slice, *structures);
   Scene scene = slice_scene(std::move(slice), framed);
-  scene.furniture.title = title;
+  scene.annotations.title = title;
   return scene;
 }
 
@@ -256,7 +256,7 @@ Result<Scene> liver_scene(const casefile::Case& patient) {
     if (scene.surfaces.back().name == "liver") scene.surfaces.back().finish = Finish::glass;
   }
   if (scene.surfaces.empty()) return failure(patient.file_of("surfaces/liver").error());
-  scene.furniture.title = "Liver, tumours and vessels";
+  scene.annotations.title = "Liver, tumours and vessels";
   return scene;
 }
 
@@ -281,7 +281,7 @@ Result<Scene> model_scene(const casefile::Case& patient) {
   item.opacity = 1;
   item.colouring = Colouring{mechanics::youngs_modulus_field, ColourMap::viridis, {0, high}, "Young's modulus (kPa)"};
   scene.surfaces.push_back(std::move(item));
-  scene.furniture.title = "The model's stiffness";
+  scene.annotations.title = "The model's stiffness";
   return scene;
 }
 
@@ -345,7 +345,7 @@ Result<Scene> moved_organ(const ShownResult& shown) {
   } else {
     scene.surfaces.push_back(surface_item("liver", moved(geometry::boundary_surface(shown.result.mesh), shown)));
   }
-  if (shown.patient) scene.furniture.warning = warning_of(*shown.patient);
+  if (shown.patient) scene.annotations.warning = warning_of(*shown.patient);
   return scene;
 }
 

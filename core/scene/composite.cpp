@@ -14,7 +14,7 @@ std::uint8_t luminance(const std::uint8_t* rgb) {
 // the smallest shift, in a grey organ.
 Scene stripped(Scene scene, const Camera& camera) {
   scene.camera = camera;
-  scene.furniture = {Furniture::Orientation::hidden, Furniture::ScaleBar::hidden, "", "", "", 1, {}};
+  scene.annotations = {Annotations::Orientation::hidden, Annotations::ScaleBar::hidden, "", "", "", 1, {}};
   scene.background = Background::black;
   for (SurfaceItem& item : scene.surfaces) {
     item.colouring.reset();
@@ -41,10 +41,10 @@ Scene words_of(const Comparison& comparison, const Camera& camera) {
   Scene words;
   words.camera = camera;
   words.background = Background::black;
-  words.furniture = comparison.in_blue.furniture;
-  words.furniture.key = {{{1.0, 0.25, 0.25}, comparison.red_label},
-                         {{0.35, 0.45, 1.0}, comparison.blue_label},
-                         {{0.80, 0.30, 0.95}, comparison.agreement_label}};
+  words.annotations = comparison.in_blue.annotations;
+  words.annotations.key = {{{1.0, 0.25, 0.25}, comparison.red_label},
+                           {{0.35, 0.45, 1.0}, comparison.blue_label},
+                           {{0.80, 0.30, 0.95}, comparison.agreement_label}};
   words.landmarks = comparison.in_blue.landmarks;
   for (LandmarkItem& landmark : words.landmarks) landmark.radius_mm = 0.01;
   return words;

@@ -38,8 +38,8 @@ void set_pieces(vtkPolyData& into, const std::vector<Eigen::Vector3d>& ends_mm) 
 
 }  // namespace
 
-struct Drawing::Parts {
-  explicit Parts(vtkRenderer& into) : renderer(into) {}
+struct Drawing::Impl {
+  explicit Impl(vtkRenderer& into) : renderer(into) {}
 
   vtkRenderer& renderer;
   std::vector<std::unique_ptr<Line>> lines;
@@ -51,13 +51,13 @@ struct Drawing::Parts {
   double pixel_scale = 1;
 };
 
-Drawing::Drawing(vtkRenderer& renderer) : parts_(std::make_unique<Parts>(renderer)) {
-  parts_->mapper->SetInputData(parts_->image);
-  parts_->slice->SetMapper(parts_->mapper);
-  parts_->slice->GetProperty()->SetInterpolationTypeToNearest();
-  parts_->slice->GetProperty()->SetAmbient(1);
-  parts_->slice->GetProperty()->SetDiffuse(0);
-  parts_->slice->ForceTranslucentOn();  // its colours are clear, which VTK does not look for
+Drawing::Drawing(vtkRenderer& renderer) : impl_(std::make_unique<Impl>(renderer)) {
+  impl_->mapper->SetInputData(impl_->image);
+  impl_->slice->SetMapper(impl_->mapper);
+  impl_->slice->GetProperty()->SetInterpolationTypeToNearest();
+  impl_->slice->GetProperty()->SetAmbient(1);
+  impl_->slice->GetProperty()->SetDiffuse(0);
+  impl_->slice->ForceTranslucentOn();  // its colours are clear, which VTK does not look for
 }
 
 Drawing::~Drawing() {
@@ -66,7 +66,7 @@ Drawing::~Drawing() {
 }
 
 void Drawing::set_lines(const std::vector<DrawnLines>& lines) {
-  Parts& parts = *parts_;
+  Impl& parts = *impl_;
   while (parts.lines.size() > lines.size()) {
     parts.renderer.RemoveActor(parts.lines.back()->actor);
     parts.lines.pop_back();
@@ -91,7 +91,7 @@ void Drawing::set_lines(const std::vector<DrawnLines>& lines) {
 }
 
 void Drawing::set_cells(const std::optional<DrawnCells>& cells) {
-  Parts& parts = *parts_;
+  Impl& parts = *impl_;
   const bool wanted = cells && !cells->colours.empty();
   if (parts.has_cells != wanted) {
     if (wanted) {
@@ -115,7 +115,7 @@ void Drawing::set_cells(const std::optional<DrawnCells>& cells) {
 }
 
 void Drawing::lift(const Eigen::Vector3d& towards_viewer_mm) {
-  Parts& parts = *parts_;
+  Impl& parts = *impl_;
   for (std::size_t k = 0; k < parts.lines.size(); ++k) {
     const Eigen::Vector3d lift_mm = (2 + 0.1 * static_cast<double>(k)) * towards_viewer_mm;
     parts.lines[k]->actor->SetPosition(lift_mm.x(), lift_mm.y(), lift_mm.z());
@@ -133,8 +133,8 @@ void Drawing::lift(const Eigen::Vector3d& towards_viewer_mm) {
 }
 
 void Drawing::set_line_scale(double pixel_scale) {
-  parts_->pixel_scale = pixel_scale;
-  for (const auto& line : parts_->lines) {
+  impl_->pixel_scale = pixel_scale;
+  for (const auto& line : impl_->lines) {
     line->actor->GetProperty()->SetLineWidth(static_cast<float>(line->width_px * pixel_scale));
   }
 }

@@ -47,8 +47,8 @@ class Drawing {
   void set_line_scale(double pixel_scale);
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace glisson::scene

@@ -53,8 +53,8 @@ void lay_out(Overlay& overlay, const Frame& frame, const FlatContent& content, d
   lay_out_titles(page);
   lay_out_scale_bar(page);
   lay_out_legends(page);
-  if (content.furniture.orientation == Furniture::Orientation::letters) lay_out_letters(page);
-  if (content.furniture.orientation == Furniture::Orientation::cube) lay_out_cube(page);
+  if (content.annotations.orientation == Annotations::Orientation::letters) lay_out_letters(page);
+  if (content.annotations.orientation == Annotations::Orientation::cube) lay_out_cube(page);
   overlay.end();
 }
 
@@ -65,7 +65,7 @@ Page page_for(Overlay& overlay, const Frame& frame, const FlatContent& content, 
   return {overlay,
           frame,
           content,
-          pixel_scale * content.furniture.text_scale,
+          pixel_scale * content.annotations.text_scale,
           0,
           dark ? Colour{0.93, 0.95, 0.97} : Colour{0.10, 0.12, 0.15},
           dark ? Colour{0.66, 0.71, 0.77} : Colour{0.36, 0.40, 0.45},
@@ -173,7 +173,7 @@ void lay_out_labels(Page& page) {
 }
 
 void lay_out_warning(Page& page) {
-  const std::string& words = page.content.furniture.warning;
+  const std::string& words = page.content.annotations.warning;
   if (words.empty()) return;
   page.floor = 30 * page.unit;
   page.overlay.rectangle({0, 0}, {double(page.frame.width), page.floor}, {0.16, 0.11, 0.02}, 0.88);
@@ -185,19 +185,19 @@ void lay_out_warning(Page& page) {
 }
 
 void lay_out_titles(Page& page) {
-  const Furniture& furniture = page.content.furniture;
+  const Annotations& annotations = page.content.annotations;
   double top = page.frame.height - page.margin();
   TextStyle title = page.body(21);
   title.bold = true;
-  if (!furniture.title.empty()) {
-    page.overlay.text(furniture.title, {page.margin(), top}, Anchor::upper_left, title);
+  if (!annotations.title.empty()) {
+    page.overlay.text(annotations.title, {page.margin(), top}, Anchor::upper_left, title);
     top -= 29 * page.unit;
   }
-  if (!furniture.subtitle.empty()) {
-    page.overlay.text(furniture.subtitle, {page.margin(), top}, Anchor::upper_left, page.small());
+  if (!annotations.subtitle.empty()) {
+    page.overlay.text(annotations.subtitle, {page.margin(), top}, Anchor::upper_left, page.small());
     top -= 26 * page.unit;
   }
-  for (const KeyEntry& entry : furniture.key) {
+  for (const KeyEntry& entry : annotations.key) {
     const Vector2d low(page.margin(), top - 13 * page.unit);
     page.overlay.rectangle(low, low + Vector2d(12, 12) * page.unit, entry.colour);
     page.overlay.text(entry.text, low + Vector2d(20, 6) * page.unit, Anchor::left_centre, page.body(13));
@@ -216,7 +216,7 @@ double scale_bar_mm(const Page& page) {
 // With its words.
 std::optional<Eigen::AlignedBox2d> place_of_scale_bar(const Page& page) {
   const double length_mm = scale_bar_mm(page);
-  if (page.content.furniture.scale_bar != Furniture::ScaleBar::shown || !(length_mm > 0)) return std::nullopt;
+  if (page.content.annotations.scale_bar != Annotations::ScaleBar::shown || !(length_mm > 0)) return std::nullopt;
   const Vector2d low(page.margin(), page.floor + page.margin());
   return Eigen::AlignedBox2d(low, low + Vector2d(length_mm * page.frame.pixels_per_mm(), 24 * page.unit));
 }

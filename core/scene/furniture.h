@@ -17,7 +17,7 @@ struct Legend {
 
 // Everything flat that a frame shows, in the order in which it is laid out.
 struct FlatContent {
-  const Furniture& furniture;
+  const Annotations& annotations;
   const std::vector<Legend>& legends;
   const std::vector<LandmarkItem>& landmarks;
   const std::vector<ArrowItem>& arrows;

@@ -104,7 +104,7 @@ bool look_alike(const SurfaceItem& a, const SurfaceItem& b) {
 
 }  // namespace
 
-struct Painter::Parts {
+struct Painter::Impl {
   struct Drawn {
     SurfaceItem item;
     std::unique_ptr<SurfaceActor> actor;
@@ -136,26 +136,26 @@ struct Painter::Parts {
   Drawing drawing{*renderer};
 };
 
-Painter::Painter() : parts_(std::make_unique<Parts>()) {
-  light(*parts_->renderer);
+Painter::Painter() : impl_(std::make_unique<Impl>()) {
+  light(*impl_->renderer);
   // A few layers are enough for a clear liver with clear things in it.
-  parts_->renderer->SetMaximumNumberOfPeels(4);
-  parts_->renderer->SetOcclusionRatio(0);
+  impl_->renderer->SetMaximumNumberOfPeels(4);
+  impl_->renderer->SetOcclusionRatio(0);
 }
 
 Painter::~Painter() {
-  const auto window = parts_->window;
+  const auto window = impl_->window;
   if (window) window->MakeCurrent();  // what is let go of here lives in its context
-  if (window) window->RemoveRenderer(parts_->renderer);
-  parts_.reset();
+  if (window) window->RemoveRenderer(impl_->renderer);
+  impl_.reset();
 }
 
-void Painter::set_transparency(Transparency transparency) { parts_->transparency = transparency; }
+void Painter::set_transparency(Transparency transparency) { impl_->transparency = transparency; }
 
-const std::string& Painter::drawn_by() const { return parts_->drawn_by; }
+const std::string& Painter::drawn_by() const { return impl_->drawn_by; }
 
 Result<DrawnFrame> Painter::paint(const ViewChanges& changes) {
-  Parts& parts = *parts_;
+  Impl& parts = *impl_;
   if (!parts.window) {
     if (auto opened = parts.open(); !opened) return failure(opened.error());
   }
@@ -169,7 +169,7 @@ Result<DrawnFrame> Painter::paint(const ViewChanges& changes) {
   return parts.read(width, height);
 }
 
-Result<void> Painter::Parts::open() {
+Result<void> Painter::Impl::open() {
   constexpr int any_px = 64;
   auto opened = open_offscreen_window(any_px, any_px);
   if (!opened) return failure(opened.error());
@@ -186,7 +186,7 @@ Result<void> Painter::Parts::open() {
   return {};
 }
 
-void Painter::Parts::apply(const ViewChanges& changes) {
+void Painter::Impl::apply(const ViewChanges& changes) {
   if (changes.pixel_scale) {
     pixel_scale = *changes.pixel_scale;
     for (const auto& slice : slices) slice->set_line_scale(pixel_scale);
@@ -206,7 +206,7 @@ void Painter::Parts::apply(const ViewChanges& changes) {
   if (changes.rods) markers.set_rods(*changes.rods);
   if (changes.crosshair) scene.crosshair = *changes.crosshair;
   if (changes.lines) lines = *changes.lines;
-  if (changes.furniture) scene.furniture = *changes.furniture;
+  if (changes.annotations) scene.annotations = *changes.annotations;
   if (changes.drawn_lines) drawing.set_lines(*changes.drawn_lines);
   if (changes.drawn_cells) drawing.set_cells(*changes.drawn_cells);
   if (changes.detail) detail = *changes.detail;
@@ -216,7 +216,7 @@ void Painter::Parts::apply(const ViewChanges& changes) {
 }
 
 // Surfaces that look as before stay as they are, with what they hold in the graphics card's memory.
-void Painter::Parts::build(const Scene& wanted, const std::map<SurfaceId, Points>& moved) {
+void Painter::Impl::build(const Scene& wanted, const std::map<SurfaceId, Points>& moved) {
   scene = wanted;
   std::map<SurfaceId, Drawn> before = std::exchange(surfaces, {});
   slices.clear();
@@ -243,7 +243,7 @@ void Painter::Parts::build(const Scene& wanted, const std::map<SurfaceId, Points
   paint_background(*renderer, scene);
 }
 
-void Painter::Parts::change_slices(const std::map<std::size_t, ViewChanges::Slice>& changes) {
+void Painter::Impl::change_slices(const std::map<std::size_t, ViewChanges::Slice>& changes) {
   for (const auto& [index, change] : changes) {
     SliceActor& slice = *slices.at(index);
     slice.place(change.center_mm.value_or(slice.item().center_mm), change.normal.value_or(slice.item().normal));
@@ -255,7 +255,7 @@ void Painter::Parts::change_slices(const std::map<std::size_t, ViewChanges::Slic
   }
 }
 
-void Painter::Parts::move(const SurfaceId& surface, const Points& points_mm) {
+void Painter::Impl::move(const SurfaceId& surface, const Points& points_mm) {
   const std::vector<Eigen::Vector3d>& now_mm = points_mm ? *points_mm : surface->points_mm;
   if (const auto drawn = surfaces.find(surface); drawn != surfaces.end()) {
     drawn->second.actor->move(now_mm);
@@ -270,7 +270,7 @@ void Painter::Parts::move(const SurfaceId& surface, const Points& points_mm) {
   }
 }
 
-void Painter::Parts::lay_out_frame(const Frame& frame, int shrink) {
+void Painter::Impl::lay_out_frame(const Frame& frame, int shrink) {
   place(*renderer->GetActiveCamera(), frame);
   renderer->SetUseDepthPeeling(*transparency == Transparency::exact ? 1 : 0);
   for (const auto& [surface, drawn] : surfaces) drawn.actor->sort_what_is_clear(*transparency == Transparency::exact);
@@ -282,13 +282,13 @@ void Painter::Parts::lay_out_frame(const Frame& frame, int shrink) {
   drawn.width = std::max(drawn.width / shrink, 1);
   drawn.height = std::max(drawn.height / shrink, 1);
   lay_out(overlay, drawn,
-          {scene.furniture, legends, scene.landmarks, scene.arrows, scene.crosshair, lines, scene.background},
+          {scene.annotations, legends, scene.landmarks, scene.arrows, scene.crosshair, lines, scene.background},
           pixel_scale / shrink);
 }
 
 std::string drawing_library() { return std::string("VTK ") + vtkVersion::GetVTKVersion(); }
 
-DrawnFrame Painter::Parts::read(int width, int height) {
+DrawnFrame Painter::Impl::read(int width, int height) {
   auto* opengl = vtkOpenGLRenderWindow::SafeDownCast(window);
   opengl->GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
   opengl->GetDisplayFramebuffer()->ActivateReadBuffer(0);

@@ -42,8 +42,8 @@ class Painter {
   [[nodiscard]] const std::string& drawn_by() const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 // "VTK 9.1.0".

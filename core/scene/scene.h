@@ -122,7 +122,7 @@ struct KeyEntry {
 };
 
 // What stands in the picture's corners.
-struct Furniture {
+struct Annotations {
   enum class Orientation { hidden, letters, cube };  // letters at the edges (slices) or a cube in the corner (3D)
   enum class ScaleBar { hidden, shown };
   Orientation orientation = Orientation::cube;
@@ -142,7 +142,7 @@ struct Scene {
   std::optional<CrosshairItem> crosshair;
   std::optional<Camera> camera;  // absent: from the surgeon's side, everything in view
   Background background = Background::dark;
-  Furniture furniture;
+  Annotations annotations;
 };
 
 // Everything the scene shows; an empty box at the origin for an empty scene.

@@ -45,7 +45,7 @@ struct ViewChanges {
   std::optional<std::vector<RodItem>> rods;
   std::optional<std::optional<CrosshairItem>> crosshair;
   std::optional<std::vector<LineItem>> lines;
-  std::optional<Furniture> furniture;
+  std::optional<Annotations> annotations;
   std::optional<std::vector<DrawnLines>> drawn_lines;
   std::optional<std::optional<DrawnCells>> drawn_cells;
   std::optional<double> pixel_scale;

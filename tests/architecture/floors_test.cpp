@@ -2,8 +2,10 @@
 // rooms that own them, and Qt stays above the core. Read from the includes themselves.
 
 #include <gmock/gmock.h>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -18,10 +20,18 @@ namespace fs = std::filesystem;
 
 // ARCHITECTURE.md shows the same table.
 const std::map<std::string, int> floor_of = {
-    {"base", 0},      {"imaging", 1},    {"geometry", 1}, {"vision", 1},       {"segmentation", 2}, {"elastography", 2},
-    {"mechanics", 2}, {"platform", 2},   {"meshing", 3},  {"registration", 3}, {"anatomy", 3},      {"quality", 4},
-    {"rehearsal", 4}, {"closedloop", 4}, {"casefile", 5}, {"scene", 6},        {"report", 6},       {"study", 7},
-    {"cli", 8},       {"widgets", 8},    {"desktop", 9},
+    {"base", 0},         {"imaging", 1},      {"geometry", 1},     {"vision", 1},
+    {"segmentation", 2}, {"elastography", 2}, {"mechanics", 2},    {"hardware", 2},
+    {"meshing", 3},      {"anatomy", 3},      {"registration", 3}, {"registration_quality", 4},
+    {"rehearsal", 4},    {"closedloop", 4},   {"casefile", 5},     {"scene", 6},
+    {"report", 6},       {"studies", 7},      {"cli", 8},          {"widgets", 8},
+    {"desktop", 9},
+};
+
+// Rooms with folders inside: a folder includes only those that stand before it. What lies in no folder comes last.
+const std::map<std::string, std::vector<std::string>> folders_of = {
+    {"mechanics", {"materials", "scenario", "elements", "solvers", "statics", "contact", "dynamics", "meshfree", ""}},
+    {"closedloop", {"experiment", "inference", "palpation", "material", "hardware", ""}},
 };
 
 // Third party, by how its headers are named, and the rooms whose .cpp files may use it.
@@ -34,7 +44,7 @@ const std::vector<ThirdParty> third_parties = {
     {"Qt", std::regex("Q[A-Z].*|Qt[A-Z].*"), {"widgets", "desktop"}},
     {"QCustomPlot", std::regex("qcustomplot\\.h"), {"widgets"}},
     {"VTK", std::regex("vtk.*"), {"geometry", "meshing", "scene"}},
-    {"ITK", std::regex("itk.*"), {"imaging", "segmentation", "elastography", "meshing"}},
+    {"ITK", std::regex("itk.*"), {"imaging"}},
     {"DCMTK", std::regex("dcmtk/.*"), {"imaging"}},
     {"CGAL", std::regex("CGAL/.*"), {"geometry", "meshing"}},
     {"OpenCV", std::regex("opencv.*"), {"vision"}},
@@ -43,6 +53,12 @@ const std::vector<ThirdParty> third_parties = {
     {"spdlog", std::regex("spdlog/.*"), {"base"}},
     {"Ceres", std::regex("ceres/.*"), {"closedloop"}},
     {"CLI11", std::regex("CLI/.*"), {"cli"}},
+    {"Highway", std::regex("hwy/.*"), {"mechanics", "hardware", "registration"}},
+    {"TBB", std::regex("(oneapi/)?tbb/.*"), {"base"}},
+    {"OpenSSL", std::regex("openssl/.*"), {"base", "report"}},
+    {"nanoflann", std::regex("nanoflann\\.hpp"), {"geometry"}},
+    {"zlib", std::regex("zlib\\.h"), {"imaging"}},
+    {"OpenCL", std::regex("CL/.*"), {"hardware"}},
 };
 const std::regex allowed_in_any_public_header("Eigen/.*|tl/expected\\.hpp|[a-z_]+|[a-z_]+\\.h");
 
@@ -96,6 +112,53 @@ TEST(Floors, ARoomIncludesOnlyRoomsBelowIt) {
         << include.file << " includes \"" << include.header << "\", which is no room";
     EXPECT_LT(floor_of.at(target), floor_of.at(include.room))
         << include.file << " includes \"" << include.header << "\"";
+  }
+}
+
+// "room/folder/internal/x.h" -> "folder"; "" for what lies in no folder.
+std::string folder_in_room(const std::string& path_from_room) {
+  const std::string rest = path_from_room.substr(path_from_room.find('/') + 1);
+  const std::string first = rest.substr(0, rest.find('/'));
+  return first == rest || first == "internal" ? std::string() : first;
+}
+
+TEST(Floors, AFolderInARoomIncludesOnlyThoseBeforeIt) {
+  std::size_t seen = 0;
+  for (const Include& include : all_includes()) {
+    const auto folders = folders_of.find(include.room);
+    if (folders == folders_of.end() || include.form == Include::Form::angled ||
+        include.header.rfind(include.room + "/", 0) != 0)
+      continue;
+    const auto place = [&](const std::string& path) {
+      return std::find(folders->second.begin(), folders->second.end(), folder_in_room(path));
+    };
+    const auto from = place(include.file.lexically_relative("core").generic_string());
+    const auto to = place(include.header);
+    ASSERT_NE(from, folders->second.end()) << include.file << " is in a folder that the table lacks";
+    ASSERT_NE(to, folders->second.end()) << include.header << " is in a folder that the table lacks";
+    EXPECT_LE(to - from, 0) << include.file << " includes \"" << include.header << "\"";
+    ++seen;
+  }
+  EXPECT_GT(seen, 300u);
+}
+
+TEST(Floors, InternalHeadersStayInTheirRoom) {
+  for (const Include& include : all_includes()) {
+    if (include.form == Include::Form::angled || include.header.find("/internal/") == std::string::npos) continue;
+    EXPECT_EQ(include.header.substr(0, include.header.find('/')), include.room)
+        << include.file << " includes " << include.header;
+  }
+}
+
+// "Inside of this room" in a header that any room could include would be a wish.
+TEST(Floors, WhatIsInsideOfARoomLiesInAnInternalFolder) {
+  const fs::path core = glisson::test::source_folder() / "core";
+  for (const auto& entry : fs::recursive_directory_iterator(core)) {
+    if (entry.path().extension() != ".h") continue;
+    std::ifstream stream(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (text.find("nside of this room") == std::string::npos) continue;
+    EXPECT_EQ(entry.path().parent_path().filename(), "internal") << entry.path();
   }
 }
 

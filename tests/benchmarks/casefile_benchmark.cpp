@@ -1,4 +1,4 @@
-// A rehearsal with tools in contact on a case's own liver, its atlas twin beside it.
+// A rehearsal with tools in contact on a case's own liver, its reference body (the atlas) beside it.
 //
 //   glisson-cli demo --out demo && GLISSON_CASE=demo/demo.glisson build/release/bin/bench_casefile
 
@@ -38,7 +38,7 @@ void SessionOnACase(benchmark::State& state) {
   const geometry::Surface surface = geometry::boundary_surface(setup.mesh);
   const geometry::Box box = geometry::bounding_box(surface.points_mm);
   const auto place = rehearsal::hoist_segment_vi(setup.mesh).value();
-  const mechanics::HandTool hook{
+  const mechanics::ContactTool hook{
       "hook", mechanics::TouchingTool{mechanics::nathanson_retractor(),
                                       mechanics::pose_towards(place.center_mm - 40 * place.direction, place.direction),
                                       2000.0}};
@@ -46,8 +46,8 @@ void SessionOnACase(benchmark::State& state) {
   int at = 0, step = 1;
   const auto probe = [&] {
     const Vector3d from_mm(middle_mm.x() + 0.5 * at, box.min_mm.y() - 20, middle_mm.z());
-    return mechanics::HandTool{"probe", mechanics::TouchingTool{mechanics::palpation_probe(),
-                                                                mechanics::pose_towards(from_mm, {0, 1, 0}), 300.0}};
+    return mechanics::ContactTool{"probe", mechanics::TouchingTool{mechanics::palpation_probe(),
+                                                                   mechanics::pose_towards(from_mm, {0, 1, 0}), 300.0}};
   };
   auto engine = rehearsal::SessionEngine::create(setup).value();
   state.counters["cells"] = double(setup.mesh.cells.size());

@@ -3,15 +3,15 @@
 
 #include <algorithm>
 
-#include "mechanics/contact.h"
+#include "mechanics/contact/contact.h"
 #include "rehearsal/session.h"
 
 namespace glisson {
 
 // The patient's landmarks in `frame`, of a session over `setup` in which `held` was taken and then `drawn`; in mm, at
 // most. -1 where the tight contact itself does not converge.
-inline double landmark_error_mm(const rehearsal::RehearsalSetup& setup, const mechanics::HandTool& held,
-                                const mechanics::HandTool& drawn, const rehearsal::SessionFrame& frame) {
+inline double landmark_error_mm(const rehearsal::RehearsalSetup& setup, const mechanics::ContactTool& held,
+                                const mechanics::ContactTool& drawn, const rehearsal::SessionFrame& frame) {
   auto model =
       mechanics::StaticModel::create(setup.mesh, setup.patient_youngs_kPa, setup.supports, setup.options).value();
   auto places = mechanics::locate_landmarks(setup.mesh, setup.landmarks, setup.landmark_tolerance_mm).value();

@@ -10,12 +10,12 @@
 #include "base/parallel.h"
 #include "benchmarks/exact_contact.h"
 #include "mechanics/bodies.h"
-#include "mechanics/load_vector.h"
-#include "mechanics/meshfree_body.h"
-#include "mechanics/meshfree_model.h"
-#include "mechanics/meshfree_motion.h"
-#include "mechanics/motion.h"
-#include "mechanics/static_model.h"
+#include "mechanics/dynamics/implicit_euler.h"
+#include "mechanics/elements/load_vector.h"
+#include "mechanics/meshfree/meshfree_body.h"
+#include "mechanics/meshfree/meshfree_dynamics.h"
+#include "mechanics/meshfree/meshfree_model.h"
+#include "mechanics/statics/static_model.h"
 #include "rehearsal/session.h"
 #include "rehearsal/static_rehearsal.h"
 
@@ -37,7 +37,7 @@ geometry::TetMesh liver_sized(int n) {
   return mesh;
 }
 
-const std::vector<mechanics::Support> supports{{mechanics::NamedPoints{"bare_area"}, mechanics::Held{}},
+const std::vector<mechanics::Support> supports{{mechanics::NamedPoints{"bare_area"}, mechanics::Fixed{}},
                                                {mechanics::NamedPoints{"diaphragm"}, mechanics::Foundation{1.1}}};
 const mechanics::Loads hoist{mechanics::ToolLoad{{-60, 20, -40}, 25, {0, -3500, 3500}}};
 
@@ -73,8 +73,8 @@ void SixteenLoadsTogether(benchmark::State& state) {
 }
 
 // The meshfree engine offline: Voronoi nodes, shape functions, matrix, and what makes a step converge: a factor where
-// there are few frames, two levels (frame_solver.h) where there are many. Nodes, and cells 6 n^3. The CPU time is that
-// of all threads.
+// there are few frames, two levels (reduced_solver.h) where there are many. Nodes, and cells 6 n^3. The CPU time is
+// that of all threads.
 void MeshfreeSetUp(benchmark::State& state) {
   const auto mesh = liver_sized(int(state.range(1)));
   const auto youngs_kPa = mechanics::test::uniform(mesh, 6.0);
@@ -155,8 +155,8 @@ void CostOfCells(benchmark::State& state) {
   auto body = mechanics::prepare_body(mesh, mechanics::test::uniform(mesh, 6.0), supports, options,
                                       mechanics::Holding::required)
                   .value();
-  auto moving = mechanics::MovingBody::create(std::move(body), mechanics::MaterialLaw::corotational,
-                                              {.relative_tolerance = 1e-3, .max_iterations = 1000})
+  auto moving = mechanics::ImplicitEuler::create(std::move(body), mechanics::MaterialLaw::corotational,
+                                                 {.relative_tolerance = 1e-3, .max_iterations = 1000})
                     .value();
   state.counters["setup_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto force_mN = moving.force_of(hoist).value();
@@ -204,12 +204,12 @@ void RehearsalWithTools(benchmark::State& state) {
   rehearsal::RehearsalSetup setup{mesh, mechanics::test::uniform(mesh, 6.0), 5.0, supports, {}, {}, {}, {}};
   setup.landmarks = {{"a", {-40, -30, -20}}, {"b", {0, -50, 0}}, {"c", {30, -20, 10}}};
   auto engine = rehearsal::SessionEngine::create(setup).value();
-  const mechanics::HandTool hook{"hook",
-                                 mechanics::TouchingTool{mechanics::nathanson_retractor(),
-                                                         mechanics::pose_towards({-40, 0, -80}, {0, 0, 1}), 500.0}};
+  const mechanics::ContactTool hook{"hook",
+                                    mechanics::TouchingTool{mechanics::nathanson_retractor(),
+                                                            mechanics::pose_towards({-40, 0, -80}, {0, 0, 1}), 500.0}};
   int at = 0, step = 1;
   const auto probe = [&] {
-    return mechanics::HandTool{
+    return mechanics::ContactTool{
         "probe", mechanics::TouchingTool{mechanics::palpation_probe(),
                                          mechanics::pose_towards({-30 + 0.5 * at, -90, -10}, {0, 1, 0}), 300.0}};
   };
@@ -247,11 +247,11 @@ void CorotationalBeamStep(benchmark::State& state) {
   mechanics::StaticOptions options;
   options.order = mechanics::ElementOrder::linear;
   auto body = mechanics::prepare_body(mesh, mechanics::test::uniform(mesh, double(state.range(0))),
-                                      {mechanics::test::held("wall")}, options, mechanics::Holding::required)
+                                      {mechanics::test::fixed("wall")}, options, mechanics::Holding::required)
                   .value();
-  auto moving =
-      mechanics::MovingBody::create(std::move(body), mechanics::MaterialLaw::corotational, {.relative_tolerance = 1e-3})
-          .value();
+  auto moving = mechanics::ImplicitEuler::create(std::move(body), mechanics::MaterialLaw::corotational,
+                                                 {.relative_tolerance = 1e-3})
+                    .value();
   const auto force_mN = moving.force_of({mechanics::GravityLoad{{0, -9810, 0}}}).value();
   double iterations = 0, worst = 0, unconverged = 0, steps = 0;
   for (auto _ : state) {

@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "geometry/mesh_file.h"
-#include "mechanics/voronoi_nodes.h"
+#include "mechanics/meshfree/voronoi_nodes.h"
 #include "meshing/mesh_labels.h"
 #include "segmentation/rasterise.h"
 #include "support/data.h"

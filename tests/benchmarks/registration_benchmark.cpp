@@ -35,13 +35,13 @@
 #include "base/json.h"
 #include "base/parallel.h"
 #include "geometry/mesh_file.h"
-#include "platform/energy_meter.h"
-#include "quality/sequences.h"
+#include "hardware/energy_meter.h"
 #include "registration/geo.h"
 #include "registration/samples.h"
 #include "registration/trwls.h"
 #include "registration/trwls_simd_internal.h"
 #include "registration/trws.h"
+#include "registration_quality/sequences.h"
 #include "support/data.h"
 #include "support/folders.h"
 
@@ -394,8 +394,8 @@ BENCHMARK(correct_matches)->DenseRange(0, 5)->Unit(benchmark::kSecond)->UseRealT
 // Energy of one registration by each solver, where the machine counts it; n = 96, since the field of 128 takes a while
 // to write out.
 void energy_a_registration(benchmark::State& state) {
-  const auto survey = platform::survey_meters();
-  if (survey.meters.empty() || survey.meters.front().kind != platform::MeterKind::rapl) {
+  const auto survey = hardware::survey_meters();
+  if (survey.meters.empty() || survey.meters.front().kind != hardware::MeterKind::rapl) {
     return state.SkipWithError("this machine shows no energy counter (RAPL)");
   }
   const auto problem = wolves(96);
@@ -406,7 +406,7 @@ void energy_a_registration(benchmark::State& state) {
   if (!mrf) return state.SkipWithError("the field does not fit in memory");
   double joules = 0;
   for (auto _ : state) {
-    const auto use = platform::energy_during(meter, [&]() -> Result<void> {
+    const auto use = hardware::energy_during(meter, [&]() -> Result<void> {
       for (int i = 0; i < repeats; ++i) {
         if (state.range(0) == 0) {
           benchmark::DoNotOptimize(trws(*mrf, {.stopping = Stopping::fixed_passes}));
@@ -427,11 +427,11 @@ BENCHMARK(energy_a_registration)->ArgName("trwls")->Arg(0)->Arg(1)->Unit(benchma
 void sirgn_at_full_size(benchmark::State& state) {
   const auto liver = geometry::read_surface(glisson::test::shared_data() / "pbsm_liver_insilico/Liver1/src.ply");
   if (!liver) return state.SkipWithError("no real data: set GLISSON_SHARED_DATA");
-  quality::test::SequenceSpec spec;
+  registration_quality::test::SequenceSpec spec;
   spec.frames = 180;
   spec.landmarks = 1155;
-  const auto made = quality::test::make_sequence(*liver, spec);
-  for (auto _ : state) benchmark::DoNotOptimize(quality::sirgn(made.sequence));
+  const auto made = registration_quality::test::make_sequence(*liver, spec);
+  for (auto _ : state) benchmark::DoNotOptimize(registration_quality::sirgn(made.sequence));
 }
 BENCHMARK(sirgn_at_full_size)->Unit(benchmark::kSecond)->UseRealTime()->Iterations(1);
 

@@ -203,20 +203,20 @@ TEST_F(EvidenceTest, WhatAScenarioSaysItselfStandsAndThatIsSaid) {
   mechanics::Scenario plain;
   const auto carried = put_into(plain, model_now);
   ASSERT_THAT(carried, SizeIs(4));
-  EXPECT_TRUE(plain.capsule && plain.grain);
+  EXPECT_TRUE(plain.capsule && plain.anisotropy);
   EXPECT_TRUE(std::holds_alternative<mechanics::Foundation>(plain.supports.front().how));
 
   mechanics::Scenario own;
   own.material = mechanics::MaterialLaw::neo_hookean;
   own.youngs_modulus = 5.0;
-  own.supports = {{geometry::Box{{-1, 50, -1}, {91, 61, 61}}, mechanics::Held{}}};
+  own.supports = {{geometry::Box{{-1, 50, -1}, {91, 61, 61}}, mechanics::Fixed{}}};
   own.capsule = mechanics::Capsule{.thickness_mm = 0.01};
   const auto said = put_into(own, model_now);
   ASSERT_THAT(said, SizeIs(4));
   for (const Sentence& sentence : said) EXPECT_THAT(sentence.message(), HasSubstr("is left out"));
-  EXPECT_TRUE(std::holds_alternative<mechanics::Held>(own.supports.front().how));
+  EXPECT_TRUE(std::holds_alternative<mechanics::Fixed>(own.supports.front().how));
   EXPECT_EQ(own.capsule->thickness_mm, 0.01);
-  EXPECT_FALSE(own.grain);
+  EXPECT_FALSE(own.anisotropy);
 }
 
 }  // namespace

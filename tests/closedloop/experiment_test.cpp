@@ -1,6 +1,6 @@
 // Experiments are read strictly: what cannot be right is refused with the file, the line and the likely cause.
 
-#include "closedloop/experiment.h"
+#include "closedloop/experiment/experiment.h"
 
 #include <gmock/gmock.h>
 #include <fstream>

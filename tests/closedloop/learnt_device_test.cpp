@@ -7,16 +7,16 @@
 
 #include "base/files.h"
 #include "base/json.h"
-#include "platform/device_file.h"
+#include "hardware/device_file.h"
 #include "support/folders.h"
 
 namespace glisson::closedloop {
 namespace {
 
-platform::Device declared() {
+hardware::Device declared() {
   const auto devices =
-      platform::read_devices(glisson::test::source_folder() / "resources" / "devices" / "devices.json");
-  for (const platform::Device& device : devices.value()) {
+      hardware::read_devices(glisson::test::source_folder() / "resources" / "devices" / "devices.json");
+  for (const hardware::Device& device : devices.value()) {
     if (device.id == "tx2-gpu") return device;
   }
   throw std::runtime_error("no tx2-gpu");
@@ -49,16 +49,16 @@ TEST_F(LearntDeviceTest, EffectsBecomeMeasuredFigures) {
              effect("self-heating", {{"coefficient_per_C", 0.006}}, "capacity"),
              effect("discharge-curve", {{"curve_V", {0.4, -1.2}}})});
   ASSERT_TRUE(learnt) << learnt.error().message();
-  const platform::Device& device = learnt->device;
+  const hardware::Device& device = learnt->device;
   EXPECT_NEAR(device.battery.internal_resistance_ohm.value, 0.3, 1e-12);
   EXPECT_NEAR(device.idle_W.value, 2.8 + 1.17, 1e-12);
   EXPECT_NEAR(device.supply_efficiency.value, 0.9, 1e-12);
   EXPECT_NEAR(device.throttle_C.value, 43, 1e-12);
   EXPECT_NEAR(device.battery.capacity_per_C.value, 0.006, 1e-12);
   EXPECT_NEAR(device.battery.voltage_V.value, 9 + 0.4 - 0.6, 1e-12);  // the mean of 0.4 - 1.2 d
-  EXPECT_EQ(device.idle_W.source, platform::Source::measured);
+  EXPECT_EQ(device.idle_W.source, hardware::Source::measured);
   EXPECT_THAT(device.idle_W.note, testing::HasSubstr("tx2.json"));
-  EXPECT_EQ(device.battery.capacity_mAh.source, platform::Source::dissertation);  // nobody learnt anything about it
+  EXPECT_EQ(device.battery.capacity_mAh.source, hardware::Source::dissertation);  // nobody learnt anything about it
   EXPECT_EQ(learnt->changed.size(), 6u);
   EXPECT_TRUE(learnt->remarks.empty());
 }
@@ -67,10 +67,10 @@ TEST_F(LearntDeviceTest, PeukertOfAnotherRatedTimeGivesTheSameChargeAtEveryCurre
   constexpr double exponent = 1.12;
   const auto learnt = learn({effect("rate-capacity", {{"exponent", exponent}}, "rated-1h")});
   ASSERT_TRUE(learnt) << learnt.error().message();
-  const platform::Battery battery = battery_of(learnt->device);
+  const hardware::Battery battery = battery_of(learnt->device);
   for (const double current_A : {1.5, 2.0, 3.0}) {
     const double by_one_hour_Ah = 1.0 * std::pow(1.0 / current_A, exponent - 1);  // 1 Ah, rated at 1 A
-    const auto drained = platform::drain(battery, current_A * battery.nominal_voltage_V);
+    const auto drained = hardware::drain(battery, current_A * battery.nominal_voltage_V);
     ASSERT_TRUE(drained);
     EXPECT_NEAR(drained->hours * current_A, by_one_hour_Ah, 1e-9);
   }

@@ -8,9 +8,9 @@
 
 #include "base/files.h"
 #include "base/json.h"
-#include "closedloop/palpation_effects.h"
-#include "closedloop/palpation_model.h"
-#include "mechanics/static_model.h"
+#include "closedloop/palpation/effects.h"
+#include "closedloop/palpation/model.h"
+#include "mechanics/statics/static_model.h"
 #include "palpation_bodies.h"
 
 namespace glisson::closedloop {
@@ -57,7 +57,7 @@ Eigen::VectorXd rehearsed(const Palpation& pad, const OrganModel& organ) {
   mechanics::StaticOptions options;
   options.poisson_ratio = pad.poisson_ratio;
   options.capsule = organ.capsule;
-  options.grain = organ.grain;
+  options.anisotropy = organ.anisotropy;
   const auto model = mechanics::StaticModel::create(pad.mesh, organ.youngs_kPa, organ.supports, options).value();
   const PalpationTrial& trial = pad.trials.front();
   mechanics::Loads loads = organ.standing_loads;
@@ -170,7 +170,7 @@ TEST_F(LearntOrganTest, SaysByNameWhatItLeavesOut) {
   EXPECT_THAT(learnt->effects[3].sentence.message(), HasSubstr("hysteresis"));
   EXPECT_EQ(learnt->remarks.size(), 2u);
   EXPECT_EQ(learnt->organ.youngs_kPa, declared(pad).youngs_kPa);
-  EXPECT_FALSE(learnt->organ.capsule || learnt->organ.grain);
+  EXPECT_FALSE(learnt->organ.capsule || learnt->organ.anisotropy);
 }
 
 TEST_F(LearntOrganTest, TakesOnlyWhatIsWantedAndRefusesNonsense) {

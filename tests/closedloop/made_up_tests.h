@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "closedloop/experiment.h"
+#include "closedloop/experiment/experiment.h"
 
 namespace glisson::test {
 

@@ -1,6 +1,6 @@
 // How a specimen answers a prescribed stretch, against plain time stepping.
 
-#include "closedloop/material_behaviour.h"
+#include "closedloop/material/behaviour.h"
 
 #include <gtest/gtest.h>
 #include <cmath>

@@ -6,8 +6,8 @@
 
 #include "base/files.h"
 #include "closedloop/explanation_file.h"
-#include "closedloop/palpation_model.h"
-#include "closedloop/trace.h"
+#include "closedloop/inference/diagnosis.h"
+#include "closedloop/palpation/model.h"
 #include "palpation_bodies.h"
 
 namespace glisson::closedloop {
@@ -38,7 +38,7 @@ double rms(const Eigen::VectorXd& error) { return std::sqrt(error.squaredNorm() 
 TEST(MeshError, IsTakenOffWhereTheMeasurementsShowIt) {
   const Case fine = made_with(0.8, {});
   const auto model = palpation_model(fine.measured).value();
-  const Explanation e = trace(*model).value();
+  const Explanation e = diagnose(*model).value();
   EXPECT_EQ(e.verdict, Verdict::nothing_missing);
   EXPECT_TRUE(e.effects.empty());
   EXPECT_NEAR(e.mesh_error_share, 0.8, 0.05);
@@ -58,7 +58,7 @@ TEST(MeshError, IsTakenOffWhereTheMeasurementsShowIt) {
 TEST(MeshError, IsLeftAloneWhereTheyDoNot) {
   const Case same = made_with(0, {softer});
   const auto model = palpation_model(same.measured).value();
-  const Explanation e = trace(*model).value();
+  const Explanation e = diagnose(*model).value();
   ASSERT_EQ(e.effects.size(), 1u);
   EXPECT_EQ(e.mesh_error_share, 0);
   EXPECT_EQ(e.predicted_after, model->predict(e.settings).value());

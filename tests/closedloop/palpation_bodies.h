@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "closedloop/experiment.h"
-#include "closedloop/forward_model.h"
+#include "closedloop/experiment/experiment.h"
+#include "closedloop/experiment/forward_model.h"
 #include "mechanics/bodies.h"
 
 namespace glisson::closedloop::test {

@@ -1,12 +1,12 @@
 // Every effect of a palpation: absent at its default, differentiated exactly, found again from what it does.
 
-#include "closedloop/palpation_effects.h"
+#include "closedloop/palpation/effects.h"
 
 #include <gmock/gmock.h>
 #include <Eigen/Dense>
 
+#include "closedloop/palpation/model.h"
 #include "closedloop/palpation_bodies.h"
-#include "closedloop/palpation_model.h"
 
 namespace glisson::closedloop {
 namespace {

@@ -1,15 +1,16 @@
 // The forward model of a palpation against other solvers and closed forms, its uncertainty, and what it refuses.
 
-#include "closedloop/palpation_model.h"
+#include "closedloop/palpation/model.h"
 
 #include <gmock/gmock.h>
 #include <Eigen/Dense>
 
+#include "closedloop/palpation/effects.h"
+#include "closedloop/palpation/internal/refinement.h"
 #include "closedloop/palpation_bodies.h"
-#include "closedloop/palpation_effects.h"
-#include "closedloop/palpation_refinement.h"
-#include "mechanics/equilibrium.h"
-#include "mechanics/static_model.h"
+#include "mechanics/statics/displacements.h"
+#include "mechanics/statics/equilibrium.h"
+#include "mechanics/statics/static_model.h"
 
 namespace glisson::closedloop {
 namespace {

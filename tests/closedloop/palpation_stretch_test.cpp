@@ -1,13 +1,13 @@
 // Laws by principal stretches: stress is the slope of the energy, the tangent the slope of the stress, and at rest both
 // are those of linear elasticity.
 
-#include "closedloop/palpation_stretch.h"
+#include "closedloop/palpation/internal/stretch.h"
 
 #include <gmock/gmock.h>
 #include <Eigen/LU>
 
-#include "mechanics/isochoric.h"
-#include "mechanics/small_strain.h"
+#include "mechanics/materials/isochoric.h"
+#include "mechanics/materials/small_strain.h"
 
 namespace glisson::closedloop {
 namespace {

@@ -1,12 +1,12 @@
 // The tests of a residual alarm on structure, and leave noise alone.
 
-#include "closedloop/residual.h"
+#include "closedloop/experiment/residual.h"
 
 #include <gmock/gmock.h>
 #include <Eigen/Eigenvalues>
 #include <random>
 
-#include "closedloop/whitening.h"
+#include "closedloop/experiment/whitening.h"
 
 namespace glisson::closedloop {
 namespace {

@@ -1,6 +1,6 @@
 // Strain and stress for the data-driven solver, out of tables and experiments.
 
-#include "closedloop/stress_strain_file.h"
+#include "closedloop/material/stress_strain_file.h"
 
 #include <gmock/gmock.h>
 

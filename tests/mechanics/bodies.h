@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "geometry/tetrahedra.h"
-#include "mechanics/scenario.h"
+#include "mechanics/scenario/scenario.h"
 
 namespace glisson::mechanics::test {
 
@@ -72,9 +72,9 @@ inline std::vector<double> uniform(const geometry::TetMesh& mesh, double youngs_
   return std::vector<double>(mesh.cells.size(), youngs_kPa);
 }
 
-inline Support held(const std::string& array) { return {NamedPoints{array}, Held{}}; }
+inline Support fixed(const std::string& array) { return {NamedPoints{array}, Fixed{}}; }
 inline Support held_along(const std::string& array, bool x, bool y, bool z) {
-  return {NamedPoints{array}, Held{{x, y, z}}};
+  return {NamedPoints{array}, Fixed{{x, y, z}}};
 }
 
 // The mesh point nearest to a place.

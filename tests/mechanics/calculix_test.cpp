@@ -9,8 +9,9 @@
 
 #include "base/files.h"
 #include "mechanics/bodies.h"
-#include "mechanics/equilibrium.h"
-#include "mechanics/static_model.h"
+#include "mechanics/statics/displacements.h"
+#include "mechanics/statics/equilibrium.h"
+#include "mechanics/statics/static_model.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -124,7 +125,7 @@ TEST(AgainstCalculix, TheSameHeterogeneousBodyUnderGravityAndPressureMovesTheSam
   const auto youngs_kPa = patchy(mesh);
   StaticOptions options;
   options.poisson_ratio = poisson_ratio;
-  const auto model = StaticModel::create(mesh, youngs_kPa, {test::held("wall")}, options).value();
+  const auto model = StaticModel::create(mesh, youngs_kPa, {test::fixed("wall")}, options).value();
   const auto ours = model.solve({GravityLoad{gravity_mm_s2}, PressureLoad{pressure_kPa}}).value();
 
   const TemporaryFolder folder;
@@ -149,7 +150,7 @@ TEST(AgainstCalculix, TheSameNeoHookeanBodyBendsFarTheSame) {
   GLISSON_NEEDS_CALCULIX();
   const auto mesh = crooked_body();
   const Body body =
-      prepare_body(mesh, patchy(mesh), {test::held("wall")}, {.poisson_ratio = poisson_ratio}, Holding::required)
+      prepare_body(mesh, patchy(mesh), {test::fixed("wall")}, {.poisson_ratio = poisson_ratio}, Holding::required)
           .value();
   std::vector<Material> materials;
   for (const Lame& lame : body.materials) materials.emplace_back(neo_hookean_from(lame));

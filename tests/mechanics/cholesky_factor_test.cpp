@@ -1,7 +1,7 @@
 // The factor by itself: what it solves, and that it stays on the thread that asks for it.
 
-#include "mechanics/cholesky_factor.h"
-#include "mechanics/constrained_system.h"
+#include "mechanics/solvers/cholesky_factor.h"
+#include "mechanics/solvers/constrained_system.h"
 
 #include <gtest/gtest.h>
 #include <filesystem>

@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "mechanics/bodies.h"
-#include "mechanics/boundary.h"
-#include "mechanics/static_model.h"
+#include "mechanics/elements/boundary.h"
+#include "mechanics/statics/static_model.h"
 
 namespace glisson::mechanics {
 namespace {
 
 using Eigen::Vector3d;
 using test::box;
-using test::held;
+using test::fixed;
 using test::held_along;
 using test::uniform;
 
@@ -43,7 +43,7 @@ TEST(Column, UnderItsOwnWeightShortensAsTheClosedFormSays) {
   test::name_points(mesh, "floor", [](const Vector3d& p) { return p.z() == 0; });
   const double rho = 1000e-9, youngs = 6.0;
   const auto result =
-      solve_static(mesh, uniform(mesh, youngs), {held("floor")}, {GravityLoad{{0, 0, -g_mm_s2}}}, with(0.0)).value();
+      solve_static(mesh, uniform(mesh, youngs), {fixed("floor")}, {GravityLoad{{0, 0, -g_mm_s2}}}, with(0.0)).value();
   for (std::size_t p = 0; p < mesh.points_mm.size(); ++p) {
     const double z = mesh.points_mm[p].z();
     const Vector3d expected(0, 0, -rho * g_mm_s2 / youngs * (50 * z - z * z / 2));
@@ -127,7 +127,7 @@ StaticModel cantilever(int across, double nu, ElementOrder order = ElementOrder:
   test::name_points(mesh, "wall", [](const Vector3d& p) { return p.x() == 0; });
   StaticOptions options = with(nu, order);
   options.density_kg_mm3 = beam_density;
-  return StaticModel::create(mesh, uniform(mesh, beam_youngs), {held("wall")}, options).value();
+  return StaticModel::create(mesh, uniform(mesh, beam_youngs), {fixed("wall")}, options).value();
 }
 
 double shear_stiffness(double nu) {
@@ -211,7 +211,7 @@ double cook_tip_mm(int n, double nu, ElementOrder order) {
   test::name_points(mesh, "left", [](const Vector3d& p) { return p.x() == 0; });
   test::name_points(mesh, "all", [](const Vector3d&) { return true; });
   const auto model = StaticModel::create(mesh, uniform(mesh, 250),
-                                         {held("left"), held_along("all", false, false, true)}, with(nu, order))
+                                         {fixed("left"), held_along("all", false, false, true)}, with(nu, order))
                          .value();
   const auto result = solve_with_traction(
       model, [](const BoundaryFace& face) { return face.normal.x() > 0.999; },

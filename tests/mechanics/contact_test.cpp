@@ -1,14 +1,14 @@
 // Tools in contact: the small problem against its conditions, a ball against Hertz, and what is promised of every
 // state.
 
-#include "mechanics/contact.h"
+#include "mechanics/contact/contact.h"
 
 #include <gmock/gmock.h>
 #include <cmath>
 #include <Eigen/Geometry>
 
 #include "mechanics/bodies.h"
-#include "mechanics/contact_forces.h"
+#include "mechanics/contact/internal/contact_forces.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -95,10 +95,10 @@ class Block : public testing::Test {
     test::name_points(mesh, "ground", [](const Vector3d& p) { return p.z() < 1e-9; });
     StaticOptions options;
     options.poisson_ratio = 0.45;
-    auto model = StaticModel::create(mesh, test::uniform(mesh, 10), {test::held("ground")}, options).value();
+    auto model = StaticModel::create(mesh, test::uniform(mesh, 10), {test::fixed("ground")}, options).value();
     return ContactBody::create(std::move(model), {}, {{0, {0.25, 0.25, 0.25, 0.25}, 0}}).value();
   }
-  static HandTool ball(double radius_mm, const Vector3d& center_mm, std::optional<double> push_mN = {}) {
+  static ContactTool ball(double radius_mm, const Vector3d& center_mm, std::optional<double> push_mN = {}) {
     return {"ball", TouchingTool{palpation_probe(radius_mm), pose_towards(center_mm, {0, 0, -1}), push_mN}};
   }
 };
@@ -137,15 +137,15 @@ TEST_F(Block, APushedToolSlidesToWhereTheBodyBearsItsForce) {
   EXPECT_NEAR(pushed.tools[0].force_mN.z(), -150, 0.1);
   EXPECT_LE(pushed.report.penetration_mm, 0.1);
   // Held where it came to, it bears the same.
-  const auto held = body.solve(body.untouched(), {ball(8, {40, 40, 70 - pushed.tools[0].advance_mm})}).value();
-  ASSERT_TRUE(held.report.converged);
-  EXPECT_NEAR(held.tools[0].force_mN.z(), -150, 8);  // 0.1 mm of play is some per cent of the force
-  EXPECT_NEAR(held.report.energy_uJ, pushed.report.energy_uJ, 0.1 * pushed.report.energy_uJ);
+  const auto fixed = body.solve(body.untouched(), {ball(8, {40, 40, 70 - pushed.tools[0].advance_mm})}).value();
+  ASSERT_TRUE(fixed.report.converged);
+  EXPECT_NEAR(fixed.tools[0].force_mN.z(), -150, 8);  // 0.1 mm of play is some per cent of the force
+  EXPECT_NEAR(fixed.report.energy_uJ, pushed.report.energy_uJ, 0.1 * pushed.report.energy_uJ);
 }
 
 TEST_F(Block, SeveralToolsAtOnceEachBearTheirOwn) {
   const ContactBody body = block();
-  const std::vector<HandTool> tools{
+  const std::vector<ContactTool> tools{
       ball(8, {28, 40, 60}, 60.0),
       {"rod", TouchingTool{{{{0, -12, 0}, {0, 12, 0}, 3.0}}, pose_towards({52, 40, 60}, {0, 0, -1}), 90.0}},
       {"jaws", Grasp{{40, 70, 40}, 12, Vector3d(0, 0, 3), {0, 0, 1}}}};
@@ -159,7 +159,7 @@ TEST_F(Block, SeveralToolsAtOnceEachBearTheirOwn) {
   const auto whole = body.whole_result(state).value();
   Vector3d tools_mN = Vector3d::Zero();
   for (const ToolContact& tool : state.tools) tools_mN += tool.force_mN;
-  EXPECT_LT((whole.held_reaction_mN + tools_mN).norm(), 0.01 * tools_mN.norm() + 0.1);
+  EXPECT_LT((whole.fixed_reaction_mN + tools_mN).norm(), 0.01 * tools_mN.norm() + 0.1);
   for (std::size_t p = 0; p < state.surface_mm.size(); ++p) {
     const auto mesh_point = static_cast<std::size_t>(body.surface().point_fields[0].values[p]);
     EXPECT_LT((state.surface_mm[p] - whole.displacement_mm[mesh_point]).norm(), 1e-6);
@@ -181,7 +181,7 @@ TEST_F(Block, TheSameBeginningAndToolsGiveTheSameBitsWhateverWasRemembered) {
 
 TEST_F(Block, WhatCannotBeMeantIsRefused) {
   const ContactBody body = block();
-  const auto why = [&](const HandTool& tool) { return body.solve(body.untouched(), {tool}).error().code; };
+  const auto why = [&](const ContactTool& tool) { return body.solve(body.untouched(), {tool}).error().code; };
   EXPECT_EQ(why(ball(8, {40, 40, -30}, 50.0)), "tool-touches-nothing");  // it goes away from the block
   EXPECT_EQ(why(ball(-1, {40, 40, 60})), "tool-invalid");
   EXPECT_EQ(why(ball(8, {NAN, 40, 60})), "tool-invalid");

@@ -7,7 +7,7 @@
 
 #include "base/csv.h"
 #include "mechanics/bodies.h"
-#include "mechanics/data_driven.h"
+#include "mechanics/statics/data_driven.h"
 #include "support/data.h"
 
 namespace glisson::mechanics {
@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 using test::box;
-using test::held;
+using test::fixed;
 using test::held_along;
 using test::uniform;
 
@@ -85,11 +85,11 @@ struct Retracted {
   [[nodiscard]] StaticResult by_law(double youngs_kPa) const {
     StaticOptions options;
     options.poisson_ratio = 0.45;
-    return solve_static(mesh, uniform(mesh, youngs_kPa), {held("wall")}, hoist, options).value();
+    return solve_static(mesh, uniform(mesh, youngs_kPa), {fixed("wall")}, hoist, options).value();
   }
   [[nodiscard]] DataDrivenResult by_data(const std::vector<StressStrain>& measured, int neighbours = 6) const {
     const auto data = MaterialData::create(measured, {.poisson_ratio = 0.45, .neighbours = neighbours}).value();
-    return find_equilibrium_from_data(mesh, data, {held("wall")}, hoist, 1000e-9).value();
+    return find_equilibrium_from_data(mesh, data, {fixed("wall")}, hoist, 1000e-9).value();
   }
   [[nodiscard]] double apart_mm(const StaticResult& a, const StaticResult& b) const {
     double largest_mm = 0;
@@ -152,7 +152,7 @@ TEST(DataDriven, AUniaxialTestGivesTheMeasuredCurveBack) {
 }
 
 TEST(DataDriven, SiliconeIsForetoldBetterThanByAFittedLinearLaw) {
-  // Half of the repeated tests (A) are the data, the others (B) are foretold: the height lost by a cylinder of 30 mm
+  // Half of the repeated tests (A) are the data, the others (B) are predicted: the height lost by a cylinder of 30 mm
   // under given stresses up to 40 % strain. Tests of one phantom repeat to 1 to 5 %: within 1 % of the data is near
   // enough. Both models know the same measurements.
   GLISSON_NEEDS_DATA("silicone_phantom_compression");

@@ -1,6 +1,6 @@
 // Large deformation: energies, forces and tangents of whole bodies, and equilibria whose answers are known.
 
-#include "mechanics/equilibrium.h"
+#include "mechanics/statics/equilibrium.h"
 
 #include <gmock/gmock.h>
 #include <cmath>
@@ -27,7 +27,7 @@ StaticOptions with(double poisson_ratio, ElementOrder order) {
 
 Body body_of(geometry::TetMesh mesh, double youngs_kPa, double poisson_ratio, ElementOrder order) {
   auto youngs = test::uniform(mesh, youngs_kPa);
-  return prepare_body(std::move(mesh), std::move(youngs), {test::held("wall")}, with(poisson_ratio, order),
+  return prepare_body(std::move(mesh), std::move(youngs), {test::fixed("wall")}, with(poisson_ratio, order),
                       Holding::required)
       .value();
 }
@@ -150,7 +150,7 @@ TEST(Equilibrium, ForcesBalanceAndStableNeoHookeanSurvivesACrush) {
   const VectorXd force = force_on_end(body, 10, {-3000, 0, 0});
   const auto result = find_equilibrium(body, materials_of(body, MaterialLaw::neo_hookean), force).value();
   ASSERT_TRUE(result.may_be_used()) << result.why_stopped;
-  EXPECT_LT((result.applied_force_mN + result.held_reaction_mN).norm(), 1e-5 * 3000);
+  EXPECT_LT((result.applied_force_mN + result.fixed_reaction_mN).norm(), 1e-5 * 3000);
   EXPECT_GT(result.max_displacement_mm, 5);
 }
 

@@ -1,6 +1,6 @@
 // Tools at large deformation: against the linear engine where strains are small, and what is promised of every state.
 
-#include "mechanics/large_contact.h"
+#include "mechanics/contact/large_contact.h"
 
 #include <gmock/gmock.h>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "mechanics/bodies.h"
-#include "mechanics/tool_search.h"
+#include "mechanics/contact/internal/contact_candidates.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -23,17 +23,17 @@ class SoftBlock : public testing::Test {
     test::name_points(mesh, "ground", [](const Vector3d& p) { return p.z() < 1e-9; });
     StaticOptions options;
     options.poisson_ratio = 0.4;
-    return prepare_body(mesh, test::uniform(mesh, 10), {test::held("ground")}, options, Holding::required).value();
+    return prepare_body(mesh, test::uniform(mesh, 10), {test::fixed("ground")}, options, Holding::required).value();
   }
   // The tools on their way, all of it in equal steps.
   static LargeContact pressed(const Body& body, MaterialLaw law, int steps,
-                              const std::function<std::vector<HandTool>(double)>& tools_at, double stiffening = 0) {
-    std::vector<std::vector<HandTool>> stations;
+                              const std::function<std::vector<ContactTool>(double)>& tools_at, double stiffening = 0) {
+    std::vector<std::vector<ContactTool>> stations;
     for (int step = 1; step <= steps; ++step) stations.push_back(tools_at(double(step) / steps));
     const AppliedLoads nothing{Eigen::VectorXd::Zero(3 * body.layout.nodes()), 0};
     return find_equilibrium_in_contact(body, materials_of(body, law, stiffening), nothing, stations).value();
   }
-  static HandTool ball(double radius_mm, const Vector3d& center_mm, std::optional<double> push_mN = {}) {
+  static ContactTool ball(double radius_mm, const Vector3d& center_mm, std::optional<double> push_mN = {}) {
     return {"ball", TouchingTool{palpation_probe(radius_mm), pose_towards(center_mm, {0, 0, -1}), push_mN}};
   }
   static void expect_rest(const LargeContact& contact) {
@@ -41,19 +41,19 @@ class SoftBlock : public testing::Test {
     EXPECT_LE(contact.report.penetration_mm, 0.1);
     Vector3d pushed = Vector3d::Zero();
     for (const ToolContact& tool : contact.tools) pushed += tool.force_mN;
-    EXPECT_LT((pushed + contact.result.held_reaction_mN).norm(), 1e-3 * pushed.norm());
+    EXPECT_LT((pushed + contact.result.fixed_reaction_mN).norm(), 1e-3 * pushed.norm());
   }
 };
 
 TEST_F(SoftBlock, AShallowPressIsThatOfTheLinearEngine) {
   const Body block = body();
-  const HandTool tool = ball(12, {15, 15, 15 + 12 - 0.4});
+  const ContactTool tool = ball(12, {15, 15, 15 + 12 - 0.4});
   auto model = StaticModel::create(block.mesh, block.youngs_kPa, block.supports, block.options).value();
   const auto linear = ContactBody::create(std::move(model), {}, {});
   const auto state = linear->solve(linear->untouched(), {tool}).value();
   ASSERT_TRUE(state.report.converged);
   for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::corotational, MaterialLaw::neo_hookean}) {
-    const auto contact = pressed(block, law, 1, [&](double) { return std::vector<HandTool>{tool}; });
+    const auto contact = pressed(block, law, 1, [&](double) { return std::vector<ContactTool>{tool}; });
     expect_rest(contact);
     // Linear elasticity's own error at a strain of some per cent; the same discretisation.
     EXPECT_NEAR(contact.tools[0].force_mN.z() / state.tools[0].force_mN.z(), 1,
@@ -104,7 +104,7 @@ TEST_F(SoftBlock, ADeepPressRestsWithoutPenetrationAndStiffens) {
     const auto contact = pressed(
         block, law, static_cast<int>(std::ceil(depth_mm / 2)),
         [&](double part) {
-          return std::vector<HandTool>{ball(8, {15, 15, 23 - part * depth_mm})};
+          return std::vector<ContactTool>{ball(8, {15, 15, 23 - part * depth_mm})};
         },
         stiffening);
     expect_rest(contact);
@@ -118,8 +118,8 @@ TEST_F(SoftBlock, ADeepPressRestsWithoutPenetrationAndStiffens) {
 TEST_F(SoftBlock, APushedToolAdvancesUntilItMeetsItsForce) {
   const Body block = body();
   const auto contact = pressed(block, MaterialLaw::neo_hookean, 2, [](double part) {
-    return std::vector<HandTool>{ball(8, {15, 15, 30}, part * 300),
-                                 {"jaws", Grasp{{30, 15, 7.5}, 8, part * 100, {1, 0, 0}}}};
+    return std::vector<ContactTool>{ball(8, {15, 15, 30}, part * 300),
+                                    {"jaws", Grasp{{30, 15, 7.5}, 8, part * 100, {1, 0, 0}}}};
   });
   expect_rest(contact);
   EXPECT_NEAR(contact.tools[0].force_mN.z(), -300, 1);
@@ -132,10 +132,10 @@ TEST_F(SoftBlock, WhereABallSlidFromMakesNoDifference) {
   // Without friction the way there leaves nothing behind.
   const Body block = body();
   const auto slid = pressed(block, MaterialLaw::corotational, 3, [](double part) {
-    return std::vector<HandTool>{ball(8, {15, 9 + 6 * part, 21})};
+    return std::vector<ContactTool>{ball(8, {15, 9 + 6 * part, 21})};
   });
   const auto straight = pressed(block, MaterialLaw::corotational, 1, [](double) {
-    return std::vector<HandTool>{ball(8, {15, 15, 21})};
+    return std::vector<ContactTool>{ball(8, {15, 15, 21})};
   });
   expect_rest(slid);
   expect_rest(straight);
@@ -148,9 +148,9 @@ TEST_F(SoftBlock, AToolWithFrictionSticksBelowMuNAndSlipsAtMuN) {
   const Body block = body();
   constexpr double mu = 0.3, radius_mm = 120;
   const auto drawn = [&](double friction, const std::vector<double>& ways_mm) {
-    std::vector<std::vector<HandTool>> stations;
+    std::vector<std::vector<ContactTool>> stations;
     const auto at = [&](double depth_mm, double way_mm) {
-      HandTool tool = ball(radius_mm, {15 + way_mm, 15, 15 + radius_mm - depth_mm});
+      ContactTool tool = ball(radius_mm, {15 + way_mm, 15, 15 + radius_mm - depth_mm});
       std::get<TouchingTool>(tool.what).friction = friction;
       stations.push_back({tool});
     };
@@ -199,7 +199,7 @@ TEST_F(SoftBlock, AGraspersPatchGoesWhereItIsDrawn) {
   // holds the body pushes back with the jaws' force.
   const Body block = body();
   const auto drawn = [](double mm) {
-    return HandTool{"jaws", Grasp{{15, 15, 15}, 8, Vector3d(0.6 * mm, 0, 0.8 * mm)}};
+    return ContactTool{"jaws", Grasp{{15, 15, 15}, 8, Vector3d(0.6 * mm, 0, 0.8 * mm)}};
   };
   auto model = StaticModel::create(block.mesh, block.youngs_kPa, block.supports, block.options).value();
   const auto linear = ContactBody::create(std::move(model), {}, {});
@@ -226,7 +226,7 @@ TEST_F(SoftBlock, RefusesWhatItCannotDoInWords) {
   const Body block = body();
   const AppliedLoads nothing{Eigen::VectorXd::Zero(3 * block.layout.nodes()), 0};
   const auto materials = materials_of(block, MaterialLaw::neo_hookean);
-  const auto refusal = [&](const HandTool& tool) {
+  const auto refusal = [&](const ContactTool& tool) {
     return find_equilibrium_in_contact(block, materials, nothing, {{tool}}).error().code;
   };
   EXPECT_EQ(refusal({"jaws", Grasp{{15, 15, 90}, 8, 10.0}}), "tool-touches-nothing");

@@ -1,6 +1,6 @@
 // Every material against itself (energy, stress, tangent), against turning, and against closed forms.
 
-#include "mechanics/material.h"
+#include "mechanics/materials/material.h"
 
 #include <gtest/gtest.h>
 #include <cmath>

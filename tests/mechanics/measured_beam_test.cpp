@@ -1,13 +1,13 @@
 // Against a measured beam: silicone (Dragon Skin 10, 30 x 30 x 100 mm, 1070 kg/m3), clamped level at one end, let go
 // under its weight and with 52 g at its tip, seen by motion capture (srl-ethz/diffPD_sim2real, MIT). One number is
-// fitted, Young's modulus, to one trial under weight alone; the other trials are foretold.
+// fitted, Young's modulus, to one trial under weight alone; the other trials are predicted.
 
 #include <gmock/gmock.h>
 #include <cmath>
 
 #include "base/csv.h"
 #include "mechanics/bodies.h"
-#include "mechanics/equilibrium.h"
+#include "mechanics/statics/equilibrium.h"
 #include "support/data.h"
 
 namespace glisson::mechanics {
@@ -85,7 +85,7 @@ struct MeasuredBeam {
   }
   [[nodiscard]] StaticResult under(double youngs_kPa, const Loads& applied) const {
     const auto body =
-        prepare_body(mesh, test::uniform(mesh, youngs_kPa), {test::held("clamp")}, options, Holding::required).value();
+        prepare_body(mesh, test::uniform(mesh, youngs_kPa), {test::fixed("clamp")}, options, Holding::required).value();
     return find_equilibrium(body, materials_of(body, MaterialLaw::neo_hookean), applied).value();
   }
   [[nodiscard]] double by_cells_mm(double youngs_kPa, double tip_kg) const {
@@ -112,7 +112,7 @@ TEST(MeasuredBeam, ItsSagUnderATipLoadIsForetoldFromItsSagUnderItsWeight) {
   }
 }
 
-// The beam sinks by 8 % more under the 52 g than foretold. What of that the recordings themselves can say:
+// The beam sinks by 8 % more under the 52 g than predicted. What of that the recordings themselves can say:
 TEST(MeasuredBeam, WhatIsMissingUnderTheTipLoadIsNotTheClampNorThePlaceOfTheMarkers) {
   GLISSON_NEEDS_DATA("softbeam_mocap_eth");
   const MeasuredBeam beam;
@@ -124,8 +124,8 @@ TEST(MeasuredBeam, WhatIsMissingUnderTheTipLoadIsNotTheClampNorThePlaceOfTheMark
     EXPECT_LT(std::abs(more_mm), 0.1) << marker;
   }
   // The tip's end turns farther too, wherever on it the markers sit, and by a larger share than it sinks: with the load
-  // 22 % more than foretold beyond what the weight alone makes, against 15 % of sag. Under its weight it turns as
-  // foretold.
+  // 22 % more than predicted beyond what the weight alone makes, against 15 % of sag. Under its weight it turns as
+  // predicted.
   const StaticResult by_weight = beam.by_cells(fitted_kPa, 0), foretold = beam.by_cells(fitted_kPa, 0.052);
   const double turned_rad = 0.5 * (measured_turn_rad("beam_load52_V2_a") + measured_turn_rad("beam_load52_V2_b"));
   const double sunk_mm = 0.5 * (measured_sag_mm("beam_load52_V2_a") + measured_sag_mm("beam_load52_V2_b"));

@@ -8,12 +8,12 @@
 
 #include "geometry/mesh_file.h"
 #include "mechanics/bodies.h"
-#include "mechanics/equilibrium.h"
-#include "mechanics/frame_matrix.h"
-#include "mechanics/meshfree_body.h"
-#include "mechanics/meshfree_model.h"
-#include "mechanics/meshfree_motion.h"
+#include "mechanics/meshfree/internal/reduced_matrix.h"
+#include "mechanics/meshfree/meshfree_body.h"
+#include "mechanics/meshfree/meshfree_dynamics.h"
+#include "mechanics/meshfree/meshfree_model.h"
 #include "mechanics/simulation.h"
+#include "mechanics/statics/equilibrium.h"
 #include "meshing/mesh_labels.h"
 #include "segmentation/rasterise.h"
 #include "support/data.h"
@@ -24,7 +24,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using test::box;
-using test::held;
+using test::fixed;
 using test::held_along;
 using test::uniform;
 using testing::HasSubstr;
@@ -53,10 +53,10 @@ struct Mottled {
 
 MeshfreeBody prepared(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa, MaterialLaw law, int nodes,
                       const StaticOptions& options, const std::vector<Support>& supports = {}) {
-  auto frames =
+  auto handles =
       prepare_meshfree_body(mesh, youngs_kPa, supports, law, options, {.nodes = nodes}, {}, Holding::optional);
-  EXPECT_TRUE(frames) << frames.error().message();
-  return std::move(*frames);
+  EXPECT_TRUE(handles) << handles.error().message();
+  return std::move(*handles);
 }
 
 TEST(MeshfreeShapeFunctions, SumToOneAndAreNeverNegative) {
@@ -103,24 +103,24 @@ TEST(MeshfreePatch, AnyUniformStrainIsInTheSpaceAndBalancesItsTractions) {
   Matrix3d gradient;
   gradient << 0.02, 0.01, -0.03, 0.005, -0.01, 0.02, 0.015, 0.0, 0.03;
   // The weights see the mottled stiffness, the stress is that of a uniform body.
-  MeshfreeBody frames = prepared(body.mesh, body.youngs_kPa, MaterialLaw::linear, 30, with(nu));
-  frames.body.materials.assign(body.mesh.cells.size(), lame_from_youngs(youngs, nu));
-  frames.materials = materials_of(frames.body, MaterialLaw::linear);
+  MeshfreeBody handles = prepared(body.mesh, body.youngs_kPa, MaterialLaw::linear, 30, with(nu));
+  handles.body.materials.assign(body.mesh.cells.size(), lame_from_youngs(youngs, nu));
+  handles.materials = materials_of(handles.body, MaterialLaw::linear);
 
   const Eigen::VectorXd q =
-      affine_frames(frames.shape, [&](const Vector3d& x) { return (Vector3d(1, 2, 3) + gradient * x).eval(); });
-  const Eigen::VectorXd u_mm = frames.basis->displacement(q);
-  for (int place = 0; place < frames.body.layout.nodes(); ++place) {
-    const Vector3d expected = Vector3d(1, 2, 3) + gradient * frames.body.layout.positions_mm[place];
+      affine_handles(handles.shape, [&](const Vector3d& x) { return (Vector3d(1, 2, 3) + gradient * x).eval(); });
+  const Eigen::VectorXd u_mm = handles.basis->displacement(q);
+  for (int place = 0; place < handles.body.layout.nodes(); ++place) {
+    const Vector3d expected = Vector3d(1, 2, 3) + gradient * handles.body.layout.positions_mm[place];
     EXPECT_LT((u_mm.segment<3>(3 * place) - expected).norm(), 1e-12);
   }
-  const Matrix3d stress = stress_kPa(frames.body.materials[0], small_strain(gradient));
+  const Matrix3d stress = stress_kPa(handles.body.materials[0], small_strain(gradient));
   Eigen::VectorXd traction_mN = Eigen::VectorXd::Zero(u_mm.size());
-  for (const BoundaryFace& face : frames.body.boundary) add_traction(face, stress * face.normal, traction_mN);
-  const Eigen::VectorXd loads_mN = frames.basis->reduce(traction_mN);
-  const FrameOperator tangent = frames.tangent(Eigen::VectorXd::Zero(u_mm.size()), Tangent::exact);
+  for (const BoundaryFace& face : handles.body.boundary) add_traction(face, stress * face.normal, traction_mN);
+  const Eigen::VectorXd loads_mN = handles.basis->reduce(traction_mN);
+  const ReducedOperator tangent = handles.tangent(Eigen::VectorXd::Zero(u_mm.size()), Tangent::exact);
   EXPECT_LT((tangent * q - loads_mN).norm(), 1e-10 * loads_mN.norm());
-  EXPECT_LT((frames.basis->reduce(internal_force_mN(frames.body, frames.materials, u_mm)) - loads_mN).norm(),
+  EXPECT_LT((handles.basis->reduce(internal_force_mN(handles.body, handles.materials, u_mm)) - loads_mN).norm(),
             1e-10 * loads_mN.norm());
 }
 
@@ -158,17 +158,17 @@ double tip_mm(const geometry::TetMesh& mesh, const StaticResult& result) {
 }
 
 TEST(MeshfreeCantilever, ApproachesTheoryFromBelowAsNodesAreAdded) {
-  // Euler and Bernoulli's tip (eq. 6.6) with Timoshenko's shear, at nu = 0. A few frames cannot bend enough; none bends
-  // more than the quadratic cells of the same mesh, whose displacements contain theirs.
+  // Euler and Bernoulli's tip (eq. 6.6) with Timoshenko's shear, at nu = 0. A few handles cannot bend enough; none
+  // bends more than the quadratic cells of the same mesh, whose displacements contain theirs.
   const auto mesh = cantilever_mesh(4);
   const double f = 997e-9 * g_mm_s2 * 100, inertia = 1e4 / 12;
   const double theory = f * std::pow(50.0, 4) / (8 * 12 * inertia) + f * 2500 / 2 / (10.0 / 12 * 6 * 100);
   const Loads weight{GravityLoad{{0, 0, -g_mm_s2}}};
   const double by_cells =
-      tip_mm(mesh, solve_static(mesh, uniform(mesh, 12), {held("wall")}, weight, with(0, 997e-9)).value());
+      tip_mm(mesh, solve_static(mesh, uniform(mesh, 12), {fixed("wall")}, weight, with(0, 997e-9)).value());
   double before_mm = 0;
   for (const auto& [nodes, share] : {std::pair{20, 0.65}, {60, 0.85}, {180, 0.94}}) {
-    const auto model = MeshfreeModel::create(mesh, uniform(mesh, 12), {held("wall")}, MaterialLaw::linear,
+    const auto model = MeshfreeModel::create(mesh, uniform(mesh, 12), {fixed("wall")}, MaterialLaw::linear,
                                              with(0, 997e-9), {.nodes = nodes})
                            .value();
     const auto result = model.solve(weight).value();
@@ -179,7 +179,7 @@ TEST(MeshfreeCantilever, ApproachesTheoryFromBelowAsNodesAreAdded) {
     EXPECT_GT(tip, share * theory) << nodes;
     EXPECT_GT(tip, before_mm);
     EXPECT_LT(tip, 1.002 * by_cells);  // and the springs at the wall
-    EXPECT_NEAR(result.held_reaction_mN.z(), -result.applied_force_mN.z(), 1e-4 * f * 50);
+    EXPECT_NEAR(result.fixed_reaction_mN.z(), -result.applied_force_mN.z(), 1e-4 * f * 50);
     before_mm = tip;
   }
 }
@@ -187,12 +187,12 @@ TEST(MeshfreeCantilever, ApproachesTheoryFromBelowAsNodesAreAdded) {
 TEST(MeshfreeRotation, ABodyTurnedByHalfATurnHasNoEnergyAndNoForce) {
   const Mottled body;
   for (const MaterialLaw law : {MaterialLaw::corotational, MaterialLaw::neo_hookean}) {
-    const MeshfreeBody frames = prepared(body.mesh, body.youngs_kPa, law, 20, with(0.45));
+    const MeshfreeBody handles = prepared(body.mesh, body.youngs_kPa, law, 20, with(0.45));
     const Matrix3d turn = Eigen::AngleAxisd(M_PI, Vector3d(1, 2, 2).normalized()).toRotationMatrix();
-    const Eigen::VectorXd q = affine_frames(frames.shape, [&](const Vector3d& x) { return (turn * x - x).eval(); });
-    const Eigen::VectorXd u_mm = frames.basis->displacement(q);
-    EXPECT_NEAR(strain_energy_uJ(frames.body, frames.materials, u_mm), 0.0, 1e-9);
-    EXPECT_LT(frames.basis->reduce(internal_force_mN(frames.body, frames.materials, u_mm)).norm(), 1e-7);
+    const Eigen::VectorXd q = affine_handles(handles.shape, [&](const Vector3d& x) { return (turn * x - x).eval(); });
+    const Eigen::VectorXd u_mm = handles.basis->displacement(q);
+    EXPECT_NEAR(strain_energy_uJ(handles.body, handles.materials, u_mm), 0.0, 1e-9);
+    EXPECT_LT(handles.basis->reduce(internal_force_mN(handles.body, handles.materials, u_mm)).norm(), 1e-7);
   }
 }
 
@@ -201,7 +201,7 @@ TEST(MeshfreeRotation, ABentCantileverKeepsItsLength) {
   // keeps it, and agrees with finite elements.
   const auto mesh = cantilever_mesh(3);
   const Loads loads{GravityLoad{{0, 0, -3 * g_mm_s2}}};
-  const auto model = MeshfreeModel::create(mesh, uniform(mesh, 12), {held("wall")}, MaterialLaw::corotational,
+  const auto model = MeshfreeModel::create(mesh, uniform(mesh, 12), {fixed("wall")}, MaterialLaw::corotational,
                                            with(0.3, 997e-9), {.nodes = 60})
                          .value();
   const auto result = model.solve(loads).value();
@@ -217,7 +217,8 @@ TEST(MeshfreeRotation, ABentCantileverKeepsItsLength) {
   EXPECT_GT(tip_mm(mesh, result), 25);
   EXPECT_NEAR(length_mm, 50, 2.0);
 
-  const auto body = prepare_body(mesh, uniform(mesh, 12), {held("wall")}, with(0.3, 997e-9), Holding::required).value();
+  const auto body =
+      prepare_body(mesh, uniform(mesh, 12), {fixed("wall")}, with(0.3, 997e-9), Holding::required).value();
   const auto by_cells = find_equilibrium(body, materials_of(body, MaterialLaw::corotational), loads).value();
   EXPECT_NEAR(tip_mm(mesh, result), tip_mm(mesh, by_cells), 0.06 * tip_mm(mesh, by_cells));
 }
@@ -269,12 +270,12 @@ TEST(MeshfreeMotion, SettlesWhereTheEquilibriumIs) {
   const auto mesh = cantilever_mesh(3);
   const Loads loads{GravityLoad{{0, 0, -500}}};
   const auto still =
-      MeshfreeModel::create(mesh, uniform(mesh, 12), {held("wall")}, MaterialLaw::linear, with(0.3), {.nodes = 30})
+      MeshfreeModel::create(mesh, uniform(mesh, 12), {fixed("wall")}, MaterialLaw::linear, with(0.3), {.nodes = 30})
           .value()
           .solve(loads)
           .value();
   auto moving =
-      MeshfreeMotion::create(prepared(mesh, uniform(mesh, 12), MaterialLaw::linear, 30, with(0.3), {held("wall")}),
+      MeshfreeMotion::create(prepared(mesh, uniform(mesh, 12), MaterialLaw::linear, 30, with(0.3), {fixed("wall")}),
                              {.step_s = 0.05, .mass_damping_per_s = 5})
           .value();
   const auto applied = applied_loads(moving.body(), loads, Gas::stays_as_at_rest).value();
@@ -326,7 +327,7 @@ TEST(MeshfreeCut, NoNodeActsAcrossAndTheOtherSideStaysStill) {
   StaticOptions options = with(0.3);
   options.parts = StaticOptions::Parts::several;
   const auto model =
-      MeshfreeModel::create(mesh, uniform(mesh, 6), {held("ends")}, MaterialLaw::linear, options, {.nodes = 30}, {cut})
+      MeshfreeModel::create(mesh, uniform(mesh, 6), {fixed("ends")}, MaterialLaw::linear, options, {.nodes = 30}, {cut})
           .value();
   const auto result = model.solve({ToolLoad{{10, 10, 20}, 6, {0, 0, 5}}}).value();
   ASSERT_TRUE(result.may_be_used()) << result.why_stopped;
@@ -346,14 +347,14 @@ TEST(MeshfreeCut, ACutHalfThroughOpens) {
   const auto mesh = open_cuts(whole, {cut}, Along::exactly)->mesh;
   const Loads loads{GravityLoad{{0, 0, -500}}};
   const auto tip_of = [&](const geometry::TetMesh& body, const std::vector<Cut>& cuts) {
-    const auto model = MeshfreeModel::create(body, uniform(body, 12), {held("wall")}, MaterialLaw::linear, with(0.3),
+    const auto model = MeshfreeModel::create(body, uniform(body, 12), {fixed("wall")}, MaterialLaw::linear, with(0.3),
                                              {.nodes = 150}, cuts)
                            .value();
     return tip_mm(body, model.solve(loads).value());
   };
   const double uncut_mm = tip_of(whole, {}), cut_mm = tip_of(mesh, {cut});
   const double by_cells_mm =
-      tip_mm(mesh, solve_static(mesh, uniform(mesh, 12), {held("wall")}, loads, with(0.3)).value());
+      tip_mm(mesh, solve_static(mesh, uniform(mesh, 12), {fixed("wall")}, loads, with(0.3)).value());
   EXPECT_GT(cut_mm, 1.5 * uncut_mm);
   EXPECT_LT(cut_mm, by_cells_mm);
   RecordProperty("uncut_meshfree_fem_mm", fmt::format("{:.3f} {:.3f} {:.3f}", uncut_mm, cut_mm, by_cells_mm));
@@ -389,7 +390,7 @@ TEST(MeshfreeLiver, FollowsFiniteElementsOnALiverOfUnevenStiffness) {
   const geometry::Box bounds = geometry::bounding_box(liver->points_mm);
   Scenario scenario;
   scenario.supports = {
-      {geometry::Box{bounds.min_mm, {bounds.min_mm.x() + 50, bounds.max_mm.y(), bounds.max_mm.z()}}, Held{}}};
+      {geometry::Box{bounds.min_mm, {bounds.min_mm.x() + 50, bounds.max_mm.y(), bounds.max_mm.z()}}, Fixed{}}};
   const geometry::Surface surface = geometry::boundary_surface(*liver);
   const auto tip = *std::max_element(surface.points_mm.begin(), surface.points_mm.end(),
                                      [](const Vector3d& a, const Vector3d& b) { return a.x() < b.x(); });
@@ -419,10 +420,10 @@ TEST(Meshfree, WhatCannotBeIsRefused) {
   const auto code = [&](const MeshfreeOptions& options, const std::vector<Support>& supports) {
     return MeshfreeModel::create(mesh, uniform(mesh, 12), supports, MaterialLaw::linear, {}, options).error().code;
   };
-  EXPECT_EQ(code({.nodes = -1}, {held("wall")}), "meshfree-options");
-  EXPECT_EQ(code({.overlap = 0.5}, {held("wall")}), "meshfree-options");
+  EXPECT_EQ(code({.nodes = -1}, {fixed("wall")}), "meshfree-options");
+  EXPECT_EQ(code({.overlap = 0.5}, {fixed("wall")}), "meshfree-options");
   EXPECT_EQ(code({}, {}), "body-free");
-  EXPECT_EQ(code({}, {held("floor")}), "array-unknown");
+  EXPECT_EQ(code({}, {fixed("floor")}), "array-unknown");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Points are found in the cell that holds them, or on the nearest place of the boundary.
 
-#include "mechanics/point_location.h"
+#include "mechanics/elements/point_location.h"
 
 #include <gmock/gmock.h>
 #include <cmath>

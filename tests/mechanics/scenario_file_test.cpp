@@ -1,6 +1,6 @@
 // Scenarios are read as they are meant, or refused with what is wrong and where.
 
-#include "mechanics/scenario_file.h"
+#include "mechanics/scenario/scenario_file.h"
 
 #include <gmock/gmock.h>
 
@@ -32,11 +32,11 @@ TEST(ScenarioFile, ReadsEveryPartAndConvertsItsUnits) {
   EXPECT_EQ(std::get<std::string>(*scenario.youngs_modulus), "measured_kPa");
   ASSERT_EQ(scenario.supports.size(), 3u);
   EXPECT_EQ(std::get<NamedPoints>(scenario.supports[0].where).point_array, "fixed");
-  EXPECT_EQ(std::get<Held>(scenario.supports[0].how).directions, (std::array{true, true, true}));
+  EXPECT_EQ(std::get<Fixed>(scenario.supports[0].how).directions, (std::array{true, true, true}));
   EXPECT_EQ(std::get<Ball>(scenario.supports[1].where).center_mm, Vector3d(1, 2, 3));
   EXPECT_EQ(std::get<Foundation>(scenario.supports[1].how).stiffness_kPa_per_mm, 0.5);
   EXPECT_EQ(std::get<geometry::Box>(scenario.supports[2].where).max_mm, Vector3d(1, 2, 3));
-  EXPECT_EQ(std::get<Held>(scenario.supports[2].how).directions, (std::array{true, false, true}));
+  EXPECT_EQ(std::get<Fixed>(scenario.supports[2].how).directions, (std::array{true, false, true}));
   ASSERT_EQ(scenario.loads.size(), 3u);
   EXPECT_EQ(std::get<ToolLoad>(scenario.loads[0]).force_mN, Vector3d(0, 0, 5000));
   EXPECT_EQ(std::get<PressureLoad>(scenario.loads[1]).pressure_kPa, 1.6);
@@ -87,11 +87,11 @@ TEST(ScenarioFile, ReadsLigamentsCapsuleTissueThePositionOfThePatientCutsAndTool
   EXPECT_EQ(scenario.cuts[1].points_mm.size(), 4u);
   EXPECT_EQ(scenario.cuts[2].center_mm, Vector3d(5, 5, 0));
   ASSERT_EQ(scenario.tools.size(), 3u);
-  EXPECT_EQ(*std::get<RigidToolInHand>(scenario.tools[0].what).push_mN, 2000);
-  EXPECT_EQ(std::get<RigidToolInHand>(scenario.tools[1].what).advance_mm, 5);
-  EXPECT_EQ(std::get<RigidToolInHand>(scenario.tools[1].what).friction, 0.2);
-  EXPECT_EQ(std::get<RigidToolInHand>(scenario.tools[0].what).friction, 0);
-  EXPECT_EQ(*std::get<GraspInHand>(scenario.tools[2].what).pull_mN, Vector3d(0, 0, 1500));
+  EXPECT_EQ(*std::get<ScenarioRigidTool>(scenario.tools[0].what).push_mN, 2000);
+  EXPECT_EQ(std::get<ScenarioRigidTool>(scenario.tools[1].what).advance_mm, 5);
+  EXPECT_EQ(std::get<ScenarioRigidTool>(scenario.tools[1].what).friction, 0.2);
+  EXPECT_EQ(std::get<ScenarioRigidTool>(scenario.tools[0].what).friction, 0);
+  EXPECT_EQ(*std::get<ScenarioGrasp>(scenario.tools[2].what).pull_mN, Vector3d(0, 0, 1500));
   const std::string once = scenario_text(scenario);
   EXPECT_EQ(scenario_text(parse_scenario(once).value()), once);
 }

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "mechanics/bodies.h"
-#include "mechanics/large_contact.h"
-#include "mechanics/static_model.h"
+#include "mechanics/contact/large_contact.h"
+#include "mechanics/statics/static_model.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -23,7 +23,7 @@ class Simulating : public testing::Test {
   Simulating() {
     test::name_points(mesh, "fixed", [](const Vector3d& p) { return p.z() == 0; });
     scenario.youngs_modulus = 5.0;
-    scenario.supports = {test::held("fixed")};
+    scenario.supports = {test::fixed("fixed")};
     scenario.loads = {ToolLoad{{15, 15, 30}, 8, {20, 0, 50}}};
     scenario.landmarks = {{"inside", {15, 15, 20}}, {"just-outside", {15, 15, 32}}};
   }
@@ -89,7 +89,7 @@ TEST_F(Simulating, AMotionOfAnyMaterialTracksTheLandmarksAndEndsWithTheLoadsCarr
     EXPECT_GT((moved.steps[20].landmarks_mm[0] - moved.steps[0].landmarks_mm[0]).norm(), 0.01);
     EXPECT_NEAR(moved.steps.back().time_s, 2.0, 1e-12);
     // At rest in the end, the supports carry the tool.
-    const Eigen::Vector3d carried_mN = moved.result.held_reaction_mN + moved.result.foundation_reaction_mN;
+    const Eigen::Vector3d carried_mN = moved.result.fixed_reaction_mN + moved.result.foundation_reaction_mN;
     EXPECT_LT((carried_mN + Eigen::Vector3d(30, 0, 0)).norm(), 0.05);
   }
 }
@@ -206,11 +206,11 @@ TEST_F(Simulating, HalvesOfACutThatArePressedTogetherDoNotPassThroughEachOther) 
   // by millimetres. Together they give way by less than it alone and by more than the block in one piece.
   scenario.poisson_ratio = 0.3;
   scenario.cut_walls = Scenario::Walls::apart;
-  const std::vector<ToolInHand> probe = {
-      {"probe", RigidToolInHand{palpation_probe(8), {42, 15, 24}, {-1, 0, 0}, 8, {}}}};
+  const std::vector<ScenarioTool> probe = {
+      {"probe", ScenarioRigidTool{palpation_probe(8), {42, 15, 24}, {-1, 0, 0}, 8, {}}}};
   for (const bool touched : {false, true}) {
     scenario.loads = touched ? Loads{} : Loads{ToolLoad{{30, 15, 25}, 8, {-120, 0, 0}}};
-    scenario.tools = touched ? probe : std::vector<ToolInHand>{};
+    scenario.tools = touched ? probe : std::vector<ScenarioTool>{};
     for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::neo_hookean}) {
       if (touched && law != MaterialLaw::linear) continue;
       scenario.material = law;
@@ -226,7 +226,7 @@ TEST_F(Simulating, HalvesOfACutThatArePressedTogetherDoNotPassThroughEachOther) 
       EXPECT_LE(overlap_of_halves_mm(cut.mesh, moved_mm, 15), 0.1);
       EXPECT_LE(cut.contact->penetration_mm, 0.1);
       const Vector3d pushed = touched ? cut.tools[0].force_mN : Vector3d(-120, 0, 0);
-      EXPECT_LT((cut.result.held_reaction_mN + pushed).norm(), 0.01 * pushed.norm());
+      EXPECT_LT((cut.result.fixed_reaction_mN + pushed).norm(), 0.01 * pushed.norm());
     }
   }
 }
@@ -270,15 +270,15 @@ TEST_F(Simulating, AWholeCutMakesTwoBodiesThatMustEachBeHeld) {
 
 TEST_F(Simulating, ToolsInContactPushAsTheScenarioSays) {
   scenario.loads = {};
-  scenario.tools = {{"probe", RigidToolInHand{palpation_probe(8), {15, 15, 50}, {0, 0, -1}, 0, 100.0}},
-                    {"jaws", GraspInHand{{30, 15, 15}, 9, {3, 0, 0}, {}}}};
+  scenario.tools = {{"probe", ScenarioRigidTool{palpation_probe(8), {15, 15, 50}, {0, 0, -1}, 0, 100.0}},
+                    {"jaws", ScenarioGrasp{{30, 15, 15}, 9, {3, 0, 0}, {}}}};
   const auto touched = simulate(mesh, scenario).value();
   ASSERT_TRUE(touched.result.may_be_used()) << touched.result.why_stopped;
   ASSERT_EQ(touched.tools.size(), 2u);
   EXPECT_NEAR(touched.tools[0].force_mN.z(), -100, 0.5);
   EXPECT_GT(touched.tools[1].force_mN.x(), 0);
   EXPECT_LE(touched.contact->penetration_mm, 0.1);
-  EXPECT_LT((touched.result.held_reaction_mN + touched.tools[0].force_mN + touched.tools[1].force_mN).norm(), 1.0);
+  EXPECT_LT((touched.result.fixed_reaction_mN + touched.tools[0].force_mN + touched.tools[1].force_mN).norm(), 1.0);
   scenario.engine = Engine::meshfree;
   EXPECT_THAT(refusal(), HasSubstr("not-available: By the meshfree engine a grasper pulls"));
   scenario.motion = Motion{0.1, 20, 0.0, 0.02};
@@ -300,8 +300,8 @@ TEST_F(Simulating, AToolWithFrictionIsPushedUntilItMeetsItsForce) {
   test::name_points(mesh, "ground", [](const Vector3d& p) { return p.z() < 1e-9; });
   scenario = {};
   scenario.youngs_modulus = 6.0;
-  scenario.supports = {test::held("ground")};
-  RigidToolInHand probe{palpation_probe(5), {16, 16, 40}, {0, 0, -1}, 0, 100.0};
+  scenario.supports = {test::fixed("ground")};
+  ScenarioRigidTool probe{palpation_probe(5), {16, 16, 40}, {0, 0, -1}, 0, 100.0};
   probe.friction = 0.2;
   scenario.tools = {{"probe", probe}};
   const auto pressed = simulate(mesh, scenario).value();
@@ -315,7 +315,7 @@ TEST_F(Simulating, ToolsPressOnMeshfreeBodiesNearlyAsOnCells) {
   // A probe pushed by 100 mN sinks in by less than into cells, since a few frames cannot follow its dent: 44 % of the
   // way with 20 of them, over 70 with 40.
   scenario.loads = {};
-  scenario.tools = {{"probe", RigidToolInHand{palpation_probe(8), {15, 15, 50}, {0, 0, -1}, 0, 100.0}}};
+  scenario.tools = {{"probe", ScenarioRigidTool{palpation_probe(8), {15, 15, 50}, {0, 0, -1}, 0, 100.0}}};
   scenario.meshfree.nodes = 20;
   for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::neo_hookean}) {
     scenario.material = law;
@@ -326,7 +326,7 @@ TEST_F(Simulating, ToolsPressOnMeshfreeBodiesNearlyAsOnCells) {
     ASSERT_TRUE(frames.result.may_be_used()) << frames.result.why_stopped;
     EXPECT_NEAR(frames.tools[0].force_mN.z(), -100, 0.5);
     EXPECT_LE(frames.contact->penetration_mm, 0.1);
-    EXPECT_LT((frames.result.held_reaction_mN + frames.tools[0].force_mN).norm(), 1.0);
+    EXPECT_LT((frames.result.fixed_reaction_mN + frames.tools[0].force_mN).norm(), 1.0);
     // Both ways begin 12 mm above the top.
     EXPECT_LT(frames.tools[0].advance_mm, cells.tools[0].advance_mm + 0.1);
     EXPECT_GT(frames.tools[0].advance_mm - 12, 0.4 * (cells.tools[0].advance_mm - 12));
@@ -337,8 +337,8 @@ TEST_F(Simulating, ToolsMoveWithTheBody) {
   // A probe that goes into the body's top within two seconds, and jaws that draw its side, both slowly against its own
   // swinging: at the end they push as in equilibrium. The law does not matter; linear cells on both sides.
   scenario.loads = {};
-  scenario.tools = {{"probe", RigidToolInHand{palpation_probe(8), {15, 15, 39}, {0, 0, -1}, 4.0, {}}},
-                    {"jaws", GraspInHand{{30, 15, 15}, 9, {2, 0, 0}, {}}}};
+  scenario.tools = {{"probe", ScenarioRigidTool{palpation_probe(8), {15, 15, 39}, {0, 0, -1}, 4.0, {}}},
+                    {"jaws", ScenarioGrasp{{30, 15, 15}, 9, {2, 0, 0}, {}}}};
   scenario.motion = Motion{0.1, 20, 0.0, 0.02};
   for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::corotational}) {
     scenario.material = law;
@@ -354,7 +354,7 @@ TEST_F(Simulating, ToolsMoveWithTheBody) {
     const auto body = prepare_body(mesh, youngs_modulus_of_cells(mesh, scenario).value(), scenario.supports, options,
                                    Holding::required)
                           .value();
-    std::vector<std::vector<HandTool>> stations;
+    std::vector<std::vector<ContactTool>> stations;
     for (const double part : {0.25, 0.5, 0.75, 1.0}) {
       stations.push_back(
           {{"probe", TouchingTool{palpation_probe(8), pose_towards({15, 15, 39 - 4 * part}, {0, 0, -1}), {}}},
@@ -369,7 +369,7 @@ TEST_F(Simulating, ToolsMoveWithTheBody) {
     }
   }
   scenario.motion->steps = 1;
-  std::get<RigidToolInHand>(scenario.tools[0].what).advance_mm = 5.0;
+  std::get<ScenarioRigidTool>(scenario.tools[0].what).advance_mm = 5.0;
   EXPECT_THAT(refusal(), HasSubstr("tool-too-fast: Tool probe would move by 5.0 mm a step"));
 }
 
@@ -377,7 +377,7 @@ TEST_F(Simulating, ToolsMoveWithMeshfreeBodiesAsInEquilibriumAndNearlyAsWithCell
   // A probe that goes into the top, slowly against the body's swinging: at the end it meets what it meets in
   // equilibrium there, and, since the frames follow its dent less, up to some times what cells push with.
   scenario.loads = {};
-  scenario.tools = {{"probe", RigidToolInHand{palpation_probe(8), {15, 15, 39}, {0, 0, -1}, 3.0, {}}}};
+  scenario.tools = {{"probe", ScenarioRigidTool{palpation_probe(8), {15, 15, 39}, {0, 0, -1}, 3.0, {}}}};
   scenario.meshfree.nodes = 20;
   const Motion slowly{0.1, 12, 0.0, 0.02};
   for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::neo_hookean}) {
@@ -392,7 +392,7 @@ TEST_F(Simulating, ToolsMoveWithMeshfreeBodiesAsInEquilibriumAndNearlyAsWithCell
     EXPECT_LE(moved.contact->penetration_mm, 0.1);
     EXPECT_NEAR(moved.tools[0].force_mN.z() / still.tools[0].force_mN.z(), 1, 0.05);
     EXPECT_NEAR(moved.result.max_displacement_mm / still.result.max_displacement_mm, 1, 0.05);
-    EXPECT_LT((moved.result.held_reaction_mN + moved.tools[0].force_mN).norm(), 0.05 * moved.tools[0].force_mN.norm());
+    EXPECT_LT((moved.result.fixed_reaction_mN + moved.tools[0].force_mN).norm(), 0.05 * moved.tools[0].force_mN.norm());
 
     scenario.engine = Engine::fem;
     const auto cells = simulate(mesh, scenario).value();
@@ -403,7 +403,7 @@ TEST_F(Simulating, ToolsMoveWithMeshfreeBodiesAsInEquilibriumAndNearlyAsWithCell
   }
   scenario.engine = Engine::meshfree;
   scenario.motion->steps = 1;
-  std::get<RigidToolInHand>(scenario.tools[0].what).advance_mm = 5.0;
+  std::get<ScenarioRigidTool>(scenario.tools[0].what).advance_mm = 5.0;
   EXPECT_THAT(refusal(), HasSubstr("tool-too-fast"));
 }
 

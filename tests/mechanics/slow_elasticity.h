@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-#include "mechanics/node_layout.h"
+#include "mechanics/elements/node_layout.h"
 
 namespace glisson::mechanics::test {
 

@@ -1,22 +1,22 @@
 #pragma once
 // Implicit Euler the obvious way: the stiffness as one sparse matrix in double precision, from the material's own
-// stress and warped tangent, solved directly. What MovingBody does fast is judged by it.
+// stress and warped tangent, solved directly. What ImplicitEuler does fast is judged by it.
 
 #include <Eigen/SparseCholesky>
 
-#include "mechanics/large_deformation.h"
-#include "mechanics/motion.h"
-#include "mechanics/shape_functions.h"
+#include "mechanics/dynamics/implicit_euler.h"
+#include "mechanics/elements/internal_forces.h"
+#include "mechanics/elements/shape_functions.h"
 
 namespace glisson::mechanics::test {
 
 struct SlowMotion {
   const Body& body;
-  MotionOptions options;
+  DynamicsOptions options;
   Eigen::VectorXd mass_kg;  // one a node
   Eigen::VectorXd u_mm, v_mm_s;
 
-  SlowMotion(const Body& of, const MotionOptions& with, Eigen::VectorXd masses)
+  SlowMotion(const Body& of, const DynamicsOptions& with, Eigen::VectorXd masses)
       : body(of),
         options(with),
         mass_kg(std::move(masses)),
@@ -66,7 +66,7 @@ struct SlowMotion {
       }
     }
     for (Eigen::Index i = 0; i < b.size(); ++i) {
-      if (!body.resolved.held[static_cast<std::size_t>(i)]) continue;
+      if (!body.resolved.fixed[static_cast<std::size_t>(i)]) continue;
       b[i] = 0;
       a.coeffRef(i, i) += 1e12;  // held, as good as
     }

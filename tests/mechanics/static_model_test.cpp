@@ -1,6 +1,6 @@
 // The solver itself: exact where finite elements are exact, converging where they are not, refusing what has no answer.
 
-#include "mechanics/static_model.h"
+#include "mechanics/statics/static_model.h"
 
 #include <gmock/gmock.h>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "base/parallel.h"
 
 #include "mechanics/bodies.h"
-#include "mechanics/linear_elasticity.h"
+#include "mechanics/materials/linear_elasticity.h"
 #include "mechanics/slow_elasticity.h"
 
 namespace glisson::mechanics {
@@ -19,7 +19,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using test::box;
-using test::held;
+using test::fixed;
 using test::uniform;
 using testing::HasSubstr;
 
@@ -41,9 +41,9 @@ template <typename Field, typename BodyForce>
 StaticResult with_given_boundary(const StaticModel& model, Field field, BodyForce force_per_mm3) {
   NodalLoad load;
   load.force_mN = test::slow_body_force(model.nodes(), force_per_mm3);
-  load.held_displacement_mm.resize(load.force_mN.size());
+  load.prescribed_displacement_mm.resize(load.force_mN.size());
   for (int n = 0; n < model.nodes().nodes(); ++n) {
-    load.held_displacement_mm.segment<3>(3 * n) = field(model.nodes().positions_mm[n]);
+    load.prescribed_displacement_mm.segment<3>(3 * n) = field(model.nodes().positions_mm[n]);
   }
   return model.solve_nodal(load).value();
 }
@@ -63,7 +63,7 @@ TEST(PatchTest, ALinearFieldIsReproducedExactlyByBothOrders) {
     StaticOptions options;
     options.order = order;
     const auto mesh = disturbed_cube(3);
-    const auto model = StaticModel::create(mesh, uniform(mesh, 5.0), {held("boundary")}, options).value();
+    const auto model = StaticModel::create(mesh, uniform(mesh, 5.0), {fixed("boundary")}, options).value();
     const auto field = [&](const Vector3d& p) { return Vector3d(gradient * p); };
     const auto result = with_given_boundary(model, field, [](const Vector3d&) { return Vector3d(0, 0, 0); });
     ASSERT_TRUE(result.may_be_used());
@@ -81,7 +81,7 @@ TEST(PatchTest, ALinearFieldIsReproducedExactlyByBothOrders) {
 TEST(PatchTest, AQuadraticFieldIsReproducedExactlyByQuadraticCells) {
   // u = (x2, xy, -2 zx + y2) * 1e-3 / mm. Its body force is -div sigma, constant.
   const auto mesh = disturbed_cube(2);
-  const auto model = StaticModel::create(mesh, uniform(mesh, 5.0), {held("boundary")}).value();
+  const auto model = StaticModel::create(mesh, uniform(mesh, 5.0), {fixed("boundary")}).value();
   const Lame lame = lame_from_youngs(5.0, 0.45);
   const auto field = [](const Vector3d& p) {
     return Vector3d(1e-3 * Vector3d(p.x() * p.x(), p.x() * p.y(), -2 * p.z() * p.x() + p.y() * p.y()));
@@ -122,7 +122,7 @@ TEST(ManufacturedSolution, QuadraticCellsConvergeWithOrderThreeInTheL2Norm) {
   for (const int n : {2, 4, 8}) {
     auto mesh = box(n, n, n, {10, 10, 10});
     test::name_points(mesh, "boundary", [](const Vector3d& p) { return (p.array() == 0 || p.array() == 10).any(); });
-    const auto model = StaticModel::create(mesh, uniform(mesh, 5.0), {held("boundary")}).value();
+    const auto model = StaticModel::create(mesh, uniform(mesh, 5.0), {fixed("boundary")}).value();
     const auto result = with_given_boundary(
         model, [&](const Vector3d& p) { return manufactured.field(p); },
         [&](const Vector3d& p) { return manufactured.force(p); });
@@ -158,7 +158,7 @@ TEST(StaticModel, AgreesWithTheSlowDenseMethodOnAHeterogeneousBody) {
     StaticOptions options;
     options.order = order;
     options.poisson_ratio = 0.3;
-    const auto model = StaticModel::create(mesh, youngs_kPa, {held("fixed")}, options).value();
+    const auto model = StaticModel::create(mesh, youngs_kPa, {fixed("fixed")}, options).value();
     const Vector3d gravity(100, -9810, 300);
     const auto result = model.solve({GravityLoad{gravity}}).value();
 
@@ -185,7 +185,7 @@ TEST(StaticModel, WorkEqualsEnergyAndReactionsBalanceTheLoads) {
   test::name_points(mesh, "left", [](const Vector3d& p) { return p.x() == 0; });
   test::name_points(mesh, "floor", [](const Vector3d& p) { return p.z() == 0; });
   const auto model =
-      StaticModel::create(mesh, uniform(mesh, 6.0), {held("left"), {NamedPoints{"floor"}, Foundation{0.05}}}).value();
+      StaticModel::create(mesh, uniform(mesh, 6.0), {fixed("left"), {NamedPoints{"floor"}, Foundation{0.05}}}).value();
   const auto result =
       model.solve({GravityLoad{{0, 0, -9810}}, ToolLoad{{40, 15, 20}, 12, {50, 20, 200}}, PressureLoad{0.2}}).value();
   ASSERT_TRUE(result.may_be_used());
@@ -194,7 +194,7 @@ TEST(StaticModel, WorkEqualsEnergyAndReactionsBalanceTheLoads) {
   EXPECT_NEAR(result.external_work_uJ, result.strain_energy_uJ + result.foundation_energy_uJ,
               1e-9 * result.external_work_uJ);
   EXPECT_GT(result.foundation_energy_uJ, 0);
-  const Vector3d sum = result.applied_force_mN + result.held_reaction_mN + result.foundation_reaction_mN;
+  const Vector3d sum = result.applied_force_mN + result.fixed_reaction_mN + result.foundation_reaction_mN;
   EXPECT_LT(sum.norm(), 1e-8 * result.applied_force_mN.norm());
   // 24,000 mm3 at 1000 kg/m3 weigh 235.44 mN; the pressure on a closed surface sums to nothing.
   EXPECT_LT((result.applied_force_mN - Vector3d(50, 20, 200 - 235.44)).norm(), 1e-9);
@@ -203,7 +203,7 @@ TEST(StaticModel, WorkEqualsEnergyAndReactionsBalanceTheLoads) {
 TEST(StaticModel, OneSolveForEachOfSeveralLoadsGivesWhatSeparateSolvesGive) {
   auto mesh = box(3, 3, 3, {30, 30, 30});
   test::name_points(mesh, "floor", [](const Vector3d& p) { return p.z() == 0; });
-  const auto model = StaticModel::create(mesh, uniform(mesh, 6.0), {held("floor")}).value();
+  const auto model = StaticModel::create(mesh, uniform(mesh, 6.0), {fixed("floor")}).value();
   const std::vector<Loads> cases{{GravityLoad{{0, 0, -9810}}}, {ToolLoad{{15, 15, 30}, 8, {10, 0, 30}}}, {}};
   const auto together = model.solve_each(cases).value();
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -225,7 +225,7 @@ TEST(StaticModel, MutualPointsAnswerEachOtherAsSeparateSolvesSay) {
   for (const Vector3d& place : {Vector3d(10, 0, 30), Vector3d(0, 0, 0), Vector3d(30, 20, 10), Vector3d(20, 30, 20)}) {
     points.push_back(static_cast<int>(test::point_at(mesh, place)));  // the second is held
   }
-  const auto model = StaticModel::create(mesh, uniform(mesh, 6.0), {held("floor")}, {}, {}, points).value();
+  const auto model = StaticModel::create(mesh, uniform(mesh, 6.0), {fixed("floor")}, {}, {}, points).value();
   const Eigen::MatrixXd mutual = model.mutual_compliance();
   ASSERT_EQ(mutual.rows(), 12);
   Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(3 * model.nodes().nodes(), 12);
@@ -244,9 +244,10 @@ TEST(StaticModel, TheAnswerTurnsWithTheBody) {
   auto turned = mesh;
   for (Vector3d& p : turned.points_mm) p = turn * p + shift;
   const Vector3d center(40, 10, 20), force(5, 20, -30);
-  const auto one = solve_static(mesh, uniform(mesh, 6), {held("end")}, {ToolLoad{center, 9, force}}).value();
+  const auto one = solve_static(mesh, uniform(mesh, 6), {fixed("end")}, {ToolLoad{center, 9, force}}).value();
   const auto other =
-      solve_static(turned, uniform(mesh, 6), {held("end")}, {ToolLoad{turn * center + shift, 9, turn * force}}).value();
+      solve_static(turned, uniform(mesh, 6), {fixed("end")}, {ToolLoad{turn * center + shift, 9, turn * force}})
+          .value();
   for (std::size_t p = 0; p < mesh.points_mm.size(); ++p) {
     EXPECT_LT((turn * one.displacement_mm[p] - other.displacement_mm[p]).norm(), 1e-9 * one.max_displacement_mm);
   }
@@ -258,9 +259,9 @@ TEST(StaticModel, TheNumberOfThreadsDoesNotChangeAnyBitOfTheStiffness) {
   test::name_points(mesh, "floor", [](const Vector3d& p) { return p.z() == 0; });
   const Loads loads{GravityLoad{{0, 0, -9810}}};
   set_thread_count(1);
-  const auto one = solve_static(mesh, uniform(mesh, 6), {held("floor")}, loads).value();
+  const auto one = solve_static(mesh, uniform(mesh, 6), {fixed("floor")}, loads).value();
   set_thread_count(2);
-  const auto two = solve_static(mesh, uniform(mesh, 6), {held("floor")}, loads).value();
+  const auto two = solve_static(mesh, uniform(mesh, 6), {fixed("floor")}, loads).value();
   set_thread_count(0);
   EXPECT_EQ(one.external_work_uJ, two.external_work_uJ);
 }
@@ -269,7 +270,7 @@ TEST(StaticModel, APointThatNoCellUsesStaysAndHarmsNothing) {
   auto mesh = box(2, 2, 2, {10, 10, 10});
   mesh.points_mm.emplace_back(500, 500, 500);
   test::name_points(mesh, "floor", [](const Vector3d& p) { return p.z() == 0; });
-  const auto result = solve_static(mesh, uniform(mesh, 6), {held("floor")}, {GravityLoad{{0, 0, -9810}}}).value();
+  const auto result = solve_static(mesh, uniform(mesh, 6), {fixed("floor")}, {GravityLoad{{0, 0, -9810}}}).value();
   EXPECT_TRUE(result.may_be_used());
   EXPECT_EQ(result.displacement_mm.back(), Vector3d(0, 0, 0));
 }
@@ -277,7 +278,7 @@ TEST(StaticModel, APointThatNoCellUsesStaysAndHarmsNothing) {
 TEST(StaticModel, SaysWhenTheLoadIsBeyondSmallStrain) {
   auto mesh = box(4, 2, 2, {40, 20, 20});
   test::name_points(mesh, "end", [](const Vector3d& p) { return p.x() == 0; });
-  const auto model = StaticModel::create(mesh, uniform(mesh, 1.0), {held("end")}).value();
+  const auto model = StaticModel::create(mesh, uniform(mesh, 1.0), {fixed("end")}).value();
   EXPECT_TRUE(model.solve({ToolLoad{{40, 10, 10}, 12, {0, 0, 0.1}}}).value().notes.empty());
   const auto beyond = model.solve({ToolLoad{{40, 10, 10}, 12, {0, 0, 100}}}).value();
   EXPECT_GT(beyond.largest_strain, 0.2);
@@ -311,29 +312,29 @@ class Refusals : public testing::Test {
 
 TEST_F(Refusals, AModulusThatIsNotAPositiveNumberIsNamedByItsCell) {
   youngs_kPa[17] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(refusal(mesh, youngs_kPa, {held("fixed")}), HasSubstr("modulus-invalid: Young's modulus of cell 17"));
+  EXPECT_THAT(refusal(mesh, youngs_kPa, {fixed("fixed")}), HasSubstr("modulus-invalid: Young's modulus of cell 17"));
   youngs_kPa[17] = 0;
-  EXPECT_THAT(refusal(mesh, youngs_kPa, {held("fixed")}), HasSubstr("cell 17 is 0 kPa"));
+  EXPECT_THAT(refusal(mesh, youngs_kPa, {fixed("fixed")}), HasSubstr("cell 17 is 0 kPa"));
   youngs_kPa.pop_back();
-  EXPECT_THAT(refusal(mesh, youngs_kPa, {held("fixed")}), HasSubstr("modulus-invalid"));
+  EXPECT_THAT(refusal(mesh, youngs_kPa, {fixed("fixed")}), HasSubstr("modulus-invalid"));
 }
 
 TEST_F(Refusals, PoissonsRatioOutsideItsRange) {
   for (const double nu : {0.5, 0.7, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
     StaticOptions options;
     options.poisson_ratio = nu;
-    EXPECT_THAT(refusal(mesh, youngs_kPa, {held("fixed")}, options), HasSubstr("poisson-invalid"));
+    EXPECT_THAT(refusal(mesh, youngs_kPa, {fixed("fixed")}, options), HasSubstr("poisson-invalid"));
   }
 }
 
 TEST_F(Refusals, ACellTurnedInsideOut) {
   std::swap(mesh.cells[5][0], mesh.cells[5][1]);
-  EXPECT_THAT(refusal(mesh, youngs_kPa, {held("fixed")}), HasSubstr("5"));
+  EXPECT_THAT(refusal(mesh, youngs_kPa, {fixed("fixed")}), HasSubstr("5"));
 }
 
 TEST_F(Refusals, SupportsThatNameNothing) {
-  EXPECT_THAT(refusal(mesh, youngs_kPa, {held("nowhere")}), HasSubstr("array-unknown"));
-  EXPECT_THAT(refusal(mesh, youngs_kPa, {{Ball{{100, 0, 0}, 5}, Held{}}}), HasSubstr("support-empty: Support 1"));
+  EXPECT_THAT(refusal(mesh, youngs_kPa, {fixed("nowhere")}), HasSubstr("array-unknown"));
+  EXPECT_THAT(refusal(mesh, youngs_kPa, {{Ball{{100, 0, 0}, 5}, Fixed{}}}), HasSubstr("support-empty: Support 1"));
   name("corner", {{0, 0, 0}});
   EXPECT_THAT(refusal(mesh, youngs_kPa, {{NamedPoints{"corner"}, Foundation{1.0}}}), HasSubstr("covers no face"));
   EXPECT_THAT(refusal(mesh, youngs_kPa, {{NamedPoints{"fixed"}, Foundation{-1.0}}}), HasSubstr("support-invalid"));
@@ -342,10 +343,10 @@ TEST_F(Refusals, SupportsThatNameNothing) {
 TEST_F(Refusals, ABodyThatIsNotHeldIsToldItsFreeMotion) {
   EXPECT_THAT(refusal(mesh, youngs_kPa, {}), HasSubstr("it is not held at all"));
   name("corner", {{20, 0, 0}});
-  EXPECT_THAT(refusal(mesh, youngs_kPa, {held("corner")}),
+  EXPECT_THAT(refusal(mesh, youngs_kPa, {fixed("corner")}),
               HasSubstr("it can turn about the point (20.0, 0.0, 0.0) mm"));
   name("edge", {{0, 20, 0}, {10, 20, 0}, {20, 20, 0}});
-  const std::string hinge = refusal(mesh, youngs_kPa, {held("edge")});
+  const std::string hinge = refusal(mesh, youngs_kPa, {fixed("edge")});
   EXPECT_THAT(hinge, HasSubstr("it can turn about the axis through"));
   EXPECT_THAT(hinge, HasSubstr("20.0, 0.0) mm along x"));
   EXPECT_THAT(refusal(mesh, youngs_kPa, {test::held_along("fixed", false, true, true)}),
@@ -360,7 +361,7 @@ TEST_F(Refusals, ABodyOnAFoundationAloneIsHeld) {
 }
 
 TEST_F(Refusals, AToolThatTouchesNothingAndLoadsThatAreNotNumbers) {
-  const auto model = StaticModel::create(mesh, youngs_kPa, {held("fixed")}).value();
+  const auto model = StaticModel::create(mesh, youngs_kPa, {fixed("fixed")}).value();
   const auto missed = model.solve({ToolLoad{{60, 10, 10}, 5, {0, 0, 10}}});
   ASSERT_FALSE(missed);
   EXPECT_EQ(missed.error().code, "tool-touches-nothing");
@@ -374,13 +375,13 @@ TEST_F(Refusals, AToolThatTouchesNothingAndLoadsThatAreNotNumbers) {
 TEST_F(Refusals, AFactorThatWouldNotFitIsRefusedBeforeItIsComputed) {
   StaticOptions options;
   options.memory_limit_bytes = 1000;
-  EXPECT_THAT(refusal(mesh, youngs_kPa, {held("fixed")}, options), HasSubstr("too-large"));
+  EXPECT_THAT(refusal(mesh, youngs_kPa, {fixed("fixed")}, options), HasSubstr("too-large"));
 }
 
 TEST_F(Refusals, ACancelledModelIsNotBuilt) {
   std::stop_source stop;
   stop.request_stop();
-  const auto model = StaticModel::create(mesh, youngs_kPa, {held("fixed")}, {},
+  const auto model = StaticModel::create(mesh, youngs_kPa, {fixed("fixed")}, {},
                                          Progress([](double, std::string_view) {}, stop.get_token()));
   ASSERT_FALSE(model);
   EXPECT_EQ(model.error().code, "cancelled");

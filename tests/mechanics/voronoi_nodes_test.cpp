@@ -1,6 +1,6 @@
 // Voronoi nodes of known shapes and of a real liver.
 
-#include "mechanics/voronoi_nodes.h"
+#include "mechanics/meshfree/voronoi_nodes.h"
 
 #include <gtest/gtest.h>
 #include <chrono>

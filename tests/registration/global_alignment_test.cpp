@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-struct Made {
+struct Provenance {
   std::vector<geometry::Surface> surfaces;  // of each frame, in its own space
   Sightings sightings;
 };
@@ -26,13 +26,13 @@ Vector3d in_frame(const Vector3d& rest, int t) {
   return Eigen::AngleAxisd(0.05 * t, Vector3d(0.3, 1, 0.2).normalized()) * bent + Vector3d(2.0 * t, -t, 0.5 * t);
 }
 
-Made make(double noise_mm, double outlier_share) {
+Provenance make(double noise_mm, double outlier_share) {
   const auto liver =
       geometry::read_surface(glisson::test::shared_data() / "pbsm_liver_insilico" / "Liver1" / "tgt.ply").value();
   std::mt19937 random(4);
   std::normal_distribution<double> noise(0, noise_mm);
   std::uniform_real_distribution<double> uniform(0, 1);
-  Made made;
+  Provenance made;
   constexpr int frames = 8, landmarks = 90;
   for (int t = 0; t < frames; ++t) {
     geometry::Surface surface = liver;
@@ -52,7 +52,7 @@ Made make(double noise_mm, double outlier_share) {
 }
 
 // How far apart the frames put the same point of the tissue: root mean square from the mean over the frames.
-double disagreement_mm(const Made& made, const GlobalAlignment& alignment) {
+double disagreement_mm(const Provenance& made, const GlobalAlignment& alignment) {
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < made.surfaces.front().points_mm.size(); i += 37) {
     std::vector<Vector3d> places;
@@ -69,7 +69,7 @@ double disagreement_mm(const Made& made, const GlobalAlignment& alignment) {
 // The tissue moves by centimetres, and bends by 8 mm either way, which no rigid motion takes off.
 TEST(GlobalAlignment, BringsEachPointOfTheTissueToOnePlace) {
   GLISSON_NEEDS_DATA("pbsm_liver_insilico");
-  const Made made = make(0.3, 0);
+  const Provenance made = make(0.3, 0);
   const GlobalAlignment alignment = align_globally(made.sightings).value();
   EXPECT_GT(alignment.before_rms_mm, 10);
   EXPECT_LT(alignment.rigid_rms_mm, 5);
@@ -83,7 +83,7 @@ TEST(GlobalAlignment, BringsEachPointOfTheTissueToOnePlace) {
 
 TEST(GlobalAlignment, LeavesOutTracksThatJump) {
   GLISSON_NEEDS_DATA("pbsm_liver_insilico");
-  const Made made = make(0.3, 0.05);
+  const Provenance made = make(0.3, 0.05);
   const GlobalAlignment alignment = align_globally(made.sightings).value();
   EXPECT_GT(alignment.outliers, 15);
   EXPECT_LT(disagreement_mm(made, alignment), 1.2);
@@ -92,7 +92,7 @@ TEST(GlobalAlignment, LeavesOutTracksThatJump) {
 // S is one to one where it was fitted: no small tetrahedron of space at the surface turns over.
 TEST(GlobalAlignment, NeverFoldsTheSurface) {
   GLISSON_NEEDS_DATA("pbsm_liver_insilico");
-  const Made made = make(2, 0.05);  // noise that would make an exact warp fold
+  const Provenance made = make(2, 0.05);  // noise that would make an exact warp fold
   const GlobalAlignment alignment = align_globally(made.sightings).value();
   for (std::size_t t = 0; t < made.surfaces.size(); ++t) {
     ASSERT_TRUE(alignment.frames[t].has_value());
@@ -104,7 +104,7 @@ TEST(GlobalAlignment, NeverFoldsTheSurface) {
 
 TEST(GlobalAlignment, MergesFramesIntoAModelWithLessNoise) {
   GLISSON_NEEDS_DATA("pbsm_liver_insilico");
-  Made made = make(0.1, 0);
+  Provenance made = make(0.1, 0);
   const GlobalAlignment clean = align_globally(made.sightings).value();
   const geometry::Surface without_noise = merged_model(made.surfaces, clean);
   std::mt19937 random(9);

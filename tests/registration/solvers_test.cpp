@@ -205,7 +205,7 @@ TEST(Trwls, AnswersTheSameToTheLastBitOnAnyNumberOfThreads) {
   set_thread_count(0);
 }
 
-// Whatever rounding did, the bound is below what any labelling costs; here the least of all is known.
+// Whatever rounding did, the bound is below what any labelling costs; here the minimum of all is known.
 TEST(Trwls, BracketsTheLeastEnergyAtEveryWidth) {
   for (const WordWidth width :
        {WordWidth::bits_8, WordWidth::bits_16, WordWidth::bits_32, WordWidth::double_precision}) {

@@ -13,8 +13,8 @@ namespace glisson::rehearsal {
 namespace {
 
 using Eigen::Vector3d;
+using mechanics::ContactTool;
 using mechanics::Grasp;
-using mechanics::HandTool;
 using mechanics::TouchingTool;
 using testing::HasSubstr;
 
@@ -35,11 +35,11 @@ RehearsalSetup block() {
   return setup;
 }
 
-HandTool probe(const Vector3d& center_mm, std::optional<double> push_mN = {}) {
+ContactTool probe(const Vector3d& center_mm, std::optional<double> push_mN = {}) {
   return {"probe",
           TouchingTool{mechanics::palpation_probe(8), mechanics::pose_towards(center_mm, {0, 0, -1}), push_mN}};
 }
-HandTool jaws(const Vector3d& drawn_mm) { return {"grasper", Grasp{{66, 40, 40}, 15, drawn_mm, {0, 0, 1}}}; }
+ContactTool jaws(const Vector3d& drawn_mm) { return {"grasper", Grasp{{66, 40, 40}, 15, drawn_mm, {0, 0, 1}}}; }
 
 TEST(Session, FollowsLandmarksAndStructuresAndComparesWithTheTwin) {
   auto engine = SessionEngine::create(block()).value();
@@ -110,7 +110,7 @@ TEST(Session, ARecordingReplaysToTheBitThroughItsFile) {
 TEST(Session, ACommandThatCannotBeCarriedOutLeavesWhatWasAndSaysWhy) {
   auto engine = SessionEngine::create(block()).value();
   const std::string before = engine.step(HoldTool{probe({35, 40, 44})}).digest;
-  HandTool lost = probe({35, 40, -60}, 100.0);  // under the ground, going away
+  ContactTool lost = probe({35, 40, -60}, 100.0);  // under the ground, going away
   lost.id = "lost";
   const SessionFrame& refused = engine.step(HoldTool{lost});
   EXPECT_THAT(refused.refused, HasSubstr("meets no surface"));

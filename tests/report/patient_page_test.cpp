@@ -7,7 +7,7 @@
 #include "base/files.h"
 #include "casefile/resection_folder.h"
 #include "geometry/mesh_file.h"
-#include "mechanics/scenario.h"
+#include "mechanics/scenario/scenario.h"
 #include "report/html.h"
 #include "support/shapes.h"
 

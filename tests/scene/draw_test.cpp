@@ -30,10 +30,10 @@ Scene organ() {
                     structure("hepatic-veins", ellipsoid({30, 0, -5}, {40, 8, 8}))};
   scene.landmarks = {{"Tumour 1", {-30, -10, 10}, 3, {1, 1, 1}}};
   scene.arrows = {{{-80, -60, -100}, {-50, -20, -58}, 4, {0.2, 0.85, 0.85}, "5.0 N"}};
-  scene.furniture.title = "Retraction";
-  scene.furniture.subtitle = "A made-up organ";
-  scene.furniture.warning = "SIMULATED. Not a medical device.";
-  scene.furniture.text_scale = 0.7;  // the pictures are small
+  scene.annotations.title = "Retraction";
+  scene.annotations.subtitle = "A made-up organ";
+  scene.annotations.warning = "SIMULATED. Not a medical device.";
+  scene.annotations.text_scale = 0.7;  // the pictures are small
   return scene;
 }
 
@@ -68,7 +68,7 @@ Scene slice() {
   scene.slices = {item};
   scene.camera = look_at_slice({0, 0, 0}, {0, 0, 1}, 170);
   scene.crosshair = CrosshairItem{{20, -10, 0}, {Colour{0.9, 0.5, 0.5}, Colour{0.5, 0.9, 0.5}, Colour{0.5, 0.6, 1}}};
-  scene.furniture.orientation = Furniture::Orientation::letters;
+  scene.annotations.orientation = Annotations::Orientation::letters;
   return scene;
 }
 
@@ -96,8 +96,8 @@ TEST(Draw, PutsThePatientsRightOnThePicturesLeft) {
   scene.surfaces = {
       {"ball", std::make_shared<geometry::Surface>(ellipsoid({-60, 0, 0}, {15, 15, 15})), {}, 1, Finish::solid, {}}};
   scene.background = Background::black;
-  scene.furniture.orientation = Furniture::Orientation::hidden;
-  scene.furniture.scale_bar = Furniture::ScaleBar::hidden;
+  scene.annotations.orientation = Annotations::Orientation::hidden;
+  scene.annotations.scale_bar = Annotations::ScaleBar::hidden;
   scene.camera = look_from(PatientView::anterior, {{-100, -50, -50}, {100, 50, 50}}, 1);
   const Picture picture = drawn(scene, 200, 200);
   long left = 0;
@@ -118,8 +118,8 @@ TEST(Draw, AddsLightWhateverTheOrderSoThatRedAndBlueMakePurple) {
   };
   Scene scene;
   scene.background = Background::black;
-  scene.furniture.orientation = Furniture::Orientation::hidden;
-  scene.furniture.scale_bar = Furniture::ScaleBar::hidden;
+  scene.annotations.orientation = Annotations::Orientation::hidden;
+  scene.annotations.scale_bar = Annotations::ScaleBar::hidden;
   scene.camera = look_from(PatientView::anterior, {{-80, -50, -50}, {80, 50, 50}}, 1);
   scene.camera->projection = Projection::parallel;
   scene.surfaces = {ball(-25, {1, 0, 0}), ball(25, {0, 0, 1})};

@@ -1,6 +1,6 @@
 #pragma once
 // A patient for tests of the window: a block of 120 x 80 x 80 mm as the liver, held at its left end, twice as soft as
-// its atlas twin.
+// its reference body (the atlas).
 
 #include <array>
 #include <memory>
@@ -18,7 +18,7 @@ inline Patient block_patient(const std::array<int, 3>& bricks, std::vector<mecha
   setup.mesh = test::box_of_tetrahedra(bricks, {120, 80, 80});
   setup.patient_youngs_kPa.assign(setup.mesh.cells.size(), 4.0);
   setup.atlas_youngs_kPa = 8.0;
-  setup.supports = {{geometry::Box{{-1, -1, -1}, {1, 81, 81}}, mechanics::Held{}}};
+  setup.supports = {{geometry::Box{{-1, -1, -1}, {1, 81, 81}}, mechanics::Fixed{}}};
   setup.landmarks = std::move(landmarks);
   Patient patient;
   patient.name = "Block";

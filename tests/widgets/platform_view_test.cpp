@@ -4,9 +4,9 @@
 #include <QDir>
 #include <QtTest>
 
+#include "hardware/device_file.h"
 #include "kept_pictures.h"
 #include "panels/platform_view.h"
-#include "platform/device_file.h"
 #include "run_test.h"
 #include "shown.h"
 #include "support/folders.h"
@@ -117,7 +117,7 @@ class PlatformViewTest : public QObject {
     child<NumberSlider>("frame_rate")->set_value(25);
     const ContourPicture& hot = child<ContourPlot>("contours")->picture();
     QCOMPARE(hot.contours.front().level, 45.0);
-    QVERIFY(!platform::contour(hot.surface, 45).empty());  // figure 6.9b: it overheats in some cases
+    QVERIFY(!hardware::contour(hot.surface, 45).empty());  // figure 6.9b: it overheats in some cases
     QCOMPARE(hot.case_volume_cm3, 2096.0);
     child<QComboBox>("quantity")->setCurrentIndex(1);
     QVERIFY(child<ContourPlot>("contours")->picture().contours.size() >= 4);
@@ -127,7 +127,7 @@ class PlatformViewTest : public QObject {
   }
 
   void a_device_of_the_persons_own_takes_its_place() {
-    platform::Device mine = device("tx2-gpu");
+    hardware::Device mine = device("tx2-gpu");
     mine.id = "mine";
     mine.name = "My headset";
     view_->add_devices({mine});
@@ -165,10 +165,10 @@ class PlatformViewTest : public QObject {
     return -1;
   }
   void choose(int row) { child<PlatformTable>("platforms")->setCurrentCell(row, PlatformTable::name); }
-  static platform::Device device(const std::string& id) {
+  static hardware::Device device(const std::string& id) {
     const auto devices =
-        platform::read_devices(glisson::test::source_folder() / "resources" / "devices" / "devices.json");
-    for (const platform::Device& known : devices.value()) {
+        hardware::read_devices(glisson::test::source_folder() / "resources" / "devices" / "devices.json");
+    for (const hardware::Device& known : devices.value()) {
       if (known.id == id) return known;
     }
     qFatal("no device");

@@ -120,7 +120,7 @@ class PrivacyTest : public QObject {
   // Of a tool that rests: its pictures. As a video too.
   std::vector<QImage> film(const std::string& name) {
     LiveRehearsal& rehearsal = window_->rehearsal();
-    const ToolInHand probe{
+    const PlacedTool probe{
         "palpation-probe", rehearsal.body()->surface().points_mm.front(), {0, -1, 0}, 6, {0, 1, 0}, 1.5};
     // The second time alone is filmed: whether there was a tool before must not tell the two apart.
     for (int time = 0; time < 2; ++time) {

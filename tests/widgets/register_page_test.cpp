@@ -13,27 +13,27 @@
 #include "register/register_page.h"
 #include "run_test.h"
 #include "shown.h"
-#include "study/example_sequence.h"
+#include "studies/example_sequence.h"
 #include "support/folders.h"
 
 namespace glisson::widgets {
 namespace {
 
 namespace fs = std::filesystem;
-using quality::SequenceMethod;
+using registration_quality::SequenceMethod;
 
 class RegisterPageTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
   void initTestCase() {
-    study::ExampleSequenceOptions options;
+    studies::ExampleSequenceOptions options;
     options.frames = 20;
     options.landmarks = 50;
     options.step_px = 14;
     options.outlier_share = 0;
-    const auto made = study::write_example_sequence(glisson::test::source_folder() / "resources" / "demo" / "anatomy",
-                                                    folder_.path() / "example", options);
+    const auto made = studies::write_example_sequence(glisson::test::source_folder() / "resources" / "demo" / "anatomy",
+                                                      folder_.path() / "example", options);
     QVERIFY2(made.has_value(), made ? "" : made.error().message().c_str());
     file_ = *made;
   }
@@ -129,7 +129,7 @@ class RegisterPageTest : public QObject {
     QVERIFY(truth.open(QIODevice::ReadOnly));
     const QJsonArray center = QJsonDocument::fromJson(truth.readAll()).object()["fault_center_mm"].toArray();
     const Eigen::Vector3d fault_mm(center[0].toDouble(), center[1].toDouble(), center[2].toDouble());
-    const quality::Quality& quality = page_->judged(0)->quality;
+    const registration_quality::Quality& quality = page_->judged(0)->quality;
     double near = 0, far = 0;
     int near_count = 0, far_count = 0;
     for (std::size_t k = 0; k < quality.correlation.size(); ++k) {

@@ -75,12 +75,12 @@ class UndoTest : public QObject {
     rehearsal.set_touch(Touch::rigid);
     const auto on_surface = [&](const Eigen::Vector3d& outward) {
       const Eigen::Vector3d middle_mm = test::small_middle_mm();
-      return ToolInHand{"palpation-probe", middle_mm + 12 * outward, outward, 4, -outward, 0.05};
+      return PlacedTool{"palpation-probe", middle_mm + 12 * outward, outward, 4, -outward, 0.05};
     };
-    const ToolInHand first = on_surface({0, -1, 0}), second = on_surface({1, 0, 0});
-    ToolInHand pressed = second;
+    const PlacedTool first = on_surface({0, -1, 0}), second = on_surface({1, 0, 0});
+    PlacedTool pressed = second;
     pressed.force_N = 0.08;
-    using Tools = std::vector<ToolInHand>;
+    using Tools = std::vector<PlacedTool>;
     const auto becomes = [&](const Tools& wanted) {
       if (!QTest::qWaitFor([&] { return rehearsal.tools() == wanted && rehearsal.solving() != Solving::solving; },
                            patience_ms)) {

@@ -21,7 +21,7 @@ inline void write_wave_case(const std::filesystem::path& folder) {
   int number = 0;
   for (std::size_t direction = 0; direction < images.phase_rad.size(); ++direction) {
     for (std::size_t offset = 0; offset < images.phase_rad[direction].size(); ++offset) {
-      const casefile::Made made{
+      const casefile::Provenance made{
           "import",
           {{"frequency_Hz", "60"}, {"direction", std::to_string(direction)}, {"offset", std::to_string(offset)}},
           {},

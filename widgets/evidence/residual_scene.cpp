@@ -134,7 +134,7 @@ ResidualScene residual_scene(const Explained& explained, std::size_t trial, Resi
     made.scene.arrows.push_back(
         {residual.place_mm, residual.place_mm + way_mm, arrow_share * size_mm, arrow_colour, {}});
   }
-  made.scene.furniture.orientation = scene::Furniture::Orientation::hidden;
+  made.scene.annotations.orientation = scene::Annotations::Orientation::hidden;
   return made;
 }
 

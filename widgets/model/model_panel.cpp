@@ -7,7 +7,7 @@
 #include <QtConcurrentRun>
 #include <QVBoxLayout>
 
-#include "mechanics/scenario.h"
+#include "mechanics/scenario/scenario.h"
 #include "panels/parts.h"
 #include "session/load_patient.h"
 #include "views/wave_view.h"

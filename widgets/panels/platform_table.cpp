@@ -11,9 +11,9 @@
 
 namespace glisson::widgets {
 
-using platform::Constraint;
-using platform::Device;
-using platform::PlatformAnswer;
+using hardware::Constraint;
+using hardware::Device;
+using hardware::PlatformAnswer;
 
 namespace {
 
@@ -27,10 +27,10 @@ struct Number {
 Number number_resting_on(double value, const Device& device, std::initializer_list<const char*> figures) {
   Number number{short_number(value), {}};
   QStringList reasons;
-  for (const platform::NamedFigure& named : platform::figures_of(device)) {
+  for (const hardware::NamedFigure& named : hardware::figures_of(device)) {
     const bool rests =
         std::any_of(figures.begin(), figures.end(), [&](const char* name) { return named.name == name; });
-    if (!rests || named.figure.source != platform::Source::assumed) continue;
+    if (!rests || named.figure.source != hardware::Source::assumed) continue;
     reasons << PlatformTable::tr("Assumed: %1 %2 (%3)")
                    .arg(QString::fromStdString(named.name), short_number(named.figure.value),
                         QString::fromStdString(named.figure.note));
@@ -40,11 +40,11 @@ Number number_resting_on(double value, const Device& device, std::initializer_li
   return number;
 }
 
-QString worn_place(platform::Worn worn) {
+QString worn_place(hardware::Worn worn) {
   switch (worn) {
-    case platform::Worn::head: return PlatformTable::tr("head");
-    case platform::Worn::belt: return PlatformTable::tr("belt");
-    case platform::Worn::back: return PlatformTable::tr("back");
+    case hardware::Worn::head: return PlatformTable::tr("head");
+    case hardware::Worn::belt: return PlatformTable::tr("belt");
+    case hardware::Worn::back: return PlatformTable::tr("back");
   }
   return {};
 }
@@ -66,7 +66,7 @@ QString words_for(Constraint constraint) {
 QString limit_of(const PlatformAnswer& answer) {
   if (!answer.feasible) {
     QStringList words;
-    for (const platform::Reason& reason : answer.reasons) words << words_for(reason.constraint);
+    for (const hardware::Reason& reason : answer.reasons) words << words_for(reason.constraint);
     return PlatformTable::tr("✕ fails: %1").arg(words.join(", "));
   }
   const QString bound = answer.fps == answer.fps_by_energy && answer.fps_by_energy < answer.fps_by_computing
@@ -138,7 +138,7 @@ void PlatformTable::choose(const QString& id) {
   }
 }
 
-void PlatformTable::show_plan(const platform::Plan& plan, const std::vector<Device>& devices) {
+void PlatformTable::show_plan(const hardware::Plan& plan, const std::vector<Device>& devices) {
   const QString kept = chosen();
   const QSignalBlocker quiet(this);
   std::vector<std::size_t> order(plan.platforms.size());
@@ -181,11 +181,11 @@ void PlatformTable::show_plan(const platform::Plan& plan, const std::vector<Devi
     put_number(surface, answer.temperature_C,
                {"thermal_resistance_C_per_W", "thermal_time_constant_s", "idle_W", "kernel.active_W"});
     QStringList reasons;
-    for (const platform::Reason& reason : answer.reasons) reasons << told(reason.sentence);
+    for (const hardware::Reason& reason : answer.reasons) reasons << told(reason.sentence);
     put(limit, limit_of(answer), reasons.join("\n"))->setForeground(theme_colour(answer.feasible ? "fine" : "warning"));
     QStringList names;
     for (const std::string& figure : answer.assumed) names << QString::fromStdString(figure);
-    put(assumed, tr("%1 of %2").arg(answer.assumed.size()).arg(platform::figures_of(device).size()), names.join("\n"));
+    put(assumed, tr("%1 of %2").arg(answer.assumed.size()).arg(hardware::figures_of(device).size()), names.join("\n"));
   }
   choose(kept);
   if (chosen().isEmpty())

@@ -4,7 +4,7 @@
 
 #include <QTableWidget>
 
-#include "platform/plan.h"
+#include "hardware/plan.h"
 
 namespace glisson::widgets {
 
@@ -17,7 +17,7 @@ class PlatformTable : public QTableWidget {
   explicit PlatformTable(QWidget* parent = nullptr);
 
   // Keeps the chosen platform where it is still there, and takes the recommended one (or the first) otherwise.
-  void show_plan(const platform::Plan& plan, const std::vector<platform::Device>& devices);
+  void show_plan(const hardware::Plan& plan, const std::vector<hardware::Device>& devices);
   [[nodiscard]] QString chosen() const;  // an id; empty for none
   void choose(const QString& id);
 
@@ -32,6 +32,6 @@ class PlatformTable : public QTableWidget {
 };
 
 // "fails: battery, too hot", or what would bound its frame rate next.
-[[nodiscard]] QString limit_of(const platform::PlatformAnswer& answer);
+[[nodiscard]] QString limit_of(const hardware::PlatformAnswer& answer);
 
 }  // namespace glisson::widgets

@@ -10,18 +10,18 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "hardware/device_file.h"
 #include "panels/ask_path.h"
 #include "panels/parts.h"
 #include "panels/platform_words.h"
-#include "platform/device_file.h"
 #include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
 
 namespace glisson::widgets {
 
-using platform::Device;
-using platform::PlatformAnswer;
+using hardware::Device;
+using hardware::PlatformAnswer;
 
 namespace {
 
@@ -40,8 +40,8 @@ NumberBox* number_box(double least, double most, int decimals) {
 
 // Figure 6.4's ten volumes, widened where a case lies outside, by ten resolutions; these in equal ratios, since what
 // costs and what fails lies at the fine end.
-platform::ProblemGrid grid_around(double volume_cm3) {
-  platform::ProblemGrid grid = platform::dissertation_grid();
+hardware::ProblemGrid grid_around(double volume_cm3) {
+  hardware::ProblemGrid grid = hardware::dissertation_grid();
   const double least = std::min(grid.volumes_cm3.front(), volume_cm3);
   const double most = std::max(grid.volumes_cm3.back(), volume_cm3);
   const auto last = static_cast<double>(grid.volumes_cm3.size() - 1);
@@ -56,7 +56,7 @@ platform::ProblemGrid grid_around(double volume_cm3) {
 
 }  // namespace
 
-PlatformView::PlatformView(std::vector<Device> devices, platform::ConvergenceCurve curve, QWidget* parent)
+PlatformView::PlatformView(std::vector<Device> devices, hardware::ConvergenceCurve curve, QWidget* parent)
     : QWidget(parent), devices_(std::move(devices)), curve_(std::move(curve)) {
   setObjectName("platform_view");
   auto* across = new QHBoxLayout(this);
@@ -89,9 +89,9 @@ PlatformView::PlatformView(std::vector<Device> devices, platform::ConvergenceCur
 QWidget* PlatformView::shipped(QWidget* parent) {
   const auto resources = resource_folder();
   const auto devices = resources.and_then(
-      [](const std::filesystem::path& folder) { return platform::read_devices(folder / "devices" / "devices.json"); });
+      [](const std::filesystem::path& folder) { return hardware::read_devices(folder / "devices" / "devices.json"); });
   const auto curve = resources.and_then([](const std::filesystem::path& folder) {
-    return platform::read_convergence_curve(folder / "devices" / "convergence.json");
+    return hardware::read_convergence_curve(folder / "devices" / "convergence.json");
   });
   if (devices && curve) return new PlatformView(*devices, *curve, parent);
   auto* sorry = new QLabel(parent);
@@ -123,7 +123,7 @@ void PlatformView::word_case() {
 }
 
 void PlatformView::add_devices(std::vector<Device> devices) {
-  platform::take_in(std::move(devices), devices_);
+  hardware::take_in(std::move(devices), devices_);
   replan();
 }
 
@@ -155,7 +155,7 @@ QWidget* PlatformView::make_question() {
   auto* form = new QFormLayout;
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  volume_ = number_box(platform::smallest_liver_cm3, platform::largest_liver_cm3, 0);
+  volume_ = number_box(hardware::smallest_liver_cm3, hardware::largest_liver_cm3, 0);
   volume_->setObjectName("volume");
   volume_->setSingleStep(50);
   volume_->setValue(1500);
@@ -288,7 +288,7 @@ QWidget* PlatformView::make_answer() {
 void PlatformView::choose_devices() {
   const QString file = ask_for_file(this, tr("Add devices"), tr("Device tables (*.json)"));
   if (file.isEmpty()) return;
-  auto devices = platform::read_devices(path_of(file));
+  auto devices = hardware::read_devices(path_of(file));
   if (devices) {
     add_devices(*std::move(devices));
   } else {
@@ -299,14 +299,14 @@ void PlatformView::choose_devices() {
 
 // What the convergence study reaches in this tissue; beyond its coarsest end it says nothing.
 void PlatformView::set_accuracy_range() {
-  const platform::ConvergenceCurve here = platform::in_tissue(curve_, youngs_->value());
+  const hardware::ConvergenceCurve here = hardware::in_tissue(curve_, youngs_->value());
   const QSignalBlocker quiet(accuracy_);
   accuracy_->set_range(std::ceil(10 * here.points.front().error_mm) / 10,
                        std::max(1.0, std::floor(10 * here.points.back().error_mm) / 10));
 }
 
 void PlatformView::replan() {
-  platform::PlanRequest request;
+  hardware::PlanRequest request;
   request.liver_volume_cm3 = volume_->value();
   request.youngs_kPa = youngs_->value();
   request.accuracy_mm = accuracy_->value();
@@ -314,7 +314,7 @@ void PlatformView::replan() {
   request.frames_per_s = frames_->value();
   request.ambient_C = room_->value();
   request.limit_C = limit_->value();
-  const auto planned = platform::plan(request, devices_, curve_);
+  const auto planned = hardware::plan(request, devices_, curve_);
   refusal_->setVisible(!planned);
   if (!planned) {
     plan_.reset();
@@ -325,7 +325,7 @@ void PlatformView::replan() {
     return;
   }
   plan_ = *planned;
-  const platform::Workload& work = plan_->workload;
+  const hardware::Workload& work = plan_->workload;
   workload_->setText(tr("%1 nodes of %2 mm³. A frame is %3 block products: %4 MB to move, %5 million operations.")
                          .arg(whole(work.nodes), number(work.resolution_mm3))
                          .arg(work.products_per_frame)
@@ -334,12 +334,12 @@ void PlatformView::replan() {
                                  [&](const PlatformAnswer& answer) { return plan_->recommended == answer.id; });
   const QString name = best != plan_->platforms.end() ? QString::fromStdString(best->name) : QString();
   answer_->setText(best == plan_->platforms.end()       ? tr("None of these platforms holds.")
-                   : best->worn == platform::Worn::head ? tr("Least obtrusive that holds, on the head: %1").arg(name)
-                   : best->worn == platform::Worn::belt ? tr("Least obtrusive that holds, on the belt: %1").arg(name)
+                   : best->worn == hardware::Worn::head ? tr("Least obtrusive that holds, on the head: %1").arg(name)
+                   : best->worn == hardware::Worn::belt ? tr("Least obtrusive that holds, on the belt: %1").arg(name)
                                                         : tr("Least obtrusive that holds, on the back: %1").arg(name));
   table_->show_plan(*plan_, devices_);
   QStringList notes;
-  for (const platform::Sentence& note : plan_->notes) notes << told(note);
+  for (const hardware::Sentence& note : plan_->notes) notes << told(note);
   notes_->setText(notes.join(" "));
   show_platform();
   show_picture();
@@ -362,7 +362,7 @@ void PlatformView::show_platform() {
 void PlatformView::show_picture() {
   const Device* device = chosen_device();
   if (!plan_ || device == nullptr) return;
-  const auto surfaces = platform::surfaces_over(grid_around(volume_->value()), *device, plan_->request);
+  const auto surfaces = hardware::surfaces_over(grid_around(volume_->value()), *device, plan_->request);
   if (!surfaces) return;
   ContourPicture picture;
   QString quantity_told;
@@ -373,7 +373,7 @@ void PlatformView::show_picture() {
       quantity_told = tr("Surface after %1 h at %2 frames/s (°C)").arg(number(duration_->value()), number(wanted));
       picture.contours = {{plan_->request.limit_C, tr("%1 °C").arg(number(plan_->request.limit_C)), true}};
       // At less than a tenth of a degree nobody would feel it.
-      picture.hot_spots = platform::hot_spots(picture.surface, 0.1);
+      picture.hot_spots = hardware::hot_spots(picture.surface, 0.1);
       break;
     case frames:
       picture.surface = surfaces->fps;
@@ -400,9 +400,9 @@ void PlatformView::show_picture() {
   }
   picture.case_volume_cm3 = volume_->value();
   picture.case_resolution_mm3 = plan_->workload.resolution_mm3;
-  const platform::ConvergenceCurve here = platform::in_tissue(curve_, youngs_->value());
+  const hardware::ConvergenceCurve here = hardware::in_tissue(curve_, youngs_->value());
   for (const double error_mm : {0.5, 1.0, 1.5, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 30.0}) {
-    const auto resolution_mm3 = platform::resolution_for_accuracy_mm3(here, error_mm);
+    const auto resolution_mm3 = hardware::resolution_for_accuracy_mm3(here, error_mm);
     if (resolution_mm3 && error_mm <= here.points.back().error_mm)
       picture.accuracies.push_back({*resolution_mm3, error_mm});
   }

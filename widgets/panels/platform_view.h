@@ -10,9 +10,9 @@
 #include <QTextBrowser>
 #include <QWidget>
 
+#include "hardware/plan.h"
 #include "panels/number_slider.h"
 #include "panels/platform_table.h"
-#include "platform/plan.h"
 #include "plots/contour_plot.h"
 
 namespace glisson::widgets {
@@ -21,7 +21,7 @@ class PlatformView : public QWidget {
   Q_OBJECT
 
  public:
-  PlatformView(std::vector<platform::Device> devices, platform::ConvergenceCurve curve, QWidget* parent = nullptr);
+  PlatformView(std::vector<hardware::Device> devices, hardware::ConvergenceCurve curve, QWidget* parent = nullptr);
 
   // With the table and the curve that ship; a sentence in their place where they cannot be read.
   static QWidget* shipped(QWidget* parent = nullptr);
@@ -29,9 +29,9 @@ class PlatformView : public QWidget {
   // Takes volume and mean Young's modulus over; 0 where the case does not know.
   void show_case(const QString& name, double liver_volume_cm3, double youngs_kPa);
   // Devices that a person measured or wrote; those with a known id take its place.
-  void add_devices(std::vector<platform::Device> devices);
+  void add_devices(std::vector<hardware::Device> devices);
 
-  [[nodiscard]] const std::optional<platform::Plan>& plan() const { return plan_; }
+  [[nodiscard]] const std::optional<hardware::Plan>& plan() const { return plan_; }
 
  private:
   enum Quantity { surface_C, frames, battery, power };
@@ -44,11 +44,11 @@ class PlatformView : public QWidget {
   void replan();
   void show_platform();
   void show_picture();
-  [[nodiscard]] const platform::Device* chosen_device() const;
+  [[nodiscard]] const hardware::Device* chosen_device() const;
 
-  std::vector<platform::Device> devices_;
-  platform::ConvergenceCurve curve_;
-  std::optional<platform::Plan> plan_;
+  std::vector<hardware::Device> devices_;
+  hardware::ConvergenceCurve curve_;
+  std::optional<hardware::Plan> plan_;
   std::function<QString()> case_name_words_;
 
   QLabel* case_name_;

@@ -9,19 +9,19 @@
 
 namespace glisson::widgets {
 
-using platform::Device;
-using platform::PlatformAnswer;
+using hardware::Device;
+using hardware::PlatformAnswer;
 
 namespace {
 
 QString number(double value, int digits = 3) { return QLocale().toString(value, 'g', digits); }
 QString listed(const QStringList& items);
-QStringList remedies_in_words(const platform::Remedies& remedies);
-QString source_in_words(platform::Source source);
+QStringList remedies_in_words(const hardware::Remedies& remedies);
+QString source_in_words(hardware::Source source);
 
 }  // namespace
 
-QString platform_in_full(const PlatformAnswer& answer, const Device& device, const platform::PlanRequest& request) {
+QString platform_in_full(const PlatformAnswer& answer, const Device& device, const hardware::PlanRequest& request) {
   const auto escaped = [](const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); };
   QString html = "<h3>" + escaped(device.name) + "</h3><p>" + escaped(device.worn_how) + "</p>";
   html += "<p><b>" +
@@ -40,15 +40,15 @@ QString platform_in_full(const PlatformAnswer& answer, const Device& device, con
           "</p>";
   if (!answer.feasible) {
     QStringList reasons;
-    for (const platform::Reason& reason : answer.reasons) reasons << told(reason.sentence).toHtmlEscaped();
+    for (const hardware::Reason& reason : answer.reasons) reasons << told(reason.sentence).toHtmlEscaped();
     html += "<p>" + PlatformView::tr("Why it fails:") + "</p>" + listed(reasons);
     const QStringList remedies = remedies_in_words(answer.remedies);
     html += remedies.isEmpty() ? "<p>" + PlatformView::tr("No single figure would make it hold.") + "</p>"
                                : "<p>" + PlatformView::tr("It would hold with one of:") + "</p>" + listed(remedies);
   }
   html += "<p>" + PlatformView::tr("Where its figures come from:") + "</p><table cellspacing='0' cellpadding='3'>";
-  for (const platform::NamedFigure& named : platform::figures_of(device)) {
-    const bool assumed = named.figure.source == platform::Source::assumed;
+  for (const hardware::NamedFigure& named : hardware::figures_of(device)) {
+    const bool assumed = named.figure.source == hardware::Source::assumed;
     const QString ink = theme_colour(assumed ? "warning" : "ink").name();
     html += QString(
                 "<tr><td><nobr>%1</nobr></td><td align='right'>%2</td><td style='color:%3'>%4</td></tr>"
@@ -65,7 +65,7 @@ QString listed(const QStringList& items) {
   return items.isEmpty() ? QString() : "<ul><li>" + items.join("</li><li>") + "</li></ul>";
 }
 
-QStringList remedies_in_words(const platform::Remedies& remedies) {
+QStringList remedies_in_words(const hardware::Remedies& remedies) {
   QStringList words;
   const auto add = [&](const std::optional<double>& value, const QString& sentence) {
     if (value) words << sentence.arg(number(*value));
@@ -78,12 +78,12 @@ QStringList remedies_in_words(const platform::Remedies& remedies) {
   return words;
 }
 
-QString source_in_words(platform::Source source) {
+QString source_in_words(hardware::Source source) {
   switch (source) {
-    case platform::Source::measured: return PlatformView::tr("measured");
-    case platform::Source::computed: return PlatformView::tr("computed");
-    case platform::Source::dissertation: return PlatformView::tr("dissertation");
-    case platform::Source::assumed: return PlatformView::tr("ASSUMED");
+    case hardware::Source::measured: return PlatformView::tr("measured");
+    case hardware::Source::computed: return PlatformView::tr("computed");
+    case hardware::Source::dissertation: return PlatformView::tr("dissertation");
+    case hardware::Source::assumed: return PlatformView::tr("ASSUMED");
   }
   return {};
 }

@@ -4,11 +4,11 @@
 
 #include <QString>
 
-#include "platform/plan.h"
+#include "hardware/plan.h"
 
 namespace glisson::widgets {
 
-[[nodiscard]] QString platform_in_full(const platform::PlatformAnswer& answer, const platform::Device& device,
-                                       const platform::PlanRequest& request);
+[[nodiscard]] QString platform_in_full(const hardware::PlatformAnswer& answer, const hardware::Device& device,
+                                       const hardware::PlanRequest& request);
 
 }  // namespace glisson::widgets

@@ -151,7 +151,7 @@ void RehearsePanel::drag_arrow(const Eigen::Vector3d& free_end_mm, const Eigen::
   tool_->pull(way_mm.normalized(), arrow_force_N(way_mm.norm()));
 }
 
-void RehearsePanel::hold_again(ToolInHand tool) {
+void RehearsePanel::hold_again(PlacedTool tool) {
   for (const rehearsal::ToolPreset& preset : rehearsal::tool_presets()) {
     if (preset.radius_mm == tool.radius_mm) tool.preset = preset.id;
   }
@@ -166,7 +166,7 @@ void RehearsePanel::let_arrow_go() {
 
 std::vector<ToolInView> RehearsePanel::tools_in_view() const {
   std::vector<ToolInView> shown;
-  for (const ToolInHand& tool : rehearsal_.tools()) {
+  for (const PlacedTool& tool : rehearsal_.tools()) {
     shown.push_back({tool.center_mm, tool.direction, tool.force_N, tool.pulls(), {}});
   }
   const auto& solids = rehearsal_.solids();

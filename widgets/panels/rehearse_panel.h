@@ -32,7 +32,7 @@ class RehearsePanel : public QWidget {
   }
   void hoist_segment_vi() { tool_->hoist_segment_vi(); }
   // A tool as it was held before; its preset is found by its radius.
-  void hold_again(ToolInHand tool);
+  void hold_again(PlacedTool tool);
   // The arrow's free end was dragged there from the place that it acts on; then let go.
   void drag_arrow(const Eigen::Vector3d& free_end_mm, const Eigen::Vector3d& touch_mm);
   void let_arrow_go();

@@ -203,7 +203,7 @@ void ToolControls::show_force(double force_N) {
 
 // Where another hand than this panel's took or moved the tool.
 void ToolControls::show_tool_in_hand() {
-  const ToolInHand& tool = rehearsal_.tools().back();
+  const PlacedTool& tool = rehearsal_.tools().back();
   const int index = tool_->findData(QString::fromStdString(tool.preset));
   if (index >= 0) tool_->setCurrentIndex(index);
   outward_ = tool.outward;

@@ -69,7 +69,7 @@ ContourPlot::ContourPlot(QWidget* parent) : QWidget(parent) {
 
 void ContourPlot::show_picture(const ContourPicture& picture) {
   picture_ = picture;
-  const platform::ProblemGrid& grid = picture.surface.grid;
+  const hardware::ProblemGrid& grid = picture.surface.grid;
   const auto volumes = static_cast<int>(grid.volumes_cm3.size());
   const auto resolutions = static_cast<int>(grid.resolutions_mm3.size());
   map_->data()->setSize(volumes, resolutions);
@@ -97,7 +97,7 @@ void ContourPlot::show_picture(const ContourPicture& picture) {
   // Labels of neighbouring contours stand apart.
   for (std::size_t i = 0; i < picture.contours.size(); ++i)
     draw_contour(picture.contours[i], static_cast<double>(i + 1) / static_cast<double>(picture.contours.size() + 1));
-  for (const platform::HotSpot& spot : picture.hot_spots) {
+  for (const hardware::HotSpot& spot : picture.hot_spots) {
     auto* mark = new QCPItemText(plot_);
     mark->setText(tr("hot spot"));
     mark->setColor(Qt::black);
@@ -110,7 +110,7 @@ void ContourPlot::show_picture(const ContourPicture& picture) {
 }
 
 void ContourPlot::draw_contour(const Contour& contour, double label_at) {
-  const auto segments = platform::contour(picture_.surface, contour.level);
+  const auto segments = hardware::contour(picture_.surface, contour.level);
   if (segments.empty()) return;
   auto* line = new QCPCurve(plot_->xAxis, plot_->yAxis);
   QPen pen(contour.wanted ? Qt::white : QColor(255, 255, 255, 150));
@@ -118,12 +118,12 @@ void ContourPlot::draw_contour(const Contour& contour, double label_at) {
   if (!contour.wanted) pen.setStyle(Qt::DashLine);
   line->setPen(pen);
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();  // lifts the pen
-  for (const platform::ContourSegment& segment : segments) {
+  for (const hardware::ContourSegment& segment : segments) {
     line->addData(segment.from[0], height_of(segment.from[1]));
     line->addData(segment.to[0], height_of(segment.to[1]));
     line->addData(nothing, nothing);
   }
-  const platform::ContourSegment& labelled =
+  const hardware::ContourSegment& labelled =
       segments[static_cast<std::size_t>(label_at * static_cast<double>(segments.size()))];
   auto* label = new QCPItemText(plot_);
   label->setText(contour.label);

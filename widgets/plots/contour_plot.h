@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "platform/grid.h"
+#include "hardware/grid.h"
 
 class QCustomPlot;
 class QCPColorMap;
@@ -19,9 +19,9 @@ struct Contour {
 };
 
 struct ContourPicture {
-  platform::GridSurface surface;  // resolutions in equal ratios
+  hardware::GridSurface surface;  // resolutions in equal ratios
   std::vector<Contour> contours;
-  std::vector<platform::HotSpot> hot_spots;
+  std::vector<hardware::HotSpot> hot_spots;
   double case_volume_cm3 = 0;
   double case_resolution_mm3 = 0;
   // What resolutions mean: ticks on the right, by increasing resolution.

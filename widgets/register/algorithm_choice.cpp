@@ -12,7 +12,7 @@
 
 namespace glisson::widgets {
 
-using quality::SequenceMethod;
+using registration_quality::SequenceMethod;
 
 namespace {
 
@@ -44,7 +44,8 @@ AlgorithmChoice::AlgorithmChoice(QWidget* parent) : QWidget(parent) {
   for (std::size_t side = 0; side < 2; ++side) {
     auto* box = new QComboBox;
     box->setObjectName(side == 0 ? "first_method" : "second_method");
-    for (const SequenceMethod method : quality::sequence_methods) box->addItem({}, static_cast<int>(method));
+    for (const SequenceMethod method : registration_quality::sequence_methods)
+      box->addItem({}, static_cast<int>(method));
     if (side == 1) box->addItem({}, none);
     connect(box, &QComboBox::currentIndexChanged, this, &AlgorithmChoice::chosen);
     methods_[side] = box;

@@ -14,8 +14,8 @@
 namespace glisson::widgets {
 
 // "ICP: nearest points", "ICP".
-[[nodiscard]] QString long_name(quality::SequenceMethod method);
-[[nodiscard]] QString short_name(quality::SequenceMethod method);
+[[nodiscard]] QString long_name(registration_quality::SequenceMethod method);
+[[nodiscard]] QString short_name(registration_quality::SequenceMethod method);
 
 class AlgorithmChoice : public QWidget {
   Q_OBJECT
@@ -28,7 +28,7 @@ class AlgorithmChoice : public QWidget {
   // What the sequence holds nothing for cannot be chosen, and says what it lacks.
   void offer(const OpenedSequence& sequence);
   // side 0 or 1; the second may be none.
-  [[nodiscard]] std::optional<quality::SequenceMethod> method(int side) const;
+  [[nodiscard]] std::optional<registration_quality::SequenceMethod> method(int side) const;
   void show_work(Work work);
   void show_progress(double fraction, const QString& stage);
 

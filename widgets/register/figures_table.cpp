@@ -57,7 +57,7 @@ void FiguresTable::show_figures(const std::array<const Judged*, 2>& judged, cons
     for (int row = 0; row < row_count; ++row) {
       QString text = none();
       if (one != nullptr) {
-        const quality::Quality& quality = one->quality;
+        const registration_quality::Quality& quality = one->quality;
         switch (row) {
           case correlation: text = number(quality.mean_correlation, 3); break;
           case rejected: text = number(100 * rejected_fraction(quality, tolerance_mm), 1); break;

@@ -6,14 +6,14 @@
 
 namespace glisson::widgets {
 
-using quality::Quality;
-using quality::SequenceMethod;
+using registration_quality::Quality;
+using registration_quality::SequenceMethod;
 
 Result<Judged> judge(const OpenedSequence& sequence, SequenceMethod method, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const auto registered = quality::register_sequence(sequence.files, method, progress.part(0, 0.95));
+  const auto registered = registration_quality::register_sequence(sequence.files, method, progress.part(0, 0.95));
   if (!registered) return failure(registered.error());
-  auto quality = quality::sirgn(*registered, {}, progress.part(0.95, 1));
+  auto quality = registration_quality::sirgn(*registered, {}, progress.part(0.95, 1));
   if (!quality) return failure(quality.error());
   return Judged{method, std::move(*quality),
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
@@ -44,7 +44,7 @@ scene::HeatScale scale_for(const Quality* a, const Quality* b, HeatValue value) 
   for (int side = 0; side < 2; ++side) {
     if (judged[side] == nullptr) continue;
     for (std::size_t k = 0; k < judged[side]->frames_seen.size(); ++k) {
-      if (judged[side]->frames_seen[k] >= quality::fewest_frames)
+      if (judged[side]->frames_seen[k] >= registration_quality::fewest_frames)
         values[side].push_back(values_of(*judged[side], value)[k]);
     }
   }
@@ -77,9 +77,9 @@ scene::HeatMesh heat_mesh(const Quality& quality, HeatValue value, std::size_t f
   mesh.values = values_of(quality, value);
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
     using Verdict = scene::HeatMesh::Verdict;
-    mesh.verdicts.push_back(quality.frames_seen[k] < quality::fewest_frames ? Verdict::none
-                            : is_rejected(quality, k, tolerance_mm)         ? Verdict::rejected
-                                                                            : Verdict::accepted);
+    mesh.verdicts.push_back(quality.frames_seen[k] < registration_quality::fewest_frames ? Verdict::none
+                            : is_rejected(quality, k, tolerance_mm)                      ? Verdict::rejected
+                                                                                         : Verdict::accepted);
   }
   return mesh;
 }

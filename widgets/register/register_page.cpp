@@ -11,14 +11,14 @@
 #include "panels/ask_path.h"
 #include "panels/parts.h"
 #include "settings/settings.h"
-#include "study/example_sequence.h"
+#include "studies/example_sequence.h"
 #include "words/paths.h"
 #include "words/told.h"
 #include "words/worded.h"
 
 namespace glisson::widgets {
 
-using quality::SequenceMethod;
+using registration_quality::SequenceMethod;
 
 namespace {
 
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 QString number(double value, int decimals = 1) { return QLocale().toString(value, 'f', decimals); }
 
 Result<std::shared_ptr<const OpenedSequence>> read(const fs::path& file) {
-  return quality::read_sequence(file).map([&](quality::SequenceFiles files) {
+  return registration_quality::read_sequence(file).map([&](registration_quality::SequenceFiles files) {
     return std::make_shared<const OpenedSequence>(OpenedSequence{file, std::move(files)});
   });
 }
@@ -88,7 +88,8 @@ void RegisterPage::open_example() {
         [page = QPointer(this),
          folder = own_folder() / "example-sequence"](const Progress& progress) -> BackgroundWork::Then {
           const fs::path file = folder / "sequence.json";
-          const auto made = fs::exists(file) ? Result<fs::path>(file) : study::write_example_sequence(folder, progress);
+          const auto made =
+              fs::exists(file) ? Result<fs::path>(file) : studies::write_example_sequence(folder, progress);
           auto opened = made.and_then(read);
           return [page, opened = std::move(opened)] {
             if (page.isNull()) return;
@@ -378,7 +379,7 @@ void RegisterPage::say_of_place() {
 
 QString RegisterPage::hint(int side, std::size_t triangle) const {
   if (judged(side) == nullptr) return {};
-  const quality::Quality& quality = judged(side)->quality;
+  const registration_quality::Quality& quality = judged(side)->quality;
   const double here_mm = quality.courses[triangle].error_mm[static_cast<std::size_t>(timeline_->frame())];
   const QString here = std::isfinite(here_mm) ? tr("%1 mm in this frame").arg(number(here_mm))
                                               : tr("not all its corners are seen in this frame");

@@ -83,7 +83,7 @@ class RegisterPage : public QWidget {
   BackgroundWork& work_;
   bool working_ = false;  // for this page
   std::shared_ptr<const OpenedSequence> sequence_;
-  std::map<quality::SequenceMethod, std::shared_ptr<const Judged>> judged_;
+  std::map<registration_quality::SequenceMethod, std::shared_ptr<const Judged>> judged_;
   std::array<std::optional<std::size_t>, 2> chosen_;
   std::function<QString()> said_;
   QCache<int, QImage> images_;

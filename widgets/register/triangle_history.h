@@ -8,7 +8,7 @@
 #include <QSpinBox>
 #include <QWidget>
 
-#include "quality/sirgn.h"
+#include "registration_quality/sirgn.h"
 
 class QCustomPlot;
 class QCPAxisRect;
@@ -24,7 +24,7 @@ class TriangleHistory : public QWidget {
 
   struct Line {
     QString algorithm;
-    quality::TriangleCourse course;
+    registration_quality::TriangleCourse course;
   };
   // The first algorithm solid, the second dashed; the motions are those of the first that is there.
   void show_courses(const std::array<std::optional<Line>, 2>& lines, double tolerance_mm);

@@ -27,7 +27,7 @@ std::optional<report::RehearsedRetraction> retraction_of(const LiveRehearsal& re
   const auto& frame = rehearsal.frame();
   if (!frame) return {};
   report::RehearsedRetraction made{{}, frame->patient.max_displacement_mm, {}};
-  for (const ToolInHand& tool : rehearsal.tools()) made.tools.push_back({tool.preset, tool.force_N, tool.radius_mm});
+  for (const PlacedTool& tool : rehearsal.tools()) made.tools.push_back({tool.preset, tool.force_N, tool.radius_mm});
   for (std::size_t k = 0; k < frame->patient.landmarks.size(); ++k) {
     const auto& landmark = frame->patient.landmarks[k];
     made.landmarks.push_back({landmark.id, landmark.displacement_mm, {}});

@@ -12,7 +12,7 @@
 #include <QTextDocument>
 #include <QWidget>
 
-#include "platform/plan.h"
+#include "hardware/plan.h"
 #include "report/page.h"
 #include "workspaces/workspace.h"
 
@@ -23,7 +23,7 @@ class ReportView : public QWidget {
 
  public:
   // What was planned to be worn, where it was planned for this patient.
-  using PlanOfNow = std::function<std::optional<platform::Plan>()>;
+  using PlanOfNow = std::function<std::optional<hardware::Plan>()>;
 
   explicit ReportView(Bench bench, PlanOfNow plan, QWidget* parent = nullptr);
   [[nodiscard]] static Workspace workspace(Bench bench, PlanOfNow plan);

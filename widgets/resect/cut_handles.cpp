@@ -149,7 +149,7 @@ bool CutHandles::slice_event(SliceView& slice, QMouseEvent& event) {
   return true;
 }
 
-CutHandles::Held CutHandles::under(const SliceView& slice, const QPointF& pixel) const {
+CutHandles::Fixed CutHandles::under(const SliceView& slice, const QPointF& pixel) const {
   for (std::size_t k = 0; k < points_mm_.size(); ++k) {
     const double off_mm = normal_of(slice).dot(points_mm_[k] - slice.crosshair_mm());
     if (std::abs(off_mm) < shown_within_mm && pixels_between(slice, points_mm_[k], pixel) < reach_px) {
@@ -163,7 +163,7 @@ CutHandles::Held CutHandles::under(const SliceView& slice, const QPointF& pixel)
   if (pixels_between(slice, line.at_mm - end_mm * line.along, pixel) < reach_px) return {Part::near_end, 0, {}, {}};
   const Vector3d from_line_mm = position_in(slice, pixel) - line.at_mm;
   const Vector3d on_line_mm = line.at_mm + line.along * line.along.dot(from_line_mm);
-  return pixels_between(slice, on_line_mm, pixel) < line_reach_px ? Held{Part::line, 0, {}, {}} : Held{};
+  return pixels_between(slice, on_line_mm, pixel) < line_reach_px ? Fixed{Part::line, 0, {}, {}} : Fixed{};
 }
 
 void CutHandles::drag_in_slice(const SliceView& slice, const Vector3d& to_mm) {
@@ -212,7 +212,7 @@ bool CutHandles::space_event(QMouseEvent& event) {
   return true;
 }
 
-CutHandles::Held CutHandles::under_in_space(const QPointF& pixel) const {
+CutHandles::Fixed CutHandles::under_in_space(const QPointF& pixel) const {
   const SpaceView& space = views_.space();
   for (std::size_t k = 0; k < points_mm_.size(); ++k) {
     if (pixels_between(space, points_mm_[k], pixel) < reach_px) return {Part::point, k, {}, {}};

@@ -41,7 +41,7 @@ class CutHandles : public QObject {
 
  private:
   enum class Part { none, line, near_end, far_end, middle, tip, point };
-  struct Held {
+  struct Fixed {
     Part part = Part::none;
     std::size_t point = 0;
     Eigen::Vector3d from_mm{0, 0, 0};   // where the hand was last
@@ -50,8 +50,8 @@ class CutHandles : public QObject {
 
   bool slice_event(SliceView& slice, QMouseEvent& event);
   bool space_event(QMouseEvent& event);
-  [[nodiscard]] Held under(const SliceView& slice, const QPointF& pixel) const;
-  [[nodiscard]] Held under_in_space(const QPointF& pixel) const;
+  [[nodiscard]] Fixed under(const SliceView& slice, const QPointF& pixel) const;
+  [[nodiscard]] Fixed under_in_space(const QPointF& pixel) const;
   void drag_in_slice(const SliceView& slice, const Eigen::Vector3d& to_mm);
   void drag_in_space(const Eigen::Vector3d& to_mm);
   [[nodiscard]] LineInSlice line_in(const SliceView& slice) const;
@@ -62,7 +62,7 @@ class CutHandles : public QObject {
   bool drawing_ = false;
   std::optional<CutPlane> plane_;
   std::vector<Eigen::Vector3d> points_mm_;
-  Held held_;
+  Fixed held_;
 };
 
 }  // namespace glisson::widgets

@@ -47,7 +47,7 @@ Result<std::vector<EditedStructure>> read_all(const fs::path& folder, const std:
 Result<void> save(const fs::path& folder, const std::string& name, const imaging::Mask& mask) {
   auto opened = casefile::Case::open(folder);
   if (!opened) return failure(opened.error());
-  casefile::Made made{"segment", {{"method", "drawn"}}, {}, {}, {}};
+  casefile::Provenance made{"segment", {{"method", "drawn"}}, {}, {}, {}};
   if (const casefile::Entry* before = opened->find(id_of(name))) {
     made = before->made;
     made.options["edited"] = "drawn";

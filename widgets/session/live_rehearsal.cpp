@@ -44,7 +44,7 @@ void LiveRehearsal::exchange_body(std::shared_ptr<const rehearsal::StaticRehears
   const bool same_mesh = body && body_ && setup && setup_ && setup->mesh.points_mm == setup_->mesh.points_mm &&
                          setup->mesh.cells == setup_->mesh.cells;
   if (!same_mesh) return set_body(std::move(body), std::move(setup));
-  const std::vector<ToolInHand> tools = tools_;
+  const std::vector<PlacedTool> tools = tools_;
   const RehearsalTrack track = track_;
   const Touch touch = touch_;
   set_body(std::move(body), std::move(setup));
@@ -57,7 +57,7 @@ void LiveRehearsal::exchange_body(std::shared_ptr<const rehearsal::StaticRehears
 void LiveRehearsal::set_touch(Touch touch) {
   if (touch == touch_ || (touch == Touch::rigid && !setup_)) return;
   touch_ = touch;
-  const std::optional<ToolInHand> in_hand = tools_.empty() ? std::nullopt : std::optional(tools_.back());
+  const std::optional<PlacedTool> in_hand = tools_.empty() ? std::nullopt : std::optional(tools_.back());
   start_anew();
   if (in_hand) hold(*in_hand);
 }
@@ -85,12 +85,12 @@ void LiveRehearsal::start_anew() {
   Q_EMIT frame_changed();
 }
 
-void LiveRehearsal::hold(const ToolInHand& tool) {
+void LiveRehearsal::hold(const PlacedTool& tool) {
   if (!body_ || frozen_) return;
   go_on();
   force_N_ = tool.force_N;
   direction_ = tool.direction;
-  std::optional<ToolInHand> was;
+  std::optional<PlacedTool> was;
   if (tools_.empty() || (takes_another_ && touch_ == Touch::rigid)) {
     tools_.push_back(tool);
     numbers_.push_back(next_number_++);
@@ -112,9 +112,9 @@ void LiveRehearsal::hold(const ToolInHand& tool) {
   }
 }
 
-void LiveRehearsal::change_tool(const std::function<void(ToolInHand&)>& change) {
+void LiveRehearsal::change_tool(const std::function<void(PlacedTool&)>& change) {
   if (tools_.empty() || frozen_) return;
-  ToolInHand tool = tools_.back();
+  PlacedTool tool = tools_.back();
   change(tool);
   if (tool == tools_.back()) return;
   takes_another_ = false;
@@ -124,16 +124,16 @@ void LiveRehearsal::change_tool(const std::function<void(ToolInHand&)>& change) 
 void LiveRehearsal::set_force_N(double force_N) {
   if (frozen_) return;
   force_N_ = force_N;
-  change_tool([&](ToolInHand& tool) { tool.force_N = force_N; });
+  change_tool([&](PlacedTool& tool) { tool.force_N = force_N; });
 }
 
 void LiveRehearsal::set_direction(const Eigen::Vector3d& unit) {
   if (frozen_) return;
   direction_ = unit;
-  change_tool([&](ToolInHand& tool) { tool.direction = unit; });
+  change_tool([&](PlacedTool& tool) { tool.direction = unit; });
 }
 
-void LiveRehearsal::hold_all(const std::vector<ToolInHand>& wanted) {
+void LiveRehearsal::hold_all(const std::vector<PlacedTool>& wanted) {
   if (!body_ || frozen_) return;
   go_on();
   const auto [differs, _] = std::mismatch(tools_.begin(), tools_.end(), wanted.begin(), wanted.end());
@@ -176,7 +176,7 @@ void LiveRehearsal::set_frozen(bool frozen) {
   Q_EMIT solving_changed();
 }
 
-const std::vector<ToolInHand>& LiveRehearsal::tools() const {
+const std::vector<PlacedTool>& LiveRehearsal::tools() const {
   return shown_moment_ ? track_.moments()[*shown_moment_].tools : tools_;
 }
 
@@ -186,7 +186,7 @@ Eigen::Vector3d LiveRehearsal::tool_center_mm() const {
 
 // Without contact: an answer of a place that is known, or a solve for it.
 void LiveRehearsal::answer_now() {
-  const ToolInHand& tool = tools_.back();
+  const PlacedTool& tool = tools_.back();
   if (const rehearsal::PlacedTool* placed = remembered(tool)) {
     to_place_.reset();
     show_answer(*placed, tool);
@@ -199,14 +199,14 @@ void LiveRehearsal::answer_now() {
   if (!is_placing_) solve_for(tool);
 }
 
-const rehearsal::PlacedTool* LiveRehearsal::remembered(const ToolInHand& tool) const {
+const rehearsal::PlacedTool* LiveRehearsal::remembered(const PlacedTool& tool) const {
   const auto found = std::find_if(placed_.begin(), placed_.end(), [&](const rehearsal::PlacedTool& placed) {
     return placed.center_mm() == tool.center_mm && placed.radius_mm() == tool.radius_mm;
   });
   return found == placed_.end() ? nullptr : &*found;
 }
 
-void LiveRehearsal::solve_for(const ToolInHand& tool) {
+void LiveRehearsal::solve_for(const PlacedTool& tool) {
   is_placing_ = true;
   using Outcome = Result<rehearsal::PlacedTool>;
   auto* watcher = new QFutureWatcher<std::shared_ptr<Outcome>>(this);
@@ -219,7 +219,7 @@ void LiveRehearsal::solve_for(const ToolInHand& tool) {
       if (placed_.size() > most_remembered) placed_.pop_front();
     }
     if (!to_place_) return;
-    const ToolInHand wanted = *to_place_;
+    const PlacedTool wanted = *to_place_;
     if (remembered(wanted) != nullptr) {
       to_place_.reset();
       show_answer(placed_.back(), wanted);
@@ -239,7 +239,7 @@ void LiveRehearsal::solve_for(const ToolInHand& tool) {
       [body = body_, tool] { return std::make_shared<Outcome>(body->place_tool(tool.center_mm, tool.radius_mm)); }));
 }
 
-void LiveRehearsal::show_answer(const rehearsal::PlacedTool& placed, const ToolInHand& tool) {
+void LiveRehearsal::show_answer(const rehearsal::PlacedTool& placed, const PlacedTool& tool) {
   frame_ = placed.answer(tool.pull_N());
   // Where no strain reaches 1, no cell can turn inside out.
   inverted_cells_ = frame_->largest_strain < 1 ? 0
@@ -251,7 +251,7 @@ void LiveRehearsal::show_answer(const rehearsal::PlacedTool& placed, const ToolI
 }
 
 void LiveRehearsal::post_tool() {
-  auto hand = hand_tool(tools_.back(), session_id(numbers_.back()));
+  auto hand = contact_tool(tools_.back(), session_id(numbers_.back()));
   if (!hand) {
     refuse(hand.error());
     return;
@@ -319,7 +319,7 @@ void LiveRehearsal::show_moment(std::size_t index) {
   if (moment.contact) {
     show_contact(moment.contact, Solving::solved);
   } else if (!moment.tools.empty()) {
-    const ToolInHand& tool = moment.tools.back();
+    const PlacedTool& tool = moment.tools.back();
     if (const rehearsal::PlacedTool* placed = remembered(tool)) {
       to_place_.reset();
       show_answer(*placed, tool);

@@ -44,12 +44,12 @@ class LiveRehearsal : public QObject {
   [[nodiscard]] Touch touch() const { return touch_; }
 
   // Puts the tool there. A later call supersedes this one: of several on the way, only the last is solved for.
-  void hold(const ToolInHand& tool);
+  void hold(const PlacedTool& tool);
   void set_force_N(double force_N);
   void set_direction(const Eigen::Vector3d& unit);  // of the force
   void take_tool_away();                            // the one in hand; another that was kept comes to hand
   // These tools and no others, with as few movements as lead there; at most one where tools are patches.
-  void hold_all(const std::vector<ToolInHand>& tools);
+  void hold_all(const std::vector<PlacedTool>& tools);
   // The tool stays where it is, and the next one held is another. With rigid tools only.
   void keep_tool();
 
@@ -59,7 +59,7 @@ class LiveRehearsal : public QObject {
 
   [[nodiscard]] bool has_tool() const { return !tools().empty(); }
   // Those of what is shown, the one in hand last.
-  [[nodiscard]] const std::vector<ToolInHand>& tools() const;
+  [[nodiscard]] const std::vector<PlacedTool>& tools() const;
   [[nodiscard]] Eigen::Vector3d tool_center_mm() const;
   // Of rigid tools, in their order, where they are now; empty otherwise.
   [[nodiscard]] const std::vector<mechanics::ToolShape>& solids() const { return solids_; }
@@ -87,10 +87,10 @@ class LiveRehearsal : public QObject {
   void failed(const glisson::Error& error);
 
  private:
-  void solve_for(const ToolInHand& tool);
-  [[nodiscard]] const rehearsal::PlacedTool* remembered(const ToolInHand& tool) const;
+  void solve_for(const PlacedTool& tool);
+  [[nodiscard]] const rehearsal::PlacedTool* remembered(const PlacedTool& tool) const;
   void answer_now();
-  void show_answer(const rehearsal::PlacedTool& placed, const ToolInHand& tool);
+  void show_answer(const rehearsal::PlacedTool& placed, const PlacedTool& tool);
   void show_contact(const std::shared_ptr<const rehearsal::SessionFrame>& frame, Solving solving);
   void look_for_contact();
   void post_tool();
@@ -98,7 +98,7 @@ class LiveRehearsal : public QObject {
   void set_solving(Solving solving);
   void refuse(const Error& error);
   void start_anew();
-  void change_tool(const std::function<void(ToolInHand&)>& change);
+  void change_tool(const std::function<void(PlacedTool&)>& change);
 
   std::shared_ptr<const rehearsal::StaticRehearsal> body_;
   std::shared_ptr<const rehearsal::RehearsalSetup> setup_;
@@ -106,7 +106,7 @@ class LiveRehearsal : public QObject {
   bool frozen_ = false;
   double force_N_ = 0;
   Eigen::Vector3d direction_{0, -1, 0};
-  std::vector<ToolInHand> tools_;  // the one in hand last
+  std::vector<PlacedTool> tools_;  // the one in hand last
   std::vector<int> numbers_;       // of the tools in the session of rigid ones
   int next_number_ = 0;
   bool takes_another_ = false;
@@ -119,7 +119,7 @@ class LiveRehearsal : public QObject {
   // Answers to the places of late; going back to one costs no solve.
   std::deque<rehearsal::PlacedTool> placed_;
   bool is_placing_ = false;
-  std::optional<ToolInHand> to_place_;
+  std::optional<PlacedTool> to_place_;
   int body_count_ = 0;  // so that what was solved for another body is known when it arrives
 
   std::unique_ptr<rehearsal::LiveSession> session_;

@@ -8,7 +8,7 @@
 #include "casefile/model.h"
 #include "casefile/structures.h"
 #include "mechanics/simulation.h"
-#include "study/demo.h"
+#include "studies/demo.h"
 
 namespace glisson::widgets {
 namespace fs = std::filesystem;
@@ -178,7 +178,7 @@ Result<Patient> load_demo(const fs::path& folder, const Progress& progress, cons
   const fs::path made_before = folder / "demo.glisson";
   std::error_code ignored;
   if (fs::exists(made_before / "case.json", ignored)) return load_patient(made_before, progress, first_look);
-  const auto summary = study::run_demo(folder, {}, progress.part(0, 0.9));
+  const auto summary = studies::run_demo(folder, {}, progress.part(0, 0.9));
   if (!summary) return failure(summary.error());
   return load_patient(summary->case_folder, progress.part(0.9, 1), first_look);
 }

@@ -18,8 +18,8 @@ enum class OpenedThing { case_folder, study };
 // Called, on the worker thread, with what can be shown already: images and structures, `preparing` set.
 using FirstLook = std::function<void(const Patient&)>;
 
-// Reads the case and, where it has a model, prepares the rehearsal (factorises, with the atlas twin). What was read is
-// handed to `first_look` before the preparing, which takes seconds.
+// Reads the case and, where it has a model, prepares the rehearsal (factorises, with the reference body (the atlas)).
+// What was read is handed to `first_look` before the preparing, which takes seconds.
 Result<Patient> load_patient(const std::filesystem::path& case_folder, const Progress& progress,
                              const FirstLook& first_look = {});
 

@@ -33,7 +33,7 @@ struct Patient {
   std::vector<Sentence> remarks;                                     // what the last step found worth looking at
   casefile::Evidence evidence;  // accepted of measurements: in the rehearsal, or said why not
   double mean_youngs_kPa = 0;   // of the model's cells
-  double atlas_youngs_kPa = 0;  // of its atlas twin
+  double atlas_youngs_kPa = 0;  // of its reference body (the atlas)
   bool preparing = false;       // there is a model, and the rehearsal is still being made of it
 
   // Whether this is the patient shown before as being prepared: what is seen of it stays as it is.

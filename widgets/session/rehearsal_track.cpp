@@ -31,7 +31,7 @@ std::string RehearsalTrack::csv(const std::vector<std::string>& landmark_ids) co
   text += "\n";
   for (const Moment& moment : moments_) {
     std::string tools;
-    for (const ToolInHand& tool : moment.tools) {
+    for (const PlacedTool& tool : moment.tools) {
       const Eigen::Vector3d pull_N = tool.pull_N();
       // Files speak English: not translated.
       tools += fmt::format("{}{} at {:.2f} {:.2f} {:.2f} mm with {:.3f} {:.3f} {:.3f} N", tools.empty() ? "" : "; ",
@@ -46,7 +46,7 @@ std::string RehearsalTrack::csv(const std::vector<std::string>& landmark_ids) co
   return text;
 }
 
-Moment moment_of(std::vector<ToolInHand> tools, const rehearsal::RehearsalFrame& frame) {
+Moment moment_of(std::vector<PlacedTool> tools, const rehearsal::RehearsalFrame& frame) {
   Moment moment;
   moment.tools = std::move(tools);
   moment.force_N = frame.force_N.norm();

@@ -11,7 +11,7 @@ namespace glisson::widgets {
 
 struct Moment {
   double time_s = 0;  // since the first; rests longer than RehearsalTrack::longest_rest_s are cut short
-  std::vector<ToolInHand> tools;
+  std::vector<PlacedTool> tools;
   double force_N = 0;  // the length of the sum of all tools' forces
   double max_displacement_mm = 0;
   double atlas_off_mm = 0;           // the largest over the liver's surface; 0 without an atlas
@@ -43,6 +43,6 @@ class RehearsalTrack {
   double last_clock_s_ = 0;
 };
 
-[[nodiscard]] Moment moment_of(std::vector<ToolInHand> tools, const rehearsal::RehearsalFrame& frame);
+[[nodiscard]] Moment moment_of(std::vector<PlacedTool> tools, const rehearsal::RehearsalFrame& frame);
 
 }  // namespace glisson::widgets

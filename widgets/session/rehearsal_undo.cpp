@@ -17,7 +17,7 @@ Eigen::Vector3d vector_of(const QJsonValue& value) {
   return {numbers.at(0).toDouble(), numbers.at(1).toDouble(), numbers.at(2).toDouble()};
 }
 
-QJsonObject json_of(const ToolInHand& tool) {
+QJsonObject json_of(const PlacedTool& tool) {
   return {{"preset", QString::fromStdString(tool.preset)},
           {"center_mm", json_of(tool.center_mm)},
           {"outward", json_of(tool.outward)},
@@ -26,8 +26,8 @@ QJsonObject json_of(const ToolInHand& tool) {
           {"direction", json_of(tool.direction)}};
 }
 
-ToolInHand tool_of(const QJsonObject& json) {
-  ToolInHand tool;
+PlacedTool tool_of(const QJsonObject& json) {
+  PlacedTool tool;
   tool.preset = json["preset"].toString().toStdString();
   tool.center_mm = vector_of(json["center_mm"]);
   tool.outward = vector_of(json["outward"]);
@@ -65,7 +65,7 @@ void RehearsalUndo::begin() {
 
 QJsonValue RehearsalUndo::state() const {
   QJsonArray tools;
-  for (const ToolInHand& tool : rehearsal_.tools()) tools.append(json_of(tool));
+  for (const PlacedTool& tool : rehearsal_.tools()) tools.append(json_of(tool));
   return QJsonObject{{"touch", rehearsal_.touch() == Touch::rigid ? rigid : "patch"}, {"tools", tools}};
 }
 
@@ -81,7 +81,7 @@ void RehearsalUndo::apply(const QJsonValue& wanted) {
   known_ = wanted;
   if (!rehearsal_.body()) return;
   const QJsonObject state = wanted.toObject();
-  std::vector<ToolInHand> tools;
+  std::vector<PlacedTool> tools;
   for (const QJsonValue& tool : state["tools"].toArray()) tools.push_back(tool_of(tool.toObject()));
   if (state.contains("preset")) tools.push_back(tool_of(state));  // a history from when there was one tool
   const Touch touch = state["touch"].toString() == rigid ? Touch::rigid : Touch::patch;

@@ -14,10 +14,10 @@ constexpr double blade_gap_mm = 12;  // the blade is flat, the organ is not
 
 }  // namespace
 
-Result<mechanics::HandTool> hand_tool(const ToolInHand& tool, const std::string& id) {
+Result<mechanics::ContactTool> contact_tool(const PlacedTool& tool, const std::string& id) {
   const double force_mN = units::mN_from_N(tool.force_N);
   if (tool.preset == "grasper") {
-    return mechanics::HandTool{id, mechanics::Grasp{tool.center_mm, tool.radius_mm, force_mN, tool.direction}};
+    return mechanics::ContactTool{id, mechanics::Grasp{tool.center_mm, tool.radius_mm, force_mN, tool.direction}};
   }
   if (tool.pulls()) {
     return failure(Error{"tool-cannot-pull",
@@ -28,7 +28,7 @@ Result<mechanics::HandTool> hand_tool(const ToolInHand& tool, const std::string&
   }
   const bool probe = tool.preset == "palpation-probe";
   const double gap_mm = probe ? tool.radius_mm + probe_gap_mm : blade_gap_mm;
-  return mechanics::HandTool{
+  return mechanics::ContactTool{
       id, mechanics::TouchingTool{probe ? mechanics::palpation_probe(tool.radius_mm) : mechanics::nathanson_retractor(),
                                   mechanics::pose_towards(tool.center_mm - gap_mm * tool.direction, tool.direction),
                                   force_mN}};
@@ -51,7 +51,7 @@ rehearsal::RehearsalFrame frame_of(const rehearsal::SessionFrame& session) {
 
 std::vector<mechanics::ToolShape> solids_of(const rehearsal::SessionFrame& frame) {
   std::vector<mechanics::ToolShape> solids;
-  for (const mechanics::HandTool& tool : frame.tools) {
+  for (const mechanics::ContactTool& tool : frame.tools) {
     mechanics::ToolShape& solid = solids.emplace_back();
     const auto* touching = std::get_if<mechanics::TouchingTool>(&tool.what);
     if (touching == nullptr) continue;

@@ -10,7 +10,7 @@
 
 namespace glisson::widgets {
 
-struct ToolInHand {
+struct PlacedTool {
   std::string preset;                   // rehearsal/tool_presets.h
   Eigen::Vector3d center_mm{0, 0, 0};   // on the liver's surface, at rest
   Eigen::Vector3d outward{0, -1, 0};    // unit, of the surface there
@@ -21,12 +21,12 @@ struct ToolInHand {
   [[nodiscard]] Eigen::Vector3d pull_N() const { return force_N * direction; }
   // Away from the organ: the tool must hold it. Otherwise it pushes.
   [[nodiscard]] bool pulls() const { return direction.dot(outward) > 0; }
-  bool operator==(const ToolInHand&) const = default;
+  bool operator==(const PlacedTool&) const = default;
 };
 
 // The grasper holds its patch; the others are solids that come from outside along the force until the organ pushes
 // back. They cannot pull: failure "tool-cannot-pull".
-Result<mechanics::HandTool> hand_tool(const ToolInHand& tool, const std::string& id);
+Result<mechanics::ContactTool> contact_tool(const PlacedTool& tool, const std::string& id);
 
 // A session's frame in the terms of the rehearsal without contact: the force is that of all tools.
 [[nodiscard]] rehearsal::RehearsalFrame frame_of(const rehearsal::SessionFrame& frame);

@@ -134,13 +134,13 @@ void MeasureTool::preview(const Eigen::Vector3d& position_mm) {
   draw();
 }
 
-std::optional<MeasureTool::Held> MeasureTool::under(const SliceView& slice, const QPointF& position) const {
+std::optional<MeasureTool::Fixed> MeasureTool::under(const SliceView& slice, const QPointF& position) const {
   for (std::size_t m = 0; m < measurements_.size(); ++m) {
     for (std::size_t p = 0; p < measurements_[m].points_mm.size(); ++p) {
       const Eigen::Vector3d& point_mm = measurements_[m].points_mm[p];
       if (std::abs(slice.normal().dot(point_mm - slice.crosshair_mm())) > reach_mm) continue;
       const Eigen::Vector2d at = slice.view().pixel_of(point_mm) / slice.devicePixelRatioF();
-      if ((at - Eigen::Vector2d(position.x(), position.y())).norm() <= reach_px) return Held{m, p};
+      if ((at - Eigen::Vector2d(position.x(), position.y())).norm() <= reach_px) return Fixed{m, p};
     }
   }
   return std::nullopt;

@@ -36,7 +36,7 @@ class MeasureTool : public QObject {
   void changed();
 
  private:
-  struct Held {
+  struct Fixed {
     std::size_t measurement;
     std::size_t point;
   };
@@ -47,7 +47,7 @@ class MeasureTool : public QObject {
   void set_point(const Eigen::Vector3d& position_mm);
   // The last point follows the mouse until it is set.
   void preview(const Eigen::Vector3d& position_mm);
-  [[nodiscard]] std::optional<Held> under(const SliceView& slice, const QPointF& position) const;
+  [[nodiscard]] std::optional<Fixed> under(const SliceView& slice, const QPointF& position) const;
   void draw();
 
   LinkedViews& views_;
@@ -55,7 +55,7 @@ class MeasureTool : public QObject {
   std::vector<Eigen::Vector3d> set_mm_;  // of the one that is being made
   std::optional<Eigen::Vector3d> next_mm_;
   std::vector<Measurement> measurements_;
-  std::optional<Held> held_;
+  std::optional<Fixed> held_;
   QPointF pressed_at_;
 };
 

@@ -213,10 +213,10 @@ scene::SurfaceItem PatientViews::item(std::size_t structure, const Body& body, B
 void PatientViews::rebuild_space() {
   if (bodies_ == Bodies::side_by_side) {
     scene::Scene patient = space_scene(Bodies::patient);
-    patient.furniture.title = tr("The patient's own stiffness").toStdString();
+    patient.annotations.title = tr("The patient's own stiffness").toStdString();
     scene::Scene atlas = space_scene(Bodies::atlas);
-    atlas.furniture.title = tr("One stiffness from the atlas").toStdString();
-    for (scene::Scene* each : {&patient, &atlas}) each->furniture.text_scale = 0.8;
+    atlas.annotations.title = tr("One stiffness from the atlas").toStdString();
+    for (scene::Scene* each : {&patient, &atlas}) each->annotations.text_scale = 0.8;
     views_.space().show_scene(patient);
     views_.twin().show_scene(atlas);
     views_.twin().follow(views_.space().view().camera());
@@ -247,13 +247,14 @@ scene::Scene PatientViews::space_scene(Bodies bodies) const {
                    [](const auto& a, const auto& b) { return a.opacity > b.opacity; });
   // The first clause: the whole sentence stands above the views.
   static const QRegularExpression end_of_clause("[:,]");
-  scene.furniture.warning = told(patient_.origin).section(end_of_clause, 0, 0).toStdString();
+  scene.annotations.warning = told(patient_.origin).section(end_of_clause, 0, 0).toStdString();
   if (bodies == Bodies::both) {
-    scene.furniture.key = {{red, tr("Red: one stiffness from the atlas").toStdString()},
-                           {blue, tr("Blue: the patient's own stiffness").toStdString()},
-                           {purple, tr("Purple: both agree").toStdString()}};
+    scene.annotations.key = {{red, tr("Red: one stiffness from the atlas").toStdString()},
+                             {blue, tr("Blue: the patient's own stiffness").toStdString()},
+                             {purple, tr("Purple: both agree").toStdString()}};
   }
-  if (workspace_) scene.furniture.key.insert(scene.furniture.key.end(), workspace_->key.begin(), workspace_->key.end());
+  if (workspace_)
+    scene.annotations.key.insert(scene.annotations.key.end(), workspace_->key.begin(), workspace_->key.end());
   return scene;
 }
 

@@ -22,7 +22,7 @@ const std::array<scene::Colour, 3> axis_colours{scene::Colour{0.93, 0.55, 0.40},
 }  // namespace
 
 SliceView::SliceView(SliceDirection direction, QWidget* parent) : RenderWidget(parent), direction_(direction) {
-  furniture_.orientation = scene::Furniture::Orientation::letters;
+  furniture_.orientation = scene::Annotations::Orientation::letters;
   furniture_.text_scale = 0.9;
 }
 
@@ -88,7 +88,7 @@ void SliceView::show_content(const SliceContent& content) {
     slice.cuts = content.cuts;
     scene.slices.push_back(std::move(slice));
   }
-  scene.furniture = furniture_;
+  scene.annotations = furniture_;
   box_ = scene::bounds(scene);
   if (auto shown = view().show(scene); !shown) return;
   if (!same_volume && !fitted_) fit();
@@ -182,14 +182,14 @@ void SliceView::fit() {
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
   last_ = event->position();
-  held_ = Held::nothing;
+  held_ = Fixed::nothing;
   if (event->button() != Qt::LeftButton || (event->modifiers() & Qt::ShiftModifier) != 0) return;
   if ((event->modifiers() & Qt::ControlModifier) != 0) {
-    held_ = Held::picture;
+    held_ = Fixed::picture;
   } else if (on_knob(event->position())) {
-    held_ = Held::knob;
+    held_ = Fixed::knob;
   } else {
-    held_ = Held::crosshair;
+    held_ = Fixed::crosshair;
     point_at(event->position());
   }
 }
@@ -212,13 +212,13 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     const double center = content_.window_center + 0.004 * width * moved.y();
     set_window(center, width);
     Q_EMIT window_changed(center, width);
-  } else if (held_ == Held::crosshair) {
+  } else if (held_ == Fixed::crosshair) {
     point_at(event->position());
-  } else if (held_ == Held::knob || held_ == Held::picture) {
+  } else if (held_ == Fixed::knob || held_ == Fixed::picture) {
     const double turn_rad = std::remainder(
         angle_about_crosshair_rad(event->position()) - angle_about_crosshair_rad(before), 2 * std::numbers::pi);
     const double turn_deg = turn_rad * 180 / std::numbers::pi;
-    if (held_ == Held::picture) {
+    if (held_ == Fixed::picture) {
       set_roll_deg(roll_deg_ + turn_deg);
       return;
     }
@@ -230,7 +230,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   }
 }
 
-void SliceView::mouseReleaseEvent(QMouseEvent* /*event*/) { held_ = Held::nothing; }
+void SliceView::mouseReleaseEvent(QMouseEvent* /*event*/) { held_ = Fixed::nothing; }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
   const int units = event->angleDelta().y();

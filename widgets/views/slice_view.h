@@ -72,7 +72,7 @@ class SliceView : public RenderWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  enum class Held { nothing, crosshair, knob, picture };
+  enum class Fixed { nothing, crosshair, knob, picture };
 
   [[nodiscard]] scene::Camera straight_camera() const;
   void aim();
@@ -89,10 +89,10 @@ class SliceView : public RenderWidget {
   SliceContent content_;
   geometry::Box box_;
   Eigen::Vector3d crosshair_mm_{0, 0, 0};
-  scene::Furniture furniture_;
+  scene::Annotations furniture_;
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
   double roll_deg_ = 0;
-  Held held_ = Held::nothing;
+  Fixed held_ = Fixed::nothing;
   bool hovered_ = false;
   QPointF last_;
   bool fitted_ = false;

@@ -1,0 +1,126 @@
+#pragma once
+// What was done to a specimen and what was measured: the three sorts of experiment, as plain values in the units of
+// base/units.h (mm, mN, kPa, kg, s) and, for platforms, V, A, W, Wh, degrees Celsius. Read from JSON of the format
+// "glisson-experiment/1", which speaks N and kg/m3, and from the tables that it names.
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/result.h"
+#include "geometry/tetrahedra.h"
+#include "mechanics/scenario/scenario.h"
+
+namespace glisson::closedloop {
+
+// --- palpation: a specimen with markers, pressed by a tool
+
+struct Marker {
+  std::string id;
+  Eigen::Vector3d rest_mm;
+  Eigen::Vector3d position_mm;  // where it was seen
+};
+
+struct PalpationSample {
+  double time_s = 0;
+  double force_mN = 0;          // what the load cell read, along the tool's direction
+  std::vector<Marker> markers;  // empty: the sample only shapes the history of the load
+};
+
+struct PalpationTool {
+  Eigen::Vector3d center_mm{0, 0, 0};
+  double radius_mm = 0;
+  Eigen::Vector3d direction{0, 0, -1};  // of length 1
+};
+
+struct PalpationTrial {
+  std::string id;
+  PalpationTool tool;
+  std::vector<PalpationSample> samples;  // by time; the first says what the untouched load cell read
+};
+
+struct Palpation {
+  geometry::TetMesh mesh;              // at rest; has passed check_tetrahedra
+  std::vector<double> cell_young_kPa;  // the declared modulus, one a cell
+  double poisson_ratio = 0.45;
+  double density_kg_mm3 = 1e-6;
+  std::vector<mechanics::Support> supports;
+  Eigen::Vector3d gravity_mm_s2{0, 0, 0};
+  double noise_mm = 0;  // standard deviation of each coordinate
+  std::vector<PalpationTrial> trials;
+};
+
+// --- material: nominal stress against stretch and time
+
+enum class Mode { compression, tension, shear };
+
+struct MaterialSpecimen {
+  std::optional<double> area_mm2;   // under load, at rest; absent where the file does not give the size
+  std::optional<double> height_mm;  // or gauge length, along the load (thickness in shear)
+};
+
+enum class DeclaredLaw { linear, neo_hookean };
+
+struct MaterialTrial {
+  std::string id;
+  Eigen::VectorXd time_s;      // never goes back
+  Eigen::VectorXd stretch;     // in shear: 1 + the amount of shear
+  Eigen::VectorXd stress_kPa;  // nominal, compression negative; empty where predict() was given no measurement
+};
+
+struct Material {
+  MaterialSpecimen specimen;
+  Mode mode = Mode::compression;
+  DeclaredLaw law = DeclaredLaw::linear;
+  double young_kPa = 0;  // instantaneous
+  double noise_kPa = 0;
+  std::vector<MaterialTrial> trials;
+};
+
+// --- platform: battery, power and temperature against time
+
+struct PlatformTrial {
+  std::string id;
+  double ambient_C = 25;
+  Eigen::VectorXd time_s;  // never goes back
+  // Each as long as time_s, or empty where the experiment names no such column.
+  Eigen::VectorXd current_A;  // positive: discharge
+  Eigen::VectorXd voltage_V;
+  Eigen::VectorXd power_W;  // positive: drawn
+  Eigen::VectorXd temperature_C;
+  Eigen::VectorXd load;  // 0 to 1, or work a second
+};
+
+struct Platform {
+  std::optional<double> energy_Wh;
+  std::optional<double> nominal_voltage_V;
+  std::optional<double> capacity_Ah;
+  double idle_W = 0;
+  std::optional<double> full_load_W;  // above idle, at load 1
+  std::optional<double> thermal_resistance_C_per_W;
+  std::optional<double> time_constant_s;  // of the temperature; absent: it follows power at once
+  // Standard deviations; a quantity without one is not judged.
+  std::optional<double> noise_V, noise_C, noise_W;
+  std::vector<PlatformTrial> trials;
+};
+
+struct Experiment {
+  std::filesystem::path file;
+  std::string title;
+  std::variant<Palpation, Material, Platform> setup;
+};
+
+// To explain an experiment its trials must be measured; to predict one they need only say what was done.
+enum class Needs { measurements, conditions };
+
+// Paths in the experiment are relative to its file. Refused, each with the file, where possible the line, and the
+// likely cause: a key that is not known or is missing, a table or mesh that is not there, a column that is not in its
+// table, a cell without a number, time that goes back, a trial without samples, two trials of one name, numbers that
+// cannot be in the stated unit (a liver of 17000 kPa, markers in metres), markers outside the specimen.
+// Codes: "experiment-invalid", "experiment-unit", "experiment-file-missing", and those of reading JSON and meshes.
+Result<Experiment> read_experiment(const std::filesystem::path& file, Needs needs = Needs::measurements);
+
+}  // namespace glisson::closedloop

@@ -1,0 +1,71 @@
+#pragma once
+// A model that predicts what an experiment measured, with any set of effects switched on. One class for each sort of
+// experiment; tracing, reports and prediction know this interface alone.
+
+#include <Eigen/Core>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "closedloop/experiment/effect.h"
+#include "closedloop/experiment/experiment.h"
+#include "closedloop/experiment/observations.h"
+#include "closedloop/experiment/whitening.h"
+
+namespace glisson::closedloop {
+
+// A prediction and how it changes with each parameter, in the order of the settings: rows x parameter_count(settings).
+struct Linearisation {
+  Eigen::VectorXd predicted;
+  Eigen::MatrixXd derivatives;
+};
+
+// Where a search for an effect may begin.
+struct Start {
+  Eigen::VectorXd values;
+  // How much of the residual's sum of squares, in units of the noise, the effect would take to first order. Known where
+  // fitting is slow: what promises far less than others is not fitted at all.
+  double promise = std::numeric_limits<double>::infinity();
+};
+
+class ForwardModel {
+ public:
+  virtual ~ForwardModel() = default;
+
+  [[nodiscard]] virtual const Observations& observations() const = 0;
+
+  // Effects that this experiment could show at all (no asymmetry where only compression was tested). Several forms of
+  // one kind exclude each other and stand in order of increasing freedom.
+  [[nodiscard]] virtual const std::vector<Effect>& catalogue() const = 0;
+
+  // One number a row of observations(); no settings: the declared model. Settings are of the catalogue, in bounds.
+  // Must be free of data races (called from several threads) and deterministic.
+  [[nodiscard]] virtual Result<Eigen::VectorXd> predict(const Settings& settings) const = 0;
+
+  // By central or one-sided differences within the bounds unless a model knows better.
+  [[nodiscard]] virtual Result<Linearisation> linearise(const Settings& settings) const;
+
+  // How far the declared model's prediction itself may be off: the discretisation error as a finer solve shows it.
+  // Counted as uncertainty, so that it is never named an effect.
+  [[nodiscard]] virtual SystematicUncertainty systematic_uncertainty() const { return {}; }
+
+  // Where to begin the search for `effect` when `active` are on already and leave `residual` (measured - predicted).
+  [[nodiscard]] virtual std::vector<Start> starts(const Effect& effect, const Settings& active,
+                                                  const Eigen::VectorXd& residual) const;
+
+  // Whether a prediction takes so little that sets of effects may be tried by the score.
+  [[nodiscard]] virtual bool predicts_quickly() const { return true; }
+
+  // Further trials that could be measured, as sentences for a person ("press at (…) mm with 2 N"), and what settings
+  // predict there, in units of the noise.
+  [[nodiscard]] virtual std::vector<std::string> further_trials() const { return {}; }
+  [[nodiscard]] virtual Result<Eigen::VectorXd> predict_further(std::size_t trial, const Settings& settings) const;
+};
+
+// The effect of the catalogue that a setting switches on; nullptr where the model does not know it.
+[[nodiscard]] const Effect* effect_of(const ForwardModel& model, const Setting& setting);
+
+}  // namespace glisson::closedloop

@@ -1,0 +1,57 @@
+#pragma once
+// Is what a model leaves noise? Tests for what independent noise of the stated size would not do, each with a
+// probability; all assume that the noise is normal and known to within a twentieth.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "closedloop/experiment/observations.h"
+
+namespace glisson::closedloop {
+
+// In the experiment's unit; over rows (rms) and over the vectors that rows make (mean, p95, max: for markers their
+// three coordinates together).
+struct ErrorFigures {
+  double rms = 0;
+  double mean = 0;
+  double p95 = 0;
+  double max = 0;
+  double noise = 0;  // root mean square of the stated noise
+  double reduced_chi2 = 0;
+  // In each direction's own unit; only where `unit` is "noise", and there nothing for a direction without rows.
+  std::vector<std::optional<double>> rms_of_direction;
+};
+
+// Rows whose measurement is NaN are left out.
+[[nodiscard]] ErrorFigures error_figures(const Observations& observations, const Eigen::VectorXd& predicted);
+
+struct NoiseTest {
+  std::string name;      // "size", "neighbours", "load", "time", "place", "direction", "trials", "scale"
+  std::string sentence;  // what it says where it is significant
+  double statistic = 0;
+  double p_value = 1;
+};
+
+struct Judgement {
+  std::vector<NoiseTest> tests;
+  double smallest_p = 1;  // of all tests, times their number (Bonferroni)
+  bool is_noise = true;
+  // In words, the features that noise would not have, the strongest first; empty for noise.
+  [[nodiscard]] std::vector<std::string> shape() const;
+};
+
+// `white`: the whitened residual (whitening.h), a number a row; `predicted` in the experiment's unit.
+//   size        sum of squares against chi-squared, with noise 1.05 times the stated one;
+//   neighbours  Moran's I over the nearest markers of the same moment; without places, over neighbours in time;
+//   others      score tests: the part of the residual along a few functions of the covariate, against chi-squared.
+// A residual is noise when no test is as improbable as one in a thousand, all tests taken together.
+[[nodiscard]] Judgement judge(const Observations& observations, const Eigen::VectorXd& white,
+                              const Eigen::VectorXd& predicted);
+
+// How many neighbouring rows in time repeat each other: 1 + 2 sum of autocorrelations (to the first below 0.05) within
+// trials and directions, at least 1. n rows are worth n over this.
+[[nodiscard]] double correlation_length(const Observations& observations, const Eigen::VectorXd& white);
+
+}  // namespace glisson::closedloop

@@ -1,0 +1,213 @@
+#include "closedloop/hardware/model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "closedloop/hardware/effects.h"
+
+namespace glisson::closedloop {
+namespace {
+
+// The three quantities, by the numbers of Observations::direction.
+constexpr std::size_t quantities = 3;
+const std::vector<std::string> names{"voltage_V", "temperature_C", "power_W"};
+
+class PlatformModel : public ForwardModel {
+ public:
+  explicit PlatformModel(Platform platform);
+
+  [[nodiscard]] const Observations& observations() const override { return observations_; }
+  [[nodiscard]] const std::vector<Effect>& catalogue() const override { return catalogue_; }
+  [[nodiscard]] Result<Eigen::VectorXd> predict(const Settings& settings) const override;
+  [[nodiscard]] SystematicUncertainty systematic_uncertainty() const override;
+  [[nodiscard]] std::vector<std::string> further_trials() const override;
+  [[nodiscard]] Result<Eigen::VectorXd> predict_further(std::size_t trial, const Settings& settings) const override;
+
+ private:
+  [[nodiscard]] Eigen::VectorXd predicted_by(const PlatformBehaviour& behaviour, Hold hold) const;
+  [[nodiscard]] Result<PlatformBehaviour> behaviour(const Settings& settings) const;
+  [[nodiscard]] bool judged(const PlatformTrial& trial, std::size_t quantity) const;
+  void observe(const PlatformTrial& trial);
+  void blur_the_end(const PlatformTrial& trial, const std::vector<std::size_t>& seen, Eigen::Index first);
+
+  Platform platform_;
+  std::vector<PlatformEffect> effects_;
+  std::vector<Effect> catalogue_;
+  Observations observations_;
+};
+
+std::array<Eigen::VectorXd, quantities> in_order(PlatformReadings readings) {
+  return {std::move(readings.voltage_V), std::move(readings.temperature_C), std::move(readings.power_W)};
+}
+
+const Eigen::VectorXd& measured(const PlatformTrial& trial, std::size_t quantity) {
+  return quantity == 0 ? trial.voltage_V : quantity == 1 ? trial.temperature_C : trial.power_W;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ForwardModel>> platform_model(Platform platform) {
+  auto model = std::make_unique<PlatformModel>(std::move(platform));
+  if (model->observations().rows() == 0)
+    return failure(
+        Error{"experiment-invalid",
+              GLISSON_TEXT("The declared figures predict none of the recorded quantities."),
+              {},
+              GLISSON_TEXT("Voltage needs nominal_voltage_V, temperature needs thermal_resistance_C_per_W and "
+                           "a power, power needs a current or a load."),
+              {}});
+  return model;
+}
+
+namespace {
+
+PlatformModel::PlatformModel(Platform platform)
+    : platform_(std::move(platform)), effects_(platform_effects(platform_)) {
+  for (const PlatformEffect& effect : effects_) catalogue_.push_back(effect.effect);
+  observations_.unit = "noise";
+  observations_.directions = names;
+  for (const PlatformTrial& trial : platform_.trials) observe(trial);
+}
+
+// A quantity is judged where it was recorded, its noise is known and the declared model predicts it.
+bool PlatformModel::judged(const PlatformTrial& trial, std::size_t quantity) const {
+  const std::array noises{platform_.noise_V, platform_.noise_C, platform_.noise_W};
+  if (!noises[quantity] || measured(trial, quantity).size() == 0) return false;
+  return in_order(readings(declared_behaviour(platform_), platform_, trial))[quantity].size() > 0;
+}
+
+void PlatformModel::observe(const PlatformTrial& trial) {
+  Observations& all = observations_;
+  const std::array noises{platform_.noise_V, platform_.noise_C, platform_.noise_W};
+  std::vector<std::size_t> seen;
+  for (std::size_t quantity = 0; quantity < quantities; ++quantity) {
+    if (judged(trial, quantity)) seen.push_back(quantity);
+  }
+  const Eigen::VectorXd charge = charge_drawn_Ah(trial);
+  const Eigen::VectorXd& load = trial.current_A.size() > 0 ? trial.current_A
+                                : trial.load.size() > 0    ? trial.load
+                                                           : trial.power_W;
+  const Eigen::Index first = all.rows();
+  const Eigen::Index rows = first + trial.time_s.size() * static_cast<Eigen::Index>(seen.size());
+  all.measured.conservativeResize(rows);
+  all.noise.conservativeResize(rows);
+  all.time_s.conservativeResize(rows);
+  all.load.conservativeResize(rows);
+  all.conditions.conservativeResize(rows, 2);
+  Eigen::Index row = first;
+  for (Eigen::Index i = 0; i < trial.time_s.size(); ++i) {
+    for (const std::size_t quantity : seen) {
+      all.measured[row] = measured(trial, quantity)[i];
+      all.noise[row] = *noises[quantity];
+      all.time_s[row] = trial.time_s[i] - trial.time_s[0];
+      all.load[row] = load.size() > 0 ? load[i] : 0;
+      all.conditions(row, 0) = charge[i];
+      all.conditions(row, 1) = std::log1p(all.time_s[row]);
+      all.trial.push_back(all.trial_count());
+      all.sample.push_back(static_cast<int>(i));
+      all.direction.push_back(static_cast<int>(quantity));
+      all.point.push_back(static_cast<int>(row));
+      ++row;
+    }
+  }
+  blur_the_end(trial, seen, first);
+  all.trials.push_back(trial.id);
+}
+
+// When a battery gives up is known to a sample: the readings beside the jump are as uncertain as the jump is high.
+void PlatformModel::blur_the_end(const PlatformTrial& trial, const std::vector<std::size_t>& seen, Eigen::Index first) {
+  if (!platform_.nominal_voltage_V || trial.voltage_V.size() == 0) return;
+  const auto columns = static_cast<Eigen::Index>(seen.size());
+  const Eigen::Index last = trial.time_s.size() - 1;
+  for (Eigen::Index i = 1; i <= last; ++i) {
+    if (std::abs(trial.voltage_V[i] - trial.voltage_V[i - 1]) < 0.25 * *platform_.nominal_voltage_V) continue;
+    for (Eigen::Index beside = i - 1; beside <= std::min(i + 1, last); ++beside) {
+      for (Eigen::Index column = 0; column < columns; ++column) {
+        const Eigen::VectorXd& readings_of = measured(trial, seen[static_cast<std::size_t>(column)]);
+        double& noise = observations_.noise[first + beside * columns + column];
+        if (seen[static_cast<std::size_t>(column)] != 1)
+          noise = std::max(noise, std::abs(readings_of[i] - readings_of[i - 1]));
+      }
+    }
+  }
+}
+
+Result<PlatformBehaviour> PlatformModel::behaviour(const Settings& settings) const {
+  PlatformBehaviour behaviour = declared_behaviour(platform_);
+  for (const Setting& setting : settings) {
+    const auto found = std::find_if(effects_.begin(), effects_.end(), [&](const PlatformEffect& effect) {
+      return effect.effect.kind == setting.kind && effect.effect.form == setting.form;
+    });
+    GLISSON_ASSERT(found != effects_.end());
+    found->apply(setting.parameters, behaviour);
+  }
+  return behaviour;
+}
+
+Result<Eigen::VectorXd> PlatformModel::predict(const Settings& settings) const {
+  const auto changed = behaviour(settings);
+  if (!changed) return failure(changed.error());
+  Eigen::VectorXd predicted = predicted_by(*changed, Hold::mean_of_both);
+  if (!predicted.allFinite())
+    return failure("platform-out-of-range", GLISSON_TEXT("The model of the platform has no finite answer here."));
+  return predicted;
+}
+
+Eigen::VectorXd PlatformModel::predicted_by(const PlatformBehaviour& behaviour, Hold hold) const {
+  Eigen::VectorXd predicted(observations_.rows());
+  Eigen::Index row = 0;
+  for (std::size_t t = 0; t < platform_.trials.size(); ++t) {
+    const auto values = in_order(readings(behaviour, platform_, platform_.trials[t], hold));
+    for (; row < predicted.size() && observations_.trial[static_cast<std::size_t>(row)] == static_cast<int>(t); ++row) {
+      const auto i = static_cast<std::size_t>(row);
+      predicted[row] = values[static_cast<std::size_t>(observations_.direction[i])][observations_.sample[i]];
+    }
+  }
+  return predicted;
+}
+
+// What power was between two samples nobody recorded: half of the difference that it can make.
+SystematicUncertainty PlatformModel::systematic_uncertainty() const {
+  const PlatformBehaviour declared = declared_behaviour(platform_);
+  SystematicUncertainty uncertainty;
+  uncertainty.directions =
+      (predicted_by(declared, Hold::sample_after) - predicted_by(declared, Hold::sample_before)) / 2;
+  return uncertainty;
+}
+
+std::vector<std::string> PlatformModel::further_trials() const {
+  return {"Repeat the longest trial at half of its current or load.",
+          "Repeat the longest trial at twice its current or load.",
+          "Repeat the longest trial in a room that is 15 C warmer."};
+}
+
+Result<Eigen::VectorXd> PlatformModel::predict_further(std::size_t which, const Settings& settings) const {
+  const auto longest = std::max_element(platform_.trials.begin(), platform_.trials.end(),
+                                        [](const auto& a, const auto& b) { return a.time_s.size() < b.time_s.size(); });
+  PlatformTrial trial = *longest;
+  const double factor = which == 0 ? 0.5 : which == 1 ? 2.0 : 1.0;
+  trial.current_A *= factor;
+  trial.load *= factor;
+  if (which == 2) trial.ambient_C += 15;
+  // Nothing is measured there yet.
+  trial.voltage_V.resize(0);
+  trial.temperature_C.resize(0);
+  trial.power_W.resize(0);
+  const auto changed = behaviour(settings);
+  if (!changed) return failure(changed.error());
+  const auto values = in_order(readings(*changed, platform_, trial));
+  const std::array noises{platform_.noise_V, platform_.noise_C, platform_.noise_W};
+  Eigen::VectorXd all;
+  for (std::size_t quantity = 0; quantity < quantities; ++quantity) {
+    if (!noises[quantity] || values[quantity].size() == 0) continue;
+    const Eigen::Index before = all.size();
+    all.conservativeResize(before + values[quantity].size());
+    all.tail(values[quantity].size()) = values[quantity] / *noises[quantity];
+  }
+  return all;
+}
+
+}  // namespace
+}  // namespace glisson::closedloop

@@ -1,0 +1,31 @@
+#pragma once
+// From an experiment and its forward model to what the model lacks.
+//
+// The declared model is judged first. If what it leaves is noise, that is the answer. Otherwise effects enter one by
+// one, all parameters being fitted again each time: the one with the best BIC, if it pays by BIC and by the error on
+// trials left out whole (each by itself, and those under the largest load). After each step effects that no longer pay
+// leave. When nothing more pays or the rest is noise, every effect is put against each other kind in its place; those
+// that do as well are named with it.
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "closedloop/experiment/forward_model.h"
+#include "closedloop/inference/explanation.h"
+
+namespace glisson::closedloop {
+
+struct DiagnosisOptions {
+  double entry_bic = 10;  // "very strong" evidence on Kass and Raftery's scale (1995), over a score of candidates
+  double alike_bic = 10;  // what less than that cannot tell apart, causes from a smooth function without cause too
+  std::size_t most_effects = 3;
+  // With effects, a rest this much above the stated noise is still called explained: noise is seldom known better.
+  // Shared among them: the more effects, the closer they must come.
+  double near_noise_excess = 0.15;
+};
+
+// Fails where the declared model cannot be solved, and when cancelled. A candidate whose solve fails is left out, with
+// the reason in the ranking.
+Result<Explanation> diagnose(const ForwardModel& model, const DiagnosisOptions& options = {},
+                             const Progress& progress = {});
+
+}  // namespace glisson::closedloop

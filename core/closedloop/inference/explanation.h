@@ -1,0 +1,97 @@
+#pragma once
+// What tracing found: the verdict, the errors before and after, the effects with their evidence, and what to do next.
+// Errors are in the experiment's unit.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "closedloop/experiment/effect.h"
+#include "closedloop/experiment/observations.h"
+#include "closedloop/experiment/residual.h"
+#include "closedloop/inference/smooth_correction.h"
+
+namespace glisson::closedloop {
+
+enum class Verdict {
+  nothing_missing,  // what the declared model leaves is noise
+  explained,        // with the effects, what is left is noise, or as near to it as the stated noise can be trusted
+  unexplained       // no combination of known effects brings it there
+};
+
+// Error on trials left out whole, each predicted by a model fitted to the others.
+struct HeldOut {
+  double rms = 0;
+  double low = 0;  // 95 % interval, bootstrapped over trials
+  double high = 0;
+  double mean = 0;  // over vectors, as ErrorFigures
+  double p95 = 0;
+};
+
+struct FoundParameter {
+  Parameter parameter;
+  double value = 0;
+  double std = 0;
+  double low = 0;  // 95 % interval, bootstrapped over trials; from the standard deviation where trials are few
+  double high = 0;
+  bool determined = true;  // false: the data leave it as open as it was
+};
+
+struct FoundEffect {
+  std::string kind;
+  std::string form;
+  std::string sentence;
+  std::vector<FoundParameter> parameters;
+  double delta_bic = 0;                        // of the whole explanation, with it against without it
+  std::optional<double> held_out_rms;          // of the whole explanation
+  std::optional<double> held_out_rms_without;  // of the explanation without it
+  double removed_rms = 0;                      // how much smaller the fitted error is with it than without it
+  std::vector<std::string> alike;              // kinds that could stand in its place
+};
+
+// How each kind does alone, against the declared model.
+struct Suspect {
+  std::string kind;
+  std::string form;
+  Settings settings;
+  double rms = 0;
+  std::optional<double> held_out_rms;
+  double delta_bic = 0;
+  std::vector<std::string> alike;
+  std::string removed;  // why it is out of the running ("its solve failed: ..."); empty where it is not
+  bool failed = false;  // its solves failed, rather than that it promised too little
+};
+
+struct NextMeasurement {
+  std::string sentence;
+  std::vector<std::string> rivals;  // kinds it would tell apart
+  double expected_separation = 0;   // of their predictions, in standard deviations of the noise
+};
+
+struct Explanation {
+  Verdict verdict = Verdict::nothing_missing;
+  ErrorFigures before;
+  ErrorFigures after;
+  std::optional<HeldOut> held_out;         // absent for a single trial
+  std::optional<HeldOut> held_out_before;  // of the declared model: no fit, so it only adds the interval
+  Judgement judgement_before;
+  Judgement judgement_after;
+  std::vector<FoundEffect> effects;  // by what they remove, the largest first
+  Settings settings;                 // the same, for ForwardModel::predict
+  std::vector<Suspect> ranking;      // the best first
+  // Of what was found, over a smooth function of what was done that names no cause (smooth_baseline.h); absent where
+  // nothing would have been called explained.
+  std::optional<double> evidence_over_smooth;
+  std::optional<SmoothCorrection> smooth_correction;
+  std::optional<HeldOut> held_out_corrected;  // with it
+  std::optional<NextMeasurement> next;
+  std::vector<std::string> notes;  // for a person: what is undetermined, what was left out and why
+  Eigen::VectorXd predicted_before;
+  // The share of SystematicUncertainty::expected that the measurements show after all effects, and that is taken off
+  // the better model's predictions; 0 where they do not show it.
+  double mesh_error_share = 0;
+  Eigen::VectorXd predicted_after;  // with that, without the smooth correction
+};
+
+}  // namespace glisson::closedloop

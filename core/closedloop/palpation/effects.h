@@ -1,0 +1,60 @@
+#pragma once
+// The effects that a palpation may show, with their parameters. What each does to the model:
+//
+// | kind (form)                | parameters                            | how it acts |
+// |----------------------------|---------------------------------------|-----------------------------------------------|
+// | stiffness-scale            | factor                                | Young's modulus everywhere | |
+// strain-stiffening          | coefficient                           | palpation_state.h, StiffeningLaw              |
+// |   (linear), (exponential)  |                                       | | | support-compliance         |
+// foundation_kPa_per_mm                 | palpation_structure.h                         | | stiff-inclusion |
+// center_mm[3], radius_mm, ratio        | palpation_structure.h                         | | viscoelastic-creep |
+// amplitude, time_s (each a vector)     | the load that acts is the load that was put   | |   (prony-1), (prony-2) | |
+// on, by the creep function: exact where all of | |                            | | the specimen creeps alike | |
+// force-bias                 | zero_N, gain                          | reading = gain * force + zero                 |
+// | frame-misalignment         | rotation_deg[3], translation_mm[3]    | seen = R place + t; R by its rotation vector,
+// | |                            |                                       | about the origin of the coordinates | |
+// anisotropy                 | axis[3], ratio                        | palpation_structure.h; the axis's length has  |
+// |   (fibres), (engineering)  |                                       | no meaning | | capsule                    |
+// stiffness_N_per_mm                    | palpation_structure.h                         | | preload (gravity) |
+// gravity_m_s2[3]                       | besides declared gravity                      | | preload (pressure) |
+// pressure_kPa                          | on the whole boundary, positive compresses    |
+
+#include <string>
+#include <vector>
+
+#include "closedloop/experiment/effect.h"
+#include "closedloop/experiment/experiment.h"
+#include "closedloop/palpation/internal/structure.h"
+
+namespace glisson::closedloop {
+
+namespace palpation {
+inline const std::string stiffness_scale = "stiffness-scale";
+inline const std::string strain_stiffening = "strain-stiffening";
+inline const std::string support_compliance = "support-compliance";
+inline const std::string stiff_inclusion = "stiff-inclusion";
+inline const std::string viscoelastic_creep = "viscoelastic-creep";
+inline const std::string force_bias = "force-bias";
+inline const std::string frame_misalignment = "frame-misalignment";
+inline const std::string anisotropy = "anisotropy";
+inline const std::string capsule = "capsule";
+inline const std::string preload = "preload";
+
+inline const std::string form_exponential = "exponential", form_linear = "linear", form_yeoh = "yeoh",
+                         form_ogden = "ogden";
+inline const std::string form_prony_1 = "prony-1", form_prony_2 = "prony-2";
+inline const std::string form_fibres = "fibres", form_engineering = "engineering";
+inline const std::string form_gravity = "gravity", form_pressure = "pressure";
+}  // namespace palpation
+
+// Those that this experiment could show: no creep where nothing lasts, no compliance where nothing is held by faces.
+[[nodiscard]] std::vector<Effect> palpation_catalogue(const Palpation& experiment, const SpecimenBody& specimen);
+
+// Springs as stiff as this are no springs: the upper bound of foundation_kPa_per_mm.
+[[nodiscard]] double held_from_kPa_per_mm(const SpecimenBody& specimen);
+
+// What the untouched load cells read (mN), averaged over the trials that say so: a first sample that was not watched,
+// or that shows less than a quarter of its trial's load.
+[[nodiscard]] double untouched_reading_mN(const Palpation& experiment);
+
+}  // namespace glisson::closedloop

@@ -1,0 +1,23 @@
+#pragma once
+// Trials that could still be made on a specimen: where, how hard and for how long, as sentences and as what the model
+// is asked to predict. Inside of this room.
+
+#include <string>
+#include <vector>
+
+#include "closedloop/experiment/experiment.h"
+#include "mechanics/elements/boundary.h"
+
+namespace glisson::closedloop {
+
+struct FurtherTrial {
+  std::string sentence;  // for a person: "Press at (…) mm with 2 N."
+  PalpationTrial trial;  // one sample with the markers of the experiment; their positions mean nothing
+};
+
+// Variations of the trial that went furthest: at the place of the surface that is furthest from all tools and looks the
+// same way, twice as hard, held ten times as long, pulled instead of pressed.
+[[nodiscard]] std::vector<FurtherTrial> further_palpations(const Palpation& experiment,
+                                                           const std::vector<mechanics::BoundaryFace>& boundary);
+
+}  // namespace glisson::closedloop

@@ -1,0 +1,57 @@
+#pragma once
+// Everything that effects may change about a palpation, in one value: each effect writes its own part, so that effects
+// compose. Default: the declared model. Inside of this room.
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "closedloop/experiment/effect.h"
+#include "closedloop/palpation/internal/structure.h"
+
+namespace glisson::closedloop {
+
+// How Young's modulus of the body grows with q = eps : C eps / E, the square of a strain (of the strain itself, where
+// a bar is pulled): sigma = E g(q) (C / E) eps. The energy E/2 integral of g makes it an elastic law, at small strain.
+//
+// Tissue that stiffens is mostly strained far: two more laws are for large strain, by principal stretches
+// (palpation_stretch.h), under loads that keep the direction and the faces that they have at rest. They hold the
+// geometry's own nonlinearity too, and replace the declared small strain as soon as they are on at all.
+enum class StiffeningLaw {
+  exponential,  // g = exp(b q): Fung's
+  linear,       // g = 1 + b sqrt(q)
+  yeoh,         // large strain
+  ogden,        // large strain
+};
+struct Stiffening {
+  StiffeningLaw law = StiffeningLaw::exponential;
+  double coefficient = 0;  // b, or Ogden's exponent; 0: no stiffening, whatever the law
+};
+
+// J(t) / J(0) = 1 + sum of amplitude (1 - exp(-t / time)).
+struct CreepTerm {
+  double amplitude = 0;
+  double time_s = 1;
+};
+
+struct PalpationState {
+  double stiffness_factor = 1;
+  Structure structure;
+  std::optional<Stiffening> stiffening;
+  std::vector<CreepTerm> creep;
+  double zero_mN = 0;
+  double gain = 1;
+  Eigen::Vector3d rotation_deg{0, 0, 0};  // a rotation vector, about the origin of the coordinates
+  Eigen::Vector3d translation_mm{0, 0, 0};
+  Eigen::Vector3d gravity_mm_s2{0, 0, 0};  // besides the declared one
+  double pressure_kPa = 0;
+
+  // Springs and membrane do not scale with the body's modulus: the structure of which this state's displacements are
+  // 1 / stiffness_factor times the response.
+  [[nodiscard]] Structure scaled_structure() const;
+};
+
+// Settings of palpation_effects.h. `held_from_kPa_per_mm`: springs as stiff as this are no springs.
+[[nodiscard]] PalpationState state_of(const Settings& settings, double held_from_kPa_per_mm);
+
+}  // namespace glisson::closedloop

@@ -1,0 +1,336 @@
+#include "closedloop/palpation/internal/structure.h"
+
+#include <cmath>
+
+#include "mechanics/elements/block_assembly.h"
+#include "mechanics/elements/quadrature.h"
+#include "mechanics/elements/shape_functions.h"
+
+namespace glisson::closedloop {
+namespace {
+
+using mechanics::Matrix9d;
+
+std::optional<SoftSupports> soft_supports(const mechanics::Body& body);
+double inside(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm);
+double inside_by_depth(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm);
+
+// A spring face's stiffness (kPa/mm) and its derivative by the compliance.
+double spring(const SoftSupports::Face& face, double compliance) {
+  return 1.0 / (face.declared_compliance_mm_per_kPa + compliance);
+}
+
+// The 18x18 matrix of a face's membrane for a capsule of 1 mN/mm.
+using FaceMembrane = Eigen::Matrix<double, 18, 18>;
+FaceMembrane face_membrane(const mechanics::Body& body, const mechanics::BoundaryFace& face);
+
+void add_face_block(const mechanics::BoundaryFace& face, const FaceMembrane& block, Eigen::SparseMatrix<double>& lower);
+void add_springs(const SpecimenBody& specimen, const std::vector<double>& stiffness_kPa_per_mm,
+                 const Eigen::Ref<const Eigen::VectorXd>& u_mm, Eigen::VectorXd& force_mN);
+
+}  // namespace
+
+bool operator==(const Structure& a, const Structure& b) {
+  const auto same_inclusion = [](const Inclusion& x, const Inclusion& y) {
+    return x.center_mm == y.center_mm && x.radius_mm == y.radius_mm && x.ratio == y.ratio;
+  };
+  const auto same_anisotropy = [](const mechanics::TransverseIsotropy& x, const mechanics::TransverseIsotropy& y) {
+    return x.law == y.law && x.axis == y.axis && x.ratio == y.ratio;
+  };
+  return a.inclusion.has_value() == b.inclusion.has_value() &&
+         (!a.inclusion || same_inclusion(*a.inclusion, *b.inclusion)) &&
+         a.anisotropy.has_value() == b.anisotropy.has_value() &&
+         (!a.anisotropy || same_anisotropy(*a.anisotropy, *b.anisotropy)) &&
+         a.compliance_mm_per_kPa == b.compliance_mm_per_kPa && a.capsule_mN_per_mm == b.capsule_mN_per_mm;
+}
+
+Result<SpecimenBody> specimen_body(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
+                                   std::vector<mechanics::Support> supports, double poisson_ratio,
+                                   double density_kg_mm3) {
+  mechanics::StaticOptions options;
+  options.poisson_ratio = poisson_ratio;
+  options.density_kg_mm3 = density_kg_mm3;
+  return mechanics::prepare_body(std::move(mesh), std::move(youngs_kPa), std::move(supports), options,
+                                 mechanics::Holding::required)
+      .map([](mechanics::Body body) {
+        SpecimenBody specimen;
+        specimen.elements = elements_of(body);
+        specimen.soft = soft_supports(body);
+        specimen.body = std::move(body);
+        return specimen;
+      });
+}
+
+double modulus_factor(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm) {
+  return std::exp(std::log(inclusion.ratio) * inside(inclusion, place_mm, edge_mm));
+}
+
+std::vector<double> modulus_factors(const SpecimenBody& specimen, const Structure& structure) {
+  const Elements& elements = specimen.elements;
+  std::vector<double> factors(elements.points.size(), 1.0);
+  if (!structure.inclusion || structure.inclusion->ratio == 1.0) return factors;
+  for (std::size_t p = 0; p < factors.size(); ++p) {
+    factors[p] = modulus_factor(*structure.inclusion, elements.points[p].position_mm,
+                                elements.edge_mm[p / Elements::points_per_cell]);
+  }
+  return factors;
+}
+
+Matrix9d unit_tangent(const SpecimenBody& specimen, const Structure& structure) {
+  return mechanics::unit_tangent(structure.anisotropy.value_or(mechanics::TransverseIsotropy{}),
+                                 specimen.body.options.poisson_ratio);
+}
+
+Eigen::SparseMatrix<double> stiffness(const SpecimenBody& specimen, const Structure& structure) {
+  const Elements& elements = specimen.elements;
+  const mechanics::Body& body = specimen.body;
+  const std::vector<double> factors = modulus_factors(specimen, structure);
+  const Matrix9d tangent = unit_tangent(specimen, structure);
+
+  std::vector<mechanics::FoundationFace> springs = body.resolved.foundations;
+  if (structure.compliance_mm_per_kPa > 0) {
+    GLISSON_ASSERT(specimen.soft.has_value());
+    springs.clear();
+    for (const auto& face : specimen.soft->faces) {
+      springs.push_back({face.face, spring(face, structure.compliance_mm_per_kPa)});
+    }
+  }
+  auto lower = mechanics::assemble_blocks(body.layout, body.boundary, springs, [&](std::size_t cell, int b) {
+    // Moving node b by e changes the gradient by e g_b^T: the stress follows by these 9x3, the force on a by its g_a.
+    std::array<Eigen::Matrix<double, 9, 3>, Elements::points_per_cell> stress_by_b;
+    const Elements::Point* points = &elements.points[cell * Elements::points_per_cell];
+    for (std::size_t q = 0; q < stress_by_b.size(); ++q) {
+      const double modulus = body.youngs_kPa[cell] * factors[cell * Elements::points_per_cell + q];
+      const Eigen::Vector3d g = points[q].gradients.col(b);
+      stress_by_b[q] =
+          modulus * points[q].volume_mm3 *
+          (g[0] * tangent.middleCols<3>(0) + g[1] * tangent.middleCols<3>(3) + g[2] * tangent.middleCols<3>(6));
+    }
+    return [stress_by_b, points](int a) {
+      Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
+      for (std::size_t q = 0; q < stress_by_b.size(); ++q) {
+        for (int d = 0; d < 3; ++d) block += points[q].gradients(d, a) * stress_by_b[q].template middleRows<3>(3 * d);
+      }
+      return block;
+    };
+  });
+  if (structure.capsule_mN_per_mm != 0) {
+    for (const mechanics::BoundaryFace& face : body.boundary) {
+      add_face_block(face, structure.capsule_mN_per_mm * face_membrane(body, face), lower);
+    }
+  }
+  return lower;
+}
+
+const std::vector<std::uint8_t>& held(const SpecimenBody& specimen, const Structure& structure) {
+  return structure.compliance_mm_per_kPa > 0 ? specimen.soft->held : specimen.body.resolved.fixed;
+}
+
+Eigen::VectorXd stiffness_derivative(const SpecimenBody& specimen, const Structure& structure,
+                                     StructureParameter parameter, const Eigen::Ref<const Eigen::VectorXd>& u_mm) {
+  const Elements& elements = specimen.elements;
+  const mechanics::Body& body = specimen.body;
+  // Of the stress, where the parameter changes it by `factor(point)` times `tangent`.
+  const auto bulk = [&](const auto& factor, const Matrix9d& tangent) {
+    return internal_force_mN(elements, u_mm, [&](std::size_t c, std::size_t p, const Eigen::Matrix3d& gradient) {
+      const double by = factor(p);
+      if (by == 0) return Eigen::Matrix3d::Zero().eval();
+      return (body.youngs_kPa[c] * by * mechanics::as_matrix(tangent * mechanics::as_vector(gradient))).eval();
+    });
+  };
+  switch (parameter) {
+    case StructureParameter::inclusion_x:
+    case StructureParameter::inclusion_y:
+    case StructureParameter::inclusion_z:
+    case StructureParameter::inclusion_radius:
+    case StructureParameter::inclusion_ratio: {
+      const Inclusion& inclusion = structure.inclusion.value();
+      const double log_ratio = std::log(inclusion.ratio);
+      const auto factor = [&](std::size_t p) {
+        const double edge_mm = elements.edge_mm[p / Elements::points_per_cell];
+        const Eigen::Vector3d& place = elements.points[p].position_mm;
+        const double in = inside(inclusion, place, edge_mm);
+        const double value = std::exp(log_ratio * in);
+        if (parameter == StructureParameter::inclusion_ratio) return value * in / inclusion.ratio;
+        const double by_radius = value * log_ratio * inside_by_depth(inclusion, place, edge_mm);
+        if (parameter == StructureParameter::inclusion_radius || by_radius == 0) return by_radius;
+        const Eigen::Vector3d from_center = place - inclusion.center_mm;
+        const double distance_mm = from_center.norm();
+        if (distance_mm == 0) return 0.0;
+        const int axis = static_cast<int>(parameter) - static_cast<int>(StructureParameter::inclusion_x);
+        return by_radius * from_center[axis] / distance_mm;
+      };
+      return bulk(factor, unit_tangent(specimen, structure));
+    }
+    case StructureParameter::axis_x:
+    case StructureParameter::axis_y:
+    case StructureParameter::axis_z:
+    case StructureParameter::anisotropy_ratio: {
+      // The tangent is one 9x9 matrix for the whole body: differencing it costs nothing and errs by 1e-10.
+      const auto moved = [&](double by) {
+        mechanics::TransverseIsotropy anisotropy = structure.anisotropy.value();
+        if (parameter == StructureParameter::anisotropy_ratio) {
+          anisotropy.ratio += by;
+        } else {
+          anisotropy.axis[static_cast<int>(parameter) - static_cast<int>(StructureParameter::axis_x)] += by;
+        }
+        return mechanics::unit_tangent(anisotropy, body.options.poisson_ratio);
+      };
+      constexpr double step = 1e-5;
+      const Matrix9d tangent = (moved(step) - moved(-step)) / (2.0 * step);
+      const std::vector<double> factors = modulus_factors(specimen, structure);
+      return bulk([&](std::size_t p) { return factors[p]; }, tangent);
+    }
+    case StructureParameter::compliance: {
+      GLISSON_ASSERT(structure.compliance_mm_per_kPa > 0);
+      std::vector<double> by_compliance;
+      for (const auto& face : specimen.soft->faces) {
+        const double stiffness = spring(face, structure.compliance_mm_per_kPa);
+        by_compliance.push_back(-stiffness * stiffness);
+      }
+      Eigen::VectorXd force_mN = Eigen::VectorXd::Zero(u_mm.size());
+      add_springs(specimen, by_compliance, u_mm, force_mN);
+      return force_mN;
+    }
+    case StructureParameter::capsule: {
+      Structure membrane;
+      membrane.capsule_mN_per_mm = 1.0;
+      Eigen::VectorXd force_mN = Eigen::VectorXd::Zero(u_mm.size());
+      for (const mechanics::BoundaryFace& face : body.boundary) {
+        Eigen::Matrix<double, 18, 1> moved;
+        for (int i = 0; i < 6; ++i) moved.segment<3>(3 * i) = u_mm.segment<3>(3 * face.nodes[i]);
+        const Eigen::Matrix<double, 18, 1> force = face_membrane(body, face) * moved;
+        for (int i = 0; i < 6; ++i) force_mN.segment<3>(3 * face.nodes[i]) += force.segment<3>(3 * i);
+      }
+      return force_mN;
+    }
+  }
+  GLISSON_ASSERT(false);
+}
+
+Eigen::VectorXd surface_force_mN(const SpecimenBody& specimen, const Structure& structure,
+                                 const Eigen::Ref<const Eigen::VectorXd>& u_mm) {
+  Eigen::VectorXd force_mN = Eigen::VectorXd::Zero(u_mm.size());
+  if (structure.capsule_mN_per_mm != 0) {
+    force_mN +=
+        structure.capsule_mN_per_mm * stiffness_derivative(specimen, structure, StructureParameter::capsule, u_mm);
+  }
+  if (structure.compliance_mm_per_kPa > 0) {
+    std::vector<double> springs;
+    for (const auto& face : specimen.soft->faces) springs.push_back(spring(face, structure.compliance_mm_per_kPa));
+    add_springs(specimen, springs, u_mm, force_mN);
+  } else {
+    force_mN -= mechanics::foundation_force_mN(specimen.body, u_mm);
+  }
+  return force_mN;
+}
+
+namespace {
+
+std::optional<SoftSupports> soft_supports(const mechanics::Body& body) {
+  std::vector<mechanics::Support> springs;
+  std::vector<double> declared;  // compliance of each support
+  for (const mechanics::Support& support : body.supports) {
+    if (std::holds_alternative<mechanics::Ligament>(support.how)) return std::nullopt;
+    if (const auto* held = std::get_if<mechanics::Fixed>(&support.how)) {
+      if (held->directions != std::array<bool, 3>{true, true, true}) return std::nullopt;
+      declared.push_back(0.0);
+    } else {
+      declared.push_back(1.0 / std::get<mechanics::Foundation>(support.how).stiffness_kPa_per_mm);
+    }
+    springs.push_back({support.where, mechanics::Foundation{1.0}});
+  }
+  SoftSupports soft;
+  for (std::size_t s = 0; s < springs.size(); ++s) {
+    const auto resolved = mechanics::resolve_supports(body.mesh, body.layout, body.boundary, {springs[s]});
+    if (!resolved) return std::nullopt;
+    soft.held = resolved->held;
+    for (const auto& face : resolved->foundations) {
+      const auto known = std::find_if(soft.faces.begin(), soft.faces.end(),
+                                      [&](const SoftSupports::Face& other) { return other.face == face.face; });
+      if (known == soft.faces.end()) {
+        soft.faces.push_back({face.face, declared[s]});
+      } else {
+        known->declared_compliance_mm_per_kPa = std::min(known->declared_compliance_mm_per_kPa, declared[s]);
+      }
+    }
+  }
+  return soft;
+}
+
+// From 0 outside to 1 inside, over about half an edge of the cell.
+double steepness_per_mm(double edge_mm) { return 4.0 / edge_mm; }
+
+double inside(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm) {
+  const double depth_mm = inclusion.radius_mm - (place_mm - inclusion.center_mm).norm();
+  return 0.5 * (1.0 + std::tanh(steepness_per_mm(edge_mm) * depth_mm));
+}
+
+double inside_by_depth(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm) {
+  const double in = inside(inclusion, place_mm, edge_mm);
+  return 2.0 * steepness_per_mm(edge_mm) * in * (1.0 - in);
+}
+
+FaceMembrane face_membrane(const mechanics::Body& body, const mechanics::BoundaryFace& face) {
+  const double nu = body.options.poisson_ratio;
+  const Eigen::Vector3d& p0 = body.mesh.points_mm[face.points[0]];
+  const Eigen::Vector3d& p1 = body.mesh.points_mm[face.points[1]];
+  const Eigen::Vector3d& p2 = body.mesh.points_mm[face.points[2]];
+  // Surface gradients of the barycentric coordinates: turned edges over twice the area.
+  Eigen::Matrix3d gradients;
+  gradients.col(0) = face.normal.cross(p2 - p1) / (2.0 * face.area_mm2);
+  gradients.col(1) = face.normal.cross(p0 - p2) / (2.0 * face.area_mm2);
+  gradients.col(2) = face.normal.cross(p1 - p0) / (2.0 * face.area_mm2);
+  const Eigen::Matrix3d in_plane = Eigen::Matrix3d::Identity() - face.normal * face.normal.transpose();
+
+  FaceMembrane matrix = FaceMembrane::Zero();
+  for (const mechanics::TrianglePoint& at : mechanics::triangle_points_degree_4()) {
+    const Eigen::Vector3d& l = at.barycentric;
+    Eigen::Matrix<double, 3, 6> g;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      g.col(i) = (4.0 * l[i] - 1.0) * gradients.col(i);
+      g.col(3 + i) = 4.0 * (l[j] * gradients.col(i) + l[i] * gradients.col(j));
+    }
+    const double weight = at.weight * face.area_mm2 / (1.0 - nu * nu);
+    for (int a = 0; a < 6; ++a) {
+      for (int b = 0; b < 6; ++b) {
+        matrix.block<3, 3>(3 * a, 3 * b) +=
+            weight * (nu * g.col(a) * g.col(b).transpose() +
+                      0.5 * (1.0 - nu) * (g.col(b) * g.col(a).transpose() + g.col(a).dot(g.col(b)) * in_plane));
+      }
+    }
+  }
+  return matrix;
+}
+
+void add_face_block(const mechanics::BoundaryFace& face, const FaceMembrane& block,
+                    Eigen::SparseMatrix<double>& lower) {
+  for (int a = 0; a < 6; ++a) {
+    for (int b = 0; b < 6; ++b) {
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+          const int row = 3 * face.nodes[a] + i, column = 3 * face.nodes[b] + j;
+          if (row >= column) lower.coeffRef(row, column) += block(3 * a + i, 3 * b + j);
+        }
+      }
+    }
+  }
+}
+
+void add_springs(const SpecimenBody& specimen, const std::vector<double>& stiffness_kPa_per_mm,
+                 const Eigen::Ref<const Eigen::VectorXd>& u_mm, Eigen::VectorXd& force_mN) {
+  for (std::size_t s = 0; s < stiffness_kPa_per_mm.size(); ++s) {
+    const mechanics::BoundaryFace& face = specimen.body.boundary[specimen.soft->faces[s].face];
+    const mechanics::FaceMass mass = mechanics::face_mass_mm2(face, specimen.body.options.order);
+    for (int a = 0; a < 6; ++a) {
+      for (int b = 0; b < 6; ++b) {
+        force_mN.segment<3>(3 * face.nodes[a]) +=
+            stiffness_kPa_per_mm[s] * mass(a, b) * u_mm.segment<3>(3 * face.nodes[b]);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace glisson::closedloop

@@ -1,0 +1,94 @@
+#pragma once
+// What a specimen may be made of and how it may stand, besides what is declared, and the stiffness that follows:
+//
+// - A stiff inclusion multiplies Young's modulus by `ratio` inside a sphere. So that the model changes smoothly with
+//   the sphere, the logarithm of the modulus goes over from outside to inside within about half a cell.
+// - Anisotropy is transverse isotropy about an axis, in one of the two laws of mechanics/anisotropy.h.
+// - Compliant supports: springs under the boundary faces all of whose points a support holds, per unit area, equal in
+//   all directions, instead of holding them; a declared foundation gets the compliance in series.
+// - A capsule is a membrane on the whole surface, without bending stiffness: Young's modulus times thickness (mN/mm),
+//   in plane stress with the specimen's Poisson's ratio.
+//
+// Everything at small strain, like the declared model. Inside of this room.
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <optional>
+#include <vector>
+
+#include "closedloop/palpation/internal/elements.h"
+#include "mechanics/materials/anisotropy.h"
+
+namespace glisson::closedloop {
+
+struct Inclusion {
+  Eigen::Vector3d center_mm{0, 0, 0};
+  double radius_mm = 0;
+  double ratio = 1;
+};
+
+struct Structure {
+  std::optional<Inclusion> inclusion;
+  std::optional<mechanics::TransverseIsotropy> anisotropy;
+  double compliance_mm_per_kPa = 0;  // of the supports; 0 holds as declared
+  double capsule_mN_per_mm = 0;
+};
+[[nodiscard]] bool operator==(const Structure& a, const Structure& b);
+
+enum class StructureParameter {
+  inclusion_x,
+  inclusion_y,
+  inclusion_z,
+  inclusion_radius,
+  inclusion_ratio,
+  axis_x,
+  axis_y,
+  axis_z,
+  anisotropy_ratio,
+  compliance,
+  capsule
+};
+
+// How the supports of a body give way: which unknowns stay held then, and which faces get springs.
+struct SoftSupports {
+  std::vector<std::uint8_t> held;
+  struct Face {
+    std::size_t face;                       // of the boundary
+    double declared_compliance_mm_per_kPa;  // 0 where the support holds
+  };
+  std::vector<Face> faces;
+};
+
+// A body as declared, and what its stiffness needs.
+struct SpecimenBody {
+  mechanics::Body body;
+  Elements elements;
+  std::optional<SoftSupports>
+      soft;  // none where a held support covers no face, or holds some directions only, or there are ligaments
+};
+Result<SpecimenBody> specimen_body(geometry::TetMesh mesh, std::vector<double> youngs_kPa,
+                                   std::vector<mechanics::Support> supports, double poisson_ratio,
+                                   double density_kg_mm3);
+
+// The factor on Young's modulus at a place in a cell, which is as large as the regular tetrahedron of that edge.
+[[nodiscard]] double modulus_factor(const Inclusion& inclusion, const Eigen::Vector3d& place_mm, double edge_mm);
+// ... at every quadrature point.
+[[nodiscard]] std::vector<double> modulus_factors(const SpecimenBody& specimen, const Structure& structure);
+// Stress by displacement gradient, per unit of Young's modulus.
+[[nodiscard]] mechanics::Matrix9d unit_tangent(const SpecimenBody& specimen, const Structure& structure);
+
+// Lower triangle (mN/mm), and which unknowns are held.
+[[nodiscard]] Eigen::SparseMatrix<double> stiffness(const SpecimenBody& specimen, const Structure& structure);
+[[nodiscard]] const std::vector<std::uint8_t>& held(const SpecimenBody& specimen, const Structure& structure);
+
+// (d stiffness / d parameter) u, mN per unit of the parameter. `compliance` needs a structure whose compliance is
+// above zero, `axis` and `anisotropy_ratio` one that has an anisotropy, and so on.
+[[nodiscard]] Eigen::VectorXd stiffness_derivative(const SpecimenBody& specimen, const Structure& structure,
+                                                   StructureParameter parameter,
+                                                   const Eigen::Ref<const Eigen::VectorXd>& u_mm);
+
+// What the springs and the membrane of a structure resist with (mN): (their stiffness) u.
+[[nodiscard]] Eigen::VectorXd surface_force_mN(const SpecimenBody& specimen, const Structure& structure,
+                                               const Eigen::Ref<const Eigen::VectorXd>& u_mm);
+
+}  // namespace glisson::closedloop

@@ -1,0 +1,272 @@
+#include "hardware/measure.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+#include <thread>
+
+namespace glisson::hardware {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int batches_per_point = 5;
+constexpr double quiet_spread = 1.25;  // the median of the batches over the fastest; a quiet machine stays below
+
+struct Timing {
+  double seconds = 0;  // one product
+  double spread = 1;   // median of the batches over the fastest
+  std::optional<double> joules;
+};
+
+std::vector<std::size_t> sizes_of(const ProblemGrid& grid);
+Result<std::size_t> prepare_largest(ProductKernel& kernel, std::vector<std::size_t>& sizes,
+                                    std::vector<Sentence>& remarks);
+Result<double> idle_power_W(const EnergyMeter& meter, double listening_s);
+Result<Timing> time_product(ProductKernel& kernel, std::size_t nodes, const EnergyMeter* meter, double idle_W,
+                            double at_least_s);
+Result<MeasuredPoint> point_for(const MeasuredProduct& product, int nodes_in_domain, double bandwidth_GB_s);
+Device described(const DeviceDescription& description);
+double median(std::vector<double> values);
+void set_kernel(const Measurement& measurement, int nodes_in_domain, Device& device);
+
+}  // namespace
+
+Result<Measurement> measure(ProductKernel& kernel, const EnergyMeter* meter, const std::vector<Sentence>& missing,
+                            const MeasureOptions& options, const Progress& progress) {
+  Measurement measurement;
+  measurement.kernel = kernel.name();
+  measurement.device = described(options.device);
+  measurement.remarks = missing;
+  if (meter != nullptr) {
+    measurement.meter = meter->name;
+    progress.report(0, GLISSON_TEXT("Idle power"));
+    const auto idle_W = idle_power_W(*meter, std::max(options.idle_s, meter->shortest_useful_s()));
+    if (!idle_W) return failure(idle_W.error());
+    measurement.device.idle_W = {*idle_W, Source::measured, meter->name + ", with nothing running"};
+  } else {
+    measurement.remarks.push_back(
+        {GLISSON_TEXT(
+             "Nothing on this machine tells its energy: idle and active power are assumed. Measure them with a "
+             "current clamp or a power meter, and give them."),
+         {}});
+  }
+
+  std::vector<std::size_t> sizes = sizes_of(options.grid);
+  progress.report(0.05, GLISSON_TEXT("Memory bandwidth"));
+  measurement.bandwidth_GB_s = memory_bandwidth_GB_s(options.bandwidth_array_bytes);
+  const auto prepared = prepare_largest(kernel, sizes, measurement.remarks);
+  if (!prepared) return failure(prepared.error());
+
+  const double metered_s = std::max(options.seconds_per_point, meter != nullptr ? meter->shortest_useful_s() : 0);
+  const double all_metered_s = metered_s * static_cast<double>(sizes.size());
+  const auto meter_every =
+      static_cast<std::size_t>(std::ceil(std::max(1.0, all_metered_s / options.longest_metering_s)));
+  std::vector<double> spreads;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (progress.cancelled()) return cancelled();
+    progress.report(0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(sizes.size()),
+                    GLISSON_TEXT("Block products"));
+    const bool metered = meter != nullptr && i % meter_every == 0;
+    const auto timing = time_product(kernel, sizes[i], metered ? meter : nullptr, measurement.device.idle_W.value,
+                                     metered ? metered_s : options.seconds_per_point);
+    if (!timing) return failure(timing.error());
+    const auto point = point_for({static_cast<double>(sizes[i]), timing->seconds, timing->joules},
+                                 options.nodes_in_domain, measurement.bandwidth_GB_s);
+    if (!point) return failure(point.error());
+    measurement.points.push_back(*point);
+    measurement.points.back().in_cache = point->bytes < static_cast<double>(largest_cache_bytes());
+    spreads.push_back(timing->spread);
+  }
+  if (const double spread = median(std::move(spreads)); spread > quiet_spread) {
+    measurement.remarks.push_back(
+        {GLISSON_TEXT("Other work disturbed the timing: batches usually took {0} times as long as the fastest one. "
+                      "Measure again on a quiet machine."),
+         {fmt::format("{:.1f}", spread)}});
+  }
+  set_kernel(measurement, options.nodes_in_domain, measurement.device);
+  return measurement;
+}
+
+void take_power_from(const TraceRuns& runs, Measurement& measurement) {
+  std::vector<double> above_idle_W;
+  for (const TraceRun& run : runs.runs) above_idle_W.push_back(run.mean_W - run.idle_W);
+  measurement.device.idle_W = {runs.idle_W, Source::measured, "recording, median of the pauses"};
+  if (!above_idle_W.empty())
+    measurement.device.kernel.active_W = {median(above_idle_W), Source::measured,
+                                          "recording, median of the runs above idle"};
+  measurement.remarks.insert(measurement.remarks.end(), runs.warnings.begin(), runs.warnings.end());
+}
+
+Result<Measurement> measurement_from(const TraceRuns& runs, const std::vector<RunLog>& log,
+                                     const MeasureOptions& options) {
+  const auto products = products_from_runs(runs, log);
+  if (!products) return failure(products.error());
+  Measurement measurement;
+  measurement.kernel = "as logged beside the recording";
+  measurement.meter = "recording";
+  measurement.device = described(options.device);
+  for (const MeasuredProduct& product : *products) {
+    const auto point = point_for(product, options.nodes_in_domain, 0);
+    if (!point) return failure(point.error());
+    measurement.points.push_back(*point);
+  }
+  set_kernel(measurement, options.nodes_in_domain, measurement.device);
+  take_power_from(runs, measurement);
+  return measurement;
+}
+
+namespace {
+
+std::vector<std::size_t> sizes_of(const ProblemGrid& grid) {
+  std::set<std::size_t> sizes;
+  for (const double volume_cm3 : grid.volumes_cm3) {
+    for (const double resolution_mm3 : grid.resolutions_mm3)
+      sizes.insert(static_cast<std::size_t>(std::ceil(volume_cm3 * 1e3 / resolution_mm3)));
+  }
+  return {sizes.begin(), sizes.end()};
+}
+
+// The batch for the largest size that fits serves all smaller ones.
+Result<std::size_t> prepare_largest(ProductKernel& kernel, std::vector<std::size_t>& sizes,
+                                    std::vector<Sentence>& remarks) {
+  const std::size_t wanted = sizes.size();
+  Result<void> prepared = failure("nothing-measured", GLISSON_TEXT("The grid holds no problem."));
+  while (!sizes.empty()) {
+    prepared = kernel.prepare(sizes.back());
+    if (prepared) break;
+    sizes.pop_back();
+  }
+  if (!prepared) return failure(prepared.error());
+  if (sizes.size() < wanted) {
+    remarks.push_back(
+        {GLISSON_TEXT("{0} of {1} problems are larger than the memory allowed and were left out; beyond {2} "
+                      "nodes the plan goes on in proportion."),
+         {std::to_string(wanted - sizes.size()), std::to_string(wanted), std::to_string(sizes.back())}});
+  }
+  return sizes.back();
+}
+
+Result<double> idle_power_W(const EnergyMeter& meter, double listening_s) {
+  return energy_during(meter,
+                       [listening_s]() -> Result<void> {
+                         std::this_thread::sleep_for(std::chrono::duration<double>(listening_s));
+                         return {};
+                       })
+      .map([](const EnergyUse& use) { return use.mean_W(); });
+}
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+Result<Timing> time_product(ProductKernel& kernel, std::size_t nodes, const EnergyMeter* meter, double idle_W,
+                            double at_least_s) {
+  // Twice as many until a batch takes a fifth of the time wanted: warms caches and clocks as well.
+  int times = 1;
+  for (;; times *= 2) {
+    const auto start = Clock::now();
+    if (const auto run = kernel.run(nodes, times); !run) return failure(run.error());
+    if (seconds_since(start) >= at_least_s / batches_per_point || times >= 1 << 24) break;
+  }
+  std::vector<double> seconds;
+  const auto all_batches = [&]() -> Result<void> {
+    for (int batch = 0; batch < batches_per_point; ++batch) {
+      const auto start = Clock::now();
+      if (const auto run = kernel.run(nodes, times); !run) return failure(run.error());
+      seconds.push_back(seconds_since(start) / times);
+    }
+    return {};
+  };
+  Timing timing;
+  if (meter != nullptr) {
+    const auto use = energy_during(*meter, all_batches);
+    if (!use) return failure(use.error());
+    const double above_idle_J = use->joules - idle_W * use->seconds;
+    // Noise may hide a small problem's share; such a point is left without energy.
+    if (above_idle_J > 0) timing.joules = above_idle_J / (static_cast<double>(times) * batches_per_point);
+  } else if (const auto run = all_batches(); !run) {
+    return failure(run.error());
+  }
+  timing.seconds = *std::min_element(seconds.begin(), seconds.end());
+  timing.spread = median(std::move(seconds)) / timing.seconds;
+  return timing;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Result<MeasuredPoint> point_for(const MeasuredProduct& product, int nodes_in_domain, double bandwidth_GB_s) {
+  // 1000 cm3 is any liver: only the number of nodes matters here.
+  const auto work = workload_at_resolution(1000, 1e6 / product.nodes, {nodes_in_domain, 1, 4});
+  if (!work) return failure(work.error());
+  MeasuredPoint point;
+  point.nodes = product.nodes;
+  point.seconds = product.seconds;
+  point.joules = product.joules;
+  point.bytes = work->product_bytes;
+  point.flops = work->product_flops;
+  point.GB_per_s = work->product_bytes / product.seconds * 1e-9;
+  point.GFLOP_per_s = work->product_flops / product.seconds * 1e-9;
+  if (bandwidth_GB_s > 0) point.share_of_bandwidth = point.GB_per_s / bandwidth_GB_s;
+  return point;
+}
+
+Device described(const DeviceDescription& description) {
+  const auto given_or = [](const std::optional<double>& given, double otherwise, const char* usual) {
+    return given ? Figure{*given, Source::assumed, "as given by the person who measured"}
+                 : Figure{otherwise, Source::assumed, usual};
+  };
+  const auto ideal = [](double value) { return Figure{value, Source::assumed, "taken as ideal"}; };
+  Device device;
+  device.id = description.id;
+  device.name = description.name;
+  device.worn = description.worn;
+  device.worn_how = description.worn_how;
+  device.idle_W = given_or(description.idle_W, 10, "usual of a laptop; this machine tells nobody");
+  device.supply_efficiency = ideal(1);
+  device.battery.capacity_mAh = given_or(description.capacity_mAh, 4900, "usual of a laptop, 57 Wh");
+  device.battery.voltage_V = given_or(description.voltage_V, 11.6, "three lithium cells in series");
+  device.battery.internal_resistance_ohm = ideal(0);
+  device.battery.rate_exponent = ideal(1);
+  device.battery.capacity_per_C = ideal(0);
+  device.thermal_resistance_C_per_W =
+      given_or(description.thermal_resistance_C_per_W, 0.8, "usual of a fan-cooled laptop");
+  device.thermal_time_constant_s = given_or(description.thermal_time_constant_s, 900, "about 1.4 kg");
+  device.throttle_C = {never_throttles_C, Source::assumed, "not observed: taken as never"};
+  device.kernel.active_W = given_or(description.active_W, 20, "usual of a laptop; this machine tells nobody");
+  return device;
+}
+
+void set_kernel(const Measurement& measurement, int nodes_in_domain, Device& device) {
+  KernelModel& kernel = device.kernel;
+  const MeasuredPoint& largest = measurement.points.back();
+  const std::string by = "block product, " + measurement.kernel;
+  double peak = 0;
+  std::vector<double> active_W;
+  for (const MeasuredPoint& point : measurement.points) {
+    peak = std::max(peak, point.GFLOP_per_s);
+    if (point.joules) active_W.push_back(*point.joules / point.seconds);
+    kernel.measured.push_back({point.nodes, point.seconds, point.joules});
+  }
+  kernel.measured_nodes_in_domain = nodes_in_domain;
+  // For blocks of another size: the bandwidth of the largest problem, and never more operations than were seen.
+  kernel.bandwidth_GB_s = {largest.GB_per_s, Source::measured, by + ", largest problem"};
+  kernel.peak_GFLOPS = {peak, Source::measured, by + ", fastest problem: a lower bound"};
+  kernel.fast_memory_MB = {0, Source::assumed, "not told apart: the measured points contain it"};
+  kernel.fast_bandwidth_GB_s = {largest.GB_per_s, Source::measured, by + ", largest problem"};
+  kernel.launch_us = {0, Source::assumed, "contained in the measured points"};
+  kernel.tile_nodes = {1, Source::assumed, "contained in the measured points"};
+  kernel.energy_nJ_per_byte = {0, Source::assumed, "contained in the active power"};
+  if (!active_W.empty()) {
+    std::nth_element(active_W.begin(), active_W.begin() + static_cast<std::ptrdiff_t>(active_W.size() / 2),
+                     active_W.end());
+    kernel.active_W = {active_W[active_W.size() / 2], Source::measured, measurement.meter + ", above idle, median"};
+  }
+}
+
+}  // namespace
+}  // namespace glisson::hardware

@@ -1,0 +1,63 @@
+#include "mechanics/contact/contact.h"
+
+#include <numeric>
+
+#include "mechanics/contact/internal/contact_search.h"
+#include "mechanics/elements/load_vector.h"
+
+namespace glisson::mechanics {
+
+struct ContactBody::Impl {
+  SurfaceResponses responses;
+  Eigen::VectorXd standing_force_mN;  // on all nodes
+  CutSelfContact walls;
+  ContactState untouched;
+
+  Impl(StaticModel model, const StaticResult& standing, std::vector<PointInMesh> watched)
+      : responses(std::move(model), standing, std::move(watched)) {}
+};
+
+Result<ContactBody> ContactBody::create(StaticModel model, const Loads& standing_loads,
+                                        std::vector<PointInMesh> watched) {
+  const auto standing = model.solve(standing_loads);
+  if (!standing) return failure(standing.error());
+  if (!standing->may_be_used()) {
+    return failure("not-converged", GLISSON_TEXT("The equilibrium was not found. {0}"), {standing->why_stopped});
+  }
+  const auto boundary = boundary_faces(model.mesh(), model.nodes());
+  auto force_mN = load_vector(model.mesh(), model.nodes(), boundary, model.options().density_kg_mm3, standing_loads);
+  if (!force_mN) return failure(std::move(force_mN.error()));
+
+  auto parts = std::make_shared<Impl>(std::move(model), *standing, std::move(watched));
+  parts->standing_force_mN = std::move(*force_mN);
+  const SurfaceResponses& responses = parts->responses;
+  if (!responses.mutual_points().empty()) {
+    std::vector<int> itself(responses.surface().points_mm.size());
+    std::iota(itself.begin(), itself.end(), 0);
+    parts->walls = CutSelfContact(responses.surface(), itself, responses.mutual_points());
+  }
+  const std::vector<ContactTool> no_tools;
+  ContactSearch search(responses, parts->walls, no_tools, {});
+  auto untouched = search.begin_from_rest().and_then([&] { return search.run(); });
+  if (!untouched) return failure(std::move(untouched.error()));
+  parts->untouched = std::move(*untouched);
+  return ContactBody(std::move(parts));
+}
+
+Result<ContactState> ContactBody::solve(const ContactState& from, const std::vector<ContactTool>& tools,
+                                        const ContactOptions& options) const {
+  ContactSearch search(impl_->responses, impl_->walls, tools, options);
+  return search.begin_from(from).and_then([&] { return search.run(); });
+}
+
+Result<StaticResult> ContactBody::whole_result(const ContactState& state) const {
+  Eigen::VectorXd force_mN = impl_->standing_force_mN;
+  for (const auto& [point, force] : state.force_mN) force_mN.segment<3>(3 * impl_->responses.node(point)) += force;
+  return model().solve_nodal({std::move(force_mN), {}});
+}
+
+const ContactState& ContactBody::untouched() const { return impl_->untouched; }
+const geometry::Surface& ContactBody::surface() const { return impl_->responses.surface(); }
+const StaticModel& ContactBody::model() const { return impl_->responses.model(); }
+
+}  // namespace glisson::mechanics

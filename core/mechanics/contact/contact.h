@@ -1,0 +1,130 @@
+#pragma once
+// Rigid tools that touch a linear elastic body: no penetration beyond a tolerance, no friction, several at once, each
+// held in place or pushed by a force; and graspers, which hold a patch of the surface.
+//
+// The factor of the static model is kept: a unit force on a point of the surface is solved for once and remembered (in
+// fixed groups of neighbours, so that what is remembered does not depend on who asked first). Which points touch, and
+// how hard, is then a small dense problem (contact_forces.h) on the compliance of the points that may touch, solved
+// again as the surface moves under the tool until neither changes. The surface is the triangles of the body's boundary
+// moved by their corners, on which the distance to a rod or a ball is exact. Walls of cuts join that problem with the
+// places where their points meet the wall across.
+//
+// Lengths mm, forces mN, patient coordinates (LPS). Valid as far as small strain is.
+
+#include <cstdint>
+#include <Eigen/Core>
+#include <map>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/result.h"
+#include "geometry/surface.h"
+#include "mechanics/elements/point_location.h"
+#include "mechanics/scenario/rigid_tool.h"
+#include "mechanics/statics/static_model.h"
+
+namespace glisson::mechanics {
+
+// A rigid tool either stays at its pose, or slides from it along the pose's forward direction until the body pushes
+// back with `push_mN`.
+struct TouchingTool {
+  ToolShape shape;
+  Pose pose;
+  std::optional<double> push_mN;
+  double friction = 0;  // Coulomb's coefficient; above zero it is for large_contact.h, and not for ContactBody
+};
+
+// Jaws that closed on the points of the surface within the radius of a place at rest, and turn freely about it. Their
+// mean displacement (by area) beyond what the standing loads made is given, or a force pulls at them.
+struct Grasp {
+  Eigen::Vector3d at_rest_mm{0, 0, 0};
+  double radius_mm = 0;
+  std::variant<Eigen::Vector3d, double> drawn = Eigen::Vector3d(0, 0, 0);  // displacement (mm), or pull (mN) along:
+  Eigen::Vector3d direction{0, 0, 1};
+};
+
+struct ContactTool {
+  std::string id;
+  std::variant<TouchingTool, Grasp> what;
+};
+
+struct ContactOptions {
+  double penetration_tolerance_mm = 0.1;  // a fiftieth of the smallest tool
+  double movement_tolerance_mm = 0.05;    // of the surface, between the last two rounds
+  int max_rounds = 60;
+  double largest_move_mm = 3.0;  // of the surface or a tool in a round, so that none passes through the other
+};
+
+// What one tool does in a state.
+struct ToolContact {
+  std::string id;
+  Eigen::Vector3d force_mN{0, 0, 0};  // on the body
+  int contacts = 0;                   // places that it presses on, or points that it holds
+  double advance_mm = 0;              // how far a pushed tool slid from its pose
+  double penetration_mm = 0;          // the deepest of any place of the surface in it
+  int sticking = 0, slipping = 0;     // of the contacts, where there is friction
+};
+
+struct ContactReport {
+  bool converged = false;
+  int rounds = 0;
+  double penetration_mm = 0;     // the deepest of all
+  double overlap_mm = 0;         // the deepest of walls that are kept apart, in each other
+  double movement_mm = 0;        // between the last two rounds
+  double relative_residual = 0;  // the largest of the solves that the state is a sum of
+  double energy_uJ = 0;          // of the body, from the work of the tools' forces; standing loads apart
+  int inverted_cells = 0;        // turned inside out, by their corners: far beyond small strain
+  int new_solves = 0;            // right-hand sides that this state needed beyond what was remembered
+  double solve_ms = 0;
+};
+
+// A place of the surface that a tool bore on.
+struct TouchedPlace {
+  std::string tool;
+  std::size_t rod = 0;        // of the tool's shape
+  std::array<int, 3> points;  // of the surface
+  Eigen::Vector3d weights;
+};
+
+struct ContactState {
+  std::map<int, Eigen::Vector3d> force_mN;  // of tools and walls on the points of the surface that bear any
+  std::vector<Eigen::Vector3d> surface_mm;  // displacement of each point of ContactBody::surface()
+  std::vector<Eigen::Vector3d> watched_mm;  // and of each watched place
+  std::vector<ToolContact> tools;
+  std::vector<TouchedPlace> touched;  // where the next state looks first
+  ContactReport report;
+};
+
+class ContactBody {
+ public:
+  // The model's mutual points are those on walls of cuts (points_on), which slide along each other and do not pass
+  // through; none: nothing keeps walls apart. Failures: those of StaticModel::solve; "not-converged" where that may not
+  // be used.
+  static Result<ContactBody> create(StaticModel model, const Loads& standing_loads, std::vector<PointInMesh> watched);
+
+  // Under the standing loads alone. With walls it may not have converged.
+  [[nodiscard]] const ContactState& untouched() const;
+
+  // With the tools, beginning from another state (its forces and advances are a guess). The same beginning and tools
+  // give the same bits. A state that did not converge says so and must not be shown as right. Failures: "tool-invalid",
+  // "tool-touches-nothing" (a pushed tool that meets no surface on its way; jaws that hold no point), "not-converged"
+  // (a solve that may not be used).
+  [[nodiscard]] Result<ContactState> solve(const ContactState& from, const std::vector<ContactTool>& tools,
+                                           const ContactOptions& options = {}) const;
+
+  // The outer surface at rest.
+  [[nodiscard]] const geometry::Surface& surface() const;
+  [[nodiscard]] const StaticModel& model() const;
+
+  // Every mesh point's displacement (mm), and the whole result, by one more solve with the state's forces.
+  [[nodiscard]] Result<StaticResult> whole_result(const ContactState& state) const;
+
+ private:
+  struct Impl;
+  explicit ContactBody(std::shared_ptr<Impl> parts) : impl_(std::move(parts)) {}
+  std::shared_ptr<Impl> impl_;  // what it remembers grows behind a lock; everything else stays
+};
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,433 @@
+#include "mechanics/contact/internal/augmented_lagrangian.h"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <limits>
+
+namespace glisson::mechanics {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// A penetration that nobody can see: where all forces are smaller than it makes, there is nothing left to solve.
+constexpr double hair_mm = 1e-3;
+
+// How far a held patch is from where it should be.
+Vector3d off_mm(const PrescribedPatch& patch, const VectorXd& u_mm);
+
+// A body with the springs of the bearings and of what jaws hold.
+class BearingBody : public Potential {
+ public:
+  BearingBody(const Potential& alone, const std::vector<ContactConstraint>& constraints,
+              const std::vector<PrescribedPatch>& patches, const std::vector<CutContact>& cut_contacts,
+              double stiffness_mN_mm)
+      : alone_(alone), constraints_(constraints), patches_(patches), cut_contacts_(cut_contacts), k_(stiffness_mN_mm) {}
+
+  [[nodiscard]] double energy_uJ(const VectorXd& u_mm) const override {
+    double sum = alone_.energy_uJ(u_mm);
+    for (const ContactConstraint& constraint : constraints_) {
+      const double force = force_of(constraint, gap_of(constraint, u_mm));
+      sum += (force * force - constraint.force_mN * constraint.force_mN) / (2 * k_) +
+             drag_of(constraint, k_, u_mm).energy_uJ;
+    }
+    for (const PrescribedPatch& patch : patches_) {
+      sum += (force_of(patch, u_mm).squaredNorm() - patch.force_mN.squaredNorm()) / (2 * k_);
+    }
+    for (const CutContact& cut_contact : cut_contacts_) {
+      const double force = force_of(cut_contact, u_mm);
+      sum += (force * force - cut_contact.force_mN * cut_contact.force_mN) / (2 * k_);
+    }
+    return sum;
+  }
+  [[nodiscard]] VectorXd force_mN(const VectorXd& u_mm) const override {
+    return alone_.force_mN(u_mm) + tools_force_mN(u_mm);
+  }
+  [[nodiscard]] Eigen::SparseMatrix<double> tangent(const VectorXd& u_mm, Tangent which) const override {
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto add = [&](int a, int b, const Matrix3d& block) {
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+          if (3 * a + i >= 3 * b + j) entries.emplace_back(3 * a + i, 3 * b + j, block(i, j));
+        }
+      }
+    };
+    for (const ContactConstraint& constraint : constraints_) {
+      const Gap gap = gap_of(constraint, u_mm);
+      const double force = force_of(constraint, gap);
+      if (force == 0 && constraint.most_drag_mN == 0) continue;
+      Matrix3d block = drag_of(constraint, k_, u_mm).stiffness;
+      if (force > 0) block += k_ * gap.normal * gap.normal.transpose();
+      if (force > 0 && which == Tangent::exact) block -= force * gap.bend;
+      for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < 3; ++b) {
+          add(constraint.nodes[a], constraint.nodes[b],
+              constraint.place.weights[a] * constraint.place.weights[b] * block);
+        }
+      }
+    }
+    for (const PrescribedPatch& patch : patches_) {
+      for (std::size_t a = 0; a < patch.nodes.size(); ++a) {
+        for (std::size_t b = 0; b < patch.nodes.size(); ++b) {
+          add(patch.nodes[a], patch.nodes[b], k_ * patch.weights[a] * patch.weights[b] * Matrix3d::Identity());
+        }
+      }
+    }
+    for (const CutContact& cut_contact : cut_contacts_) {
+      if (force_of(cut_contact, u_mm) == 0) continue;
+      const Matrix3d block = k_ * cut_contact.normal * cut_contact.normal.transpose();
+      for (const auto& [a, a_share] : cut_contact.shares()) {
+        for (const auto& [b, b_share] : cut_contact.shares()) add(a, b, a_share * b_share * block);
+      }
+    }
+    Eigen::SparseMatrix<double> springs(u_mm.size(), u_mm.size());
+    springs.setFromTriplets(entries.begin(), entries.end());
+    return alone_.tangent(u_mm, which) + springs;
+  }
+  [[nodiscard]] double energy_scale_uJ(const VectorXd& u_mm) const override {
+    double scale = alone_.energy_scale_uJ(u_mm);
+    for (const ContactConstraint& constraint : constraints_) {
+      scale += (constraint.force_mN * constraint.force_mN + constraint.drag_mN.squaredNorm()) / k_;
+    }
+    for (const PrescribedPatch& patch : patches_) scale += patch.force_mN.squaredNorm() / k_;
+    for (const CutContact& cut_contact : cut_contacts_) scale += cut_contact.force_mN * cut_contact.force_mN / k_;
+    return scale;
+  }
+
+  [[nodiscard]] double force_of(const ContactConstraint& constraint, const Gap& gap) const {
+    return std::max(0.0, constraint.force_mN - k_ * gap.mm);
+  }
+  [[nodiscard]] double force_of(const CutContact& cut_contact, const VectorXd& u_mm) const {
+    return std::max(0.0, cut_contact.force_mN - k_ * cut_contact.gap_mm(u_mm));
+  }
+  [[nodiscard]] Vector3d force_of(const PrescribedPatch& patch, const VectorXd& u_mm) const {
+    return patch.force_mN - k_ * off_mm(patch, u_mm);
+  }
+  [[nodiscard]] VectorXd tools_force_mN(const VectorXd& u_mm) const {
+    VectorXd sum = VectorXd::Zero(u_mm.size());
+    for (const ContactConstraint& constraint : constraints_) {
+      const Gap gap = gap_of(constraint, u_mm);
+      const Vector3d force = force_of(constraint, gap) * gap.normal + drag_of(constraint, k_, u_mm).force_mN;
+      for (int i = 0; i < 3; ++i) sum.segment<3>(3 * constraint.nodes[i]) += constraint.place.weights[i] * force;
+    }
+    for (const PrescribedPatch& patch : patches_) {
+      const Vector3d force = force_of(patch, u_mm);
+      for (std::size_t i = 0; i < patch.nodes.size(); ++i) {
+        sum.segment<3>(3 * patch.nodes[i]) += patch.weights[i] * force;
+      }
+    }
+    for (const CutContact& cut_contact : cut_contacts_) {
+      const Vector3d force = force_of(cut_contact, u_mm) * cut_contact.normal;
+      for (const auto& [node, share] : cut_contact.shares()) sum.segment<3>(3 * node) += share * force;
+    }
+    return sum;
+  }
+
+ private:
+  const Potential& alone_;
+  const std::vector<ContactConstraint>& constraints_;
+  const std::vector<PrescribedPatch>& patches_;
+  const std::vector<CutContact>& cut_contacts_;
+  double k_;
+};
+
+}  // namespace
+
+Result<AugmentedLagrangian> AugmentedLagrangian::create(const Body& body, const std::vector<ContactTool>& tools,
+                                                        const ContactOptions& options, VectorXd u_mm,
+                                                        const std::vector<OpenedBody::Wall>& walls) {
+  AugmentedLagrangian lagrangian(body, options, std::move(u_mm));
+  if (!walls.empty()) {
+    const std::vector<int> on_wall = points_on(walls);
+    std::vector<int> wall_points;
+    const auto& mesh_points = geometry::find_field(lagrangian.surface_.point_fields, "mesh_point")->values;
+    for (std::size_t p = 0; p < mesh_points.size(); ++p) {
+      if (std::binary_search(on_wall.begin(), on_wall.end(), static_cast<int>(mesh_points[p]))) {
+        wall_points.push_back(static_cast<int>(p));
+      }
+    }
+    lagrangian.walls_ = CutSelfContact(lagrangian.surface_, lagrangian.node_of_point_, wall_points);
+  }
+  for (std::size_t t = 0; t < tools.size(); ++t) {
+    if (const auto* touching = std::get_if<TouchingTool>(&tools[t].what)) {
+      if (auto checked = check_tool(touching->shape, touching->pose); !checked) {
+        return failure(std::move(checked.error()));
+      }
+      continue;
+    }
+    const auto& grasp = std::get<Grasp>(tools[t].what);
+    auto gripped = grip(lagrangian.surface_, t, grasp);
+    if (!gripped) return failure(std::move(gripped.error()));
+    if (std::holds_alternative<Vector3d>(grasp.drawn)) {
+      PrescribedPatch patch{t, {}, gripped->weights};
+      for (const int point : gripped->points) patch.nodes.push_back(lagrangian.node_of_point_[point]);
+      patch.from_mm = off_mm(patch, lagrangian.u_mm_);
+      lagrangian.patches_.push_back(std::move(patch));
+    }
+    lagrangian.grips_.push_back(std::move(*gripped));
+  }
+  return lagrangian;
+}
+
+AugmentedLagrangian::AugmentedLagrangian(const Body& body, const ContactOptions& options, VectorXd u_mm)
+    : body_(&body), options_(options), surface_(geometry::boundary_surface(body.mesh)), u_mm_(std::move(u_mm)) {
+  for (const double p : geometry::find_field(surface_.point_fields, "mesh_point")->values) {
+    node_of_point_.push_back(body_->layout.node_of_point[static_cast<std::size_t>(p)]);
+  }
+  // Some fifty times as stiff as the surface itself is at a point, which answers with about E times an edge: what a
+  // round leaves of a penetration is then a fiftieth, and the matrix stays far from singular.
+  double mean_kPa = 0;
+  for (const double youngs : body_->youngs_kPa) mean_kPa += youngs / static_cast<double>(body_->youngs_kPa.size());
+  const double edge_mm =
+      std::sqrt(4 / std::sqrt(3.0) * geometry::area_mm2(surface_) / static_cast<double>(surface_.triangles.size()));
+  k_mN_mm_ = 50 * mean_kPa * edge_mm;
+}
+
+AppliedLoads AugmentedLagrangian::with_pulls(AppliedLoads loads, const std::vector<ContactTool>& tools) const {
+  for (const Gripped& gripped : grips_) {
+    const auto& grasp = std::get<Grasp>(tools[gripped.tool].what);
+    const double* pull_mN = std::get_if<double>(&grasp.drawn);
+    if (pull_mN == nullptr) continue;
+    const Vector3d force_mN = *pull_mN * grasp.direction.normalized();
+    for (std::size_t i = 0; i < gripped.points.size(); ++i) {
+      loads.dead_mN.segment<3>(3 * node_of_point_[gripped.points[i]]) += gripped.weights[i] * force_mN;
+    }
+  }
+  return loads;
+}
+
+Result<bool> AugmentedLagrangian::equilibrate(const std::vector<ContactTool>& tools, const BodyProblem& problem) {
+  struct Drive {
+    std::size_t tool;
+    double push_mN;
+    double low_mm = -std::numeric_limits<double>::infinity(), high_mm = std::numeric_limits<double>::infinity();
+    double last_mm = 0, last_mN = -1;  // of the attempt before
+  };
+  std::vector<Drive> drives;
+  if (advance_mm_.size() == 0) {
+    advance_mm_ = VectorXd::Zero(static_cast<Eigen::Index>(tools.size()));
+    for (std::size_t t = 0; t < tools.size(); ++t) {
+      const auto* touching = std::get_if<TouchingTool>(&tools[t].what);
+      if (touching == nullptr || !touching->push_mN) continue;
+      const auto way_mm = way_to_surface(surface_, *touching, surface_mm(u_mm_));
+      if (!way_mm) return failure(way_mm.error());
+      advance_mm_[static_cast<Eigen::Index>(t)] = *way_mm;
+    }
+  }
+  for (std::size_t t = 0; t < tools.size(); ++t) {
+    const auto* touching = std::get_if<TouchingTool>(&tools[t].what);
+    if (touching != nullptr && touching->push_mN) drives.push_back({t, *touching->push_mN});
+  }
+
+  for (PrescribedPatch& patch : patches_) {
+    patch.wanted_mm = patch.from_mm + std::get<Vector3d>(std::get<Grasp>(tools[patch.tool].what).drawn);
+  }
+
+  // The more a tool advances the more it meets: secants, kept between what was too little and too much.
+  constexpr int most_attempts = 30;
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    const auto rested = rest_at_advances(tools, problem);
+    if (!rested || !*rested) return rested;
+    bool as_pushed = true;
+    for (Drive& drive : drives) {
+      double& advance_mm = advance_mm_[static_cast<Eigen::Index>(drive.tool)];
+      const Vector3d forward = std::get<TouchingTool>(tools[drive.tool].what).pose.forward();
+      const double met_mN = force_of_tool(drive.tool).dot(forward), missing_mN = drive.push_mN - met_mN;
+      if (std::abs(missing_mN) <= 2e-3 * drive.push_mN) continue;
+      as_pushed = false;
+      (missing_mN > 0 ? drive.low_mm : drive.high_mm) = advance_mm;
+      double slope = drive.last_mN >= 0 ? (met_mN - drive.last_mN) / (advance_mm - drive.last_mm) : 0.0;
+      if (!(slope > 1e-4 * k_mN_mm_)) slope = 0.02 * k_mN_mm_;
+      drive.last_mm = advance_mm;
+      drive.last_mN = met_mN;
+      double next_mm = advance_mm + std::clamp(missing_mN / slope, -1.5, 1.5);
+      // With friction the force depends on the way there too: what was too little may then be too much.
+      if (drive.high_mm - drive.low_mm < hair_mm) {
+        drive.low_mm = -std::numeric_limits<double>::infinity();
+        drive.high_mm = std::numeric_limits<double>::infinity();
+      }
+      if (!(next_mm > drive.low_mm && next_mm < drive.high_mm)) next_mm = 0.5 * (drive.low_mm + drive.high_mm);
+      advance_mm = next_mm;
+    }
+    if (!as_pushed) continue;
+    for (ContactConstraint& constraint : constraints_) restart_friction(constraint, tools);
+    return true;
+  }
+  return false;
+}
+
+Result<bool> AugmentedLagrangian::rest_at_advances(const std::vector<ContactTool>& tools, const BodyProblem& problem) {
+  for (ContactConstraint& constraint : constraints_) {
+    constraint.rod = rod_of(constraint.place, tools);
+    const Pose pose = pose_of(constraint.place.tool, tools);
+    constraint.from_mm = pose.rotation * constraint.from_on_tool_mm + pose.position_mm;
+  }
+  constexpr int most_rounds = 40, rounds_that_wander = 6;
+  for (int round = 0; round < most_rounds; ++round) {
+    update_multipliers(tools);
+    for (ContactConstraint& constraint : constraints_) limit_drag(constraint, u_mm_);
+    walls_.find(u_mm_, round == 0                   ? CutSelfContact::Search::anew
+                       : round < rounds_that_wander ? CutSelfContact::Search::again
+                                                    : CutSelfContact::Search::more);
+    const BearingBody potential(problem.alone, constraints_, patches_, walls_.cut_contacts(), k_mN_mm_);
+    const double scale_mN = problem.scale_mN +
+                            free_values(body_->resolved.fixed, potential.tools_force_mN(u_mm_)).norm() +
+                            k_mN_mm_ * hair_mm;
+    auto descent = problem.settle(potential, scale_mN, u_mm_);
+    if (!descent) return failure(std::move(descent.error()));
+    report_.rounds += descent->steps;
+    report_.relative_residual = descent->relative_residual;
+    report_.movement_mm = (surface_mm(descent->u_mm) - surface_mm(u_mm_)).cwiseAbs().maxCoeff();
+    u_mm_ = std::move(descent->u_mm);
+    if (!descent->converged) return false;
+    double all_mN = 0, changed_mN = 0, farthest_off_mm = 0;
+    for (ContactConstraint& constraint : constraints_) {
+      const double force_mN = potential.force_of(constraint, gap_of(constraint, u_mm_));
+      changed_mN += std::abs(force_mN - constraint.force_mN);
+      all_mN += force_mN;
+      constraint.force_mN = force_mN;
+      const Drag drag = drag_of(constraint, k_mN_mm_, u_mm_);
+      changed_mN += (drag.force_mN - constraint.drag_mN).norm();
+      constraint.drag_mN = drag.force_mN;
+      constraint.slips = drag.slips;
+      if (force_mN == 0) restart_friction(constraint, tools);  // it has lost the tool, or not met it yet
+    }
+    for (PrescribedPatch& patch : patches_) {
+      const Vector3d force_mN = potential.force_of(patch, u_mm_);
+      changed_mN += (force_mN - patch.force_mN).norm();
+      all_mN += force_mN.norm();
+      patch.force_mN = force_mN;
+      farthest_off_mm = std::max(farthest_off_mm, off_mm(patch, u_mm_).norm());
+    }
+    for (CutContact& cut_contact : walls_.cut_contacts()) {
+      const double force_mN = potential.force_of(cut_contact, u_mm_);
+      changed_mN += std::abs(force_mN - cut_contact.force_mN);
+      all_mN += force_mN;
+      cut_contact.force_mN = force_mN;
+    }
+    report_.overlap_mm = report_.penetration_mm = walls_.find(u_mm_, CutSelfContact::Search::more);
+    for (const ContactCandidate& place : contact_candidates(surface_, tools, advance_mm_, surface_mm(u_mm_), 0.0)) {
+      report_.penetration_mm = std::max(report_.penetration_mm, -place.gap_mm);
+    }
+    if (report_.penetration_mm <= options_.penetration_tolerance_mm &&
+        farthest_off_mm <= options_.movement_tolerance_mm && changed_mN <= 0.02 * all_mN) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Places that come near are borne by a spring from now on, without a force yet.
+void AugmentedLagrangian::update_multipliers(const std::vector<ContactTool>& tools) {
+  constexpr double margin_mm = 1.0;
+  std::vector<TrackedContact> kept;
+  for (const ContactConstraint& constraint : constraints_) kept.push_back(constraint.place);
+  for (const ContactCandidate& near : contact_candidates(surface_, tools, advance_mm_, surface_mm(u_mm_), margin_mm)) {
+    keep({near.tool, near.rod, near.points, near.weights}, surface_, kept);
+  }
+  for (std::size_t i = constraints_.size(); i < kept.size(); ++i) {
+    ContactConstraint constraint{kept[i], rod_of(kept[i], tools), {}, Vector3d::Zero()};
+    constraint.friction = std::get<TouchingTool>(tools[kept[i].tool].what).friction;
+    for (int c = 0; c < 3; ++c) {
+      constraint.nodes[c] = node_of_point_[kept[i].points[c]];
+      constraint.rest_mm += kept[i].weights[c] * surface_.points_mm[kept[i].points[c]];
+    }
+    restart_friction(constraint, tools);
+    constraints_.push_back(constraint);
+  }
+}
+
+// From now on the place slides from where it is.
+void AugmentedLagrangian::restart_friction(ContactConstraint& constraint, const std::vector<ContactTool>& tools) const {
+  const Pose pose = pose_of(constraint.place.tool, tools);
+  constraint.from_mm = place_of(constraint, u_mm_);
+  constraint.from_on_tool_mm = pose.rotation.transpose() * (constraint.from_mm - pose.position_mm);
+}
+
+Pose AugmentedLagrangian::pose_of(std::size_t tool, const std::vector<ContactTool>& tools) const {
+  Pose pose = std::get<TouchingTool>(tools[tool].what).pose;
+  pose.position_mm += advance_mm_[static_cast<Eigen::Index>(tool)] * pose.forward();
+  return pose;
+}
+
+Rod AugmentedLagrangian::rod_of(const TrackedContact& place, const std::vector<ContactTool>& tools) const {
+  const auto& tool = std::get<TouchingTool>(tools[place.tool].what);
+  return placed({tool.shape[place.rod]}, pose_of(place.tool, tools)).front();
+}
+
+VectorXd AugmentedLagrangian::surface_mm(const VectorXd& u_mm) const {
+  VectorXd moved(3 * static_cast<Eigen::Index>(node_of_point_.size()));
+  for (std::size_t p = 0; p < node_of_point_.size(); ++p) {
+    moved.segment<3>(3 * static_cast<Eigen::Index>(p)) = u_mm.segment<3>(3 * node_of_point_[p]);
+  }
+  return moved;
+}
+
+Vector3d AugmentedLagrangian::force_of_tool(std::size_t tool) const {
+  Vector3d sum = Vector3d::Zero();
+  for (const ContactConstraint& constraint : constraints_) {
+    if (constraint.place.tool == tool)
+      sum += constraint.force_mN * gap_of(constraint, u_mm_).normal + constraint.drag_mN;
+  }
+  for (const PrescribedPatch& patch : patches_) {
+    if (patch.tool == tool) sum += patch.force_mN;
+  }
+  return sum;
+}
+
+VectorXd AugmentedLagrangian::force_mN() const {
+  VectorXd sum = VectorXd::Zero(u_mm_.size());
+  for (const ContactConstraint& constraint : constraints_) {
+    const Vector3d force = constraint.force_mN * gap_of(constraint, u_mm_).normal + constraint.drag_mN;
+    for (int i = 0; i < 3; ++i) sum.segment<3>(3 * constraint.nodes[i]) += constraint.place.weights[i] * force;
+  }
+  for (const PrescribedPatch& patch : patches_) {
+    for (std::size_t i = 0; i < patch.nodes.size(); ++i) {
+      sum.segment<3>(3 * patch.nodes[i]) += patch.weights[i] * patch.force_mN;
+    }
+  }
+  for (const CutContact& cut_contact : walls_.cut_contacts()) {
+    const Vector3d force = cut_contact.force_mN * cut_contact.normal;
+    for (const auto& [node, share] : cut_contact.shares()) sum.segment<3>(3 * node) += share * force;
+  }
+  return sum;
+}
+
+std::vector<ToolContact> AugmentedLagrangian::contacts(const std::vector<ContactTool>& tools) const {
+  std::vector<ToolContact> contacts;
+  for (std::size_t t = 0; t < tools.size(); ++t) {
+    ToolContact tool{tools[t].id, force_of_tool(t), 0, advance_mm_[static_cast<Eigen::Index>(t)], 0};
+    for (const ContactConstraint& constraint : constraints_) {
+      if (constraint.place.tool != t || constraint.force_mN == 0) continue;
+      ++tool.contacts;
+      if (constraint.friction > 0) ++(constraint.slips ? tool.slipping : tool.sticking);
+    }
+    contacts.push_back(std::move(tool));
+  }
+  for (const Gripped& gripped : grips_) {
+    const auto& grasp = std::get<Grasp>(tools[gripped.tool].what);
+    contacts[gripped.tool].contacts = static_cast<int>(gripped.points.size());
+    if (const double* pull_mN = std::get_if<double>(&grasp.drawn)) {
+      contacts[gripped.tool].force_mN = *pull_mN * grasp.direction.normalized();
+    }
+  }
+  for (const ContactCandidate& place : contact_candidates(surface_, tools, advance_mm_, surface_mm(u_mm_), 0.0)) {
+    contacts[place.tool].penetration_mm = std::max(contacts[place.tool].penetration_mm, -place.gap_mm);
+  }
+  return contacts;
+}
+
+namespace {
+
+Vector3d off_mm(const PrescribedPatch& patch, const VectorXd& u_mm) {
+  Vector3d mean_mm = Vector3d::Zero();
+  for (std::size_t i = 0; i < patch.nodes.size(); ++i) {
+    mean_mm += patch.weights[i] * u_mm.segment<3>(3 * patch.nodes[i]);
+  }
+  return mean_mm - patch.wanted_mm;
+}
+
+}  // namespace
+}  // namespace glisson::mechanics

@@ -1,0 +1,49 @@
+#include "mechanics/contact/internal/contact_constraint.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glisson::mechanics {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+Vector3d place_of(const ContactConstraint& constraint, const VectorXd& u_mm) {
+  Vector3d at_mm = constraint.rest_mm;
+  for (int i = 0; i < 3; ++i) at_mm += constraint.place.weights[i] * u_mm.segment<3>(3 * constraint.nodes[i]);
+  return at_mm;
+}
+
+Gap gap_of(const ContactConstraint& constraint, const VectorXd& u_mm) {
+  const Vector3d at_mm = place_of(constraint, u_mm);
+  const Vector3d axis = constraint.rod.to_mm - constraint.rod.from_mm;
+  const double along = axis.squaredNorm() > 0 ? (at_mm - constraint.rod.from_mm).dot(axis) / axis.squaredNorm() : 0.0;
+  const Vector3d arm = at_mm - constraint.rod.from_mm - std::clamp(along, 0.0, 1.0) * axis;
+  const double distance_mm = std::max(arm.norm(), 1e-9);
+  Gap gap{distance_mm - constraint.rod.radius_mm, arm / distance_mm, Matrix3d::Identity()};
+  gap.bend -= gap.normal * gap.normal.transpose();
+  if (along > 0 && along < 1) gap.bend -= axis * axis.transpose() / axis.squaredNorm();
+  gap.bend /= distance_mm;
+  return gap;
+}
+
+void limit_drag(ContactConstraint& constraint, const VectorXd& u_mm) {
+  constraint.most_drag_mN = constraint.friction * constraint.force_mN;
+  if (constraint.most_drag_mN == 0) return;
+  constraint.normal = gap_of(constraint, u_mm).normal;
+  constraint.drag_mN -= constraint.drag_mN.dot(constraint.normal) * constraint.normal;
+}
+
+Drag drag_of(const ContactConstraint& constraint, double k_mN_mm, const VectorXd& u_mm) {
+  if (constraint.most_drag_mN == 0) return {Vector3d::Zero(), Matrix3d::Zero(), 0.0, true};
+  const Matrix3d tangential = Matrix3d::Identity() - constraint.normal * constraint.normal.transpose();
+  const Vector3d y = constraint.drag_mN - k_mN_mm * tangential * (place_of(constraint, u_mm) - constraint.from_mm);
+  const double most = constraint.most_drag_mN, size = y.norm(), known = constraint.drag_mN.squaredNorm();
+  if (size <= most) return {y, k_mN_mm * tangential, (size * size - known) / (2 * k_mN_mm), false};
+  const Vector3d way = y / size;
+  return {most * way, k_mN_mm * most / size * (tangential - way * way.transpose()),
+          (2 * most * size - most * most - known) / (2 * k_mN_mm), true};
+}
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,361 @@
+#include "mechanics/contact/internal/contact_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/SparseCore>
+
+#include "base/stopwatch.h"
+
+namespace glisson::mechanics {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+const TouchingTool* pushed(const ContactTool& tool) {
+  const auto* touching = std::get_if<TouchingTool>(&tool.what);
+  return touching != nullptr && touching->push_mN ? touching : nullptr;
+}
+
+Vector3d unit_or_zero(const Vector3d& v) { return v.norm() > 0 ? v.normalized() : Vector3d::Zero(); }
+
+double largest_change(const VectorXd& a, const VectorXd& b, Eigen::Index values);
+
+// Adds a share of forces to others.
+void add(const PointForces& forces, double share, PointForces& sum) {
+  for (const auto& [point, force] : forces) sum.try_emplace(point, Vector3d::Zero()).first->second += share * force;
+}
+
+}  // namespace
+
+ContactSearch::ContactSearch(const SurfaceResponses& responses, CutSelfContact walls,
+                             const std::vector<ContactTool>& tools, const ContactOptions& options)
+    : responses_(responses),
+      walls_(std::move(walls)),
+      tools_(tools),
+      options_(options),
+      advance_mm_(VectorXd::Zero(static_cast<Eigen::Index>(tools.size()))) {}
+
+Result<void> ContactSearch::begin_from_rest() {
+  from_rest_ = true;
+  return hold({});
+}
+
+Result<void> ContactSearch::begin_from(const ContactState& before) { return hold(before); }
+
+// Takes the tools in hand, with the forces and advances of the state before for those that were there.
+Result<void> ContactSearch::hold(const ContactState& before) {
+  force_mN_ = before.force_mN;
+  std::vector<int> asked;
+  for (const auto& [point, force] : force_mN_) asked.push_back(point);
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    if (const auto* grasp = std::get_if<Grasp>(&tools_[t].what)) {
+      auto gripped = grip(responses_.surface(), t, *grasp);
+      if (!gripped) return failure(std::move(gripped.error()));
+      asked.insert(asked.end(), gripped->points.begin(), gripped->points.end());
+      grips_.push_back(std::move(*gripped));
+      continue;
+    }
+    const auto& touching = std::get<TouchingTool>(tools_[t].what);
+    if (auto checked = check_tool(touching.shape, touching.pose); !checked) return failure(std::move(checked.error()));
+  }
+  const auto solves = responses_.remember(asked);
+  if (!solves) return failure(solves.error());
+  report_.new_solves += *solves;
+  auto seen_mm = responses_.seen_under(force_mN_);
+  if (!seen_mm) return failure(std::move(seen_mm.error()));
+  seen_mm_ = std::move(*seen_mm);
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    const TouchingTool* tool = pushed(tools_[t]);
+    if (tool == nullptr) continue;
+    const auto known = std::find_if(before.tools.begin(), before.tools.end(),
+                                    [&](const ToolContact& contact) { return contact.id == tools_[t].id; });
+    if (known != before.tools.end() && known->contacts > 0) {
+      advance_mm_[static_cast<Eigen::Index>(t)] = known->advance_mm;
+      continue;
+    }
+    const auto way_mm = way_to_surface(responses_.surface(), *tool, seen_mm_);
+    if (!way_mm) return failure(way_mm.error());
+    advance_mm_[static_cast<Eigen::Index>(t)] = *way_mm;
+  }
+  for (const TouchedPlace& touched : before.touched) {
+    for (std::size_t t = 0; t < tools_.size(); ++t) {
+      const auto* tool = std::get_if<TouchingTool>(&tools_[t].what);
+      if (tools_[t].id == touched.tool && tool != nullptr && touched.rod < tool->shape.size()) {
+        keep({t, touched.rod, touched.points, touched.weights}, responses_.surface(), kept_);
+      }
+    }
+  }
+  return {};
+}
+
+Result<ContactState> ContactSearch::run() {
+  const Stopwatch watch;
+  for (; report_.rounds < options_.max_rounds; ++report_.rounds) {
+    const auto done = round();
+    if (!done) return failure(done.error());
+    if (!*done) continue;
+    report_.rounds += report_.converged;
+    break;
+  }
+  ContactState reached = state();
+  reached.report.solve_ms = 1e3 * watch.seconds();
+  return reached;
+}
+
+Result<bool> ContactSearch::round() {
+  const auto found = find_places();
+  if (!found) return failure(found.error());
+  if (!*found) return false;
+  if (auto columns = set_up_columns(); !columns) return failure(std::move(columns.error()));
+  forces_ = solve_contact(problem());
+  if (!forces_.force.allFinite() || !forces_.advance.allFinite()) return true;
+
+  PointForces next_mN = given_mN_;
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    const double force = forces_.force[static_cast<Eigen::Index>(c)];
+    if (force == 0) continue;
+    for (const auto& [point, unit] : columns_[c].on) {
+      next_mN.try_emplace(point, Vector3d::Zero()).first->second += force * unit;
+    }
+  }
+  VectorXd next_advance_mm = VectorXd::Zero(advance_mm_.size());
+  Eigen::Index drive = 0;
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    if (pushed(tools_[t]) != nullptr) next_advance_mm[static_cast<Eigen::Index>(t)] = forces_.advance[drive++];
+  }
+  auto next_seen_mm = responses_.seen_under(next_mN);
+  if (!next_seen_mm) return failure(std::move(next_seen_mm.error()));
+
+  const Eigen::Index surface_values = responses_.surface_values();
+  report_.movement_mm = std::max(largest_change(*next_seen_mm, seen_mm_, surface_values),
+                                 tools_.empty() ? 0.0 : (next_advance_mm - advance_mm_).cwiseAbs().maxCoeff());
+  VectorXd way_mm = (*next_seen_mm - seen_mm_).head(surface_values);
+  if (last_way_mm_.size() > 0) {
+    const double along = way_mm.dot(last_way_mm_) / std::max(way_mm.norm() * last_way_mm_.norm(), 1e-300);
+    share_ = std::clamp(along < -0.2 ? 0.5 * share_ : along > 0.2 ? 1.5 * share_ : share_, 0.05, 1.0);
+  }
+  const bool at_rest = report_.movement_mm <= options_.movement_tolerance_mm;
+  double part = 1.0;
+  if (!from_rest_) {
+    last_way_mm_ = std::move(way_mm);
+    if (!at_rest) part = std::min(share_, options_.largest_move_mm / std::max(report_.movement_mm, 1e-12));
+  }
+  from_rest_ = false;
+  // Forces, displacements and advances are linear in each other: a part of the way is in equilibrium too.
+  if (part < 1.0) {
+    for (auto& [point, force] : force_mN_) force *= 1.0 - part;
+    add(next_mN, part, force_mN_);
+    seen_mm_ += part * (*next_seen_mm - seen_mm_);
+  } else {
+    force_mN_ = std::move(next_mN);
+    seen_mm_ = std::move(*next_seen_mm);
+  }
+  advance_mm_ += part * (next_advance_mm - advance_mm_);
+  if (!at_rest) return false;
+  report_.overlap_mm = walls_.find(seen_mm_, CutSelfContact::Search::more);
+  report_.penetration_mm = std::max(report_.overlap_mm, deepest_mm());
+  report_.converged = forces_.converged && report_.penetration_mm <= options_.penetration_tolerance_mm;
+  return report_.converged;
+}
+
+double ContactSearch::deepest_mm() {
+  double deepest_mm = 0;
+  for (const ContactCandidate& place : contact_candidates(responses_.surface(), tools_, advance_mm_, seen_mm_, 0.0)) {
+    deepest_mm = std::max(deepest_mm, -place.gap_mm);
+  }
+  return deepest_mm;
+}
+
+Result<bool> ContactSearch::find_places() {
+  constexpr double margin_mm = 1.0;  // what is farther is found when it comes nearer: no round moves through a tool
+  constexpr int rounds_that_wander = 6;
+  walls_.find(from_rest_ ? VectorXd::Zero(seen_mm_.size()) : seen_mm_,
+              report_.rounds == 0                   ? CutSelfContact::Search::anew
+              : report_.rounds < rounds_that_wander ? CutSelfContact::Search::again
+                                                    : CutSelfContact::Search::more);
+  for (const ContactCandidate& near :
+       contact_candidates(responses_.surface(), tools_, advance_mm_, seen_mm_, margin_mm)) {
+    keep({near.tool, near.rod, near.points, near.weights}, responses_.surface(), kept_);
+  }
+  places_ = tracked_candidates(responses_.surface(), kept_, tools_, advance_mm_, seen_mm_, options_.largest_move_mm);
+  bool all_there = true;
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    const TouchingTool* tool = pushed(tools_[t]);
+    if (tool == nullptr ||
+        std::any_of(places_.begin(), places_.end(), [&](const ContactCandidate& p) { return p.tool == t; })) {
+      continue;
+    }
+    const auto way_mm = way_to_surface(responses_.surface(), *tool, seen_mm_);
+    if (!way_mm) return failure(way_mm.error());
+    advance_mm_[static_cast<Eigen::Index>(t)] = *way_mm;
+    all_there = false;
+  }
+  return all_there;
+}
+
+Result<void> ContactSearch::set_up_columns() {
+  std::vector<int> asked;
+  for (const ContactCandidate& place : places_) asked.insert(asked.end(), place.points.begin(), place.points.end());
+  const auto solves = responses_.remember(asked);
+  if (!solves) return failure(solves.error());
+  report_.new_solves += *solves;
+
+  given_mN_.clear();
+  for (const Gripped& gripped : grips_) {
+    const auto& grasp = std::get<Grasp>(tools_[gripped.tool].what);
+    const double* pull_mN = std::get_if<double>(&grasp.drawn);
+    if (pull_mN == nullptr) continue;
+    for (std::size_t i = 0; i < gripped.points.size(); ++i) {
+      given_mN_.try_emplace(gripped.points[i], Vector3d::Zero()).first->second +=
+          *pull_mN * (gripped.weights[i] * unit_or_zero(grasp.direction));
+    }
+  }
+  const auto seen_given_mm = responses_.seen_under(given_mN_);
+  if (!seen_given_mm) return failure(seen_given_mm.error());
+  const auto work = [](const Column& column, const VectorXd& moved_mm) {
+    double sum = 0;
+    for (const auto& [point, force] : column.on) sum += force.dot(moved_mm.segment<3>(3 * point));
+    return sum;
+  };
+
+  columns_.clear();
+  for (const ContactCandidate& place : places_) {
+    Column column;
+    for (int i = 0; i < 3; ++i) {
+      if (place.weights[i] > 0) column.on.emplace_back(place.points[i], place.weights[i] * place.normal);
+    }
+    column.start_mm = place.gap_mm + work(column, *seen_given_mm) - work(column, seen_mm_);
+    if (const TouchingTool* tool = pushed(tools_[place.tool])) {
+      column.pushed_by = place.tool;
+      column.along = place.normal.dot(tool->pose.forward());
+      column.start_mm += column.along * advance_mm_[static_cast<Eigen::Index>(place.tool)];
+    }
+    columns_.push_back(std::move(column));
+  }
+  for (const CutContact& cut_contact : walls_.cut_contacts()) {
+    Column column;
+    for (const auto& [point, share] : cut_contact.shares()) column.on.emplace_back(point, share * cut_contact.normal);
+    column.start_mm = cut_contact.gap_mm(*seen_given_mm);
+    columns_.push_back(std::move(column));
+  }
+  two_sided_ = 0;
+  for (const Gripped& gripped : grips_) {
+    const auto* drawn_mm = std::get_if<Vector3d>(&std::get<Grasp>(tools_[gripped.tool].what).drawn);
+    if (drawn_mm == nullptr) continue;
+    for (int axis = 0; axis < 3; ++axis, ++two_sided_) {
+      Column column;
+      for (std::size_t i = 0; i < gripped.points.size(); ++i) {
+        column.on.emplace_back(gripped.points[i], gripped.weights[i] * Vector3d::Unit(axis));
+      }
+      column.start_mm = work(column, *seen_given_mm) - work(column, responses_.standing_seen_mm()) - (*drawn_mm)[axis];
+      columns_.push_back(std::move(column));
+    }
+  }
+  return {};
+}
+
+ContactProblem ContactSearch::problem() const {
+  const auto size = static_cast<Eigen::Index>(columns_.size());
+  std::vector<double> drive_force_mN;
+  std::vector<Eigen::Index> drive_of_tool(tools_.size(), -1);
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    const TouchingTool* tool = pushed(tools_[t]);
+    if (tool == nullptr) continue;
+    drive_of_tool[t] = static_cast<Eigen::Index>(drive_force_mN.size());
+    drive_force_mN.push_back(*tool->push_mN);
+  }
+  const auto drives = static_cast<Eigen::Index>(drive_force_mN.size());
+  ContactProblem problem{Eigen::MatrixXd(size, size), VectorXd(size), two_sided_, Eigen::MatrixXd::Zero(size, drives),
+                         Eigen::Map<const VectorXd>(drive_force_mN.data(), drives)};
+  const auto first_wall = static_cast<Eigen::Index>(places_.size());
+  const auto walls = static_cast<Eigen::Index>(walls_.cut_contacts().size());
+  const auto of_wall = [&](Eigen::Index c) { return c >= first_wall && c < first_wall + walls; };
+  for (Eigen::Index c = 0; c < size; ++c) {
+    const Column& column = columns_[static_cast<std::size_t>(c)];
+    problem.start[c] = column.start_mm;
+    if (column.pushed_by != no_tool) problem.drives(c, drive_of_tool[column.pushed_by]) = column.along;
+    for (Eigen::Index d = 0; d <= c; ++d) {
+      if (of_wall(c) && of_wall(d)) continue;
+      double sum = 0;
+      for (const auto& [at, force] : column.on) {
+        for (const auto& [of, other] : columns_[static_cast<std::size_t>(d)].on) {
+          sum += force.dot(responses_.compliance(at, of) * other);
+        }
+      }
+      problem.compliance(c, d) = problem.compliance(d, c) = sum;
+    }
+  }
+  if (walls == 0) return problem;
+  // A thousand meetings and more: by products of matrices, the columns being sparse.
+  const std::vector<int>& mutual = responses_.mutual_points();
+  std::map<int, int> number_of;
+  for (std::size_t i = 0; i < mutual.size(); ++i) number_of[mutual[i]] = static_cast<int>(i);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index w = 0; w < walls; ++w) {
+    for (const auto& [point, force] : columns_[static_cast<std::size_t>(first_wall + w)].on) {
+      for (int i = 0; i < 3; ++i) entries.emplace_back(3 * number_of[point] + i, static_cast<int>(w), force[i]);
+    }
+  }
+  Eigen::SparseMatrix<double> directions(3 * static_cast<Eigen::Index>(mutual.size()), walls);
+  directions.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::MatrixXd moved_mm = responses_.mutual_compliance() * directions;
+  problem.compliance.block(first_wall, first_wall, walls, walls) = directions.transpose() * moved_mm;
+  return problem;
+}
+
+ContactState ContactSearch::state() const {
+  ContactState state;
+  state.force_mN = force_mN_;
+  std::erase_if(state.force_mN, [](const auto& item) { return item.second.norm() == 0; });
+  const Eigen::Index surface_values = responses_.surface_values();
+  for (Eigen::Index i = 0; i < surface_values + responses_.watched_values(); i += 3) {
+    (i < surface_values ? state.surface_mm : state.watched_mm).emplace_back(seen_mm_.segment<3>(i));
+  }
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    state.tools.push_back({tools_[t].id, Vector3d::Zero(), 0, advance_mm_[static_cast<Eigen::Index>(t)], 0});
+  }
+  const bool solved = forces_.force.size() > 0;  // not where all rounds went by looking for the surface
+  for (std::size_t c = 0; c < places_.size() && solved; ++c) {
+    const double force = forces_.force[static_cast<Eigen::Index>(c)];
+    if (!(force > 0)) continue;
+    ToolContact& contact = state.tools[places_[c].tool];
+    contact.force_mN += force * places_[c].normal;
+    ++contact.contacts;
+    state.touched.push_back({contact.id, places_[c].rod, places_[c].points, places_[c].weights});
+  }
+  for (const ContactCandidate& place : contact_candidates(responses_.surface(), tools_, advance_mm_, seen_mm_, 0.0)) {
+    state.tools[place.tool].penetration_mm = std::max(state.tools[place.tool].penetration_mm, -place.gap_mm);
+  }
+  Eigen::Index two_sided = forces_.force.size() - two_sided_;
+  for (const Gripped& gripped : grips_) {
+    ToolContact& contact = state.tools[gripped.tool];
+    const auto& grasp = std::get<Grasp>(tools_[gripped.tool].what);
+    contact.contacts = static_cast<int>(gripped.points.size());
+    if (const double* pull_mN = std::get_if<double>(&grasp.drawn)) {
+      contact.force_mN = *pull_mN * unit_or_zero(grasp.direction);
+    } else if (solved) {
+      contact.force_mN = forces_.force.segment<3>(two_sided);
+      two_sided += 3;
+    }
+  }
+  state.report = report_;
+  state.report.inverted_cells = responses_.inverted_cells(seen_mm_);
+  state.report.relative_residual = responses_.relative_residual();
+  for (const auto& [point, force] : state.force_mN) {
+    state.report.energy_uJ +=
+        0.5 * force.dot(state.surface_mm[point] - responses_.standing_seen_mm().segment<3>(3 * point));
+  }
+  return state;
+}
+
+namespace {
+
+double largest_change(const VectorXd& a, const VectorXd& b, Eigen::Index values) {
+  double squared = 0;
+  for (Eigen::Index i = 0; i < values; i += 3) squared = std::max(squared, (a - b).segment<3>(i).squaredNorm());
+  return std::sqrt(squared);
+}
+
+}  // namespace
+}  // namespace glisson::mechanics

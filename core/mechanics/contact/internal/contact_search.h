@@ -1,0 +1,70 @@
+#pragma once
+// The rounds that bring a linear body in contact to rest (contact.h): find the places that touch, solve for their
+// forces on the body's remembered answers, move the surface and the pushed tools on, and look again. Inside of this
+// room.
+
+#include "mechanics/contact/contact.h"
+#include "mechanics/contact/internal/contact_candidates.h"
+#include "mechanics/contact/internal/contact_forces.h"
+#include "mechanics/contact/internal/cut_self_contact.h"
+#include "mechanics/contact/internal/surface_responses.h"
+
+namespace glisson::mechanics {
+
+class ContactSearch {
+ public:
+  // `walls`, of cuts that are kept apart, speak of the points of the surface as their nodes.
+  ContactSearch(const SurfaceResponses& responses, CutSelfContact walls, const std::vector<ContactTool>& tools,
+                const ContactOptions& options);
+
+  // Either comes first. From rest walls meet where they were one, wherever the loads alone would take them.
+  [[nodiscard]] Result<void> begin_from(const ContactState& state);
+  [[nodiscard]] Result<void> begin_from_rest();
+
+  // Rounds until the state has come to rest, or as many as there may be.
+  [[nodiscard]] Result<ContactState> run();
+
+ private:
+  // Forces on points of the surface for 1 mN of an unknown one, and what keeps the two apart where it begins.
+  struct Column {
+    std::vector<std::pair<int, Eigen::Vector3d>> on;
+    double start_mm = 0;  // without any of the unknown forces and without advances
+    std::size_t pushed_by = no_tool;
+    double along = 0;  // of the tool's way, in the gap
+  };
+  static constexpr std::size_t no_tool = static_cast<std::size_t>(-1);
+
+  Result<void> hold(const ContactState& before);
+  Result<bool> find_places();  // false where a pushed tool had lost the surface and went on to it
+  Result<bool> round();        // true where there is nothing more to do
+  [[nodiscard]] Result<void> set_up_columns();
+  [[nodiscard]] ContactProblem problem() const;
+  [[nodiscard]] ContactState state() const;
+  [[nodiscard]] double deepest_mm();
+
+  const SurfaceResponses& responses_;
+  CutSelfContact walls_;
+  const std::vector<ContactTool>& tools_;
+  ContactOptions options_;
+
+  PointForces force_mN_;
+  Eigen::VectorXd advance_mm_;  // one a tool; 0 for one that is held
+  Eigen::VectorXd seen_mm_;
+  bool from_rest_ = false;
+  std::vector<Gripped> grips_;
+  std::vector<TrackedContact> kept_;
+
+  std::vector<ContactCandidate> places_;
+  std::vector<Column> columns_;  // of the places, of the walls' meetings, of what jaws hold at a displacement
+  int two_sided_ = 0;
+  PointForces given_mN_;  // by graspers that pull
+  ContactForces forces_;
+
+  // Across a tool's bend the surface may swing to and fro: a round that goes back on the one before goes half as far.
+  // Where rounds go on in one direction, it slides, and they go farther again.
+  double share_ = 1.0;
+  Eigen::VectorXd last_way_mm_;
+  ContactReport report_;
+};
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,167 @@
+#include "mechanics/contact/internal/surface_responses.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <Eigen/Geometry>
+
+#include "mechanics/elements/shape_functions.h"
+
+namespace glisson::mechanics {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+SurfaceResponses::SurfaceResponses(StaticModel model, const StaticResult& standing, std::vector<PointInMesh> watched)
+    : model_(std::move(model)),
+      surface_(geometry::boundary_surface(model_.mesh())),
+      watched_(std::move(watched)),
+      mutual_compliance_(model_.mutual_compliance()),
+      relative_residual_(standing.relative_residual) {
+  std::vector<Vector3d> seen_mm;
+  seen_of_mesh_point_.assign(model_.mesh().points_mm.size(), -1);
+  const auto see = [&](int mesh_point) {
+    seen_of_mesh_point_[mesh_point] = static_cast<Eigen::Index>(seen_mm.size());
+    seen_mm.push_back(standing.displacement_mm[mesh_point]);
+  };
+  for (const double p : geometry::find_field(surface_.point_fields, "mesh_point")->values) {
+    mesh_point_.push_back(static_cast<int>(p));
+    see(mesh_point_.back());
+  }
+  for (const Vector3d& u_mm : model_.displacement_at(standing, watched_)) seen_mm.push_back(u_mm);
+  for (std::size_t p = 0; p < seen_of_mesh_point_.size(); ++p) {
+    if (seen_of_mesh_point_[p] >= 0) continue;
+    inner_.push_back(static_cast<int>(p));
+    see(inner_.back());
+  }
+  standing_seen_mm_ = Eigen::Map<const VectorXd>(seen_mm.front().data(), 3 * static_cast<Eigen::Index>(seen_mm.size()));
+
+  mutual_of_point_.assign(mesh_point_.size(), -1);
+  for (const int p : model_.mutual_points()) {
+    const auto point = static_cast<int>(seen_of_mesh_point_[p]);
+    GLISSON_ASSERT(static_cast<std::size_t>(point) < mesh_point_.size());
+    mutual_of_point_[point] = static_cast<int>(mutual_points_.size());
+    mutual_points_.push_back(point);
+  }
+  responses_.resize(mesh_point_.size());
+  make_groups();
+}
+
+// Neighbours share a group: who needs one will soon need the others, and several right-hand sides cost little more than
+// one. Cells of a grid, cut into runs of at most eight.
+void SurfaceResponses::make_groups() {
+  constexpr double cell_mm = 15.0;
+  constexpr std::size_t most = 8;
+  std::map<std::array<long, 3>, std::vector<int>> cells;
+  for (std::size_t p = 0; p < surface_.points_mm.size(); ++p) {
+    if (mutual_of_point_[p] >= 0) continue;
+    const Vector3d at = (surface_.points_mm[p] / cell_mm).array().floor();
+    cells[{std::lround(at.x()), std::lround(at.y()), std::lround(at.z())}].push_back(static_cast<int>(p));
+  }
+  group_of_point_.resize(surface_.points_mm.size());
+  for (const auto& [cell, points] : cells) {
+    for (std::size_t begin = 0; begin < points.size(); begin += most) {
+      const std::size_t end = std::min(points.size(), begin + most);
+      for (std::size_t i = begin; i < end; ++i) group_of_point_[points[i]] = static_cast<int>(groups_.size());
+      groups_.emplace_back(points.begin() + static_cast<long>(begin), points.begin() + static_cast<long>(end));
+    }
+  }
+}
+
+Result<int> SurfaceResponses::remember(const std::vector<int>& points) const {
+  const std::lock_guard lock(mutex_);
+  int solves = 0;
+  for (const int asked : points) {
+    if (responses_[asked] || mutual_of_point_[asked] >= 0) continue;
+    const std::vector<int>& group = groups_[group_of_point_[asked]];
+    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(model_.nodes().nodes()),
+                                                 3 * static_cast<Eigen::Index>(group.size()));
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      unit.block<3, 3>(3 * node(group[i]), 3 * static_cast<Eigen::Index>(i)).setIdentity();
+    }
+    const StaticModel::Responses solved = model_.respond(unit);
+    if (auto accepted = accept(solved); !accepted) return failure(std::move(accepted.error()));
+    solves += static_cast<int>(unit.cols());
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      responses_[group[i]] = seen_part(solved.displacement_mm.middleCols<3>(3 * static_cast<Eigen::Index>(i)));
+    }
+  }
+  return solves;
+}
+
+Matrix3d SurfaceResponses::compliance(int at, int of) const {
+  const int at_mutual = mutual_of_point_[at], of_mutual = mutual_of_point_[of];
+  if (of_mutual < 0) return responses_[of]->middleRows<3>(3 * at);
+  if (at_mutual < 0) return responses_[at]->middleRows<3>(3 * of).transpose();
+  return mutual_compliance_.block<3, 3>(3 * at_mutual, 3 * of_mutual);
+}
+
+Result<VectorXd> SurfaceResponses::seen_under(const PointForces& force_mN) const {
+  VectorXd seen_mm = standing_seen_mm_;
+  VectorXd of_mutual_mN;
+  for (const auto& [point, force] : force_mN) {
+    if (mutual_of_point_[point] < 0) {
+      seen_mm += *responses_[point] * force;
+      continue;
+    }
+    if (of_mutual_mN.size() == 0) of_mutual_mN = VectorXd::Zero(3 * static_cast<Eigen::Index>(model_.nodes().nodes()));
+    of_mutual_mN.segment<3>(3 * node(point)) += force;
+  }
+  if (of_mutual_mN.size() == 0) return seen_mm;
+  const std::lock_guard lock(mutex_);
+  const StaticModel::Responses solved = model_.respond(of_mutual_mN);
+  if (auto accepted = accept(solved); !accepted) return failure(std::move(accepted.error()));
+  return seen_mm + seen_part(solved.displacement_mm);
+}
+
+Result<void> SurfaceResponses::accept(const StaticModel::Responses& solved) const {
+  if (!solved.converged) {
+    return failure("not-converged",
+                   GLISSON_TEXT("The body's answer to a force on its surface was not found: the relative residual "
+                                "stayed at {0}."),
+                   {fmt::format("{:.1e}", solved.relative_residual)});
+  }
+  relative_residual_ = std::max(relative_residual_, solved.relative_residual);
+  return {};
+}
+
+Eigen::MatrixXd SurfaceResponses::seen_part(const Eigen::MatrixXd& displacement_mm) const {
+  const NodeLayout& layout = model_.nodes();
+  Eigen::MatrixXd part = Eigen::MatrixXd::Zero(seen_values(), displacement_mm.cols());
+  Eigen::Index row = 0;
+  for (const int p : mesh_point_) {
+    part.middleRows<3>(row) = displacement_mm.middleRows<3>(3 * layout.node_of_point[p]);
+    row += 3;
+  }
+  for (const PointInMesh& place : watched_) {
+    const TetValues values = tet_values(layout.order, place.barycentric);
+    for (int i = 0; i < layout.nodes_per_cell(); ++i) {
+      part.middleRows<3>(row) += values[i] * displacement_mm.middleRows<3>(3 * layout.cells[place.cell][i]);
+    }
+    row += 3;
+  }
+  for (const int p : inner_) {
+    if (layout.node_of_point[p] >= 0) {
+      part.middleRows<3>(row) = displacement_mm.middleRows<3>(3 * layout.node_of_point[p]);
+    }
+    row += 3;
+  }
+  return part;
+}
+
+int SurfaceResponses::inverted_cells(const VectorXd& seen_mm) const {
+  const geometry::TetMesh& mesh = model_.mesh();
+  int inverted = 0;
+  for (const auto& cell : mesh.cells) {
+    std::array<Vector3d, 4> corners;
+    for (int i = 0; i < 4; ++i) {
+      corners[i] = mesh.points_mm[cell[i]] + seen_mm.segment<3>(3 * seen_of_mesh_point_[cell[i]]);
+    }
+    inverted += (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[3] - corners[0]) <= 0;
+  }
+  return inverted;
+}
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,78 @@
+#pragma once
+// What a linear body answers to forces on its surface. A unit force on a point is solved for once by the kept factor
+// and remembered, in fixed groups of neighbours, so that what is remembered does not depend on who asked first; what
+// the model's mutual points (of the walls of cuts) answer to each other is known from the start, and forces on them are
+// solved for anew each time that all is seen under them. Inside of this room.
+//
+// What is seen: the surface, the watched places, and the inner points of the mesh, in this order, 3 values each (mm).
+
+#include <Eigen/Core>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "geometry/surface.h"
+#include "mechanics/elements/point_location.h"
+#include "mechanics/statics/static_model.h"
+
+namespace glisson::mechanics {
+
+// By points of the surface.
+using PointForces = std::map<int, Eigen::Vector3d>;
+
+class SurfaceResponses {
+ public:
+  // `standing` is the body's state without further forces.
+  SurfaceResponses(StaticModel model, const StaticResult& standing, std::vector<PointInMesh> watched);
+
+  [[nodiscard]] const StaticModel& model() const { return model_; }
+  [[nodiscard]] const geometry::Surface& surface() const { return surface_; }
+  [[nodiscard]] int node(int point) const { return model_.nodes().node_of_point[mesh_point_[point]]; }
+  // The model's mutual points, as points of the surface.
+  [[nodiscard]] const std::vector<int>& mutual_points() const { return mutual_points_; }
+
+  // Solves for what is not known of the points yet; gives back for how many right-hand sides. Failure: "not-converged".
+  [[nodiscard]] Result<int> remember(const std::vector<int>& points) const;
+
+  // How a point moves by a force on another, both remembered or mutual.
+  [[nodiscard]] Eigen::Matrix3d compliance(int at, int of) const;
+  // Between all mutual points, 3 a point, in their order.
+  [[nodiscard]] const Eigen::MatrixXd& mutual_compliance() const { return mutual_compliance_; }
+
+  [[nodiscard]] const Eigen::VectorXd& standing_seen_mm() const { return standing_seen_mm_; }
+  // Where all that is seen is under forces on points that are remembered or mutual. Failure: "not-converged".
+  [[nodiscard]] Result<Eigen::VectorXd> seen_under(const PointForces& force_mN) const;
+  [[nodiscard]] Eigen::Index surface_values() const { return 3 * static_cast<Eigen::Index>(mesh_point_.size()); }
+  [[nodiscard]] Eigen::Index watched_values() const { return 3 * static_cast<Eigen::Index>(watched_.size()); }
+
+  [[nodiscard]] int inverted_cells(const Eigen::VectorXd& seen_mm) const;
+  [[nodiscard]] double relative_residual() const { return relative_residual_; }  // the worst so far
+
+ private:
+  using Response = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+  [[nodiscard]] Eigen::Index seen_values() const { return standing_seen_mm_.size(); }
+  [[nodiscard]] Eigen::MatrixXd seen_part(const Eigen::MatrixXd& displacement_mm) const;  // of all nodes
+  Result<void> accept(const StaticModel::Responses& solved) const;
+  void make_groups();
+
+  StaticModel model_;
+  geometry::Surface surface_;
+  std::vector<int> mesh_point_;  // of each point of the surface
+  std::vector<PointInMesh> watched_;
+  std::vector<int> inner_;  // points of the mesh that are not of the surface
+  std::vector<Eigen::Index> seen_of_mesh_point_;
+  Eigen::VectorXd standing_seen_mm_;
+  std::vector<std::vector<int>> groups_;  // of points of the surface
+  std::vector<int> group_of_point_;
+  std::vector<int> mutual_points_;
+  std::vector<int> mutual_of_point_;  // -1: none
+  Eigen::MatrixXd mutual_compliance_;
+
+  mutable std::mutex mutex_;  // what is remembered grows behind it
+  mutable std::vector<std::optional<Response>> responses_;
+  mutable double relative_residual_ = 0;
+};
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,43 @@
+#pragma once
+// Rigid tools that press on a body at large deformation, of any material and with all that is around it: no deeper than
+// a tolerance, with friction or without, several at once, held in place or pushed by a force; and graspers that pull
+// with a force or hold their patch's mean at a displacement. The counterpart of contact.h, a factorisation a Newton
+// step and therefore far from live.
+//
+// The same places of the surface as there; at each the gap g to the tool's rods, with their bend, holds by an augmented
+// Lagrangian: the energy (max(0, p - k g)^2 - p^2) / (2 k) is added to the body's (newton.h) and p, the force, is
+// brought up to p - k g until neither p nor the surface changes (e.g. Wriggers, Computational Contact Mechanics, 6.3).
+// Coulomb's friction joins in the same way (ibid., 6.3.3; Simo and Laursen 1992, Comput. Struct. 42:97): a place that
+// bears the force p drags with t, |t| <= mu p, against the way s that it slid over its tool since the station before,
+// by the energy of y = t - k s, |y|^2 / (2 k) within mu p and (mu p |y| - (mu p)^2 / 2) / k beyond, where it slips. p,
+// the normal and mu p are those of the round before.
+// What jaws hold at a displacement is held in the same way, by (|p - k d|^2 - |p|^2) / (2 k), d being how far it is
+// off. The advance of a pushed tool is found by secants on the force that it meets.
+
+#include <vector>
+
+#include "mechanics/contact/contact.h"
+#include "mechanics/statics/equilibrium.h"
+
+namespace glisson::mechanics {
+
+struct LargeContact {
+  StaticResult result;  // of the last station that was reached; `iterations` are Newton steps
+  std::vector<ToolContact> tools;
+  ContactReport report;
+};
+
+// The tools go through the stations, one set of the same tools after the other; between two none should move by more
+// than half its rods' radius. The result did not converge where a station was not reached, and `why_stopped` says
+// which. Failures: those of find_equilibrium; "tool-invalid", "tool-touches-nothing".
+//
+// `walls`, those of a body's cuts, slide along each other without passing through by more than the tolerance, by the
+// same springs between each of their points and the triangle across from it. The way begins at rest then, with the
+// loads growing from station to station.
+Result<LargeContact> find_equilibrium_in_contact(const Body& body, const std::vector<Material>& materials,
+                                                 const AppliedLoads& loads,
+                                                 const std::vector<std::vector<ContactTool>>& stations,
+                                                 const ContactOptions& options = {}, const Progress& progress = {},
+                                                 const std::vector<OpenedBody::Wall>& walls = {});
+
+}  // namespace glisson::mechanics

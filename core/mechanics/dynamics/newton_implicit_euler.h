@@ -1,0 +1,67 @@
+#pragma once
+// A body in motion of any material, with all that is around it: implicit Euler, each step brought to its end by
+// Newton's method. Slower than ImplicitEuler by far; what that cannot do (hyperelastic laws, ligaments, a capsule, gas
+// that follows the surface) is done here.
+//
+// A step h from u_n, v_n is the minimum of an energy (e.g. Gast et al. 2015, Optimization Integrator for Large Time
+// Steps):
+//   E(u) - f.u + |u - u_n - h v_n|^2_M / (2 h^2) + alpha |u - u_n|^2_M / (2 h) + beta |u - u_n|^2_K / (2 h),
+// E with the surroundings (boundary_potential.h), M lumped at the nodes, K the positive part of the tangent at u_n;
+// then v = (u - u_n) / h.
+//
+// Lengths mm, velocities mm/s, forces mN; values of nodes are 3 a node, in the order of NodeLayout.
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <functional>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "mechanics/dynamics/implicit_euler.h"
+#include "mechanics/elements/body.h"
+#include "mechanics/elements/load_vector.h"
+#include "mechanics/materials/material.h"
+
+namespace glisson::mechanics {
+
+class Potential;
+struct NewtonResult;
+
+class NewtonImplicitEuler {
+ public:
+  // At rest and still, under loads that stay. The body must be laid out with linear cells. The options' tolerance is of
+  // the forces at the step's start; `max_iterations` is of Newton steps. Failure: "step-invalid".
+  static Result<NewtonImplicitEuler> create(Body body, std::vector<Material> materials, AppliedLoads loads,
+                                            const DynamicsOptions& options);
+
+  // The report's `iterations` are Newton steps, its strain energy that of the body alone. A step that does not converge
+  // moves nothing. Failures: "too-large", "factorisation-failed", "cancelled".
+  Result<StepReport> step(const Progress& progress = {});
+
+  // The same where more stands in the body's way: `settle` finds the minimum of the step with it, from where the body
+  // is. `scale_mN` is what residuals of the step alone are measured by.
+  using Settle =
+      std::function<Result<NewtonResult>(const Potential& step, double scale_mN, const Eigen::VectorXd& from_mm)>;
+  Result<StepReport> step(const AppliedLoads& loads, const Settle& settle);
+
+  void set_velocity(const Eigen::VectorXd& velocity_mm_s);
+  [[nodiscard]] const Eigen::VectorXd& displacement_mm() const { return u_mm_; }
+  [[nodiscard]] const Eigen::VectorXd& velocity_mm_s() const { return v_mm_s_; }
+  [[nodiscard]] const Body& body() const { return body_; }
+
+ private:
+  NewtonImplicitEuler() = default;
+
+  Body body_;
+  std::vector<Material> materials_;
+  AppliedLoads loads_;
+  DynamicsOptions options_;
+  Eigen::SparseMatrix<double> mass_kg_;  // diagonal
+  Eigen::VectorXd u_mm_, v_mm_s_;
+};
+
+// Mass lumped at the nodes of linear cells (kg), 3 equal values a node.
+[[nodiscard]] Eigen::VectorXd lumped_mass_kg(const Body& body);
+
+}  // namespace glisson::mechanics

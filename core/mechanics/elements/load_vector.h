@@ -1,0 +1,29 @@
+#pragma once
+// Loads as values -> forces on the nodes.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "base/result.h"
+#include "mechanics/elements/body.h"
+#include "mechanics/elements/boundary.h"
+#include "mechanics/elements/node_layout.h"
+#include "mechanics/scenario/scenario.h"
+
+namespace glisson::mechanics {
+
+// Forces (mN), 3 a node, of all the loads together. Failures: "tool-touches-nothing", "load-invalid" (which load, and
+// what about it is not a finite number or out of range).
+Result<Eigen::VectorXd> load_vector(const geometry::TetMesh& mesh, const NodeLayout& layout,
+                                    const std::vector<BoundaryFace>& boundary, double density_kg_mm3,
+                                    const Loads& loads);
+
+// The same, apart: what stays as it is, and the pressure of the gas that follows the surface (boundary_potential.h).
+struct AppliedLoads {
+  Eigen::VectorXd dead_mN;
+  double follower_pressure_kPa = 0;
+};
+enum class Gas { follows_the_surface, stays_as_at_rest };
+Result<AppliedLoads> applied_loads(const Body& body, const Loads& loads, Gas gas);
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,58 @@
+#include "mechanics/elements/stiffness_matrix.h"
+
+#include "mechanics/elements/block_assembly.h"
+#include "mechanics/elements/boundary_potential.h"
+#include "mechanics/elements/quadrature.h"
+#include "mechanics/elements/shape_functions.h"
+
+namespace glisson::mechanics {
+
+namespace {
+
+// The force on a node by a displacement of another, per volume, of any tangent: node b moved by e changes the gradient
+// by e g_b^T, and a stress P pushes on node a with P g_a.
+Eigen::Matrix3d pair_by_tangent(const Matrix9d& tangent, const Eigen::Vector3d& g_a, const Eigen::Vector3d& g_b) {
+  Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
+  for (int d = 0; d < 3; ++d) {
+    for (int e = 0; e < 3; ++e) block += g_a[d] * g_b[e] * tangent.block<3, 3>(3 * d, 3 * e);
+  }
+  return block;
+}
+
+}  // namespace
+
+Eigen::SparseMatrix<double> assemble_stiffness(const Body& body) {
+  const NodeLayout& layout = body.layout;
+  const auto points = tet_points_degree_2();
+  std::array<TetDerivatives, points.size()> derivatives;
+  for (std::size_t q = 0; q < points.size(); ++q) derivatives[q] = tet_derivatives(layout.order, points[q].barycentric);
+
+  std::optional<Matrix9d> anisotropy;  // what it adds to the isotropic tangent, per unit of Young's modulus
+  if (body.options.anisotropy) {
+    const double nu = body.options.poisson_ratio;
+    anisotropy = unit_tangent(*body.options.anisotropy, nu) - unit_tangent(TransverseIsotropy{}, nu);
+  }
+
+  const auto column_of_cell = [&](std::size_t cell, int b) {
+    const CellGeometry shape = cell_geometry(body.mesh, cell);
+    std::array<TetGradients, points.size()> gradients;
+    for (std::size_t q = 0; q < points.size(); ++q) gradients[q] = tet_gradients(derivatives[q], shape);
+    return [&, gradients, b, cell, material = body.materials[cell], volume_mm3 = shape.volume_mm3](int a) {
+      Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
+      for (std::size_t q = 0; q < points.size(); ++q) {
+        block += points[q].weight * stiffness_of_pair(material, gradients[q].row(a), gradients[q].row(b));
+        if (anisotropy) {
+          block += points[q].weight * body.youngs_kPa[cell] *
+                   pair_by_tangent(*anisotropy, gradients[q].row(a), gradients[q].row(b));
+        }
+      }
+      return (volume_mm3 * block).eval();
+    };
+  };
+  return assemble_blocks(layout, column_of_cell, [&](const BlockSink& sink) {
+    const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(layout.nodes()));
+    add_boundary_tangent(body, 0.0, at_rest, Tangent::exact, sink);
+  });
+}
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,180 @@
+#include "mechanics/elements/supports.h"
+
+#include <fmt/format.h>
+#include <cmath>
+
+namespace glisson::mechanics {
+namespace {
+
+using Named = std::vector<std::uint8_t>;  // one a mesh point: 1 where the support names it
+
+Result<Named> named_points(const geometry::TetMesh& mesh, const Region& region, const std::string& which);
+void hold(const geometry::TetMesh& mesh, const NodeLayout& layout, const Named& named, const Fixed& how,
+          std::vector<std::uint8_t>& fixed);
+Result<std::vector<LigamentSpring>> springs_of(const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
+                                               const Named& named, const Ligament& ligament, const std::string& which);
+std::string names_of(const geometry::Fields& fields);
+
+}  // namespace
+
+Result<ResolvedSupports> resolve_supports(const geometry::TetMesh& mesh, const NodeLayout& layout,
+                                          const std::vector<BoundaryFace>& boundary,
+                                          const std::vector<Support>& supports) {
+  ResolvedSupports resolved;
+  resolved.fixed.assign(3 * static_cast<std::size_t>(layout.nodes()), 0);
+  for (std::size_t s = 0; s < supports.size(); ++s) {
+    const std::string which = std::to_string(s + 1);
+    auto named = named_points(mesh, supports[s].where, which);
+    if (!named) return failure(std::move(named.error()));
+
+    bool names_any = false;
+    for (std::size_t p = 0; p < named->size(); ++p) names_any |= (*named)[p] && layout.node_of_point[p] >= 0;
+    if (!names_any) {
+      return failure(Error{"support-empty",
+                           GLISSON_TEXT("Support {0} names no point of the mesh."),
+                           {which},
+                           GLISSON_TEXT("Move or enlarge its region, or name another point array."),
+                           {}});
+    }
+
+    if (const auto* fixed = std::get_if<Fixed>(&supports[s].how)) {
+      hold(mesh, layout, *named, *fixed, resolved.fixed);
+      continue;
+    }
+    if (const auto* ligament = std::get_if<Ligament>(&supports[s].how)) {
+      auto springs = springs_of(layout, boundary, *named, *ligament, which);
+      if (!springs) return failure(std::move(springs.error()));
+      resolved.ligaments.insert(resolved.ligaments.end(), springs->begin(), springs->end());
+      continue;
+    }
+    const double stiffness = std::get<Foundation>(supports[s].how).stiffness_kPa_per_mm;
+    if (!std::isfinite(stiffness) || stiffness <= 0) {
+      return failure("support-invalid",
+                     GLISSON_TEXT("The foundation of support {0} needs a stiffness above zero, not {1} kPa/mm."),
+                     {which, fmt::format("{}", stiffness)});
+    }
+    const std::size_t before = resolved.foundations.size();
+    for (std::size_t f = 0; f < boundary.size(); ++f) {
+      const auto& [a, b, c] = boundary[f].points;
+      if ((*named)[a] && (*named)[b] && (*named)[c]) resolved.foundations.push_back({f, stiffness});
+    }
+    if (resolved.foundations.size() == before) {
+      return failure(Error{"support-empty",
+                           GLISSON_TEXT("The foundation of support {0} covers no face: no face of the surface has all "
+                                        "three points named."),
+                           {which},
+                           GLISSON_TEXT("Move or enlarge its region."),
+                           {}});
+    }
+  }
+  return resolved;
+}
+
+namespace {
+
+Result<Named> named_points(const geometry::TetMesh& mesh, const Region& region, const std::string& which) {
+  Named named(mesh.points_mm.size(), 0);
+  if (const auto* array = std::get_if<NamedPoints>(&region)) {
+    const geometry::Field* field = geometry::find_field(mesh.point_fields, array->point_array);
+    if (field == nullptr || field->components != 1 || field->items() != named.size()) {
+      return failure(Error{"array-unknown",
+                           GLISSON_TEXT("Support {0} asks for the point array {1}, which the mesh does not have with "
+                                        "one value a point."),
+                           {which, array->point_array, names_of(mesh.point_fields)},
+                           GLISSON_TEXT("The mesh's point arrays are: {2}."),
+                           {}});
+    }
+    for (std::size_t p = 0; p < named.size(); ++p) {
+      if (!std::isfinite(field->values[p])) {
+        return failure("support-invalid", GLISSON_TEXT("The point array {0} is not a number at point {1}."),
+                       {array->point_array, std::to_string(p)});
+      }
+      named[p] = field->values[p] != 0.0;
+    }
+    return named;
+  }
+  if (const auto* ball = std::get_if<Ball>(&region)) {
+    if (!ball->center_mm.allFinite() || !std::isfinite(ball->radius_mm) || ball->radius_mm <= 0) {
+      return failure("support-invalid",
+                     GLISSON_TEXT("The sphere of support {0} needs a finite centre and a radius above zero."), {which});
+    }
+    for (std::size_t p = 0; p < named.size(); ++p) {
+      named[p] = (mesh.points_mm[p] - ball->center_mm).norm() <= ball->radius_mm;
+    }
+    return named;
+  }
+  const auto& box = std::get<geometry::Box>(region);
+  if (!box.min_mm.allFinite() || !box.max_mm.allFinite() || (box.min_mm.array() > box.max_mm.array()).any()) {
+    return failure("support-invalid",
+                   GLISSON_TEXT("The box of support {0} needs finite corners, the smaller one first."), {which});
+  }
+  for (std::size_t p = 0; p < named.size(); ++p) {
+    const auto point = mesh.points_mm[p].array();
+    named[p] = (point >= box.min_mm.array()).all() && (point <= box.max_mm.array()).all();
+  }
+  return named;
+}
+
+void hold(const geometry::TetMesh& mesh, const NodeLayout& layout, const Named& named, const Fixed& how,
+          std::vector<std::uint8_t>& fixed) {
+  const auto hold_node = [&](int node) {
+    for (int d = 0; d < 3; ++d) fixed[3 * static_cast<std::size_t>(node) + d] |= how.directions[d];
+  };
+  for (std::size_t p = 0; p < named.size(); ++p) {
+    if (named[p] && layout.node_of_point[p] >= 0) hold_node(layout.node_of_point[p]);
+  }
+  if (layout.order == ElementOrder::linear) return;
+  constexpr int faces_of_cell[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+  for (const auto& cell : mesh.cells) {
+    for (const auto& face : faces_of_cell) {
+      const int corners[3] = {cell[face[0]], cell[face[1]], cell[face[2]]};
+      if (!named[corners[0]] || !named[corners[1]] || !named[corners[2]]) continue;
+      for (int i = 0; i < 3; ++i) hold_node(layout.node_of_edge(corners[i], corners[(i + 1) % 3]));
+    }
+  }
+}
+
+Result<std::vector<LigamentSpring>> springs_of(const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
+                                               const Named& named, const Ligament& ligament, const std::string& which) {
+  if (!ligament.anchor_mm.allFinite() || !std::isfinite(ligament.stiffness_mN_per_mm) ||
+      ligament.stiffness_mN_per_mm <= 0 || !std::isfinite(ligament.slack_mm) || ligament.slack_mm < 0) {
+    return failure("support-invalid",
+                   GLISSON_TEXT("The ligament of support {0} needs a finite anchor, a stiffness above zero and a slack "
+                                "not below it."),
+                   {which});
+  }
+  std::vector<double> area_of_point_mm2(named.size(), 0.0);
+  double area_mm2 = 0;
+  for (const BoundaryFace& face : boundary) {
+    for (const int p : face.points) {
+      if (!named[p]) continue;
+      area_of_point_mm2[p] += face.area_mm2 / 3.0;
+      area_mm2 += face.area_mm2 / 3.0;
+    }
+  }
+  if (area_mm2 == 0) {
+    return failure(Error{"support-empty",
+                         GLISSON_TEXT("The ligament of support {0} names no point of the surface."),
+                         {which},
+                         GLISSON_TEXT("Move or enlarge its region."),
+                         {}});
+  }
+  std::vector<LigamentSpring> springs;
+  for (std::size_t p = 0; p < named.size(); ++p) {
+    if (area_of_point_mm2[p] == 0) continue;
+    const int node = layout.node_of_point[p];
+    springs.push_back({node, ligament.anchor_mm,
+                       (ligament.anchor_mm - layout.positions_mm[node]).norm() + ligament.slack_mm,
+                       ligament.stiffness_mN_per_mm * area_of_point_mm2[p] / area_mm2});
+  }
+  return springs;
+}
+
+std::string names_of(const geometry::Fields& fields) {
+  std::string names;
+  for (const geometry::Field& field : fields) names += (names.empty() ? "" : ", ") + field.name;
+  return names.empty() ? "none" : names;
+}
+
+}  // namespace
+}  // namespace glisson::mechanics

@@ -1,0 +1,48 @@
+#pragma once
+// Supports as values -> which unknowns are held, which faces stand on springs, which points hang on ligaments.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "geometry/tetrahedra.h"
+#include "mechanics/elements/boundary.h"
+#include "mechanics/elements/node_layout.h"
+#include "mechanics/scenario/scenario.h"
+
+namespace glisson::mechanics {
+
+struct FoundationFace {
+  std::size_t face;  // of the boundary
+  double stiffness_kPa_per_mm;
+};
+
+// One spring of a ligament's fan.
+struct LigamentSpring {
+  int node;
+  Eigen::Vector3d anchor_mm;
+  double free_length_mm;  // up to which it does not pull
+  double stiffness_mN_per_mm;
+};
+
+struct ResolvedSupports {
+  std::vector<std::uint8_t> fixed;  // 3 a node (x, y, z): 1 where that displacement is held
+  std::vector<FoundationFace> foundations;
+  std::vector<LigamentSpring> ligaments;
+};
+
+// Failures: "support-empty" (a support that names no point, or a foundation that covers no face, or a ligament
+// that names no point of the surface), "array-unknown", "support-invalid" (a number that is not finite or not
+// positive).
+Result<ResolvedSupports> resolve_supports(const geometry::TetMesh& mesh, const NodeLayout& layout,
+                                          const std::vector<BoundaryFace>& boundary,
+                                          const std::vector<Support>& supports);
+
+// What the supports leave free, as English ("can turn about the axis through (0.0, 0.0, 0.0) mm along x"), or
+// nothing where the body can be in equilibrium: the null space of the supports on the six rigid motions. Ligaments,
+// which only pull, do not count. The body must hang together.
+std::string free_motion(const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
+                        const ResolvedSupports& supports);
+
+}  // namespace glisson::mechanics

@@ -1,0 +1,182 @@
+#include "mechanics/meshfree/meshfree_model.h"
+
+#include <fmt/format.h>
+#include <cmath>
+
+#include "base/stopwatch.h"
+#include "mechanics/elements/boundary_potential.h"
+#include "mechanics/elements/load_vector.h"
+#include "mechanics/elements/strain.h"
+#include "mechanics/meshfree/internal/reduced_potential.h"
+#include "mechanics/meshfree/internal/reduced_solver.h"
+#include "mechanics/meshfree/meshfree_body.h"
+#include "mechanics/solvers/internal/newton.h"
+#include "mechanics/statics/displacements.h"
+
+namespace glisson::mechanics {
+
+struct MeshfreeModel::Impl {
+  MeshfreeBody handles;
+  ReducedPreconditioner preconditioner;
+  double setup_s;
+};
+
+namespace {
+
+// Conjugate gradients go this far where they go without a factor; 200, the dissertation's limit, is for steps in time.
+constexpr int most_iterations = 5000;
+
+struct CarriedLoad {
+  Eigen::VectorXd q_mm;
+  double share = 0;
+  double relative_residual = 0;
+  int steps = 0;
+};
+Result<CarriedLoad> carry(const MeshfreeBody& handles, const AppliedLoads& loads, const NewtonOptions& options,
+                          const Progress& progress);
+StaticResult result_of(const MeshfreeBody& handles, const Eigen::VectorXd& q_mm, const AppliedLoads& loads);
+
+}  // namespace
+
+Result<MeshfreeModel> MeshfreeModel::create(const geometry::TetMesh& mesh, const std::vector<double>& youngs_kPa,
+                                            const std::vector<Support>& supports, const ChosenLaw& law,
+                                            const StaticOptions& options, const MeshfreeOptions& meshfree,
+                                            const std::vector<Cut>& cuts, const Progress& progress) {
+  const Stopwatch watch;
+  auto handles = prepare_meshfree_body(mesh, youngs_kPa, supports, law, options, meshfree, cuts, Holding::required,
+                                       progress.part(0.0, 0.8));
+  if (!handles) return failure(std::move(handles.error()));
+  progress.report(0.8, GLISSON_TEXT("Factorising"));
+  if (progress.cancelled()) return cancelled();
+  auto preconditioner = ReducedPreconditioner::of(handles->rest_stiffness, options.memory_limit_bytes);
+  return MeshfreeModel(
+      std::make_shared<const Impl>(Impl{std::move(*handles), std::move(preconditioner), watch.seconds()}));
+}
+
+Result<StaticResult> MeshfreeModel::solve(const Loads& loads, const NewtonOptions& options,
+                                          const Progress& progress) const {
+  const MeshfreeBody& handles = impl_->handles;
+  return applied_loads(handles.body, loads, gas_on(handles.materials)).and_then([&](const AppliedLoads& applied) {
+    return solve(applied, options, progress);
+  });
+}
+
+Result<StaticResult> MeshfreeModel::solve(const AppliedLoads& loads, const NewtonOptions& options,
+                                          const Progress& progress) const {
+  const Stopwatch watch;
+  const MeshfreeBody& handles = impl_->handles;
+  GLISSON_ASSERT(loads.dead_mN.size() == 3 * handles.body.layout.nodes());
+  StaticResult result;
+  if (handles.law == MaterialLaw::linear && handles.body.resolved.ligaments.empty()) {
+    const double tolerance = handles.body.options.relative_tolerance;
+    const Eigen::VectorXd force_mN = handles.basis->reduce(loads.dead_mN);
+    const ReducedSolution solution =
+        conjugate_gradients(handles.rest_stiffness, impl_->preconditioner, force_mN,
+                            Eigen::VectorXd::Zero(force_mN.size()), tolerance, most_iterations);
+    result = result_of(handles, solution.x, loads);
+    result.external_work_uJ *= 0.5;
+    result.status = solution.converged ? SolveStatus::converged : SolveStatus::not_converged;
+    result.relative_residual = solution.relative_residual;
+    result.iterations = solution.iterations;
+    result.why_stopped = fmt::format(
+        "The relative residual {:.1e} is {} the tolerance {:.1e} after {} conjugate gradients.",
+        solution.relative_residual, solution.converged ? "within" : "above", tolerance, solution.iterations);
+  } else {
+    const auto carried = carry(handles, loads, options, progress);
+    if (!carried) return failure(carried.error());
+    const double share = carried->share;
+    result = result_of(handles, carried->q_mm, {share * loads.dead_mN, share * loads.follower_pressure_kPa});
+    result.status = share == 1.0 ? SolveStatus::converged : SolveStatus::not_converged;
+    result.relative_residual = carried->relative_residual;
+    result.iterations = carried->steps;
+    result.why_stopped =
+        fmt::format("{:.1f} % of the load are carried, to a relative residual of {:.1e} (tolerance {:.1e}).",
+                    100.0 * share, carried->relative_residual, options.relative_tolerance);
+  }
+  result.setup_s = impl_->setup_s;
+  result.step_ms = 1e3 * watch.seconds();
+  return result;
+}
+
+const MeshfreeBody& MeshfreeModel::body() const { return impl_->handles; }
+const geometry::TetMesh& MeshfreeModel::mesh() const { return impl_->handles.body.mesh; }
+const NodeLayout& MeshfreeModel::places() const { return impl_->handles.body.layout; }
+const ShapeFunctions& MeshfreeModel::shape_functions() const { return impl_->handles.shape; }
+const std::vector<double>& MeshfreeModel::youngs_kPa() const { return impl_->handles.body.youngs_kPa; }
+
+std::vector<Eigen::Vector3d> MeshfreeModel::displacement_at(const StaticResult& result,
+                                                            const std::vector<PointInMesh>& places) const {
+  return mechanics::displacement_at(impl_->handles.body, result, places);
+}
+
+std::vector<double> MeshfreeModel::von_mises_kPa(const StaticResult& result) const {
+  const Body& body = impl_->handles.body;
+  const Eigen::VectorXd u_mm = nodal_displacements(body, result);
+  return impl_->handles.law == MaterialLaw::linear ? von_mises_of_cells(body.mesh, body.layout, body.materials, u_mm)
+                                                   : von_mises_of_cells(body, impl_->handles.materials, u_mm);
+}
+
+MeshfreeModel::Cost MeshfreeModel::cost() const {
+  return {impl_->setup_s, static_cast<std::size_t>(impl_->handles.basis->unknowns()),
+          impl_->handles.rest_stiffness.bytes(), impl_->preconditioner.bytes()};
+}
+
+namespace {
+
+// All of the load at once, or in smaller parts where that does not converge (as in equilibrium.cpp).
+Result<CarriedLoad> carry(const MeshfreeBody& handles, const AppliedLoads& loads, const NewtonOptions& options,
+                          const Progress& progress) {
+  const MinimiseOptions descent_options{options.relative_tolerance, options.max_steps,
+                                        handles.body.options.memory_limit_bytes};
+  const std::vector<std::uint8_t> nothing_held(static_cast<std::size_t>(handles.basis->unknowns()), 0);
+  CarriedLoad carried;
+  carried.q_mm.setZero(handles.basis->unknowns());
+  double part = 1.0;
+  for (int halvings = 0; carried.share < 1.0 && halvings <= options.max_halvings;) {
+    progress.report(carried.share, GLISSON_TEXT("Looking for the equilibrium"));
+    const double next = std::min(1.0, carried.share + part);
+    const ElasticPotential of_places(handles.body, handles.materials, loads, next);
+    const ReducedPotential balance(handles, of_places);
+    auto descent = minimise(balance, nothing_held, balance.scale_mN(), carried.q_mm, descent_options, progress);
+    if (!descent) return failure(std::move(descent.error()));
+    carried.steps += descent->steps;
+    carried.relative_residual = descent->relative_residual;
+    if (descent->converged) {
+      carried.q_mm = std::move(descent->u_mm);
+      carried.share = next;
+    } else {
+      part *= 0.5;
+      ++halvings;
+    }
+  }
+  return carried;
+}
+
+StaticResult result_of(const MeshfreeBody& handles, const Eigen::VectorXd& q_mm, const AppliedLoads& loads) {
+  const Eigen::VectorXd u_mm = handles.basis->displacement(q_mm);
+  StaticResult result = state_of(handles.body, handles.materials, u_mm, loads, Eigen::VectorXd::Zero(u_mm.size()));
+  result.fixed_reaction_mN = sum_of(handles.holding_force_mN(u_mm));
+  if (handles.law == MaterialLaw::linear && result.inverted_cells == 0 && result.largest_strain > 0.2) {
+    result.notes.push_back(
+        fmt::format("The largest strain is {:.0f} %: linear elasticity at small strain is an extrapolation there.",
+                    100.0 * result.largest_strain));
+  }
+  const double points_a_node = static_cast<double>(handles.body.mesh.points_mm.size()) / handles.basis->handles();
+  if (points_a_node < 4) {
+    result.notes.push_back(fmt::format(
+        "The mesh has {:.1f} points for each meshfree node: frames then describe one motion in many ways, and solving "
+        "takes far longer. A finer mesh or fewer nodes would do.",
+        points_a_node));
+  }
+  double slip_mm = 0;
+  for (std::size_t i = 0; i < handles.hold.size(); ++i) {
+    if (handles.hold[i] > 0) slip_mm = std::max(slip_mm, std::abs(u_mm[static_cast<Eigen::Index>(i)]));
+  }
+  if (slip_mm > 0.01 * result.max_displacement_mm && slip_mm > 1e-6) {
+    result.notes.push_back(fmt::format("What is held gives way by up to {:.2g} mm.", slip_mm));
+  }
+  return result;
+}
+
+}  // namespace
+}  // namespace glisson::mechanics

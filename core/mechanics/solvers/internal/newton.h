@@ -1,0 +1,47 @@
+#pragma once
+// Newton's method on an energy, with a line search (Nocedal and Wright, Numerical Optimization, 3.1 and 3.4): on the
+// exact tangent where that is positive definite and on its positive part where it is not. Inside of this room.
+
+#include <cstdint>
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "mechanics/elements/internal_forces.h"
+
+namespace glisson::mechanics {
+
+// What is to be minimised, as a function of the displacement (mm, 3 a node).
+class Potential {
+ public:
+  virtual ~Potential() = default;
+  [[nodiscard]] virtual double energy_uJ(const Eigen::VectorXd& u_mm) const = 0;          // the loads' work taken off
+  [[nodiscard]] virtual Eigen::VectorXd force_mN(const Eigen::VectorXd& u_mm) const = 0;  // minus its slope
+  [[nodiscard]] virtual Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& u_mm, Tangent which) const = 0;
+  // The size of the terms that the energy is the difference of, which its rounding is measured by.
+  [[nodiscard]] virtual double energy_scale_uJ(const Eigen::VectorXd& u_mm) const = 0;
+};
+
+struct NewtonResult {
+  Eigen::VectorXd u_mm;
+  double relative_residual = 0;  // of `scale_mN`, over what is not held
+  int steps = 0;
+  bool converged = false;
+};
+
+// From `start_mm`, which keeps its values where `held` is 1. Where the scale is zero nothing loads what is free, and
+// the start is the answer. Failures: "too-large", "factorisation-failed", "cancelled".
+struct MinimiseOptions {
+  double relative_tolerance = 1e-6;
+  int max_steps = 40;
+  std::uint64_t memory_limit_bytes = 0;
+};
+Result<NewtonResult> minimise(const Potential& potential, const std::vector<std::uint8_t>& fixed, double scale_mN,
+                              const Eigen::VectorXd& start_mm, const MinimiseOptions& options,
+                              const Progress& progress);
+
+// The values with zeros where something is held.
+[[nodiscard]] Eigen::VectorXd free_values(const std::vector<std::uint8_t>& fixed, Eigen::VectorXd values);
+
+}  // namespace glisson::mechanics

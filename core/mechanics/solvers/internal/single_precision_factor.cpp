@@ -1,0 +1,107 @@
+#include "mechanics/solvers/internal/single_precision_factor.h"
+
+#include <algorithm>
+
+#include "base/result.h"
+
+// The BLAS that CHOLMOD itself stands on, in single precision.
+extern "C" {
+void strsm_(const char* side, const char* triangle, const char* transposed, const char* unit, const int* rows,
+            const int* columns, const float* scale, const float* a, const int* leading_a, float* b,
+            const int* leading_b);
+void sgemm_(const char* transposed_a, const char* transposed_b, const int* rows, const int* columns, const int* inner,
+            const float* scale, const float* a, const int* leading_a, const float* b, const int* leading_b,
+            const float* scale_c, float* c, const int* leading_c);
+}
+
+namespace glisson::mechanics {
+namespace {
+
+constexpr float zero = 0, one = 1, minus_one = -1;
+
+}  // namespace
+
+SinglePrecisionFactor::SinglePrecisionFactor(const cholmod_factor& factor) {
+  GLISSON_ASSERT(factor.is_super != 0 && factor.is_ll != 0 && factor.xtype == CHOLMOD_REAL);
+  const auto* order = static_cast<const int*>(factor.Perm);
+  const auto* first_column = static_cast<const int*>(factor.super);
+  const auto* first_row = static_cast<const int*>(factor.pi);
+  const auto* first_value = static_cast<const int*>(factor.px);
+  const auto* rows = static_cast<const int*>(factor.s);
+  const auto* values = static_cast<const double*>(factor.x);
+  order_.assign(order, order + factor.n);
+  rows_.assign(rows, rows + factor.ssize);
+  values_.resize(factor.xsize);
+  std::transform(values, values + factor.xsize, values_.begin(),
+                 [](double value) { return static_cast<float>(value); });
+  for (std::size_t s = 0; s < factor.nsuper; ++s) {
+    supernodes_.push_back({first_column[s], first_column[s + 1] - first_column[s],
+                           static_cast<std::size_t>(first_row[s]), first_row[s + 1] - first_row[s],
+                           static_cast<std::size_t>(first_value[s])});
+  }
+}
+
+Eigen::MatrixXd SinglePrecisionFactor::solve(const Eigen::MatrixXd& right_hand_sides) const {
+  GLISSON_ASSERT(static_cast<std::size_t>(right_hand_sides.rows()) == order_.size());
+  // Scaled to one, so that small residuals do not leave the range of single precision.
+  Eigen::RowVectorXd scale = right_hand_sides.cwiseAbs().colwise().maxCoeff();
+  for (double& largest : scale) largest = largest > 0 ? largest : 1.0;
+  Eigen::MatrixXf x(right_hand_sides.rows(), right_hand_sides.cols());
+  for (Eigen::Index column = 0; column < x.cols(); ++column) {
+    for (Eigen::Index i = 0; i < x.rows(); ++i) {
+      x(i, column) = static_cast<float>(right_hand_sides(order_[i], column) / scale[column]);
+    }
+  }
+  solve_forward(x);
+  solve_backward(x);
+  Eigen::MatrixXd solution(x.rows(), x.cols());
+  for (Eigen::Index column = 0; column < x.cols(); ++column) {
+    for (Eigen::Index i = 0; i < x.rows(); ++i) {
+      solution(order_[i], column) = scale[column] * static_cast<double>(x(i, column));
+    }
+  }
+  return solution;
+}
+
+// L y = b: each supernode's own unknowns, then what they add to the rows below it.
+void SinglePrecisionFactor::solve_forward(Eigen::MatrixXf& x) const {
+  const int n = static_cast<int>(x.rows()), sides = static_cast<int>(x.cols());
+  Eigen::MatrixXf below;
+  for (const Supernode& node : supernodes_) {
+    const float* values = values_.data() + node.first_value;
+    float* own = x.data() + node.first_column;
+    strsm_("L", "L", "N", "N", &node.columns, &sides, &one, values, &node.rows, own, &n);
+    const int count = node.rows - node.columns;
+    if (count == 0) continue;
+    below.resize(count, sides);
+    sgemm_("N", "N", &count, &sides, &node.columns, &one, values + node.columns, &node.rows, own, &n, &zero,
+           below.data(), &count);
+    const int* row = rows_.data() + node.first_row + node.columns;
+    for (int side = 0; side < sides; ++side) {
+      for (int i = 0; i < count; ++i) x(row[i], side) -= below(i, side);
+    }
+  }
+}
+
+// L^T x = y, from the last supernode to the first.
+void SinglePrecisionFactor::solve_backward(Eigen::MatrixXf& x) const {
+  const int n = static_cast<int>(x.rows()), sides = static_cast<int>(x.cols());
+  Eigen::MatrixXf below;
+  for (auto node = supernodes_.rbegin(); node != supernodes_.rend(); ++node) {
+    const float* values = values_.data() + node->first_value;
+    float* own = x.data() + node->first_column;
+    const int count = node->rows - node->columns;
+    if (count > 0) {
+      below.resize(count, sides);
+      const int* row = rows_.data() + node->first_row + node->columns;
+      for (int side = 0; side < sides; ++side) {
+        for (int i = 0; i < count; ++i) below(i, side) = x(row[i], side);
+      }
+      sgemm_("T", "N", &node->columns, &sides, &count, &minus_one, values + node->columns, &node->rows, below.data(),
+             &count, &one, own, &n);
+    }
+    strsm_("L", "L", "T", "N", &node->columns, &sides, &one, values, &node->rows, own, &n);
+  }
+}
+
+}  // namespace glisson::mechanics

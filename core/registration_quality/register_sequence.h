@@ -1,0 +1,30 @@
+#pragma once
+// A sequence on disk, registered: each frame's cloud moved to the model, ready to be judged.
+
+#include <string_view>
+
+#include "base/progress.h"
+#include "registration_quality/sequence_file.h"
+#include "registration_quality/sirgn.h"
+
+namespace glisson::registration_quality {
+
+enum class SequenceMethod {
+  given,  // as somebody else's algorithm left it: the clouds that the sequence names as registered
+  icp,    // each frame by itself to the model, by nearest points
+  geo,    // each frame by itself to the model, by distances along the surface
+  gnra    // all frames at once, by the landmarks themselves
+};
+inline constexpr SequenceMethod sequence_methods[] = {SequenceMethod::icp, SequenceMethod::geo, SequenceMethod::gnra,
+                                                      SequenceMethod::given};
+
+// "given", "icp", "geo", "gnra".
+[[nodiscard]] std::string_view name_of(SequenceMethod method);
+
+// Failures: "sequence-not-registered" (given, and the sequence names no registered clouds), "sequence-no-model" (icp or
+// geo, and it names no model), "sequence-frame-not-aligned" (gnra), those of read_cloud, read_surface,
+// register_surfaces and align_globally, with the frame's file; "cancelled".
+Result<RegisteredSequence> register_sequence(const SequenceFiles& files, SequenceMethod method,
+                                             const Progress& progress = {});
+
+}  // namespace glisson::registration_quality

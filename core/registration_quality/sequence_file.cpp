@@ -1,0 +1,202 @@
+#include "registration_quality/sequence_file.h"
+
+#include <charconv>
+#include <map>
+#include <string_view>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "geometry/mesh_file.h"
+#include "geometry/ply_file.h"
+
+namespace glisson::registration_quality {
+namespace {
+
+namespace fs = std::filesystem;
+
+Failure invalid(const fs::path& file, std::string what) {
+  return failure(Error{"sequence-invalid",
+                       GLISSON_TEXT("{0}: {1}."),
+                       {file.filename().string(), std::move(what)},
+                       GLISSON_TEXT("A sequence names frames with a cloud each, and landmarks."),
+                       file});
+}
+
+struct Sighting {
+  std::string landmark;
+  std::size_t frame = 0;
+  Eigen::Vector3d position_mm;
+};
+std::optional<Sighting> parse_sighting(std::string_view line, std::size_t frames);
+Result<std::vector<LandmarkTrack>> read_tracks(const fs::path& file, std::size_t frames);
+
+}  // namespace
+
+Result<SequenceFiles> read_sequence(const fs::path& file) {
+  const auto document = read_json_file(file);
+  if (!document) return failure(document.error());
+  const fs::path folder = file.parent_path();
+  const Json& json = *document;
+  const auto text_of = [](const Json& object, const char* key) -> std::optional<std::string> {
+    if (!object.is_object() || !object.contains(key) || !object[key].is_string()) return std::nullopt;
+    return object[key].get<std::string>();
+  };
+  if (!json.is_object()) return invalid(file, GLISSON_TEXT("it is not an object"));
+  if (auto known =
+          refuse_unknown_keys(json, {"frames", "landmarks", "model", "camera", "registered", "simulated"}, "sequence");
+      !known) {
+    return failure(std::move(known.error()).in_file(file));
+  }
+  if (!json.contains("frames") || !json["frames"].is_array())
+    return invalid(file, GLISSON_TEXT("it has no list of frames"));
+
+  SequenceFiles sequence;
+  for (const Json& frame : json["frames"]) {
+    const auto cloud = text_of(frame, "cloud");
+    if (!cloud) return invalid(file, "frame " + std::to_string(sequence.clouds.size()) + " names no cloud");
+    sequence.clouds.push_back(folder / *cloud);
+    const auto image = text_of(frame, "image");
+    sequence.images.push_back(image ? folder / *image : fs::path());
+  }
+  if (json.contains("registered")) {
+    if (!json["registered"].is_array() || json["registered"].size() != sequence.clouds.size()) {
+      return invalid(file, GLISSON_TEXT("registered does not name one cloud a frame"));
+    }
+    for (const Json& cloud : json["registered"]) {
+      if (!cloud.is_string()) return invalid(file, GLISSON_TEXT("registered holds something that is no file name"));
+      sequence.registered.push_back(folder / cloud.get<std::string>());
+    }
+  }
+  if (json.contains("camera")) {
+    auto camera = vision::camera_from_json(json["camera"].dump());
+    if (!camera) {
+      return invalid(file,
+                     GLISSON_TEXT("camera has no 3 x 3 matrix with positive focal lengths, or a distortion that is no "
+                                  "list of numbers"));
+    }
+    sequence.camera = std::move(*camera);
+  }
+  sequence.simulated = text_of(json, "simulated").value_or("");
+  if (const auto model = text_of(json, "model")) sequence.model = folder / *model;
+  for (const auto* list : {&sequence.clouds, &sequence.registered}) {
+    for (std::size_t frame = 0; frame < list->size(); ++frame) {
+      std::error_code no_name;  // of a length that the system takes
+      if (fs::exists((*list)[frame], no_name)) continue;
+      return failure(Error{"sequence-frame-missing",
+                           GLISSON_TEXT("Frame {0} is missing: there is no file {1}."),
+                           {std::to_string(frame), (*list)[frame].string()},
+                           GLISSON_TEXT("Remove the frame from the sequence (and number the tracks anew), or add it."),
+                           file});
+    }
+  }
+  const auto tracks = text_of(json, "landmarks");
+  if (!tracks) return invalid(file, GLISSON_TEXT("it names no file of landmarks"));
+  auto landmarks = read_tracks(folder / *tracks, sequence.clouds.size());
+  if (!landmarks) return failure(landmarks.error());
+  sequence.landmarks = std::move(*landmarks);
+  return sequence;
+}
+
+Result<NewSequenceFolder> NewSequenceFolder::make(const fs::path& folder) {
+  std::error_code problem;
+  const bool was_there = fs::exists(folder, problem);
+  if (was_there && !fs::is_empty(folder, problem)) {
+    return failure(Error{"sequence-folder-not-empty",
+                         GLISSON_TEXT("The folder {0} is not empty."),
+                         {folder.string()},
+                         GLISSON_TEXT("Name a new folder for the sequence."),
+                         folder});
+  }
+  fs::create_directories(folder, problem);
+  if (!problem) return NewSequenceFolder(folder, was_there);
+  return failure("folder-not-made", GLISSON_TEXT("The folder {0} cannot be made: {1}."),
+                 {folder.string(), problem.message()});
+}
+
+NewSequenceFolder::NewSequenceFolder(NewSequenceFolder&& other) noexcept
+    : folder_(std::move(other.folder_)), was_there_(other.was_there_), kept_(other.kept_) {
+  other.kept_ = true;
+}
+
+NewSequenceFolder::~NewSequenceFolder() {
+  if (kept_) return;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(folder_, problem)) fs::remove(entry.path(), problem);
+  if (!was_there_) fs::remove(folder_, problem);
+}
+
+Result<geometry::Surface> read_cloud(const fs::path& file) {
+  return file.extension() == ".ply" ? geometry::read_ply(file) : geometry::read_surface(file);
+}
+
+namespace {
+
+constexpr std::string_view tracks_header = "landmark,frame,x_mm,y_mm,z_mm";
+
+Error no_tracks(const fs::path& file) {
+  return {"tracks-invalid",
+          GLISSON_TEXT("The first line of {0} is not {1}."),
+          {file.filename().string(), std::string(tracks_header)},
+          GLISSON_TEXT("Name the columns so, in this order, with commas between them."),
+          file};
+}
+
+Result<std::vector<LandmarkTrack>> read_tracks(const fs::path& file, std::size_t frames) {
+  const auto text = read_text_file(file);
+  if (!text) return failure(text.error());
+  std::vector<LandmarkTrack> tracks;
+  std::map<std::string, std::size_t> place;
+  std::size_t line_number = 0;
+  for (std::size_t begin = 0; begin < text->size();) {
+    const std::size_t end = std::min(text->find('\n', begin), text->size());
+    std::string_view line = std::string_view(*text).substr(begin, end - begin);
+    begin = end + 1;
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    if (++line_number == 1) {
+      if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+      std::string names(line);
+      std::erase(names, ' ');
+      if (names != tracks_header) return failure(no_tracks(file));
+      continue;
+    }
+    if (line.empty()) continue;
+    const auto sighting = parse_sighting(line, frames);
+    if (!sighting) {
+      return failure(Error{"tracks-invalid",
+                           GLISSON_TEXT("Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm with a frame below {2}."),
+                           {file.filename().string(), std::to_string(line_number), std::to_string(frames)},
+                           {},
+                           file});
+    }
+    const auto [found, is_new] = place.try_emplace(sighting->landmark, tracks.size());
+    if (is_new) tracks.push_back({sighting->landmark, std::vector<std::optional<Eigen::Vector3d>>(frames)});
+    tracks[found->second].positions_mm[sighting->frame] = sighting->position_mm;
+  }
+  if (line_number == 0) return failure(no_tracks(file));
+  return tracks;
+}
+
+std::optional<Sighting> parse_sighting(std::string_view line, std::size_t frames) {
+  std::vector<std::string_view> words;
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    words.push_back(line.substr(0, comma));
+    if (comma == std::string_view::npos) break;
+    line.remove_prefix(comma + 1);
+  }
+  if (words.size() != 5) return std::nullopt;
+  const auto read = [](std::string_view word, auto& number) {
+    while (!word.empty() && word.front() == ' ') word.remove_prefix(1);
+    return std::from_chars(word.data(), word.data() + word.size(), number).ec == std::errc{};
+  };
+  Sighting sighting;
+  sighting.landmark = words[0];
+  bool good = read(words[1], sighting.frame) && sighting.frame < frames;
+  for (int axis = 0; axis < 3; ++axis) {
+    good = good && read(words[static_cast<std::size_t>(2 + axis)], sighting.position_mm[axis]);
+  }
+  return good && sighting.position_mm.allFinite() ? std::optional(sighting) : std::nullopt;
+}
+
+}  // namespace
+}  // namespace glisson::registration_quality

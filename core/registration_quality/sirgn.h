@@ -1,0 +1,99 @@
+#pragma once
+// SIRGn: how good a registration of a video is, triangle by triangle (section 2.2 of the dissertation; Barrow, Ho,
+// Althoff, Tueller, Kastner, ISVC 2019). It needs no truth but landmarks G that were followed through the sequence.
+//
+// What the text leaves open is settled so:
+// - The registration under test is judged through its warp S, fitted to it: S^-1(.; t), from the model's space to frame
+//   t, is a thin-plate spline through control points spread over where the registration put the frames' clouds. The
+//   centres are the same for all frames, so that one factorisation serves them all. The landmarks are no centres.
+// - A landmark on the model is the mean of where the registration put it (M holds "the average location of all the
+//   landmarks"), brought to the model's surface where one is given.
+// - The most heavily warped point of a triangle (2.3) is sought among 15 places evenly over it.
+// - In (2.4), c_k,t of each frame t gives one vector omega_k,t over all frames; the correlations with the mean of the
+//   corners' landmark vectors are averaged over t.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "base/sentence.h"
+#include "geometry/surface.h"
+
+namespace glisson::registration_quality {
+
+constexpr int fewest_frames = 3;  // fewer have no correlation
+
+// One frame: what was seen, and where a registration put it in the model's space, point for point.
+struct RegisteredFrame {
+  std::vector<Eigen::Vector3d> cloud_mm;
+  std::vector<Eigen::Vector3d> registered_mm;
+};
+
+// Where a landmark was seen in each frame, in that frame's space; nothing where it was not seen.
+struct LandmarkTrack {
+  std::string id;
+  std::vector<std::optional<Eigen::Vector3d>> positions_mm;
+};
+
+struct RegisteredSequence {
+  std::vector<RegisteredFrame> frames;
+  std::vector<LandmarkTrack> landmarks;
+  std::optional<geometry::Surface> model;
+};
+
+struct SirgnOptions {
+  std::vector<double> tolerances_mm{10, 5, 3};  // section 2.3
+  int control_points = 300;                     // of the warp: one a square centimetre or so of what a scope sees
+  double stiffness_mm = 2;                      // of the warp, against noise in the clouds
+  int most_cloud_points = 5000;                 // of a frame, evenly chosen: enough for a smooth warp
+};
+
+// What a triangle's values are made of, frame by frame, mm; NaN in frames that do not hold all three corners.
+struct TriangleCourse {
+  std::vector<double> landmarks_mm;  // eq. 2.2: how far the corners, as seen, are from where they are on the model
+  std::vector<double> warp_mm;       // eq. 2.3: how far S^-1 displaces the most heavily warped point
+  std::vector<double> error_mm;      // how far the corners, as registered, are from where they are on the model
+};
+
+struct Quality {
+  // The correlation mesh: landmarks on the model, triangulated; cell fields correlation, error_mm, doubt_mm, frames
+  // and accepted_<E> for each tolerance.
+  geometry::Surface mesh;
+  std::vector<double> correlation;  // eq. 2.4, -1..1, one a triangle
+  std::vector<double> error_mm;     // mean distance of the corners, as registered, from where they are on the model
+  // Not the dissertation's: (1 - correlation) times the motion that the registration leaves unexplained around the
+  // triangle. That is how far landmarks wander on the model (the median of the triangle's and its neighbours', which
+  // one that jumps does not sway) joined in squares with how far S^-1 is from moving the neighbourhood as one rigid
+  // body. It ranks triangles as correlation does where faults come and go, and better where a fault never changes and
+  // landmarks are dense enough to show its slope. To be compared within one sequence; it is no error in mm.
+  std::vector<double> doubt_mm;
+  std::vector<int> frames_seen;         // n of eq. 2.4: frames that hold all three corners
+  std::vector<TriangleCourse> courses;  // one a triangle
+
+  // [frame][point of the mesh]: where S^-1 puts the mesh in each frame, that is, where the registration says that the
+  // landmarks' places are: in the frame's space, for drawing over its picture.
+  std::vector<std::vector<Eigen::Vector3d>> mesh_in_frames_mm;
+
+  double mean_correlation = 0;            // over the triangles
+  std::vector<double> rejected_fraction;  // of the triangles, a tolerance each: error_mm >= it
+
+  // The traditional figures, one a frame: distance of the registered cloud from the model (none without a model), and
+  // of the registered landmarks from where they are on the model.
+  std::vector<double> rmse_mm;
+  std::vector<double> tre_mm;
+
+  std::vector<Sentence> notes;  // what was left out, and why
+};
+
+// Failures: "sirgn-too-few-frames" (fewer than three), "sirgn-too-few-landmarks" (fewer than four seen in three frames,
+// or all on a line), "sirgn-landmarks-off" (fewer than four, since the others' median distance from the points of their
+// frames is above half of these points' reach), "sirgn-not-point-for-point" (a frame's cloud and its registered cloud
+// differ in number), "sirgn-tracks" (a track that does not have an entry a frame), "sirgn-empty-frame",
+// "sirgn-tolerance", "cancelled".
+Result<Quality> sirgn(const RegisteredSequence& sequence, const SirgnOptions& options = {},
+                      const Progress& progress = {});
+
+}  // namespace glisson::registration_quality

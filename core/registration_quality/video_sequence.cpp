@@ -1,0 +1,190 @@
+#include "registration_quality/video_sequence.h"
+
+#include <fmt/format.h>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "geometry/manifold.h"
+#include "geometry/mesh_file.h"
+#include "registration/global_alignment.h"
+#include "registration_quality/sequence_file.h"
+#include "registration_quality/sirgn.h"
+#include "vision/picture_check.h"
+
+namespace glisson::registration_quality {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The frames as they come, written one by one.
+class Recording {
+ public:
+  Recording(const vision::StereoCalibration& calibration, const fs::path& folder, const VideoSequenceOptions& options)
+      : calibration_(calibration), folder_(folder), options_(options), tracker_(calibration, options.tracks) {}
+
+  Result<void> add(const vision::Frame& left, const vision::Frame& right, int number);
+  Result<VideoSequence> finish(const Progress& progress);
+
+ private:
+  Result<void> write_landmarks(const std::vector<vision::Track>& tracks);
+  Result<geometry::Surface> aligned_model(const std::vector<vision::Track>& tracks, const Progress& progress);
+
+  const vision::StereoCalibration& calibration_;
+  const fs::path& folder_;
+  const VideoSequenceOptions& options_;
+  std::optional<vision::StereoMatcher> matcher_;
+  vision::LandmarkTracker tracker_;
+  std::vector<geometry::Surface> surfaces_;
+  Json frames_ = Json::array();
+  VideoSequence sequence_;
+};
+
+Result<VideoSequence> record(vision::FrameSource& left, vision::FrameSource& right, Recording recording,
+                             const VideoSequenceOptions& options, const Progress& progress);
+
+}  // namespace
+
+Result<VideoSequence> make_sequence(vision::FrameSource& left, vision::FrameSource& right,
+                                    const vision::StereoCalibration& calibration, const fs::path& folder,
+                                    const VideoSequenceOptions& options, const Progress& progress) {
+  auto made = NewSequenceFolder::make(folder);
+  if (!made) return failure(made.error());
+  auto sequence = record(left, right, Recording(calibration, folder, options), options, progress);
+  if (sequence) made->keep();
+  return sequence;
+}
+
+namespace {
+
+Result<VideoSequence> record(vision::FrameSource& left, vision::FrameSource& right, Recording recording,
+                             const VideoSequenceOptions& options, const Progress& progress) {
+  const double expected =
+      std::min(options.most_frames, std::max(1, left.count().value_or(options.most_frames) / options.every));
+  for (int number = 0, taken = 0; taken < options.most_frames; ++number) {
+    if (progress.cancelled()) return cancelled();
+    const auto from_left = left.next();
+    if (!from_left) return failure(from_left.error());
+    const auto from_right = right.next();
+    if (!from_right) return failure(from_right.error());
+    if (from_left->has_value() != from_right->has_value()) {
+      return failure("sequence-lengths", GLISSON_TEXT("The {0} video ends after {1} frames, before the other."),
+                     {from_left->has_value() ? "right" : "left", std::to_string(number)});
+    }
+    if (!*from_left) break;
+    if (number % options.every != 0) continue;
+    if (auto added = recording.add(**from_left, **from_right, number); !added) return failure(added.error());
+    progress.report(0.8 * ++taken / expected, GLISSON_TEXT("frames"));
+  }
+  return recording.finish(progress.part(0.8, 1));
+}
+
+Result<void> Recording::add(const vision::Frame& left, const vision::Frame& right, int number) {
+  if (!matcher_) {
+    auto matcher = vision::StereoMatcher::prepare(calibration_, left.width, left.height, options_.stereo);
+    if (!matcher) return failure(matcher.error());
+    matcher_ = std::move(*matcher);
+    const auto check = vision::check_against_pictures(calibration_, left, right);
+    if (!check) return failure(check.error());
+    sequence_.epipolar_px = check->epipolar_px;
+  }
+  auto cloud = matcher_->cloud(left, right);
+  if (!cloud) return failure(cloud.error());
+  geometry::Surface seen;
+  seen.points_mm = std::move(cloud->points_mm);
+  seen.triangles = std::move(cloud->triangles);
+  seen = geometry::largest_manifold_piece(seen);
+  constexpr std::size_t fewest_triangles = 200;
+  if (seen.triangles.size() < fewest_triangles) {
+    sequence_.notes.push_back(fmt::format("frame {} of the video shows hardly anything in depth: left out", number));
+    return {};
+  }
+  if (auto added = tracker_.add(left, right); !added) return failure(added.error());
+  const std::string name = fmt::format("f{:03}", frames_.size());
+  if (auto written = vision::write_frame(left, folder_ / (name + ".png")); !written) return failure(written.error());
+  if (auto written = geometry::write_surface(folder_ / (name + ".ply"), seen); !written) {
+    return failure(written.error());
+  }
+  frames_.push_back({{"image", name + ".png"}, {"cloud", name + ".ply"}});
+  sequence_.mean_points += static_cast<double>(seen.points_mm.size());
+  sequence_.mean_valid_fraction += cloud->valid_fraction;
+  surfaces_.push_back(std::move(seen));
+  return {};
+}
+
+Result<VideoSequence> Recording::finish(const Progress& progress) {
+  if (sequence_.frames = static_cast<int>(frames_.size()); sequence_.frames < fewest_frames) {
+    return failure("sequence-too-few-frames", GLISSON_TEXT("{0} frames show something; {1} are needed."),
+                   {std::to_string(sequence_.frames), std::to_string(fewest_frames)});
+  }
+  const auto frames = static_cast<double>(frames_.size());
+  sequence_.mean_points /= frames;
+  sequence_.mean_valid_fraction /= frames;
+  const auto tracks = tracker_.tracks();
+  if (auto written = write_landmarks(tracks); !written) return failure(written.error());
+  geometry::Surface model;
+  if (options_.model) {
+    auto given = geometry::read_surface(*options_.model);
+    if (!given) return failure(given.error());
+    model = std::move(*given);
+  } else {
+    auto aligned = aligned_model(tracks, progress);
+    if (!aligned) return failure(aligned.error());
+    model = std::move(*aligned);
+  }
+  if (auto written = geometry::write_surface(folder_ / "model.ply", model); !written) return failure(written.error());
+
+  Json matrix = Json::array();
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    matrix.push_back(
+        std::vector<double>(calibration_.left.matrix.row(row).begin(), calibration_.left.matrix.row(row).end()));
+  }
+  sequence_.file = folder_ / "sequence.json";
+  if (auto written = write_json_file(sequence_.file,
+                                     {{"frames", frames_},
+                                      {"landmarks", "tracks.csv"},
+                                      {"model", "model.ply"},
+                                      {"camera", {{"matrix", matrix}, {"distortion", calibration_.left.distortion}}}});
+      !written) {
+    return failure(written.error());
+  }
+  return std::move(sequence_);
+}
+
+Result<void> Recording::write_landmarks(const std::vector<vision::Track>& tracks) {
+  if (options_.landmarks) {
+    const auto text = read_text_file(*options_.landmarks);
+    if (!text) return failure(text.error());
+    sequence_.notes.push_back("landmarks: " + options_.landmarks->string());
+    return write_text_file(folder_ / "tracks.csv", *text);
+  }
+  std::string csv = "landmark,frame,x_mm,y_mm,z_mm\n";
+  for (const vision::Track& track : tracks) {
+    for (std::size_t t = 0; t < track.positions_mm.size(); ++t) {
+      if (const auto& at = track.positions_mm[t]) {
+        csv += fmt::format("{},{},{:.4f},{:.4f},{:.4f}\n", track.id, t, at->x(), at->y(), at->z());
+      }
+    }
+  }
+  sequence_.landmarks = static_cast<int>(tracks.size());
+  return write_text_file(folder_ / "tracks.csv", csv);
+}
+
+Result<geometry::Surface> Recording::aligned_model(const std::vector<vision::Track>& tracks, const Progress& progress) {
+  if (tracks.empty()) {
+    return failure(Error{"sequence-no-landmarks",
+                         GLISSON_TEXT("No feature could be followed through {0} frames."),
+                         {std::to_string(options_.tracks.shortest_track)},
+                         GLISSON_TEXT("Take more frames, or give landmarks and a model of your own."),
+                         {}});
+  }
+  registration::Sightings sightings;
+  for (const vision::Track& track : tracks) sightings.push_back(track.positions_mm);
+  const auto alignment = registration::align_globally(sightings, {}, progress);
+  if (!alignment) return failure(alignment.error());
+  sequence_.alignment_rms_mm = {alignment->before_rms_mm, alignment->rigid_rms_mm, alignment->rms_mm};
+  sequence_.notes.insert(sequence_.notes.end(), alignment->notes.begin(), alignment->notes.end());
+  return registration::merged_model(surfaces_, *alignment);
+}
+
+}  // namespace
+}  // namespace glisson::registration_quality

@@ -1,0 +1,50 @@
+#pragma once
+// A stereo video to a sequence on disk that SIRGn judges: a cloud a frame, landmarks tracked through all of them, and
+// the model that they are all aligned to.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "vision/stereo.h"
+#include "vision/tracks.h"
+
+namespace glisson::registration_quality {
+
+struct VideoSequenceOptions {
+  VideoSequenceOptions() { stereo.step_px = 4; }
+  vision::StereoOptions stereo;  // a point every four pixels: a millimetre or less of tissue
+  vision::TrackOptions tracks;
+  int every = 1;                               // frame of the video, from the first
+  int most_frames = 600;                       // 20 seconds; clouds, pictures and geodesics of more fill disks and days
+  std::optional<std::filesystem::path> model;  // a surface file; absent: the frames' own, aligned globally
+  std::optional<std::filesystem::path> landmarks;  // tracks.csv that an expert made; absent: tracked features
+};
+
+struct VideoSequence {
+  int frames = 0;
+  int landmarks = 0;
+  double mean_points = 0;  // of a cloud
+  double mean_valid_fraction = 0;
+  double epipolar_px = 0;  // of the first pair (vision/picture_check.h)
+  // The global alignment's root mean squares, before it, after rigid motions and after warps; absent with a given model
+  // or an expert's landmarks.
+  std::optional<std::array<double, 3>> alignment_rms_mm;
+  std::filesystem::path file;      // sequence.json
+  std::vector<std::string> notes;  // frames left out, what the global alignment says
+};
+
+// Writes folder/sequence.json, f000.png, f000.ply, ..., tracks.csv and model.ply. Every cloud is the largest piece that
+// hangs together. The folder must not exist or be empty ("sequence-folder-not-empty"). Failures: those of FrameSource,
+// StereoMatcher, check_against_pictures and LandmarkTracker; "sequence-lengths" (one video ends before the other);
+// "sequence-too-few-frames" (fewer than three frames show anything); "sequence-no-landmarks" (no
+// model is given, and nothing could be followed to align the frames by); those of align_globally; "cancelled". After a
+// failure the folder is gone, or as empty as it was.
+Result<VideoSequence> make_sequence(vision::FrameSource& left, vision::FrameSource& right,
+                                    const vision::StereoCalibration& calibration, const std::filesystem::path& folder,
+                                    const VideoSequenceOptions& options = {}, const Progress& progress = {});
+
+}  // namespace glisson::registration_quality

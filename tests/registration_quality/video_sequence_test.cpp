@@ -1,0 +1,89 @@
+// A stereo video end to end: pictures to clouds, tracks and model, registered and judged.
+
+#include "registration_quality/video_sequence.h"
+
+#include <gtest/gtest.h>
+
+#include "base/files.h"
+#include "geometry/mesh_file.h"
+#include "registration/register.h"
+#include "registration_quality/sequence_file.h"
+#include "registration_quality/sirgn.h"
+#include "support/data.h"
+#include "support/stereo_video.h"
+
+namespace glisson::registration_quality {
+namespace {
+
+using glisson::test::StereoVideo;
+
+// The video's pictures in two folders, the breathing tissue of tests/support with a real picture on it.
+class VideoFolders {
+ public:
+  explicit VideoFolders(int frames) {
+    const StereoVideo video(
+        vision::read_frame(glisson::test::shared_data() / "hamlyn_heart_stereo" / "f7_dynamic_deint_L_0100.png")
+            .value());
+    std::filesystem::create_directories(left());
+    std::filesystem::create_directories(right());
+    for (int t = 0; t < frames; ++t) {
+      EXPECT_TRUE(vision::write_frame(video.left(2 * t), left() / ("f" + std::to_string(t) + ".png")));
+      EXPECT_TRUE(vision::write_frame(video.right(2 * t), right() / ("f" + std::to_string(t) + ".png")));
+    }
+  }
+  [[nodiscard]] std::filesystem::path left() const { return folder_.path() / "left"; }
+  [[nodiscard]] std::filesystem::path right() const { return folder_.path() / "right"; }
+  [[nodiscard]] std::filesystem::path out() const { return folder_.path() / "sequence"; }
+  [[nodiscard]] Result<VideoSequence> make(const VideoSequenceOptions& options) const {
+    auto from_left = vision::FrameSource::open(left()).value();
+    auto from_right = vision::FrameSource::open(right()).value();
+    return make_sequence(from_left, from_right, StereoVideo::calibration(), out(), options);
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST(VideoSequence, GoesFromPicturesToAJudgedRegistration) {
+  GLISSON_NEEDS_DATA("hamlyn_heart_stereo");
+  const VideoFolders video(5);
+  VideoSequenceOptions options;
+  options.stereo.step_px = 8;
+  const auto made = video.make(options);
+  ASSERT_TRUE(made.has_value()) << made.error().message();
+  EXPECT_EQ(made->frames, 5);
+  EXPECT_GT(made->landmarks, 30);
+  EXPECT_LT(made->epipolar_px, 1);
+  EXPECT_LT((*made->alignment_rms_mm)[2], (*made->alignment_rms_mm)[0]);
+
+  const SequenceFiles files = read_sequence(made->file).value();
+  EXPECT_EQ(files.clouds.size(), 5u);
+  ASSERT_TRUE(files.camera.has_value());
+  EXPECT_EQ(files.camera->matrix(0, 0), StereoVideo::focal_px);
+  RegisteredSequence sequence;
+  sequence.landmarks = files.landmarks;
+  sequence.model = geometry::read_surface(*files.model).value();
+  for (const auto& file : files.clouds) {
+    const geometry::Surface cloud = read_cloud(file).value();
+    const auto registered = registration::register_surfaces(cloud, *sequence.model).value();
+    sequence.frames.push_back({cloud.points_mm, registered.surface.points_mm});
+  }
+  const auto quality = sirgn(sequence);
+  ASSERT_TRUE(quality.has_value()) << quality.error().message();
+  EXPECT_GT(quality->mesh.triangles.size(), 30u);
+}
+
+TEST(VideoSequence, LeavesNothingWhereItFails) {
+  GLISSON_NEEDS_DATA("hamlyn_heart_stereo");
+  const VideoFolders video(3);
+  std::filesystem::remove(video.right() / "f2.png");
+  EXPECT_EQ(video.make({}).error().code, "sequence-lengths");
+  EXPECT_FALSE(std::filesystem::exists(video.out()));
+  std::filesystem::create_directories(video.out());
+  ASSERT_TRUE(write_text_file(video.out() / "mine.txt", "kept"));
+  EXPECT_EQ(video.make({}).error().code, "sequence-folder-not-empty");
+  EXPECT_TRUE(std::filesystem::exists(video.out() / "mine.txt"));
+}
+
+}  // namespace
+}  // namespace glisson::registration_quality

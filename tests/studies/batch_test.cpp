@@ -1,0 +1,95 @@
+// A batch that is stopped goes on where it was, and one patient's failure stays that patient's.
+
+#include "studies/batch.h"
+
+#include <gmock/gmock.h>
+#include <fstream>
+#include <mutex>
+#include <set>
+
+#include "base/files.h"
+
+namespace glisson::studies {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+std::vector<BatchPatient> patients(int count, const std::string& fingerprint = "a") {
+  std::vector<BatchPatient> made;
+  for (int p = 0; p < count; ++p) made.push_back({"p" + std::to_string(p), fingerprint});
+  return made;
+}
+
+// Twice the patient's number, and which patients were asked for.
+struct Doubling {
+  std::mutex mutex;
+  std::set<std::size_t> asked;
+  std::function<Result<NamedNumbers>(std::size_t)> compute = [this](std::size_t p) -> Result<NamedNumbers> {
+    const std::lock_guard lock(mutex);
+    asked.insert(p);
+    if (p == 2) return failure("test-broken", "The scan of patient {0} is broken, sadly.", {"2"});
+    return NamedNumbers{{"twice", 2.0 * static_cast<double>(p)}};
+  };
+};
+
+TEST(Batch, AFailureStopsNobodyElse) {
+  const TemporaryFolder folder;
+  Doubling doubling;
+  const auto rows = run_batch(folder.path(), patients(5), doubling.compute);
+  ASSERT_TRUE(rows.has_value());
+  ASSERT_THAT(*rows, SizeIs(5));
+  EXPECT_THAT((*rows)[2].error, HasSubstr("broken"));
+  EXPECT_THAT(column_of(*rows, "twice"), testing::ElementsAre(0, 2, 6, 8));
+  ASSERT_TRUE(write_batch_csv(folder.path() / "table.csv", *rows));
+  const std::string csv = read_text_file(folder.path() / "table.csv").value();
+  EXPECT_EQ(csv, "patient,twice,error\np0,0,\np1,2,\np2,,\"The scan of patient 2 is broken, sadly.\"\np3,6,\np4,8,\n");
+}
+
+TEST(Batch, GoesOnWhereItWasAndTriesTheFailedOnesAgain) {
+  const TemporaryFolder folder;
+  Doubling first;
+  std::stop_source stop;
+  const Progress impatient([&](double, std::string_view) { stop.request_stop(); }, stop.get_token());
+  EXPECT_EQ(run_batch(folder.path(), patients(40), first.compute, {}, impatient).error().code, "cancelled");
+  ASSERT_LT(first.asked.size(), 40u);
+  Doubling second;
+  const auto rows = run_batch(folder.path(), patients(40), second.compute);
+  ASSERT_TRUE(rows.has_value());
+  ASSERT_THAT(*rows, SizeIs(40));
+  for (const std::size_t p : first.asked) {
+    if (p == 2) continue;
+    EXPECT_FALSE(second.asked.contains(p)) << p;
+  }
+  Doubling third;
+  ASSERT_TRUE(run_batch(folder.path(), patients(40), third.compute));
+  EXPECT_EQ(third.asked, std::set<std::size_t>{2});
+}
+
+TEST(Batch, ARowFromOtherInputOrHalfWrittenIsMadeAgain) {
+  const TemporaryFolder folder;
+  Doubling doubling;
+  ASSERT_TRUE(run_batch(folder.path(), patients(2), doubling.compute));
+  std::ofstream(folder.path() / "patients" / "p1.json") << "{\"patient\": \"p1\", \"finger";
+  doubling.asked.clear();
+  ASSERT_TRUE(run_batch(folder.path(), patients(2), doubling.compute));
+  EXPECT_EQ(doubling.asked, std::set<std::size_t>{1});
+  doubling.asked.clear();
+  ASSERT_TRUE(run_batch(folder.path(), patients(2, "b"), doubling.compute));
+  EXPECT_THAT(doubling.asked, SizeIs(2));
+}
+
+TEST(Batch, OnePatientAloneIsOneJobOfMany) {
+  const TemporaryFolder folder;
+  Doubling doubling;
+  const auto one = run_batch(folder.path(), patients(4), doubling.compute, "p3");
+  ASSERT_TRUE(one.has_value());
+  EXPECT_THAT(*one, SizeIs(1));
+  EXPECT_EQ(doubling.asked, std::set<std::size_t>{3});
+  EXPECT_EQ(run_batch(folder.path(), patients(4), doubling.compute, "nobody").error().code, "batch-unknown-patient");
+  EXPECT_EQ(run_batch(folder.path(), {}, doubling.compute).error().code, "batch-no-patients");
+}
+
+}  // namespace
+}  // namespace glisson::studies

@@ -1,0 +1,84 @@
+// The studies on beams: convergence with resolution, and soft, stiff and uneven tissue against the mean.
+
+#include <gmock/gmock.h>
+
+#include "base/files.h"
+#include "hardware/convergence_curve.h"
+#include "studies/beam_mesh.h"
+#include "studies/beam_regions.h"
+#include "studies/convergence_study.h"
+
+namespace glisson::studies {
+namespace {
+
+TEST(ConvergenceStudy, ErrorsFallAsNodesGetSmallerAndThePlatformPlanReadsTheCurve) {
+  const auto study = run_convergence({.finest_mm3 = 40, .coarsest_mm3 = 165, .resolutions = 3});
+  ASSERT_TRUE(study) << study.error().message();
+  ASSERT_EQ(study->rows.size(), 3u);
+  EXPECT_NEAR(study->eq_6_6_tip_mm, 76.4, 0.1);  // f L^4 / (8 E I) with f = 0.978 mN/mm
+  for (std::size_t i = 1; i < 3; ++i) EXPECT_GT(study->rows[i].error_mm, study->rows[i - 1].error_mm);
+  for (const ConvergenceRow& row : study->rows) EXPECT_LT(row.tip_mm, study->theory_tip_mm);
+
+  const TemporaryFolder out;
+  ASSERT_TRUE(write_convergence(out.path(), *study));
+  const auto curve = hardware::read_convergence_curve(out.path() / "convergence.json");
+  ASSERT_TRUE(curve) << curve.error().message();
+  EXPECT_EQ(curve->points.size(), 3u);
+  EXPECT_EQ(curve->source, hardware::Source::computed);
+  for (const char* file : {"convergence.csv", "summary.json", "report.html"}) {
+    EXPECT_TRUE(std::filesystem::exists(out.path() / file)) << file;
+  }
+}
+
+TEST(ConvergenceStudy, ResolutionsOutOfRangeAreRefused) {
+  EXPECT_EQ(run_convergence({.finest_mm3 = 0.1}).error().code, "study-options");
+  EXPECT_EQ(run_convergence({.finest_mm3 = 100, .coarsest_mm3 = 10}).error().code, "study-options");
+}
+
+// A block of tissue: soft at one end, stiff at the other, and striped in between.
+struct Tissue {
+  geometry::TetMesh liver = beam_mesh({36, 8, 8}, {180, 40, 40});
+  std::vector<double> youngs_kPa;
+
+  Tissue() {
+    for (std::size_t c = 0; c < liver.cells.size(); ++c) {
+      const double x = geometry::cell_centroid_mm(liver, c).x();
+      youngs_kPa.push_back(x < 60 ? 3.0 : x > 120 ? 20.0 : static_cast<int>(x / 10) % 2 == 0 ? 2.0 : 32.0);
+    }
+  }
+};
+
+TEST(BeamStudy, FindsTheSoftestTheStiffestAndTheMostUnevenPlace) {
+  const Tissue tissue;
+  const auto places = beam_places(tissue.liver, tissue.youngs_kPa);
+  ASSERT_TRUE(places) << places.error().message();
+  EXPECT_NEAR((*places)[0].mean_kPa, 2.0, 1.5);
+  EXPECT_NEAR((*places)[1].mean_kPa, 20.0, 12.5);
+  EXPECT_GT((*places)[2].sd_kPa, 12.0);
+  for (const BeamPlace& place : *places) {
+    for (int d = 0; d < 3; ++d) {
+      EXPECT_GE(place.corner_mm[d], -1e-9);
+      EXPECT_LE(place.corner_mm[d] + (d == place.axis ? 50 : 10), (d == 0 ? 180 : 40) + 1e-9);
+    }
+  }
+  const auto too_small = beam_mesh({4, 4, 4}, {20, 20, 20});
+  EXPECT_EQ(beam_places(too_small, std::vector<double>(too_small.cells.size(), 5.0)).error().code, "liver-too-small");
+}
+
+TEST(BeamStudy, SoftTissueIsLiftedFartherThanTheControlAndStiffLess) {
+  const Tissue tissue;
+  const BeamOptions options{.force_N = 0.02, .nodes = 16};
+  const auto row = compare_beams("block", tissue.liver, tissue.youngs_kPa, options);
+  ASSERT_TRUE(row) << row.error().message();
+  EXPECT_GT(row->regions[0].largest_displacement_mm, row->control_displacement_mm);
+  EXPECT_LT(row->regions[1].largest_displacement_mm, row->control_displacement_mm);
+  EXPECT_GT(row->regions[0].max_mm, row->regions[1].max_mm);
+  const TemporaryFolder out;
+  ASSERT_TRUE(write_beams(out.path(), {*row}, options));
+  for (const char* file : {"beams.csv", "summary.json", "report.html"}) {
+    EXPECT_TRUE(std::filesystem::exists(out.path() / file)) << file;
+  }
+}
+
+}  // namespace
+}  // namespace glisson::studies

@@ -1,0 +1,108 @@
+// What the landmark studies say of livers that are as the atlas, softer, or of two halves.
+
+#include "studies/landmarks.h"
+
+#include <gmock/gmock.h>
+
+#include "base/files.h"
+#include "imaging/volume_file.h"
+
+namespace glisson::studies {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+// An ellipsoid of 150 x 110 x 100 mm, whose right half has another modulus than its left one.
+void write_liver(const fs::path& file, double right_kPa, double left_kPa) {
+  imaging::Volume map{{}, "kPa"};
+  map.grid.size = {34, 26, 24};
+  map.grid.spacing_mm = {5, 5, 5};
+  for (int k = 0; k < 24; ++k) {
+    for (int j = 0; j < 26; ++j) {
+      for (int i = 0; i < 34; ++i) {
+        const Eigen::Array3d place((i - 16.5) / 15, (j - 12.5) / 11, (k - 11.5) / 10);
+        const double kPa = place.square().sum() > 1 ? 0 : i < 17 ? right_kPa : left_kPa;
+        map.values.push_back(static_cast<float>(kPa));
+      }
+    }
+  }
+  ASSERT_TRUE(imaging::write_volume_file(file, map));
+}
+
+double value(const BatchRow& row, const std::string& column) { return column_of({row}, column).at(0); }
+
+TEST(Landmarks, AreMisplacedWhereALiverIsNotLikeTheAtlas) {
+  const TemporaryFolder folder;
+  const fs::path maps = folder.path() / "maps";
+  fs::create_directories(maps);
+  write_liver(maps / "p1-stiffness.nrrd", 2.6, 2.6);
+  write_liver(maps / "p2-stiffness.nrrd", 1.3, 1.3);
+  write_liver(maps / "p3-stiffness.nrrd", 1.3, 3.9);
+  LandmarksOptions options;
+  options.retraction.target_cells = 800;
+  options.pictures = 1;
+  options.warning = "SIMULATED ellipsoids";
+  const auto summary = run_landmarks(maps, folder.path() / "out", options);
+  ASSERT_TRUE(summary.has_value()) << summary.error().message();
+  ASSERT_EQ(summary->patients, 3u);
+  const BatchRow &like_atlas = summary->rows[0], &soft = summary->rows[1], &halves = summary->rows[2];
+
+  EXPECT_LT(value(like_atlas, "atlas_max_mm"), 1e-6);
+  EXPECT_LT(value(like_atlas, "uneven_max_mm"), 1e-6);
+  // Twice as soft, it is lifted further by up to as much again; what holds it at the diaphragm is as stiff as before.
+  EXPECT_NEAR(value(soft, "atlas_near_tool_mm"), value(soft, "atlas_lifted_mm"), 0.2 * value(soft, "atlas_lifted_mm"));
+  EXPECT_NEAR(value(soft, "mean_stiffness_near_tool_mm"), value(soft, "atlas_near_tool_mm"), 1e-6);
+  EXPECT_LT(value(soft, "own_mean_near_tool_mm"), 1e-6);
+  EXPECT_LT(value(soft, "soft_max_mm"), 1e-6);  // all of it is as its mean
+  // The mean is the atlas's, but the tool touches the soft half.
+  EXPECT_NEAR(value(halves, "mean_kPa"), 2.6, 0.05);
+  EXPECT_NEAR(value(halves, "soft_mean_kPa"), 1.3, 1e-3);
+  EXPECT_NEAR(value(halves, "stiff_mean_kPa"), 3.9, 1e-3);
+  EXPECT_GT(value(halves, "uneven_sd_kPa"), 1.2);
+  EXPECT_GT(value(halves, "own_mean_near_tool_mm"), 1);
+  EXPECT_GT(value(halves, "soft_max_mm"), value(halves, "stiff_max_mm"));
+
+  // One box a distance, with the 5 mm line; the share counts patients.
+  EXPECT_EQ(summary->within.size(), 3u);
+  EXPECT_NEAR(summary->within[0].significant_fraction, value(halves, "soft_max_mm") >= 5 ? 1.0 / 3 : 0, 1e-12);
+  const std::string page = read_text_file(folder.path() / "out" / "report.html").value();
+  EXPECT_THAT(page, HasSubstr("SIMULATED ellipsoids"));
+  EXPECT_THAT(page, HasSubstr("5 mm: matters"));
+  EXPECT_THAT(page, HasSubstr("data:image/png"));
+  const bool one_agrees =
+      value(halves, "soft_max_mm") >= 5 && value(halves, "stiff_max_mm") < 5 && value(halves, "uneven_max_mm") >= 5;
+  EXPECT_EQ(fs::exists(folder.path() / "out" / "examples" / "p3-stiffness" / "beams.png"), one_agrees);
+
+  const auto again = run_landmarks(maps, folder.path() / "out", options);
+  ASSERT_TRUE(again.has_value());
+  EXPECT_EQ(again->reused, 3u);
+  options.retraction.force_N = 3;
+  options.only = "p2-stiffness";
+  const auto other = run_landmarks(maps, folder.path() / "out", options);
+  ASSERT_TRUE(other.has_value());
+  EXPECT_EQ(other->reused, 0u);  // rows of another force do not count
+}
+
+TEST(Landmarks, APatientWhoseLiverIsTooSmallStopsNobody) {
+  const TemporaryFolder folder;
+  const fs::path maps = folder.path() / "maps";
+  fs::create_directories(maps);
+  imaging::Volume small{{}, "kPa"};
+  small.grid.size = {6, 6, 6};
+  small.grid.spacing_mm = {5, 5, 5};
+  small.values.assign(216, 2.6F);
+  ASSERT_TRUE(imaging::write_volume_file(maps / "p1-stiffness.nrrd", small));
+  write_liver(maps / "p2-stiffness.nrrd", 2.6, 2.6);
+  LandmarksOptions options;
+  options.retraction.target_cells = 800;
+  options.pictures = 0;
+  const auto summary = run_landmarks(maps, folder.path() / "out", options);
+  ASSERT_TRUE(summary.has_value()) << summary.error().message();
+  EXPECT_EQ(summary->failed, 1u);
+  EXPECT_FALSE(summary->rows[0].error.empty());
+  EXPECT_EQ(summary->patients, 1u);
+}
+
+}  // namespace
+}  // namespace glisson::studies
