@@ -596,6 +596,17 @@ void MainWindow::about() {
 }
 
 void MainWindow::load(const QString& title, Loader loader, std::function<void()> once_shown) {
+  if (patient_.preparing && work_.busy()) {  // a model that nobody will use: what is asked for now comes instead
+    constexpr auto once_later = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
+    connect(
+        &work_, &BackgroundWork::finished, this,
+        [this, title, loader = std::move(loader), once_shown = std::move(once_shown)] {
+          load(title, loader, once_shown);
+        },
+        once_later);
+    work_.cancel();
+    return;
+  }
   work_.start(title, [this, loader = std::move(loader), once_shown = std::move(once_shown)](const Progress& progress) {
     const FirstLook first_look = [this](const Patient& patient) {
       QMetaObject::invokeMethod(
