@@ -8,7 +8,7 @@
 
 namespace glisson::cli {
 
-using namespace platform;
+using namespace hardware;
 
 namespace {
 

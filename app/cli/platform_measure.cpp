@@ -11,7 +11,7 @@
 
 namespace glisson::cli {
 
-using namespace platform;
+using namespace hardware;
 
 namespace {
 

@@ -11,7 +11,7 @@
 
 namespace glisson::cli {
 
-using namespace platform;
+using namespace hardware;
 
 void DeviceTables::add_options(CLI::App& command) {
   command.add_option("--devices", files, "Further device tables (JSON); theirs take the place of shipped ones");

@@ -25,7 +25,7 @@ inline Palpation pad(const PadOptions& options = {}) {
   mechanics::test::disturb_inner_points(experiment.mesh, 1.0);
   mechanics::test::name_points(experiment.mesh, "fixed", [](const Eigen::Vector3d& p) { return p.z() < 1e-9; });
   experiment.cell_young_kPa.assign(experiment.mesh.cells.size(), 17.5);
-  experiment.supports = {mechanics::test::held("fixed")};
+  experiment.supports = {mechanics::test::fixed("fixed")};
   experiment.noise_mm = 0.1;
 
   std::mt19937 random(7);

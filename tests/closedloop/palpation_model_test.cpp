@@ -177,7 +177,7 @@ TEST(PalpationStructure, ACapsuleHoldsTheEnergyOfItsStrains) {
   auto mesh = mechanics::test::box(2, 3, 2, {10, 20, 30});
   mechanics::test::name_points(mesh, "fixed", [](const Eigen::Vector3d& p) { return p.z() < 1e-9; });
   const auto specimen =
-      specimen_body(mesh, mechanics::test::uniform(mesh, 20), {mechanics::test::held("fixed")}, 0.4, 1e-6).value();
+      specimen_body(mesh, mechanics::test::uniform(mesh, 20), {mechanics::test::fixed("fixed")}, 0.4, 1e-6).value();
   // u = (a x, b y, 0) strains the two faces across z by (a, b), those across x by b alone, those across y by a alone;
   // in plane stress their energy is h / (1 - nu2) (a2 + b2 + 2 nu a b) / 2 an area.
   const double a = 0.02, b = -0.01, nu = 0.4;

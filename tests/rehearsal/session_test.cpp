@@ -26,7 +26,7 @@ RehearsalSetup block() {
     setup.patient_youngs_kPa.push_back(geometry::cell_centroid_mm(setup.mesh, c).x() < 40 ? 4 : 12);
   }
   setup.atlas_youngs_kPa = 6;
-  setup.supports = {mechanics::test::held("ground")};
+  setup.supports = {mechanics::test::fixed("ground")};
   setup.landmarks = {{"tumour-1", {35, 40, 34}}, {"tumour-2", {70, 70, 20}}};
   geometry::Surface triangle;
   triangle.points_mm = {{30, 30, 30}, {50, 30, 30}, {40, 50, 30}};

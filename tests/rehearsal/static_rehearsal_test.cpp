@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 using mechanics::test::box;
-using mechanics::test::held;
+using mechanics::test::fixed;
 
 RehearsalSetup slab() {
   RehearsalSetup setup;
@@ -21,7 +21,7 @@ RehearsalSetup slab() {
   mechanics::test::name_points(setup.mesh, "back", [](const Vector3d& p) { return p.y() == 60; });
   for (std::size_t c = 0; c < setup.mesh.cells.size(); ++c) setup.patient_youngs_kPa.push_back(4.0 + 0.5 * (c % 9));
   setup.atlas_youngs_kPa = 6.0;
-  setup.supports = {held("back")};
+  setup.supports = {fixed("back")};
   setup.standing_loads = {mechanics::GravityLoad{{0, 9810, 0}}};
   setup.landmarks = {{"tumour-1", {40, 20, 25}}, {"tumour-2", {12, 11, 9}}};
   geometry::Surface tumour;

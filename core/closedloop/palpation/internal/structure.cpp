@@ -123,7 +123,7 @@ Eigen::SparseMatrix<double> stiffness(const SpecimenBody& specimen, const Struct
 }
 
 const std::vector<std::uint8_t>& held(const SpecimenBody& specimen, const Structure& structure) {
-  return structure.compliance_mm_per_kPa > 0 ? specimen.soft->held : specimen.body.resolved.fixed;
+  return structure.compliance_mm_per_kPa > 0 ? specimen.soft->fixed : specimen.body.resolved.fixed;
 }
 
 Eigen::VectorXd stiffness_derivative(const SpecimenBody& specimen, const Structure& structure,
@@ -244,7 +244,7 @@ std::optional<SoftSupports> soft_supports(const mechanics::Body& body) {
   for (std::size_t s = 0; s < springs.size(); ++s) {
     const auto resolved = mechanics::resolve_supports(body.mesh, body.layout, body.boundary, {springs[s]});
     if (!resolved) return std::nullopt;
-    soft.held = resolved->held;
+    soft.fixed = resolved->fixed;
     for (const auto& face : resolved->foundations) {
       const auto known = std::find_if(soft.faces.begin(), soft.faces.end(),
                                       [&](const SoftSupports::Face& other) { return other.face == face.face; });

@@ -49,9 +49,9 @@ enum class StructureParameter {
   capsule
 };
 
-// How the supports of a body give way: which unknowns stay held then, and which faces get springs.
+// How the supports of a body give way: which unknowns stay fixed then, and which faces get springs.
 struct SoftSupports {
-  std::vector<std::uint8_t> held;
+  std::vector<std::uint8_t> fixed;
   struct Face {
     std::size_t face;                       // of the boundary
     double declared_compliance_mm_per_kPa;  // 0 where the support holds
@@ -77,7 +77,7 @@ Result<SpecimenBody> specimen_body(geometry::TetMesh mesh, std::vector<double> y
 // Stress by displacement gradient, per unit of Young's modulus.
 [[nodiscard]] mechanics::Matrix9d unit_tangent(const SpecimenBody& specimen, const Structure& structure);
 
-// Lower triangle (mN/mm), and which unknowns are held.
+// Lower triangle (mN/mm), and which unknowns are fixed.
 [[nodiscard]] Eigen::SparseMatrix<double> stiffness(const SpecimenBody& specimen, const Structure& structure);
 [[nodiscard]] const std::vector<std::uint8_t>& held(const SpecimenBody& specimen, const Structure& structure);
 
