@@ -28,6 +28,7 @@ void add_segment(CLI::App& app, Action& chosen);
 void add_mesh(CLI::App& app, Action& chosen);
 void add_stiffness(CLI::App& app, Action& chosen);
 void add_invert(CLI::App& app, Action& chosen);
+void add_guide(CLI::App& app, Action& chosen);
 void add_simulate(CLI::App& app, Action& chosen);
 void add_resect(CLI::App& app, Action& chosen);
 void add_session(CLI::App& app, Action& chosen);

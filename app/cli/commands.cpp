@@ -12,6 +12,7 @@ void add_commands(CLI::App& app, Action& chosen) {
   add_invert(app, chosen);
   add_mesh(app, chosen);
   add_stiffness(app, chosen);
+  add_guide(app, chosen);
   add_simulate(app, chosen);
   add_resect(app, chosen);
   add_session(app, chosen);

@@ -1,0 +1,60 @@
+#pragma once
+// Where an organ lies and how it is deformed, from what is seen of its surface: a pose and the displacement that forces
+// on its surface make (force_modes.h), with how far each place inside may be from where it is said to be.
+//
+// First the pose alone, by points to planes with weights of Student's t; then pose and forces together. Forces stand
+// on what is not seen: what is seen is free, but for the tools. How large they may be is decided by the evidence
+// (internal/evidence_fit.h), so that a frame without deformation invents none. The posterior covariance of forces and
+// pose gives the standard deviation of each target. Positions at rest are in the scan's frame, mm.
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "guidance/force_modes.h"
+#include "guidance/frame.h"
+#include "mechanics/elements/point_location.h"
+
+namespace glisson::guidance {
+
+struct RegistrationOptions {
+  int rigid_rounds = 25;
+  int elastic_rounds = 20;
+  std::size_t most_points = 1200;  // of the cloud; more are thinned at random
+  double guess_sd_mm = 12;         // of a pose that is given: shift and turn of the truth from it
+  double guess_sd_deg = 8;
+  double largest_rms_mm = 10;          // that forces may displace the surface by
+  double independent_spacing_mm = 16;  // points of a cloud nearer than this repeat each other: the mesh errs alike
+  double surface_error_mm = 0.3;       // of a surface of triangles, beside the noise
+  double touched_by_unseen = 0.01;     // variance of forces where the surface is seen, beside those elsewhere
+  double seen_within_mm = 15;
+};
+
+struct FoundTool {
+  std::string id;
+  Eigen::Vector3d force_mN{0, 0, 0};
+  double sd_mN = 0;
+};
+
+struct ElasticPlacement {
+  bool converged = false;
+  std::string why_not;                                     // a sentence, where it did not
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // scan to camera
+  std::vector<Eigen::Vector3d> displacement_mm;  // one a point of the mesh, in the scan's frame: x -> pose (x + u)
+  double residual_rms_mm = 0;                    // of the points that belong to the organ, along the normal
+  double visible_share = 0;                      // of the surface's area
+  double elastic_rms_mm = 0;                     // of the displacement over the surface
+  std::vector<Eigen::Vector3d> target_mm;        // in the camera's frame
+  std::vector<double> target_sd_mm;              // of each coordinate
+  std::vector<FoundTool> tools;
+};
+
+// `targets` are places of the mesh of `modes`. `from` is where the search begins, scan to camera; it also weighs as a
+// guess of the stated accuracy.
+ElasticPlacement register_elastic(const ForceModes& modes, const SeenFrame& frame, const Eigen::Isometry3d& from,
+                                  const std::vector<mechanics::PointInMesh>& targets,
+                                  const Eigen::Vector3d& gravity_mm_s2 = {0, 0, 0},
+                                  const RegistrationOptions& options = {});
+
+}  // namespace glisson::guidance

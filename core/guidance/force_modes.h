@@ -1,0 +1,54 @@
+#pragma once
+// How a body that nothing holds may be deformed by forces on its surface: what elastic registration searches among.
+//
+// Patches spread evenly over the surface carry a force each, in three directions. Its resultant and moment are balanced
+// by inertia (as in flight), so that each answer has no rigid part (inertia relief; e.g. Zienkiewicz and Taylor, The
+// Finite Element Method). Linear elasticity on linear tetrahedra: K u = f - M a.
+//
+// Forces rather than displacements are unknown because what moves a liver acts from outside, on a surface that is not
+// seen, while the seen one is free: the compliance K^-1 B B^T K^-1 is then the covariance of the displacement.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <memory>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "geometry/tetrahedra.h"
+
+namespace glisson::guidance {
+
+struct ForceModeOptions {
+  int patches = 80;
+  double overlap = 1.5;  // of the patches' Gaussian weights, in their mean distances
+};
+
+class ForceModes {
+ public:
+  // `youngs_kPa` has one value a cell. Failures: those of mechanics::prepare_body and of the factorisation.
+  static Result<ForceModes> create(geometry::TetMesh mesh, const std::vector<double>& youngs_kPa, double poisson_ratio,
+                                   const ForceModeOptions& options = {}, const Progress& progress = {});
+
+  [[nodiscard]] const geometry::TetMesh& mesh() const;
+  // Of the body's surface, with the point of the mesh that each of its points is.
+  [[nodiscard]] const geometry::Surface& surface() const;
+  [[nodiscard]] const std::vector<int>& mesh_point_of() const;
+  // 3 values a point of the mesh x 3 a patch (x, y, z in turn): mm. Scaled so that forces of unit variance on all
+  // patches displace the surface by 1 mm (root mean square).
+  [[nodiscard]] const Eigen::MatrixXd& displacement_mm() const;
+  [[nodiscard]] const std::vector<Eigen::Vector3d>& centers_mm() const;
+  [[nodiscard]] const Eigen::Vector3d& centroid_mm() const;
+
+  // Displacements (mm, 3 a point) under a force of 1 mN in x, y and z, spread over the surface within the radius, and
+  // under the body's own weight.
+  [[nodiscard]] Eigen::MatrixXd under_tool_mm_mN(const Eigen::Vector3d& center_mm, double radius_mm) const;
+  [[nodiscard]] Eigen::VectorXd under_gravity_mm(const Eigen::Vector3d& acceleration_mm_s2) const;
+
+ private:
+  struct Impl;
+  explicit ForceModes(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+  std::shared_ptr<const Impl> impl_;
+};
+
+}  // namespace glisson::guidance

@@ -1,0 +1,45 @@
+#pragma once
+// All frames of a guidance case answered, and the answer on disk.
+//
+//   guidance.json   {"format": "glisson-guidance-answer/1", "frames": [{"id", "residual_rms_mm", "converged",
+//   "seconds",
+//                    "pose": [16 numbers, row-major, scan to camera], "targets": [{"id", "position_mm", "sd_mm"}],
+//                    "tools": [{"id", "force_N", "sd_N"}], "note"}]}
+//   FRAME.vtu       the organ at rest with displacement_mm: a place x of the scan lies at pose (x + displacement)
+//
+// `sd_mm` is the standard deviation of each coordinate of the error: 90 % of the targets lie within 2.5 of it.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "guidance/elastic_registration.h"
+#include "guidance/guidance_file.h"
+
+namespace glisson::guidance {
+
+struct FrameAnswer {
+  std::string id;
+  double seconds = 0;
+  ElasticPlacement placement;
+};
+
+struct GuidanceAnswer {
+  std::vector<FrameAnswer> frames;
+  std::vector<std::string> notes;
+};
+
+// A frame that cannot be answered says why and does not keep the others from theirs. Failures: those of
+// ForceModes::create; "cancelled".
+Result<GuidanceAnswer> answer(const GuidanceCase& guidance, const Progress& progress = {});
+
+// The document as it is written, as JSON text.
+[[nodiscard]] std::string answer_text(const GuidanceCase& guidance, const GuidanceAnswer& answer);
+
+// Makes the folder where it is missing.
+Result<void> write_answer(const std::filesystem::path& folder, const GuidanceCase& guidance,
+                          const GuidanceAnswer& answer);
+
+}  // namespace glisson::guidance

@@ -1,0 +1,47 @@
+#pragma once
+// A guidance case on disk: an organ, what was seen of it in each frame, and the targets inside that are to be found.
+// The format "glisson-guidance/1":
+//
+//   {"format": "glisson-guidance/1", "title": "...",
+//    "model": {"mesh": "liver.vtu", "youngs_modulus_kPa": 10 or "name of a cell array", "poisson_ratio": 0.45},
+//    "gravity_m_s2": [x,y,z],
+//    "features": [{"id": "falciform", "points": "falciform.csv"}],
+//    "frames": [{"id": "f0", "points": "f0.ply", "noise_mm": 0.7, "pose_guess": [16 numbers, row-major, scan to
+//    camera],
+//                "features": [{"id": "falciform", "points": "f0_falciform.csv", "noise_mm": 1.5}],
+//                "tools": [{"id": "retractor", "contact_mm": [x,y,z], "radius_mm": 10, "force_N": [x,y,z]}]}],
+//    "targets": "targets.csv"}
+//
+// Files are named from the folder of the JSON. Curves are tables x_mm,y_mm,z_mm; targets id,x_mm,y_mm,z_mm.
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "geometry/tetrahedra.h"
+#include "guidance/frame.h"
+
+namespace glisson::guidance {
+
+struct Target {
+  std::string id;
+  Eigen::Vector3d at_rest_mm{0, 0, 0};
+};
+
+struct GuidanceCase {
+  std::string title;
+  geometry::TetMesh mesh;
+  std::vector<double> youngs_kPa;  // one a cell
+  double poisson_ratio = 0.45;
+  Eigen::Vector3d gravity_mm_s2{0, 0, 0};  // in the scan's frame, beyond that of the scan itself
+  std::vector<SeenFrame> frames;
+  std::vector<Target> targets;
+  std::vector<std::string> notes;  // what the file says and this version leaves out
+};
+
+// Failures: "guidance-invalid" (what, where), those of reading meshes, clouds and tables.
+Result<GuidanceCase> read_guidance(const std::filesystem::path& file);
+
+}  // namespace glisson::guidance

@@ -1,0 +1,64 @@
+#include "guidance/internal/evidence_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/dense.h"
+
+namespace glisson::guidance {
+namespace {
+
+constexpr double smallest_variance = 1e-3;  // mm^2: as good as rigid
+constexpr int variances_per_decade = 4;
+
+struct Chosen {
+  double log_evidence = -std::numeric_limits<double>::infinity();
+  double variance = smallest_variance;
+  double kappa = 1;
+};
+
+}  // namespace
+
+EvidenceFit fit_by_evidence(const Eigen::MatrixXd& modes, const Eigen::MatrixXd& free, const Eigen::VectorXd& rows,
+                            double independent_rows, double largest_variance) {
+  // The free unknowns are projected out; what is left decides on the modes alone.
+  const Eigen::MatrixXd gram_free = free.transpose() * free;
+  const Eigen::MatrixXd inverse_free = dense_inverse(gram_free);
+  const Eigen::MatrixXd cross = free.transpose() * modes;
+  const Eigen::VectorXd free_rows = free.transpose() * rows;
+  const Eigen::MatrixXd gram = modes.transpose() * modes - cross.transpose() * inverse_free * cross;
+  const Eigen::VectorXd gradient = modes.transpose() * rows - cross.transpose() * (inverse_free * free_rows);
+  const double square = rows.squaredNorm() - free_rows.dot(inverse_free * free_rows);
+  const SymmetricModes spectrum = symmetric_modes(gram);
+  const Eigen::ArrayXd values = spectrum.values.array().max(0.0);
+  const Eigen::ArrayXd along = (spectrum.vectors.transpose() * gradient).array();
+  const double count = std::max<double>(1.0, static_cast<double>(rows.size() - free.cols()));
+  const double share = std::min(1.0, independent_rows / count);
+
+  Chosen best;
+  for (int step = 0;; ++step) {
+    const double variance = smallest_variance * std::pow(10.0, static_cast<double>(step) / variances_per_decade);
+    if (variance > std::max(largest_variance, smallest_variance)) break;
+    const double left = std::max(1e-12, square - (along.square() * variance / (1 + variance * values)).sum());
+    const double log_evidence =
+        -0.5 * share * count * std::log(left / count) - 0.5 * (1 + variance * share * values).log().sum();
+    if (log_evidence > best.log_evidence) best = {log_evidence, variance, left / count};
+  }
+
+  EvidenceFit fit{best.variance, best.kappa, {}, {}, {}};
+  const Eigen::ArrayXd shrunk = best.variance / (1 + best.variance * values);
+  fit.modes = spectrum.vectors * (shrunk * along).matrix();
+  fit.free = inverse_free * (free_rows - cross * fit.modes);
+  const Eigen::Index q = modes.cols(), all = q + free.cols();
+  Eigen::MatrixXd precision(all, all);
+  precision.topLeftCorner(q, q) = share * (modes.transpose() * modes);
+  precision.topLeftCorner(q, q).diagonal().array() += 1 / best.variance;
+  precision.bottomLeftCorner(free.cols(), q) = share * cross;
+  precision.topRightCorner(q, free.cols()) = share * cross.transpose();
+  precision.bottomRightCorner(free.cols(), free.cols()) = share * gram_free;
+  fit.covariance = best.kappa * dense_inverse(precision);
+  return fit;
+}
+
+}  // namespace glisson::guidance

@@ -1,0 +1,171 @@
+#include "guidance/pose_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "geometry/nearest.h"
+#include "registration/rigid.h"
+
+namespace glisson::guidance {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr int attempts = 400000;          // of triples; most are refused by their distances, in nanoseconds
+constexpr int most_poses = 4000;          // that are scored
+constexpr int refined = 12;               // of the best
+constexpr double far_mm = 20;             // beyond which a point counts as not explained
+constexpr double least_distance_mm = 25;  // of two points of a triple: nearer ones turn with the noise
+constexpr std::size_t scored_points = 80;
+
+struct Scored {
+  double score = 0;  // mean distance, none above far_mm
+  Isometry3d pose = Isometry3d::Identity();
+};
+
+template <typename T>
+std::vector<T> thinned(const std::vector<T>& all, std::size_t most) {
+  if (all.size() <= most) return all;
+  std::vector<T> some;
+  for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * all.size() / most]);
+  return some;
+}
+
+// What a pose is judged by: seen curves beside the curves at rest, seen points beside the surface.
+class Judge {
+ public:
+  Judge(const geometry::Surface& surface, const SeenFrame& frame)
+      : surface_(surface), cloud_mm_(thinned(frame.points_mm, scored_points)) {
+    for (const SeenCurve& curve : frame.curves) {
+      curves_.push_back({geometry::NearestPoint(curve.at_rest_mm), thinned(curve.seen_mm, scored_points)});
+    }
+  }
+
+  [[nodiscard]] double score(const Isometry3d& pose) const {
+    const Isometry3d back = pose.inverse();
+    double curves = 0, cloud = 0;
+    std::size_t seen = 0;
+    for (const Curve& curve : curves_) {
+      for (const Vector3d& point : curve.seen_mm) {
+        curves += std::min(far_mm, std::sqrt(curve.at_rest.nearest(back * point).squared_distance_mm2));
+      }
+      seen += curve.seen_mm.size();
+    }
+    for (const Vector3d& point : cloud_mm_) cloud += std::min(far_mm, surface_.closest(back * point).distance_mm);
+    return curves / static_cast<double>(std::max<std::size_t>(1, seen)) +
+           cloud / static_cast<double>(std::max<std::size_t>(1, cloud_mm_.size()));
+  }
+
+  // Pairs of what was seen and what lies nearest to it, those within `reach_mm`.
+  void pairs(const Isometry3d& pose, double reach_mm, std::vector<Vector3d>& at_rest, std::vector<Vector3d>& seen,
+             std::vector<double>& weights) const {
+    const Isometry3d back = pose.inverse();
+    const auto add = [&](const Vector3d& rest, const Vector3d& point, double weight) {
+      if ((rest - back * point).norm() > reach_mm) return;
+      at_rest.push_back(rest);
+      seen.push_back(point);
+      weights.push_back(weight);
+    };
+    for (const Curve& curve : curves_) {
+      for (const Vector3d& point : curve.seen_mm) {
+        const auto nearest = curve.at_rest.nearest(back * point);
+        add(curve.at_rest.points_mm()[static_cast<std::size_t>(nearest.point)], point, 2.0);
+      }
+    }
+    for (const Vector3d& point : cloud_mm_) add(surface_.closest(back * point).point_mm, point, 1.0);
+  }
+
+ private:
+  struct Curve {
+    geometry::NearestPoint at_rest;
+    std::vector<Vector3d> seen_mm;
+  };
+  geometry::SurfaceDistance surface_;
+  std::vector<Curve> curves_;
+  std::vector<Vector3d> cloud_mm_;
+};
+
+Isometry3d refine(const Judge& judge, Isometry3d pose) {
+  for (int round = 0; round < 40; ++round) {
+    std::vector<Vector3d> at_rest, seen;
+    std::vector<double> weights;
+    judge.pairs(pose, std::max(10.0, 40.0 - 2.0 * round), at_rest, seen, weights);
+    const auto better = registration::align_points(at_rest, seen, weights);
+    if (!better) return pose;
+    pose = *better;
+  }
+  return pose;
+}
+
+// A seen point with the curve that it is of.
+struct CurvePoint {
+  std::size_t curve;
+  Vector3d seen_mm;
+};
+
+std::vector<Scored> poses_of_triples(const Judge& judge, const SeenFrame& frame) {
+  std::vector<CurvePoint> points;
+  for (std::size_t c = 0; c < frame.curves.size(); ++c) {
+    for (const Vector3d& point : frame.curves[c].seen_mm) points.push_back({c, point});
+  }
+  std::mt19937 random(1);
+  const auto any = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random); };
+  std::vector<Scored> poses;
+  for (int attempt = 0; attempt < attempts && static_cast<int>(poses.size()) < most_poses; ++attempt) {
+    std::vector<Vector3d> seen(3), at_rest(3);
+    for (int k = 0; k < 3; ++k) {
+      const CurvePoint& point = points[any(points.size())];
+      const auto& curve = frame.curves[point.curve].at_rest_mm;
+      seen[k] = point.seen_mm;
+      at_rest[k] = curve[any(curve.size())];
+    }
+    bool alike = true;
+    for (int k = 0; k < 3 && alike; ++k) {
+      const double apart_mm = (seen[k] - seen[(k + 1) % 3]).norm();
+      const double rest_mm = (at_rest[k] - at_rest[(k + 1) % 3]).norm();
+      alike = apart_mm > least_distance_mm && std::abs(apart_mm - rest_mm) < 3.0 + 0.08 * apart_mm;
+    }
+    if (!alike) continue;
+    if (const auto pose = registration::align_points(at_rest, seen)) poses.push_back({judge.score(*pose), *pose});
+  }
+  return poses;
+}
+
+}  // namespace
+
+Result<Isometry3d> find_pose(const geometry::Surface& surface, const SeenFrame& frame) {
+  std::size_t seen = 0;
+  for (const SeenCurve& curve : frame.curves) seen += curve.seen_mm.size();
+  if (seen < 5) {
+    return failure(Error{"pose-not-found",
+                         GLISSON_TEXT("Frame {0} has no pose_guess, and {1} points on its features are too few to find "
+                                      "where the organ is."),
+                         {frame.id, std::to_string(seen)},
+                         GLISSON_TEXT("Give a pose_guess, or mark ridges or the falciform ligament."),
+                         {}});
+  }
+  const Judge judge(surface, frame);
+  std::vector<Scored> poses = poses_of_triples(judge, frame);
+  const auto better = [](const Scored& a, const Scored& b) { return a.score < b.score; };
+  std::sort(poses.begin(), poses.end(), better);
+  poses.resize(std::min<std::size_t>(poses.size(), refined));
+  for (Scored& pose : poses) {
+    pose.pose = refine(judge, pose.pose);
+    pose.score = judge.score(pose.pose);
+  }
+  const auto best = std::min_element(poses.begin(), poses.end(), better);
+  if (best == poses.end() || best->score > far_mm) {
+    return failure(Error{"pose-not-found",
+                         GLISSON_TEXT("Under no pose does what frame {0} saw lie near the organ."),
+                         {frame.id},
+                         GLISSON_TEXT("Check that the features have the same names on both sides, that lengths are in "
+                                      "mm, and that the frame is of this patient."),
+                         {}});
+  }
+  return best->pose;
+}
+
+}  // namespace glisson::guidance
