@@ -1,6 +1,6 @@
 #pragma once
-// A generated patient as files that ParaView and 3D Slicer open, with all that is known of it. README's table and
-// docs/anatomy.md describe them too.
+// A generated patient as files that ParaView and 3D Slicer open, with all that is known of it. docs/anatomy.md
+// describes them too.
 //
 //   surfaces/NAME.vtp   liver, portal-vein, hepatic-vein, artery, gallbladder, vena-cava, tumour-N, cyst-N
 //   labels/NAME.nrrd    the voxels inside each (0 or 1), on one grid

@@ -1,5 +1,5 @@
 // Predictions against measurements that the models have not seen. For each: what sets the model up, what is held apart,
-// the declared model's error (before) and the set-up model's (after). The numbers of the README:
+// the declared model's error (before) and the set-up model's (after). The numbers of docs/hardware-plan.md:
 //
 //   test_platform --gtest_filter='HeldOut*'
 

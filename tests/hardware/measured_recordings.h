@@ -66,7 +66,7 @@ inline double mean_of_lines(const std::filesystem::path& file) {
   return sum / count;
 }
 
-// "held out: 3C time, before +3.0 %, after +0.2 %", on the terminal for the README.
+// "held out: 3C time, before +3.0 %, after +0.2 %", on the terminal for docs/hardware-plan.md.
 inline void report(const std::string& what, double measured, double before, double after, const char* unit) {
   std::cout << fmt::format("held out: {:44} measured {:8.3f} {:4} before {:+7.1f} %  after {:+6.1f} %\n", what,
                            measured, unit, 100 * (before / measured - 1), 100 * (after / measured - 1));

@@ -1,4 +1,4 @@
-# The manual pages are pages, and name every command; what README and manual show as a command line is one:
+# The manual pages are pages, and name every command; what README, docs and manual show as a command line is one:
 # manual_pages.sh GLISSON_CLI PROJECT_FOLDER
 set -euo pipefail
 cli=$1 pages=$2/packaging/man
@@ -39,5 +39,5 @@ while read -r file line; do
   for option in $(grep -oE -- '(^| )--[a-z][A-Za-z0-9-]*' <<<"$line" || true); do
     grep -qE -- "(^|[ ,])$option( |:|$)" <<<"$help" || { echo "$file: glisson-cli ${commands[*]} has no $option"; failed=1; }
   done
-done < <(cd "$2" && grep -oE 'glisson-cli [a-z][^`#]*' README.md resources/manual/{,??/}*.md | sed 's/:glisson-cli / /')
+done < <(cd "$2" && grep -oE 'glisson-cli [a-z][^`#]*' README.md docs/{,*/}*.md resources/manual/{,??/}*.md | sed 's/:glisson-cli / /')
 exit $failed

@@ -92,8 +92,8 @@ void print_row(const std::string& name, const std::vector<double>& sorted) {
 
 class RealLiver : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
-// The table of Dice figures in the README comes from here. The limits lie a little below what was measured; the labels
-// they are measured against are a network's.
+// The table of Dice figures in docs/real-data.md comes from here. The limits lie a little below what was measured; the
+// labels they are measured against are a network's.
 TEST_P(RealLiver, IsFoundFromWhereverTheSeedsLie) {
   GLISSON_NEEDS_DATA("totalseg_abdomen_mr_ct");
   const Case c = read_case(GetParam().first, GetParam().second);
