@@ -24,7 +24,8 @@ struct CsvTable {
 // Commas, semicolons or tabs, whichever the first row with numbers has; a dot in numbers; lines may end in CR LF and a
 // byte-order mark may lead. The header is the last line before the first row with numbers that has as many cells.
 // Rows that are shorter than the first end in NaN; longer ones are cut.
-// Refused: no row of numbers, more than 256 columns, files above the limit, long tables most of whose cells are missing.
+// Refused: no row of numbers, more than 256 columns, files above the limit, long tables most of whose cells are
+// missing.
 Result<CsvTable> read_csv(const std::filesystem::path& file, std::uint64_t limit_bytes = std::uint64_t{1} << 29);
 Result<CsvTable> parse_csv(std::string_view text, const std::filesystem::path& file = {});
 

@@ -7,7 +7,7 @@
 
 #include "base/json.h"
 #include "base/units.h"
-#include "closedloop/palpation/effects.h"
+#include "closedloop/palpation/internal/effects.h"
 #include "closedloop/palpation/internal/structure.h"
 #include "mechanics/elements/quadrature.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -26,10 +27,13 @@ constexpr double beside_mm = 8.0;          // of the surface's rim: farther poin
 constexpr double coarsest_noise_mm = 2.0;  // that elastic rounds take the cloud for
 constexpr double tool_sd_mN = 10e3;        // of a force that is asked for
 constexpr int rounds_to_full_forces = 12;
+constexpr double pulled_mm = 6.0;  // that some of the cloud lies off the rigid organ where a tool may be at work
+constexpr double hidden_tool_radius_mm = 8.0;
+constexpr double least_trust = 0.02;  // of a point, where evidences are compared
 // Of the standard deviation, from tests on bodies that were not judged (docs/guidance.md): the posterior's, times; the
 // part of the elastic displacement that the model gets wrong; and what is left of a rigid organ.
 constexpr double posterior_factor = 1.5;
-constexpr double elastic_share = 0.16;
+constexpr double elastic_share = 0.3;
 constexpr double smallest_sd_mm = 0.25;
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -52,8 +56,17 @@ class ElasticFit {
   ElasticFit(const ForceModes& modes, const SeenFrame& frame, const Isometry3d& from, const Vector3d& gravity_mm_s2,
              const RegistrationOptions& options);
 
+  // What forces there may be: on the unseen surface alone; everywhere alike; and of a tool that nobody mentioned,
+  // where the cloud lies farthest off the rigid organ.
+  enum class Forces { unseen, anywhere, hidden_tool };
+
   void fit_pose();
-  void fit_pose_and_forces();
+  // After fit_pose(), and anew for each kind of forces.
+  void fit_pose_and_forces(Forces forces);
+  // Of the data under these forces, comparable between kinds of them.
+  [[nodiscard]] double log_evidence() const { return log_evidence_; }
+  // Whether some of the cloud lies so far off the rigid organ that a tool may pull there.
+  [[nodiscard]] bool is_pulled() const { return farthest_off_mm_ > pulled_mm; }
   [[nodiscard]] ElasticPlacement outcome(const std::vector<mechanics::PointInMesh>& targets) const;
 
  private:
@@ -64,7 +77,9 @@ class ElasticFit {
   [[nodiscard]] VectorXd residuals(const std::vector<SeenRow>& rows, const VectorXd& known_mm) const;
   [[nodiscard]] MatrixXd free_columns(const std::vector<SeenRow>& rows, double prior_scale, VectorXd& right) const;
   [[nodiscard]] MatrixXd mode_columns(const std::vector<SeenRow>& rows) const;
-  void choose_forces();
+  void find_farthest();
+  void choose_forces(Forces forces);
+  void add_hidden_tool();
   void move_pose(const Vector3d& shift_mm, const Vector3d& turn);
   [[nodiscard]] double independent_points() const;
   [[nodiscard]] double visible_share() const;
@@ -76,6 +91,11 @@ class ElasticFit {
   Isometry3d guess_, pose_;
   std::vector<Vector3d> cloud_mm_;  // in the camera's frame
   std::vector<PlacedCurve> curves_;
+  Isometry3d rigid_pose_;          // before any forces
+  Vector3d farthest_mm_{0, 0, 0};  // where the cloud lies farthest off the rigid organ, and how far
+  double farthest_off_mm_ = 0;
+  double log_evidence_ = 0;
+  VectorXd gravity_mm_;
   VectorXd known_mm_;  // displacement under known loads, 3 a point
   VectorXd u_mm_;
   RowMatrix scaled_modes_;  // times the root of each force's own variance
@@ -98,9 +118,10 @@ ElasticFit::ElasticFit(const ForceModes& modes, const SeenFrame& frame, const Is
   for (const SeenCurve& curve : frame.curves) {
     curves_.push_back({mechanics::locate_points(modes.mesh(), curve.at_rest_mm), &curve});
   }
-  known_mm_ =
+  gravity_mm_ =
       gravity_mm_s2.isZero() ? VectorXd::Zero(modes.displacement_mm().rows()) : modes.under_gravity_mm(gravity_mm_s2);
-  u_mm_ = VectorXd::Zero(known_mm_.size());
+  known_mm_ = gravity_mm_;
+  u_mm_ = known_mm_;
 }
 
 std::vector<Vector3d> ElasticFit::displaced() const {
@@ -262,22 +283,50 @@ void ElasticFit::fit_pose() {
     const Eigen::Matrix<double, 6, 1> step = normal.ldlt().solve(columns.transpose() * right);
     move_pose(step.head<3>(), step.tail<3>());
   }
+  rigid_pose_ = pose_;
+  find_farthest();
+}
+
+// The middle of the twentieth of the cloud that lies farthest off, on the organ at rest.
+void ElasticFit::find_farthest() {
+  const SeenSurface surface(modes_.surface(), modes_.mesh_point_of(), displaced());
+  const Isometry3d back = pose_.inverse();
+  std::vector<std::pair<double, Vector3d>> off;
+  for (const Vector3d& point : cloud_mm_) {
+    const SeenSurface::Found found = surface.find(back * point);
+    Vector3d place = Vector3d::Zero();
+    for (int k = 0; k < 3; ++k) {
+      place += found.row.weights[k] * modes_.mesh().points_mm[static_cast<std::size_t>(found.row.points[k])];
+    }
+    off.emplace_back(std::hypot(found.off_mm, found.beside_mm), place);
+  }
+  std::sort(off.begin(), off.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  const std::size_t some = std::max<std::size_t>(1, off.size() / 20);
+  farthest_mm_.setZero();
+  for (std::size_t i = 0; i < some; ++i) farthest_mm_ += off[i].second / static_cast<double>(some);
+  farthest_off_mm_ = off[some - 1].first;
+}
+
+void ElasticFit::add_hidden_tool() {
+  tool_columns_ = modes_.under_tool_mm_mN(farthest_mm_, hidden_tool_radius_mm);
+  asked_tools_.emplace_back("hidden tool");
 }
 
 // What is seen is touched by nothing but the tools; forces elsewhere are all alike.
-void ElasticFit::choose_forces() {
+void ElasticFit::choose_forces(Forces forces) {
   std::vector<Vector3d> seen_mm;
   const Isometry3d back = pose_.inverse();
   for (const Vector3d& point : cloud_mm_) seen_mm.push_back(back * point);
   const geometry::NearestPoint nearest(seen_mm);
   scaled_modes_ = modes_.displacement_mm();
-  const double seen_root = std::sqrt(options_.touched_by_unseen);
+  const double seen_root = forces == Forces::anywhere ? 1.0 : std::sqrt(options_.touched_by_unseen);
   for (std::size_t k = 0; k < modes_.centers_mm().size(); ++k) {
     const double away_mm = std::sqrt(nearest.nearest(modes_.centers_mm()[k]).squared_distance_mm2);
     if (away_mm < options_.seen_within_mm) scaled_modes_.middleCols<3>(3 * static_cast<Eigen::Index>(k)) *= seen_root;
   }
   asked_tools_.clear();
   tool_columns_.resize(known_mm_.size(), 0);
+  if (forces == Forces::hidden_tool) add_hidden_tool();
   for (const SeenTool& tool : frame_.tools) {
     const MatrixXd per_mN = modes_.under_tool_mm_mN(back * tool.contact_mm, tool.radius_mm);
     if (tool.force_mN) {
@@ -290,8 +339,12 @@ void ElasticFit::choose_forces() {
   }
 }
 
-void ElasticFit::fit_pose_and_forces() {
-  choose_forces();
+void ElasticFit::fit_pose_and_forces(Forces forces) {
+  pose_ = forces == Forces::hidden_tool ? guess_ : rigid_pose_;  // a pulled organ misleads the pose alone
+  known_mm_ = gravity_mm_;
+  u_mm_ = known_mm_;
+  if (forces == Forces::hidden_tool) find_farthest();
+  choose_forces(forces);
   for (int round = 0; round < options_.elastic_rounds; ++round) {
     const std::vector<SeenRow> seen = rows(coarsest_noise_mm);
     const double independent = independent_points();
@@ -302,6 +355,9 @@ void ElasticFit::fit_pose_and_forces() {
     fit_ = fit_by_evidence(mode_columns(seen), free, right, independent, std::pow(options_.largest_rms_mm * opened, 2));
     u_mm_ = known_mm_ + scaled_modes_ * fit_.modes + tool_columns_ * fit_.free.tail(tool_columns_.cols());
     move_pose(fit_.free.head<3>(), fit_.free.segment<3>(3));
+    double weights = 0;
+    for (const SeenRow& row : seen) weights += std::log(std::sqrt(std::max(row.trust, least_trust)) / row.noise_mm);
+    log_evidence_ = fit_.log_evidence + share * weights;
   }
   (void)rows(coarsest_noise_mm);  // what is left, where it ended
 }
@@ -392,8 +448,17 @@ ElasticPlacement register_elastic(const ForceModes& modes, const SeenFrame& fram
                                   const RegistrationOptions& options) {
   ElasticFit fit(modes, frame, from, gravity_mm_s2, options);
   fit.fit_pose();
-  fit.fit_pose_and_forces();
-  return fit.outcome(targets);
+  std::vector<ElasticFit::Forces> kinds{ElasticFit::Forces::unseen, ElasticFit::Forces::anywhere};
+  if (fit.is_pulled()) kinds.push_back(ElasticFit::Forces::hidden_tool);
+  ElasticPlacement best;
+  double best_evidence = -std::numeric_limits<double>::infinity();
+  for (const ElasticFit::Forces kind : kinds) {
+    fit.fit_pose_and_forces(kind);
+    if (fit.log_evidence() <= best_evidence) continue;
+    best_evidence = fit.log_evidence();
+    best = fit.outcome(targets);
+  }
+  return best;
 }
 
 }  // namespace glisson::guidance

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/json.h"
-#include "hardware/figure_file_internal.h"
+#include "hardware/internal/figure_file.h"
 
 namespace glisson::hardware {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hardware/device_figures_internal.h"
+#include "hardware/internal/device_figures.h"
 
 namespace glisson::hardware {
 namespace {

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "base/json.h"
-#include "hardware/device_figures_internal.h"
-#include "hardware/figure_file_internal.h"
+#include "hardware/internal/device_figures.h"
+#include "hardware/internal/figure_file.h"
 
 namespace glisson::hardware {
 namespace {

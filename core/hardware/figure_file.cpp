@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "hardware/device.h"
-#include "hardware/figure_file_internal.h"
+#include "hardware/internal/figure_file.h"
 
 namespace glisson::hardware {
 namespace {

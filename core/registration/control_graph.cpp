@@ -4,7 +4,7 @@
 #include <queue>
 #include <set>
 
-#include "registration/control_graph_internal.h"
+#include "registration/internal/control_graph.h"
 
 namespace glisson::registration {
 namespace {

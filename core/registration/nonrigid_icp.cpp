@@ -9,7 +9,7 @@
 
 #include "base/parallel.h"
 #include "geometry/nearest.h"
-#include "registration/control_graph_internal.h"
+#include "registration/internal/control_graph.h"
 
 namespace glisson::registration {
 namespace {

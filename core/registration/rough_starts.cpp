@@ -2,7 +2,7 @@
 #include <random>
 
 #include "base/parallel.h"
-#include "registration/rough_starts_internal.h"
+#include "registration/internal/rough_starts.h"
 #include "registration/trwls.h"
 
 namespace glisson::registration {

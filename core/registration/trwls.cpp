@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "registration/rough_starts_internal.h"
-#include "registration/trwls_plain_internal.h"
-#include "registration/trwls_schedule_internal.h"
-#include "registration/trwls_simd_internal.h"
+#include "registration/internal/rough_starts.h"
+#include "registration/internal/trwls_plain.h"
+#include "registration/internal/trwls_schedule.h"
+#include "registration/internal/trwls_simd.h"
 
 namespace glisson::registration {
 namespace {

@@ -1,7 +1,7 @@
 // Four messages of one node at a time, or two where registers are few: the row of target distances that is loaded
 // serves all. So it runs at 95 % of what the same operations reach in registers alone (bench_registration, roofline).
 
-#include "registration/trwls_simd_internal.h"
+#include "registration/internal/trwls_simd.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "registration/trwls_simd.cpp"

@@ -4,7 +4,7 @@
 
 #include "base/parallel.h"
 #include "registration/rigid.h"
-#include "registration_quality/doubt_internal.h"
+#include "registration_quality/internal/doubt.h"
 
 namespace glisson::registration_quality {
 namespace {

@@ -10,8 +10,8 @@
 #include "geometry/delaunay.h"
 #include "geometry/nearest.h"
 #include "geometry/surface.h"
-#include "registration_quality/doubt_internal.h"
-#include "registration_quality/warp_internal.h"
+#include "registration_quality/internal/doubt.h"
+#include "registration_quality/internal/warp.h"
 
 namespace glisson::registration_quality {
 namespace {

@@ -1,4 +1,4 @@
-#include "registration_quality/warp_internal.h"
+#include "registration_quality/internal/warp.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 
 #include "base/files.h"
 #include "casefile/structures.h"
-#include "report/patient_sections_internal.h"
+#include "report/internal/patient_sections.h"
 
 namespace glisson::report {
 namespace {

@@ -8,7 +8,7 @@
 #include "casefile/model.h"
 #include "geometry/mesh_file.h"
 #include "mechanics/scenario/scenario.h"
-#include "report/patient_sections_internal.h"
+#include "report/internal/patient_sections.h"
 
 namespace glisson::report {
 namespace {

@@ -6,8 +6,8 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/features2d.hpp>
 
-#include "vision/dots_internal.h"
-#include "vision/opencv_internal.h"
+#include "vision/internal/dots.h"
+#include "vision/internal/opencv.h"
 
 namespace glisson::vision {
 namespace {

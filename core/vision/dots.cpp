@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "vision/dots_internal.h"
+#include "vision/internal/dots.h"
 
 namespace glisson::vision {
 namespace {

@@ -4,7 +4,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
 
-#include "vision/opencv_internal.h"
+#include "vision/internal/opencv.h"
 
 namespace glisson::vision {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "base/files.h"
-#include "vision/opencv_internal.h"
+#include "vision/internal/opencv.h"
 
 namespace glisson::vision {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "vision/opencv_internal.h"
+#include "vision/internal/opencv.h"
 
 namespace glisson::vision {
 namespace {

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "base/write_file.h"
-#include "vision/opencv_internal.h"
+#include "vision/internal/opencv.h"
 
 namespace glisson::vision {
 namespace {

@@ -7,7 +7,7 @@
 #include <opencv2/core/eigen.hpp>
 #include <opencv2/ximgproc/disparity_filter.hpp>
 
-#include "vision/opencv_internal.h"
+#include "vision/internal/opencv.h"
 
 namespace glisson::vision {
 namespace {

@@ -1,4 +1,4 @@
-#include "vision/stereo_features_internal.h"
+#include "vision/internal/stereo_features.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <opencv2/core/eigen.hpp>
 #include <opencv2/features2d.hpp>
 
-#include "vision/opencv_internal.h"
+#include "vision/internal/opencv.h"
 
 namespace glisson::vision {
 

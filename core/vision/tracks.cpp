@@ -4,7 +4,7 @@
 #include <numeric>
 #include <opencv2/core.hpp>
 
-#include "vision/stereo_features_internal.h"
+#include "vision/internal/stereo_features.h"
 
 namespace glisson::vision {
 namespace {

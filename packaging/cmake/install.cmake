@@ -51,7 +51,7 @@ foreach(room IN LISTS rooms)
   set_target_properties(glisson_${room} PROPERTIES EXPORT_NAME ${room})
   list(APPEND exported glisson_${room})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/glisson
-    COMPONENT development FILES_MATCHING PATTERN "*.h" PATTERN "*_internal.h" EXCLUDE)
+    COMPONENT development FILES_MATCHING PATTERN "*.h" PATTERN "internal" EXCLUDE)
 endforeach()
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Glisson)
 install(TARGETS ${exported} EXPORT GlissonTargets COMPONENT development

@@ -4072,6 +4072,74 @@
         <source>Named by TotalSegmentator&apos;s class numbers: see whether they are right.</source>
         <translation>Nach den Klassennummern von TotalSegmentator benannt: Prüfen Sie, ob sie stimmen.</translation>
     </message>
+    <message>
+        <source>Less than 5 % of the organ is seen: too little to say where the rest is.</source>
+        <translation>Weniger als 5 % des Organs sind zu sehen: zu wenig, um zu sagen, wo der Rest liegt.</translation>
+    </message>
+    <message>
+        <source>What is seen does not fit this organ: more than half of the points lie far from it.</source>
+        <translation>Was zu sehen ist, passt nicht zu diesem Organ: Mehr als die Hälfte der Punkte liegt weit davon entfernt.</translation>
+    </message>
+    <message>
+        <source>Preparing the organ</source>
+        <translation>Organ wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Fewer than 20 points of the surface were seen.</source>
+        <translation>Es wurden weniger als 20 Punkte der Oberfläche gesehen.</translation>
+    </message>
+    <message>
+        <source>What was seen is twenty times smaller than the organ: lengths are in mm, are these in metres?</source>
+        <translation>Das Gesehene ist zwanzigmal kleiner als das Organ: Längen sind in mm, stehen diese in Metern?</translation>
+    </message>
+    <message>
+        <source>What was seen is five times larger than the organ: lengths are in mm.</source>
+        <translation>Das Gesehene ist fünfmal größer als das Organ: Längen sind in mm.</translation>
+    </message>
+    <message>
+        <source>Placing the organ</source>
+        <translation>Organ wird eingepasst</translation>
+    </message>
+    <message>
+        <source>The folder cannot be made: {0}</source>
+        <translation>Der Ordner kann nicht angelegt werden: {0}</translation>
+    </message>
+    <message>
+        <source>In {0}: {1}.</source>
+        <translation>In {0}: {1}.</translation>
+    </message>
+    <message>
+        <source>The format &quot;glisson-guidance/1&quot; is described in the documentation.</source>
+        <translation>Das Format &quot;glisson-guidance/1&quot; ist in der Dokumentation beschrieben.</translation>
+    </message>
+    <message>
+        <source>The first line must be id,x_mm,y_mm,z_mm.</source>
+        <translation>Die erste Zeile muss id,x_mm,y_mm,z_mm lauten.</translation>
+    </message>
+    <message>
+        <source>Line {0} must hold an id and three numbers.</source>
+        <translation>Zeile {0} muss eine Kennung und drei Zahlen enthalten.</translation>
+    </message>
+    <message>
+        <source>Frame {0} has no pose_guess, and {1} points on its features are too few to find where the organ is.</source>
+        <translation>Bild {0} hat keine pose_guess, und {1} Punkte auf seinen Merkmalen sind zu wenige, um das Organ zu finden.</translation>
+    </message>
+    <message>
+        <source>Give a pose_guess, or mark ridges or the falciform ligament.</source>
+        <translation>Geben Sie eine pose_guess an, oder markieren Sie Kanten oder das Ligamentum falciforme.</translation>
+    </message>
+    <message>
+        <source>Under no pose does what frame {0} saw lie near the organ.</source>
+        <translation>In keiner Lage liegt das, was Bild {0} zeigt, nahe am Organ.</translation>
+    </message>
+    <message>
+        <source>Check that the features have the same names on both sides, that lengths are in mm, and that the frame is of this patient.</source>
+        <translation>Prüfen Sie, ob die Merkmale auf beiden Seiten gleich heißen, Längen in mm sind und das Bild von diesem Patienten ist.</translation>
+    </message>
+    <message>
+        <source>Reading the guidance case</source>
+        <translation>Fall zur Bildführung wird gelesen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

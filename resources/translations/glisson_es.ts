@@ -4072,6 +4072,74 @@
         <source>Named by TotalSegmentator&apos;s class numbers: see whether they are right.</source>
         <translation>Nombrado por los números de clase de TotalSegmentator: compruebe que son correctos.</translation>
     </message>
+    <message>
+        <source>Less than 5 % of the organ is seen: too little to say where the rest is.</source>
+        <translation>Se ve menos del 5 % del órgano: demasiado poco para decir dónde está el resto.</translation>
+    </message>
+    <message>
+        <source>What is seen does not fit this organ: more than half of the points lie far from it.</source>
+        <translation>Lo que se ve no corresponde a este órgano: más de la mitad de los puntos está lejos de él.</translation>
+    </message>
+    <message>
+        <source>Preparing the organ</source>
+        <translation>Preparando el órgano</translation>
+    </message>
+    <message>
+        <source>Fewer than 20 points of the surface were seen.</source>
+        <translation>Se vieron menos de 20 puntos de la superficie.</translation>
+    </message>
+    <message>
+        <source>What was seen is twenty times smaller than the organ: lengths are in mm, are these in metres?</source>
+        <translation>Lo visto es veinte veces más pequeño que el órgano: las longitudes son en mm, ¿están estas en metros?</translation>
+    </message>
+    <message>
+        <source>What was seen is five times larger than the organ: lengths are in mm.</source>
+        <translation>Lo visto es cinco veces mayor que el órgano: las longitudes son en mm.</translation>
+    </message>
+    <message>
+        <source>Placing the organ</source>
+        <translation>Situando el órgano</translation>
+    </message>
+    <message>
+        <source>The folder cannot be made: {0}</source>
+        <translation>No se puede crear la carpeta: {0}</translation>
+    </message>
+    <message>
+        <source>In {0}: {1}.</source>
+        <translation>En {0}: {1}.</translation>
+    </message>
+    <message>
+        <source>The format &quot;glisson-guidance/1&quot; is described in the documentation.</source>
+        <translation>El formato &quot;glisson-guidance/1&quot; se describe en la documentación.</translation>
+    </message>
+    <message>
+        <source>The first line must be id,x_mm,y_mm,z_mm.</source>
+        <translation>La primera línea debe ser id,x_mm,y_mm,z_mm.</translation>
+    </message>
+    <message>
+        <source>Line {0} must hold an id and three numbers.</source>
+        <translation>La línea {0} debe contener un identificador y tres números.</translation>
+    </message>
+    <message>
+        <source>Frame {0} has no pose_guess, and {1} points on its features are too few to find where the organ is.</source>
+        <translation>La imagen {0} no tiene pose_guess, y {1} puntos en sus referencias son muy pocos para encontrar el órgano.</translation>
+    </message>
+    <message>
+        <source>Give a pose_guess, or mark ridges or the falciform ligament.</source>
+        <translation>Indique una pose_guess, o marque bordes o el ligamento falciforme.</translation>
+    </message>
+    <message>
+        <source>Under no pose does what frame {0} saw lie near the organ.</source>
+        <translation>En ninguna posición lo que vio la imagen {0} queda cerca del órgano.</translation>
+    </message>
+    <message>
+        <source>Check that the features have the same names on both sides, that lengths are in mm, and that the frame is of this patient.</source>
+        <translation>Compruebe que las referencias tengan los mismos nombres en ambos lados, que las longitudes sean en mm y que la imagen sea de este paciente.</translation>
+    </message>
+    <message>
+        <source>Reading the guidance case</source>
+        <translation>Leyendo el caso de guiado</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

@@ -4072,6 +4072,74 @@
         <source>Named by TotalSegmentator&apos;s class numbers: see whether they are right.</source>
         <translation>Nommé par les numéros de classe de TotalSegmentator : vérifiez qu&apos;ils sont justes.</translation>
     </message>
+    <message>
+        <source>Less than 5 % of the organ is seen: too little to say where the rest is.</source>
+        <translation>Moins de 5 % de l&apos;organe est visible : trop peu pour dire où se trouve le reste.</translation>
+    </message>
+    <message>
+        <source>What is seen does not fit this organ: more than half of the points lie far from it.</source>
+        <translation>Ce qui est vu ne correspond pas à cet organe : plus de la moitié des points en sont éloignés.</translation>
+    </message>
+    <message>
+        <source>Preparing the organ</source>
+        <translation>Préparation de l&apos;organe</translation>
+    </message>
+    <message>
+        <source>Fewer than 20 points of the surface were seen.</source>
+        <translation>Moins de 20 points de la surface ont été vus.</translation>
+    </message>
+    <message>
+        <source>What was seen is twenty times smaller than the organ: lengths are in mm, are these in metres?</source>
+        <translation>Ce qui est vu est vingt fois plus petit que l&apos;organe : les longueurs sont en mm, celles-ci sont-elles en mètres ?</translation>
+    </message>
+    <message>
+        <source>What was seen is five times larger than the organ: lengths are in mm.</source>
+        <translation>Ce qui est vu est cinq fois plus grand que l&apos;organe : les longueurs sont en mm.</translation>
+    </message>
+    <message>
+        <source>Placing the organ</source>
+        <translation>Placement de l&apos;organe</translation>
+    </message>
+    <message>
+        <source>The folder cannot be made: {0}</source>
+        <translation>Impossible de créer le dossier : {0}</translation>
+    </message>
+    <message>
+        <source>In {0}: {1}.</source>
+        <translation>Dans {0} : {1}.</translation>
+    </message>
+    <message>
+        <source>The format &quot;glisson-guidance/1&quot; is described in the documentation.</source>
+        <translation>Le format &quot;glisson-guidance/1&quot; est décrit dans la documentation.</translation>
+    </message>
+    <message>
+        <source>The first line must be id,x_mm,y_mm,z_mm.</source>
+        <translation>La première ligne doit être id,x_mm,y_mm,z_mm.</translation>
+    </message>
+    <message>
+        <source>Line {0} must hold an id and three numbers.</source>
+        <translation>La ligne {0} doit contenir un identifiant et trois nombres.</translation>
+    </message>
+    <message>
+        <source>Frame {0} has no pose_guess, and {1} points on its features are too few to find where the organ is.</source>
+        <translation>L&apos;image {0} n&apos;a pas de pose_guess, et {1} points sur ses repères sont trop peu pour trouver l&apos;organe.</translation>
+    </message>
+    <message>
+        <source>Give a pose_guess, or mark ridges or the falciform ligament.</source>
+        <translation>Donnez une pose_guess, ou marquez des crêtes ou le ligament falciforme.</translation>
+    </message>
+    <message>
+        <source>Under no pose does what frame {0} saw lie near the organ.</source>
+        <translation>Dans aucune position, ce que l&apos;image {0} a vu n&apos;est proche de l&apos;organe.</translation>
+    </message>
+    <message>
+        <source>Check that the features have the same names on both sides, that lengths are in mm, and that the frame is of this patient.</source>
+        <translation>Vérifiez que les repères portent les mêmes noms des deux côtés, que les longueurs sont en mm et que l&apos;image est de ce patient.</translation>
+    </message>
+    <message>
+        <source>Reading the guidance case</source>
+        <translation>Lecture du cas de guidage</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

@@ -39,7 +39,7 @@
 #include "registration/geo.h"
 #include "registration/samples.h"
 #include "registration/trwls.h"
-#include "registration/trwls_simd_internal.h"
+#include "registration/internal/trwls_simd.h"
 #include "registration/trws.h"
 #include "registration_quality/sequences.h"
 #include "support/data.h"

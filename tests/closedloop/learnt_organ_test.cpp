@@ -8,7 +8,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
-#include "closedloop/palpation/effects.h"
+#include "closedloop/palpation/internal/effects.h"
 #include "closedloop/palpation/model.h"
 #include "mechanics/statics/static_model.h"
 #include "palpation_bodies.h"

@@ -1,6 +1,6 @@
 // Every effect of a palpation: absent at its default, differentiated exactly, found again from what it does.
 
-#include "closedloop/palpation/effects.h"
+#include "closedloop/palpation/internal/effects.h"
 
 #include <gmock/gmock.h>
 #include <Eigen/Dense>

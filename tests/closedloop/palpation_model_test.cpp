@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <Eigen/Dense>
 
-#include "closedloop/palpation/effects.h"
+#include "closedloop/palpation/internal/effects.h"
 #include "closedloop/palpation/internal/refinement.h"
 #include "closedloop/palpation_bodies.h"
 #include "mechanics/statics/displacements.h"

@@ -9,7 +9,7 @@
 #include "mechanics/bodies.h"
 #include "mechanics/elements/stiffness_matrix.h"
 #include "mechanics/meshfree/compliance_distance.h"
-#include "mechanics/meshfree/meshfree_body.h"
+#include "mechanics/meshfree/internal/meshfree_body.h"
 
 namespace glisson::mechanics {
 namespace {

@@ -10,7 +10,7 @@
 #include "base/parallel.h"
 #include "problems.h"
 #include "registration/trwls.h"
-#include "registration/trwls_schedule_internal.h"
+#include "registration/internal/trwls_schedule.h"
 #include "registration/trws.h"
 
 namespace glisson::registration {

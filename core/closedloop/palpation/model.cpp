@@ -10,7 +10,7 @@
 
 #include "base/units.h"
 #include "closedloop/inference/fit.h"
-#include "closedloop/palpation/effects.h"
+#include "closedloop/palpation/internal/effects.h"
 #include "closedloop/palpation/internal/frame.h"
 #include "closedloop/palpation/internal/further.h"
 #include "closedloop/palpation/internal/loading.h"

@@ -46,7 +46,7 @@ EvidenceFit fit_by_evidence(const Eigen::MatrixXd& modes, const Eigen::MatrixXd&
     if (log_evidence > best.log_evidence) best = {log_evidence, variance, left / count};
   }
 
-  EvidenceFit fit{best.variance, best.kappa, {}, {}, {}};
+  EvidenceFit fit{best.variance, best.kappa, best.log_evidence, {}, {}, {}};
   const Eigen::ArrayXd shrunk = best.variance / (1 + best.variance * values);
   fit.modes = spectrum.vectors * (shrunk * along).matrix();
   fit.free = inverse_free * (free_rows - cross * fit.modes);

@@ -12,9 +12,10 @@
 namespace glisson::guidance {
 
 struct EvidenceFit {
-  double variance = 0;    // of each mode's amount
-  double kappa = 1;       // the noise found, over the noise stated, squared
-  Eigen::VectorXd modes;  // the amounts w
+  double variance = 0;      // of each mode's amount
+  double kappa = 1;         // the noise found, over the noise stated, squared
+  double log_evidence = 0;  // but for a constant of the number of rows
+  Eigen::VectorXd modes;    // the amounts w
   Eigen::VectorXd free;
   Eigen::MatrixXd covariance;  // of (w, x), the free ones last
 };

@@ -9,7 +9,7 @@
 #include "mechanics/contact/large_contact.h"
 #include "mechanics/elements/internal_forces.h"
 #include "mechanics/internal/simulation_answer.h"
-#include "mechanics/meshfree/meshfree_body.h"
+#include "mechanics/meshfree/internal/meshfree_body.h"
 #include "mechanics/meshfree/meshfree_contact.h"
 
 namespace glisson::mechanics {

@@ -9,7 +9,7 @@
 #include "mechanics/elements/strain.h"
 #include "mechanics/meshfree/internal/reduced_potential.h"
 #include "mechanics/meshfree/internal/reduced_solver.h"
-#include "mechanics/meshfree/meshfree_body.h"
+#include "mechanics/meshfree/internal/meshfree_body.h"
 #include "mechanics/solvers/internal/newton.h"
 #include "mechanics/statics/displacements.h"
 

@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/units.h"
-#include "closedloop/palpation/effects.h"
+#include "closedloop/palpation/internal/effects.h"
 
 namespace glisson::closedloop {
 namespace {

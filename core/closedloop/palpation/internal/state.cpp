@@ -1,7 +1,7 @@
 #include "closedloop/palpation/internal/state.h"
 
 #include "base/units.h"
-#include "closedloop/palpation/effects.h"
+#include "closedloop/palpation/internal/effects.h"
 
 namespace glisson::closedloop {
 namespace {

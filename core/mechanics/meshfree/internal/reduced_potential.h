@@ -3,7 +3,7 @@
 // this room.
 
 #include "mechanics/meshfree/internal/reduced_solver.h"
-#include "mechanics/meshfree/meshfree_body.h"
+#include "mechanics/meshfree/internal/meshfree_body.h"
 #include "mechanics/statics/internal/elastic_potential.h"
 
 namespace glisson::mechanics {

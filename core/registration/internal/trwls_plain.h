@@ -1,7 +1,7 @@
 #pragma once
 // The slice kernels in portable C++, for every width of word.
 
-#include "registration/trwls_slices_internal.h"
+#include "registration/internal/trwls_slices.h"
 
 namespace glisson::registration {
 

@@ -1,4 +1,4 @@
-#include "mechanics/meshfree/meshfree_dynamics.h"
+#include "mechanics/meshfree/internal/meshfree_dynamics.h"
 
 #include <cmath>
 #include <Eigen/LU>

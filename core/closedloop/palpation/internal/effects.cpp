@@ -1,4 +1,4 @@
-#include "closedloop/palpation/effects.h"
+#include "closedloop/palpation/internal/effects.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "mechanics/meshfree/meshfree_body.h"
+#include "mechanics/meshfree/internal/meshfree_body.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 
 #include "mechanics/dynamics/implicit_euler.h"
 #include "mechanics/elements/load_vector.h"
-#include "mechanics/meshfree/meshfree_body.h"
+#include "mechanics/meshfree/internal/meshfree_body.h"
 
 namespace glisson::mechanics {
 

@@ -2,7 +2,7 @@
 // The slice kernels in vectors of 16-bit words, by Google Highway: compiled for every instruction set that the
 // compiler knows, chosen when the program runs.
 
-#include "registration/trwls_slices_internal.h"
+#include "registration/internal/trwls_slices.h"
 
 namespace glisson::registration {
 

@@ -1,0 +1,46 @@
+#!/usr/bin/python3
+"""Judges `glisson-cli guide` on cases whose truth is known.
+
+    tests/support/guidance_judge.py GLISSON_CLI CASE [CASE ...]
+
+A CASE is a folder with guidance.json and truth.json (or truth/truth.json). For each frame: the mean and the largest
+error of the targets, the error of the best rigid motion that knows the truth, and how many targets lie within 2.5 of
+the stated standard deviations (90 % should).
+"""
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+
+def judged(program, folder):
+    truth_file = folder / "truth.json" if (folder / "truth.json").exists() else folder / "truth" / "truth.json"
+    truth = {frame["id"]: frame for frame in json.loads(truth_file.read_text())["frames"]}
+    with tempfile.TemporaryDirectory() as out:
+        subprocess.run([program, "guide", folder / "guidance.json", "--out", out], check=True, capture_output=True)
+        frames = json.loads((pathlib.Path(out) / "guidance.json").read_text())["frames"]
+    for frame in frames:
+        known = truth[frame["id"]]
+        at = {target["id"]: target["position_mm"] for target in known["targets"]}
+        errors = [math.dist(target["position_mm"], at[target["id"]]) for target in frame["targets"]]
+        within = [error < 2.5 * target["sd_mm"] for error, target in zip(errors, frame["targets"])]
+        yield frame, known["best_rigid_tre_mm"]["mean"], errors, within
+
+
+def main():
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    print(f"{'case':16}{'frame':6}{'mean mm':>8}{'max mm':>8}{'best rigid':>11}{'within':>8}{'seconds':>8}")
+    for case in map(pathlib.Path, sys.argv[2:]):
+        for frame, best_rigid, errors, within in judged(sys.argv[1], case):
+            if not errors:
+                print(f"{case.name:16}{frame['id']:6}not answered: {frame.get('note', '')}")
+                continue
+            print(f"{case.name:16}{frame['id']:6}{sum(errors) / len(errors):8.2f}{max(errors):8.2f}{best_rigid:11.2f}"
+                  f"{100 * sum(within) / len(within):7.0f}%{frame['seconds']:8.1f}")
+
+
+if __name__ == "__main__":
+    main()
