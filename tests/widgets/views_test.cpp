@@ -166,6 +166,22 @@ class ViewsTest : public QObject {
     QVERIFY(slice().window_width() != 9.0);
   }
 
+  // NIfTI names no unit: air and soft tissue tell a CT.
+  void a_ct_without_a_unit_is_known_by_its_values() {
+    const auto ct = slope("");
+    for (std::size_t k = 0; k < ct->values.size(); ++k)
+      ct->values[k] = k % 3 == 0 ? -1000.0F : 40.0F + static_cast<float>(k % 50);
+    Patient patient = block_patient({3, 2, 2}, {}, {});
+    patient.name = "CT as NIfTI";
+    patient.anatomy = ct;
+    window_->show_patient(patient);
+    QCOMPARE(child<QComboBox>("grey_window")->currentText(), "Liver");
+    QCOMPARE(slice().window_width(), 160.0);
+    const auto mr = slope("");
+    for (float& value : mr->values) value *= 30;
+    QVERIFY(!in_hounsfield_units(*mr));
+  }
+
   // Also by a window that opens the case another day.
   void grey_values_are_kept_for_the_case() {
     const TemporaryFolder folder;

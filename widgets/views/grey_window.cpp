@@ -23,7 +23,18 @@ GreyWindow automatic_window(const imaging::Volume& volume) {
   return {0.5 * (low + high), std::max(high - low, 1e-3)};
 }
 
-bool in_hounsfield_units(const imaging::Volume& volume) { return volume.unit == "HU"; }  // a unit, not translated
+bool in_hounsfield_units(const imaging::Volume& volume) {
+  if (!volume.unit.empty()) return volume.unit == "HU";  // a unit, not translated
+  constexpr std::size_t most_samples = 4000;
+  const std::size_t stride = std::max<std::size_t>(1, volume.values.size() / most_samples);
+  std::size_t samples = 0, air = 0, tissue = 0;
+  for (std::size_t k = 0; k < volume.values.size(); k += stride, ++samples) {
+    const float value = volume.values[k];
+    if (value >= -1100 && value <= -800) ++air;
+    if (value >= -150 && value <= 250) ++tissue;
+  }
+  return 50 * air > samples && 10 * tissue > samples;
+}
 
 GreyWindow first_window(const imaging::Volume& volume) {
   return *window_of(in_hounsfield_units(volume) ? WindowPreset::liver : WindowPreset::automatic, volume);
