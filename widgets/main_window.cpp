@@ -4,10 +4,8 @@
 #include <cmath>
 #include <QCloseEvent>
 #include <QDropEvent>
-#include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QScreen>
 #include <QSplitter>
 #include <QStackedLayout>
 #include <QStatusBar>
@@ -16,12 +14,8 @@
 
 #include "base/files.h"
 #include "base/result.h"
-#include "diary/diary_window.h"
 #include "evidence/evidence_view.h"
-#include "help/shortcuts_window.h"
-#include "help/tour_stops.h"
 #include "model/model_panel.h"
-#include "panels/ask_path.h"
 #include "panels/platform_view.h"
 #include "register/register_page.h"
 #include "report/report_view.h"
@@ -29,11 +23,10 @@
 #include "segment/segment_panel.h"
 #include "session/load_patient.h"
 #include "settings/settings.h"
-#include "settings/settings_window.h"
+#include "settings/window_place.h"
 #include "study/study_page.h"
 #include "views/measure_list.h"
 #include "views/wave_view.h"
-#include "words/language_menu.h"
 #include "words/named.h"
 #include "words/paths.h"
 #include "words/told.h"
@@ -60,7 +53,7 @@ Patient named(Patient patient) {
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file()), open_work_(own_folder() / "open") {
   setAcceptDrops(true);
-  resize(QSize(1600, 1000).boundedTo(screen()->availableSize()));
+  new WindowPlace(*this, {1600, 1000});
   study_panel_ = new StudyPanel;
   auto* left = new QWidget;
   auto* left_column = new QVBoxLayout(left);
@@ -88,6 +81,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file
   notices_ = new Notices;
   rows->addWidget(notices_);
   rows->addWidget(pages_, 1);
+  notices_->float_over(*pages_);
   tour_ = new TourCard;
   rows->addWidget(tour_);
   setCentralWidget(whole);
@@ -102,7 +96,6 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file
   diary_.note("The window is made.");
   worded(this, [this] {
     word_patient();
-    show_figures();
     patient_views_->reword();
     QTimer::singleShot(0, this, [this] { name_controls(*this); });  // once all of it has its words
   });
@@ -176,23 +169,25 @@ void MainWindow::go_to(const QString& workspace_id) {
 QString MainWindow::workspace() const { return workspaces_.at(static_cast<std::size_t>(bar_->current())).id; }
 
 Bench MainWindow::bench() {
-  return {.work = work_,
-          .views = *views_,
-          .patient_views = *patient_views_,
-          .rehearsal = rehearsal_,
-          .undo = undo_,
-          .patient = [this]() -> const Patient& { return patient_; },
-          .change = [this](const QString& title, auto loader) { change(title, std::move(loader)); },
-          .open =
-              [this](const QString& title, auto loader) {
-                load(title, [loader = std::move(loader)](const Progress& progress, const FirstLook& /*first_look*/) {
-                  return loader(progress);
-                });
-              },
-          .tell_error = [this](const Error& error) { show_error(error); },
-          .tell_status = [this](const QString& text) { status_->say(text); },
-          .go_to = [this](const QString& workspace_id) { go_to(workspace_id); },
-          .list_structures = [this](const auto& drawn) { study_panel_->list(drawn ? *drawn : patient_.structures); }};
+  return {
+      .work = work_,
+      .views = *views_,
+      .patient_views = *patient_views_,
+      .rehearsal = rehearsal_,
+      .undo = undo_,
+      .patient = [this]() -> const Patient& { return patient_; },
+      .change = [this](const QString& title, auto loader) { change(title, std::move(loader)); },
+      .open =
+          [this](const QString& title, auto loader) {
+            load(title, [loader = std::move(loader)](const Progress& progress, const FirstLook& /*first_look*/) {
+              return loader(progress);
+            });
+          },
+      .may_change = [this] { return may_change(); },
+      .tell_error = [this](const Error& error) { show_error(error); },
+      .tell_status = [this](const QString& text) { status_->say(text); },
+      .go_to = [this](const QString& workspace_id) { go_to(workspace_id); },
+      .list_structures = [this](const auto& drawn) { study_panel_->list(drawn ? *drawn : patient_.all_structures()); }};
 }
 
 void MainWindow::open_path(const fs::path& opened) {
@@ -229,12 +224,13 @@ void MainWindow::show_patient(const Patient& patient) {
   notices_->close_notice();
   notices_->show_origin(patient.origin);
   if (!patient.remarks.empty()) {
-    notices_->say([remarks = patient.remarks] {
+    notices_->note([remarks = patient.remarks] {
       QStringList sentences;
       for (const Sentence& remark : remarks) sentences << told(remark);
       return sentences.join(" ");
     });
   }
+  hold_.take(patient.folder);
   study_panel_->show_patient(patient);
   view_bar_->show_patient(patient);
   patient_views_->show_patient(patient);
@@ -244,7 +240,8 @@ void MainWindow::show_patient(const Patient& patient) {
     rehearsal_.set_body(patient.rehearsal, patient.rehearsal_setup);
   }
   rehearsal_undo_.begin();
-  undo_.open_case(patient.folder);
+  undo_.refuse(hold_.refusal());
+  undo_.open_case(hold_.refusal() ? fs::path() : patient.folder);
   for (const Workspace& workspace : workspaces_) workspace.show_patient(patient);
   bar_->show_patient(patient);
   allow_for_case();
@@ -267,73 +264,6 @@ void MainWindow::allow_for_case() {
 
 void MainWindow::word_patient() {
   setWindowTitle(patient_.name.empty() ? tr("Glisson") : tr("%1 - Glisson").arg(patient_label(patient_.name)));
-}
-
-void MainWindow::make_menus() {
-  QMenu* file = menuBar()->addMenu(QString());
-  QAction* open_case =
-      file->addAction(QIcon(":/icons/open.svg"), {}, QKeySequence::Open, this, &MainWindow::choose_case);
-  QAction* open_images = file->addAction({}, QKeySequence("Ctrl+Shift+O"), this, &MainWindow::choose_study);
-  QAction* open_demo = file->addAction({}, QKeySequence("Ctrl+D"), this, &MainWindow::open_demo);
-  QMenu* recent = file->addMenu(QString());
-  connect(recent, &QMenu::aboutToShow, this, [this, recent] { list_recent(*recent); });
-  add_labels_ = file->addAction({}, this, &MainWindow::choose_labels);
-  add_labels_->setObjectName("add_labels");
-  file->addSeparator();
-  export_ = new ExportMenu(bench(), this);
-  file->addMenu(export_);
-  save_picture_ = file->addAction({}, QKeySequence::Save, this, &MainWindow::save_picture);
-  show_waves_ = file->addAction({}, QKeySequence("Ctrl+W"), this, &MainWindow::show_waves);
-  close_case_ = file->addAction({}, this, &MainWindow::close_case);
-  close_case_->setObjectName("close_case");
-  export_->addSeparator();
-  export_->addAction(save_picture_);
-  allow_for_case();
-  file->addSeparator();
-  QAction* settings = file->addAction({}, QKeySequence("Ctrl+,"), this, [this] { SettingsWindow(this).exec(); });
-  settings->setObjectName("settings");
-  file->addSeparator();
-  QAction* quit = file->addAction({}, QKeySequence::Quit, this, &QWidget::close);
-  QMenu* edit = menuBar()->addMenu(QString());
-  edit->addActions({undo_.undo_action(), undo_.redo_action()});
-  QMenu* view_menu = menuBar()->addMenu(QString());
-  view_bar_->fill(*view_menu);
-  go_menu_ = menuBar()->addMenu(QString());
-  menuBar()->addMenu(new LanguageMenu(this));
-  QMenu* help = menuBar()->addMenu(QString());
-  QAction* manual = help->addAction({}, QKeySequence::HelpContents, this, &MainWindow::show_manual);
-  QAction* tour = help->addAction({}, this, &MainWindow::take_tour);
-  tour->setObjectName("take_tour");
-  QAction* keys = help->addAction({}, QKeySequence("Ctrl+F1"), this, [this] { (new ShortcutsWindow(this))->show(); });
-  keys->setObjectName("keys");
-  QAction* diary = help->addAction({}, this, &MainWindow::show_diary);
-  diary->setObjectName("log");
-  help->addSeparator();
-  QAction* about = help->addAction({}, this, &MainWindow::about);
-  worded(this, [=, this] {
-    file->setTitle(tr("&File"));
-    open_case->setText(tr("&Open a case..."));
-    open_images->setText(tr("Open &images..."));
-    open_demo->setText(tr("Open the &demo patient"));
-    recent->setTitle(tr("Open &recent"));
-    add_labels_->setText(tr("&Add labels..."));
-    export_->setTitle(tr("&Export"));
-    close_case_->setText(tr("&Close the case"));
-    settings->setText(tr("Se&ttings..."));
-    tour->setText(tr("&Tour on the demo patient"));
-    keys->setText(tr("&Keys..."));
-    diary->setText(tr("&Log and problems..."));
-    save_picture_->setText(tr("&Save the picture..."));
-    show_waves_->setText(tr("Elastography &waves..."));
-    quit->setText(tr("&Quit"));
-    edit->setTitle(tr("&Edit"));
-    view_menu->setTitle(tr("&View"));
-    undo_.name_actions();
-    go_menu_->setTitle(tr("&Go"));
-    help->setTitle(tr("&Help"));
-    manual->setText(tr("&Manual"));
-    about->setText(tr("&About Glisson"));
-  });
 }
 
 QWidget* MainWindow::make_centre() {
@@ -368,16 +298,24 @@ QWidget* MainWindow::make_centre() {
 }
 
 void MainWindow::connect_parts() {
-  connect(&work_, &BackgroundWork::started, this, [this] { diary_.note("Long work began."); });
+  connect(&work_, &BackgroundWork::started, this, [this](const QString& title) {
+    changing_ = title == last_change_ ? title : QString();
+    diary_.note("Long work began.");
+  });
   connect(&work_, &BackgroundWork::progressed, this, [this](double fraction, const QString& stage) {
     if (!stage.isEmpty()) welcome_->show_stage(tr("%1 (%2 %)").arg(told_stage(stage)).arg(100 * fraction, 0, 'f', 0));
   });
   connect(&work_, &BackgroundWork::finished, this, [this] {
+    changing_.clear();
     welcome_->show_stage({});
     diary_.note("Long work ended.", status_->work_ms());
   });
   connect(&work_, &BackgroundWork::refused, this, [this] {
-    notices_->say([] { return tr("Something else is still under way. Wait for it, or cancel it first."); });
+    notices_->note([] { return tr("Something else is still under way. Wait for it, or cancel it first."); });
+  });
+  connect(&hold_, &CaseHold::changed, this, [this] {
+    undo_.refuse(hold_.refusal());
+    if (hold_.refusal()) show_error(*hold_.refusal());
   });
   connect(&work_, &BackgroundWork::broke, this, [this](const QString& what) {
     diary_.note_defect();
@@ -400,6 +338,7 @@ void MainWindow::connect_parts() {
       pages_->setCurrentIndex(0);
       panels_->setCurrentWidget(workspace.widget);
     }
+    notices_->set_origin_shown(workspace.id != "register");  // its sequence has an origin of its own
     keep_open_work();
   });
   connect(study_panel_, &StudyPanel::slice_image_chosen, patient_views_, &PatientViews::set_slice_image);
@@ -441,26 +380,9 @@ void MainWindow::connect_parts() {
           [this](double solve_ms) { status_->say(tr("Tool placed in %1 ms.").arg(solve_ms, 0, 'f', 0)); });
 }
 
-void MainWindow::choose_case() {
-  const QString chosen = ask_for_file_or_folder(this, tr("Open a case (a folder NAME.glisson)"));
-  if (!chosen.isEmpty()) open_path(path_of(chosen));
-}
-
-void MainWindow::choose_study() {
-  const QString chosen = ask_for_file_or_folder(this, tr("Open images: a folder, or a file of them"));
-  if (!chosen.isEmpty()) open_path(path_of(chosen));
-}
-
-void MainWindow::choose_labels() {
-  const QString file = ask_for_file(this, tr("Add labels"),
-                                    tr("Label maps and DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;"
-                                       "All files (*)"));
-  if (!file.isEmpty()) study_page_->add_labels(path_of(file));
-}
-
 void MainWindow::close_case() {
   if (work_.busy()) {
-    notices_->say([] { return tr("Something else is still under way. Wait for it, or cancel it first."); });
+    notices_->note([] { return tr("Something else is still under way. Wait for it, or cancel it first."); });
     return;
   }
   show_patient({});
@@ -469,76 +391,6 @@ void MainWindow::close_case() {
   allow_for_case();
   open_work_.forget();
   diary_.note("The case is closed.");
-}
-
-void MainWindow::save_picture() {
-  const QString name = "glisson.png";
-  const QString file = ask_where_to_save(this, tr("Save the picture"), name, tr("Pictures (*.png)"));
-  if (file.isEmpty()) return;
-  if (!views_->space().picture().save(file))
-    notices_->say([file] { return tr("The picture could not be written to %1.").arg(file); });
-}
-
-void MainWindow::show_manual() {
-  if (!manual_) {
-    const auto resources = resource_folder();
-    if (!resources) return show_error(resources.error());
-    manual_ = new ManualWindow(*resources / "manual", this);
-  }
-  manual_->show();
-  manual_->raise();
-  manual_->activateWindow();
-}
-
-void MainWindow::take_tour() {
-  if (patient_.name == demo_patient_name) return start_tour();
-  open_demo_then([this] { start_tour(); });
-}
-
-void MainWindow::start_tour() {
-  std::set<QString> there;
-  for (const Workspace& workspace : workspaces_) there.insert(workspace.id);
-  diary_.note("The tour begins.");
-  const auto press = [this](const char* button) {
-    return [this, button] {
-      auto* found = findChild<QAbstractButton*>(button);
-      if (found != nullptr && !work_.busy()) found->click();
-    };
-  };
-  const auto example_sequence = [this] {
-    auto* page = findChild<RegisterPage*>();
-    if (page == nullptr || page->has_sequence() || work_.busy()) return;
-    connect(page, &RegisterPage::opened, page, &RegisterPage::compute, Qt::SingleShotConnection);
-    page->open_example();
-  };
-  // Who goes on before Register has done is not kept waiting for it.
-  const auto evidence_example = [this, begin = press("evidence_example")] {
-    if (!work_.busy()) return begin();
-    constexpr auto once_later = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
-    connect(&work_, &BackgroundWork::finished, this, begin, once_later);
-    work_.cancel();
-  };
-  tour_->start(tour_stops(there, {{"rehearse", [this] { rehearse_panel_->hoist_segment_vi(); }},
-                                  {"resect", press("cut_through_crosshair")},
-                                  {"register", example_sequence},
-                                  {"evidence", evidence_example}}));
-}
-
-void MainWindow::show_diary() {
-  auto* window = new DiaryWindow(diary_, views_->space().drawn_by(), this);
-  window->setAttribute(Qt::WA_DeleteOnClose);
-  window->show();
-}
-
-void MainWindow::list_recent(QMenu& menu) {
-  menu.clear();
-  for (const fs::path& folder : recent_cases()) {
-    QAction* open = menu.addAction(text_of(folder.stem()), this, [this, folder] { open_path(folder); });
-    open->setToolTip(text_of(folder));
-  }
-  if (menu.isEmpty()) menu.addAction(tr("None yet"))->setEnabled(false);
-  menu.addSeparator();
-  menu.addAction(tr("Forget them"), this, [] { forget_recent_cases(); });
 }
 
 void MainWindow::offer_lost_work() {
@@ -587,14 +439,6 @@ void MainWindow::show_waves() {
   view->invert();
 }
 
-void MainWindow::about() {
-  QMessageBox::about(this, tr("About Glisson"),
-                     tr("<h3>Glisson %1</h3><p>Planning and reviewing liver surgery.</p>"
-                        "<p><b>Not a medical device.</b> Not for diagnosis or treatment.</p>"
-                        "<p>Free software under the GNU General Public License, version 3 or later.</p>")
-                         .arg(QString::fromStdString(version())));
-}
-
 void MainWindow::load(const QString& title, Loader loader, std::function<void()> once_shown) {
   if (patient_.preparing && work_.busy()) {  // a model that nobody will use: what is asked for now comes instead
     constexpr auto once_later = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
@@ -630,6 +474,8 @@ void MainWindow::load(const QString& title, Loader loader, std::function<void()>
 }
 
 void MainWindow::change(const QString& title, std::function<Result<Patient>(const Progress&)> loader) {
+  if (!may_change()) return;
+  last_change_ = title;  // it may have to wait for other work to give up
   load(title, [this, name = Sentence{title.toStdString(), {}}, loader = std::move(loader)](
                   const Progress& progress, const FirstLook& /*first_look*/) {
     Result<Patient> patient = failure("cancelled", {});
@@ -641,6 +487,11 @@ void MainWindow::change(const QString& title, std::function<Result<Patient>(cons
     if (patient && !recorded) patient->remarks.push_back({recorded.error().message(), {}});
     return patient;
   });
+}
+
+bool MainWindow::may_change() {
+  if (hold_.refusal()) show_error(*hold_.refusal());
+  return !hold_.refusal();
 }
 
 // Undone or done again. What a workspace shows of its own it reads itself; the patient is read anew.
@@ -671,22 +522,15 @@ void MainWindow::show_error(const Error& error) {
     status_->say(tr("Cancelled."));
     return;
   }
-  notices_->say([error] { return told(error); });
+  const auto words = [error] { return told(error); };
+  if (error.code == "case-open-elsewhere") return notices_->note(words);  // nothing went wrong
+  notices_->say(words);
 }
 
 void MainWindow::show_frame() {
   const auto& frame = rehearsal_.frame();
   patient_views_->show_frame(frame ? &*frame : nullptr, rehearse_panel_->tools_in_view());
   rehearse_panel_->show_drawing_ms(views_->space().last_frame_ms());
-  show_figures();
-}
-
-void MainWindow::show_figures() {
-  const auto& frame = rehearsal_.frame();
-  status_->show_figures(frame ? tr("Relative residual %1, answered in %2 ms")
-                                    .arg(frame->relative_residual, 0, 'e', 0)
-                                    .arg(frame->answer_ms, 0, 'f', 1)
-                              : QString());
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -701,7 +545,27 @@ void MainWindow::dropEvent(QDropEvent* event) {
   open_path(path_of(event->mimeData()->urls().front().toLocalFile()));
 }
 
+// What is half built is lost, which is worth a question; what only reads is given up without one.
+bool MainWindow::asked_to_give_up() {
+  QMessageBox question(
+      QMessageBox::Question, tr("Glisson"),
+      tr("%1 is still under way. If you close now, it is given up, and the case stays as it was.").arg(changing_),
+      QMessageBox::NoButton, this);
+  question.setObjectName("ask_close");
+  QPushButton* go_on = question.addButton(tr("Keep working"), QMessageBox::RejectRole);
+  QPushButton* give_up = question.addButton(tr("Give it up and close"), QMessageBox::AcceptRole);
+  give_up->setObjectName("give_up");
+  question.setDefaultButton(go_on);
+  question.setEscapeButton(go_on);
+  question.exec();
+  return question.clickedButton() == give_up;
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (work_.busy() && !changing_.isEmpty() && !asked_to_give_up()) {
+    event->ignore();
+    return;
+  }
   work_.cancel();
   open_work_.forget();
   QMainWindow::closeEvent(event);

@@ -19,6 +19,7 @@
 #include "panels/status_line.h"
 #include "panels/study_panel.h"
 #include "panels/welcome_page.h"
+#include "session/case_hold.h"
 #include "session/live_rehearsal.h"
 #include "session/load_patient.h"
 #include "session/open_work.h"
@@ -103,7 +104,8 @@ class MainWindow : public QMainWindow {
   void take_next_step(NextStep step);
   void show_error(const Error& error);
   void show_frame();
-  void show_figures();
+  [[nodiscard]] bool may_change();  // or says why not
+  [[nodiscard]] bool asked_to_give_up();
   void word_patient();
 
   Diary diary_;
@@ -111,10 +113,13 @@ class MainWindow : public QMainWindow {
   OpenWorkFile open_work_;
   std::optional<OpenWork> lost_work_;  // what a window before this one left open
   Patient patient_;
+  CaseHold hold_;
   LiveRehearsal rehearsal_;
   Undo undo_;
   RehearsalUndo rehearsal_undo_{rehearsal_, undo_};
   BackgroundWork work_;
+  QString last_change_;  // the title of work that changes the case, begun or waiting
+  QString changing_;     // the same while it is under way
   LinkedViews* views_ = nullptr;
   MeasureTool* measure_ = nullptr;
   ViewBar* view_bar_ = nullptr;

@@ -46,7 +46,7 @@ geometry::Box bounds(const Scene& scene) {
   geometry::Box box;
   bool empty = true;
   for (const SurfaceItem& item : scene.surfaces) {
-    take_in(box, empty, geometry::bounding_box(item.surface->points_mm));
+    if (item.framed) take_in(box, empty, geometry::bounding_box(item.surface->points_mm));
   }
   for (const SliceItem& item : scene.slices) take_in(box, empty, box_of(item.volume->grid));
   for (const LandmarkItem& item : scene.landmarks) {
@@ -67,7 +67,7 @@ Camera fit(const Scene& scene, PatientView view, double aspect) {
     seen.extend(Eigen::Vector2d(right.dot(p), camera.up.dot(p)));
   };
   for (const SurfaceItem& item : scene.surfaces) {
-    std::for_each(item.surface->points_mm.begin(), item.surface->points_mm.end(), take_in_point);
+    if (item.framed) std::for_each(item.surface->points_mm.begin(), item.surface->points_mm.end(), take_in_point);
   }
   for (const ArrowItem& item : scene.arrows) take_in_point(item.tail_mm), take_in_point(item.tip_mm);
   if (seen.isEmpty() || !scene.slices.empty()) return camera;

@@ -41,6 +41,7 @@ struct SurfaceItem {
   double opacity = 1;
   Finish finish = Finish::solid;
   std::optional<Colouring> colouring;
+  bool framed = true;  // whether a camera that shows everything has to show it too; a tool for thinking need not be
 };
 
 // The line along which a surface cuts a slice.
@@ -145,7 +146,7 @@ struct Scene {
   Annotations annotations;
 };
 
-// Everything the scene shows; an empty box at the origin for an empty scene.
+// Everything the scene shows, but for surfaces that are not framed; an empty box at the origin for an empty scene.
 [[nodiscard]] geometry::Box bounds(const Scene& scene);
 
 // The camera that looks from that side and shows everything, as large as the picture allows.

@@ -36,6 +36,12 @@ constexpr const char* light_shader =
     "  float facing = clamp(abs(normalVCVSOutput.z), 0.0, 1.0);\n"
     "  gl_FragData[0].a = opacity * mix(1.0, 0.45, facing);\n";
 
+// Darker towards its rim, so that a vessel stands out of what lies behind it.
+constexpr const char* solid_shader =
+    "//VTK::Light::Impl\n"
+    "  float facing = clamp(abs(normalVCVSOutput.z), 0.0, 1.0);\n"
+    "  gl_FragData[0].rgb *= mix(0.45, 1.0, smoothstep(0.05, 0.50, facing));\n";
+
 // Adds to what is there instead of covering it. In VTK's opaque pass, because the passes for what is translucent bring
 // their own blending; and without the test of depth, as light has it.
 class AddingActor : public vtkOpenGLActor {
@@ -124,6 +130,9 @@ SurfaceActor::SurfaceActor(vtkRenderer& renderer, const SurfaceItem& item)
   property.SetSpecularPower(28);
   if (item.finish == Finish::glass && item.opacity < 1) shade_as_glass();
   if (item.finish == Finish::light) shade_as_light();
+  // Colours that stand for values stay as the legend has them.
+  if (item.finish == Finish::solid && item.opacity >= 1 && !item.colouring)
+    actor_->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, solid_shader, false);
   if (item.colouring) colour_by(*item.colouring);
   renderer_.AddActor(actor_);
 }

@@ -113,6 +113,11 @@ void View::set_drawn_lines(const std::vector<DrawnLines>& lines) { changes_.draw
 void View::set_drawn_cells(const std::optional<DrawnCells>& cells) { changes_.drawn_cells = cells; }
 void View::set_detail(Detail detail) { changes_.detail = detail; }
 
+void View::set_size(int width, int height) {
+  frame_.width = width;
+  frame_.height = height;
+}
+
 void View::set_pixel_scale(double pixel_scale) {
   if (pixel_scale == pixel_scale_) return;
   pixel_scale_ = pixel_scale;

@@ -44,6 +44,8 @@ class View {
   // How many device pixels one pixel of line width or text stands for (2 on a high-resolution screen).
   void set_pixel_scale(double pixel_scale);
   void set_detail(Detail detail);
+  // In device pixels, until changes are taken for another size: what pixels are asked for.
+  void set_size(int width, int height);
   void set_camera(const Camera& camera);
   [[nodiscard]] const Camera& camera() const { return frame_.camera; }
 

@@ -4073,6 +4073,30 @@
         <translation>Nach den Klassennummern von TotalSegmentator benannt: Prüfen Sie, ob sie stimmen.</translation>
     </message>
     <message>
+        <source>Another window has {0} open: here it can be looked at, and nothing is changed.</source>
+        <translation>{0} ist in einem anderen Fenster offen: Hier wird es nur gezeigt, und nichts wird geändert.</translation>
+    </message>
+    <message>
+        <source>Close it there and open it here again.</source>
+        <translation>Schließen Sie es dort, und öffnen Sie es hier erneut.</translation>
+    </message>
+    <message>
+        <source>The folder of {0} takes no files: the case can be looked at, and nothing is kept.</source>
+        <translation>Der Ordner von {0} nimmt keine Dateien an: Der Fall lässt sich ansehen, doch nichts wird behalten.</translation>
+    </message>
+    <message>
+        <source>Copy it to where you may write, and open the copy.</source>
+        <translation>Kopieren Sie ihn an einen Ort, an dem Sie schreiben dürfen, und öffnen Sie die Kopie.</translation>
+    </message>
+    <message>
+        <source>The folder {0} is gone: nothing more of this case can be kept.</source>
+        <translation>Der Ordner {0} ist fort: Von diesem Fall lässt sich nichts mehr behalten.</translation>
+    </message>
+    <message>
+        <source>Bring it back to its place, or open the case where it is now.</source>
+        <translation>Bringen Sie ihn an seinen Platz zurück, oder öffnen Sie den Fall dort, wo er jetzt ist.</translation>
+    </message>
+    <message>
         <source>Less than 5 % of the organ is seen: too little to say where the rest is.</source>
         <translation>Weniger als 5 % des Organs sind zu sehen: zu wenig, um zu sagen, wo der Rest liegt.</translation>
     </message>
@@ -5332,10 +5356,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <translation>Abgebrochen.</translation>
     </message>
     <message>
-        <source>Relative residual %1, answered in %2 ms</source>
-        <translation>Relatives Residuum %1, Antwort in %2 ms</translation>
-    </message>
-    <message>
         <source>Elastography &amp;waves...</source>
         <translation>Elastographie-&amp;Wellen …</translation>
     </message>
@@ -5427,6 +5447,18 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <source>Label maps and DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;All files (*)</source>
         <translation>Labelkarten und DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>%1 is still under way. If you close now, it is given up, and the case stays as it was.</source>
+        <translation>%1 läuft noch. Wenn Sie jetzt schließen, wird das aufgegeben, und der Fall bleibt, wie er war.</translation>
+    </message>
+    <message>
+        <source>Keep working</source>
+        <translation>Weiterarbeiten</translation>
+    </message>
+    <message>
+        <source>Give it up and close</source>
+        <translation>Aufgeben und schließen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
@@ -5511,10 +5543,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>Stiffness</source>
         <translation>Steifigkeit</translation>
-    </message>
-    <message>
-        <source>What holds it</source>
-        <translation>Was sie hält</translation>
     </message>
     <message>
         <source>The patient</source>
@@ -5683,6 +5711,10 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>Young&apos;s modulus of a cell, kPa</source>
         <translation>Elastizitätsmodul einer Zelle, kPa</translation>
+    </message>
+    <message>
+        <source>Attachments</source>
+        <translation>Aufhängung</translation>
     </message>
 </context>
 <context>
@@ -6509,10 +6541,6 @@ figures</source>
         <translation>Einen Schnitt legen: was wegfällt, was bleibt, wie nah er an den Tumoren verläuft.</translation>
     </message>
     <message>
-        <source>Apart</source>
-        <translation>Auseinander</translation>
-    </message>
-    <message>
         <source>Draws the part that is removed away from the rest</source>
         <translation>Rückt den Teil, der entfernt wird, vom Rest ab</translation>
     </message>
@@ -6584,6 +6612,10 @@ figures</source>
         <source>The plan is in %1</source>
         <translation>Der Plan liegt in %1</translation>
     </message>
+    <message>
+        <source>Separation</source>
+        <translation>Trennen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ResectionResults</name>
@@ -6632,10 +6664,6 @@ figures</source>
         <translation>mm</translation>
     </message>
     <message>
-        <source>Mind</source>
-        <translation>Beachten</translation>
-    </message>
-    <message>
         <source>Smallest distance to the cut inside the liver</source>
         <translation>Kleinster Abstand zum Schnitt innerhalb der Leber</translation>
     </message>
@@ -6666,6 +6694,10 @@ figures</source>
     <message>
         <source>&lt;b&gt;%1 ml&lt;/b&gt; stay (%2 %)</source>
         <translation>&lt;b&gt;%1 ml&lt;/b&gt; bleiben (%2 %)</translation>
+    </message>
+    <message>
+        <source>Caution</source>
+        <translation>Vorsicht</translation>
     </message>
 </context>
 <context>
@@ -7342,6 +7374,14 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
         <translation>%1 Voxel,
 je %2</translation>
     </message>
+    <message>
+        <source>%1 (fixed)</source>
+        <translation>%1 (fest)</translation>
+    </message>
+    <message>
+        <source>No part of the model: drawn where it was outlined, it does not move.</source>
+        <translation>Nicht Teil des Modells: gezeichnet, wo es umrissen wurde; es bewegt sich nicht.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SuspectsTable</name>
@@ -7547,16 +7587,16 @@ je %2</translation>
         <translation>Der Körper des Instruments in Berührung mit der Leber, und mehrere Instrumente zugleich. Sonst verteilt sich die Kraft auf eine Fläche.</translation>
     </message>
     <message>
-        <source>Keep it, take another</source>
-        <translation>Lassen, ein weiteres nehmen</translation>
-    </message>
-    <message>
         <source>Several tools at once need rigid tools</source>
         <translation>Mehrere Instrumente zugleich gehen nur mit starren Instrumenten</translation>
     </message>
     <message>
         <source>Take the tool away</source>
         <translation>Instrument wegnehmen</translation>
+    </message>
+    <message>
+        <source>Add another tool</source>
+        <translation>Weiteres Instrument</translation>
     </message>
 </context>
 <context>
@@ -7859,14 +7899,6 @@ Von Hand: mit der rechten Taste ziehen</translation>
         <translation>Dreht die drei Schichten dorthin, wo der Chirurg steht. Von Hand: an den Griffen des Fadenkreuzes ziehen, oder Strg und ziehen</translation>
     </message>
     <message>
-        <source>S&amp;traight</source>
-        <translation>Gera&amp;de</translation>
-    </message>
-    <message>
-        <source>The slices along the body again</source>
-        <translation>Die Schichten wieder entlang des Körpers</translation>
-    </message>
-    <message>
         <source>&amp;Four views</source>
         <translation>&amp;Vier Ansichten</translation>
     </message>
@@ -7893,6 +7925,26 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>What there is no room for here</source>
         <translation>Wofür hier kein Platz ist</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>S&amp;tandard planes</source>
+        <translation>S&amp;tandardebenen</translation>
+    </message>
+    <message>
+        <source>Transverse, coronal and sagittal slices again</source>
+        <translation>Wieder transversale, koronare und sagittale Schichten</translation>
+    </message>
+    <message>
+        <source>W %1  L %2</source>
+        <translation>W %1  L %2</translation>
     </message>
 </context>
 <context>

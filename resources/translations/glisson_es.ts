@@ -4073,6 +4073,30 @@
         <translation>Nombrado por los números de clase de TotalSegmentator: compruebe que son correctos.</translation>
     </message>
     <message>
+        <source>Another window has {0} open: here it can be looked at, and nothing is changed.</source>
+        <translation>Otra ventana tiene abierto {0}: aquí se puede mirar, y nada se cambia.</translation>
+    </message>
+    <message>
+        <source>Close it there and open it here again.</source>
+        <translation>Ciérrelo allí y vuelva a abrirlo aquí.</translation>
+    </message>
+    <message>
+        <source>The folder of {0} takes no files: the case can be looked at, and nothing is kept.</source>
+        <translation>La carpeta de {0} no admite archivos: el caso se puede mirar, y nada se guarda.</translation>
+    </message>
+    <message>
+        <source>Copy it to where you may write, and open the copy.</source>
+        <translation>Cópielo a donde pueda escribir y abra la copia.</translation>
+    </message>
+    <message>
+        <source>The folder {0} is gone: nothing more of this case can be kept.</source>
+        <translation>La carpeta {0} ha desaparecido: nada más de este caso se puede guardar.</translation>
+    </message>
+    <message>
+        <source>Bring it back to its place, or open the case where it is now.</source>
+        <translation>Devuélvala a su sitio, o abra el caso donde esté ahora.</translation>
+    </message>
+    <message>
         <source>Less than 5 % of the organ is seen: too little to say where the rest is.</source>
         <translation>Se ve menos del 5 % del órgano: demasiado poco para decir dónde está el resto.</translation>
     </message>
@@ -5334,10 +5358,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <translation>Cancelado.</translation>
     </message>
     <message>
-        <source>Relative residual %1, answered in %2 ms</source>
-        <translation>Residuo relativo %1, respuesta en %2 ms</translation>
-    </message>
-    <message>
         <source>Elastography &amp;waves...</source>
         <translation>&amp;Ondas de elastografía…</translation>
     </message>
@@ -5429,6 +5449,18 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <source>Label maps and DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;All files (*)</source>
         <translation>Mapas de etiquetas y DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;Todos los archivos (*)</translation>
     </message>
+    <message>
+        <source>%1 is still under way. If you close now, it is given up, and the case stays as it was.</source>
+        <translation>%1 sigue en curso. Si cierra ahora, se abandona y el caso queda como estaba.</translation>
+    </message>
+    <message>
+        <source>Keep working</source>
+        <translation>Seguir</translation>
+    </message>
+    <message>
+        <source>Give it up and close</source>
+        <translation>Abandonar y cerrar</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
@@ -5513,10 +5545,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>Stiffness</source>
         <translation>Rigidez</translation>
-    </message>
-    <message>
-        <source>What holds it</source>
-        <translation>Qué lo sujeta</translation>
     </message>
     <message>
         <source>The patient</source>
@@ -5685,6 +5713,10 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>Young&apos;s modulus of a cell, kPa</source>
         <translation>módulo de Young de una celda, kPa</translation>
+    </message>
+    <message>
+        <source>Attachments</source>
+        <translation>Fijaciones</translation>
     </message>
 </context>
 <context>
@@ -6512,10 +6544,6 @@ supuestas</translation>
         <translation>Trazar una sección: qué se va, qué queda, a qué distancia de los tumores pasa.</translation>
     </message>
     <message>
-        <source>Apart</source>
-        <translation>Separación</translation>
-    </message>
-    <message>
         <source>Draws the part that is removed away from the rest</source>
         <translation>Aparta del resto la parte que se extirpa</translation>
     </message>
@@ -6587,6 +6615,10 @@ supuestas</translation>
         <source>The plan is in %1</source>
         <translation>El plan está en %1</translation>
     </message>
+    <message>
+        <source>Separation</source>
+        <translation>Separación</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ResectionResults</name>
@@ -6635,10 +6667,6 @@ supuestas</translation>
         <translation>mm</translation>
     </message>
     <message>
-        <source>Mind</source>
-        <translation>Atención</translation>
-    </message>
-    <message>
         <source>Smallest distance to the cut inside the liver</source>
         <translation>Menor distancia a la sección dentro del hígado</translation>
     </message>
@@ -6669,6 +6697,10 @@ supuestas</translation>
     <message>
         <source>&lt;b&gt;%1 ml&lt;/b&gt; stay (%2 %)</source>
         <translation>&lt;b&gt;%1 ml&lt;/b&gt; permanecen (%2 %)</translation>
+    </message>
+    <message>
+        <source>Caution</source>
+        <translation>Atención</translation>
     </message>
 </context>
 <context>
@@ -7345,6 +7377,14 @@ Módulo de Young %2 kPa (media)</translation>
         <translation>%1 vóxeles,
 de %2 cada uno</translation>
     </message>
+    <message>
+        <source>%1 (fixed)</source>
+        <translation>%1 (fijo)</translation>
+    </message>
+    <message>
+        <source>No part of the model: drawn where it was outlined, it does not move.</source>
+        <translation>No es parte del modelo: se dibuja donde se contorneó y no se mueve.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SuspectsTable</name>
@@ -7550,16 +7590,16 @@ de %2 cada uno</translation>
         <translation>El cuerpo del instrumento en contacto con el hígado, y varios instrumentos a la vez. Si no, la fuerza se reparte sobre una zona.</translation>
     </message>
     <message>
-        <source>Keep it, take another</source>
-        <translation>Dejarlo y tomar otro</translation>
-    </message>
-    <message>
         <source>Several tools at once need rigid tools</source>
         <translation>Varios instrumentos a la vez solo son posibles con instrumentos rígidos</translation>
     </message>
     <message>
         <source>Take the tool away</source>
         <translation>Retirar el instrumento</translation>
+    </message>
+    <message>
+        <source>Add another tool</source>
+        <translation>Añadir otro instrumento</translation>
     </message>
 </context>
 <context>
@@ -7862,14 +7902,6 @@ A mano: arrastre con el botón derecho</translation>
         <translation>Gira los tres cortes hacia donde está el cirujano. A mano: arrastre los tiradores de la cruz, o Ctrl y arrastrar</translation>
     </message>
     <message>
-        <source>S&amp;traight</source>
-        <translation>&amp;Recto</translation>
-    </message>
-    <message>
-        <source>The slices along the body again</source>
-        <translation>Los cortes de nuevo a lo largo del cuerpo</translation>
-    </message>
-    <message>
         <source>&amp;Four views</source>
         <translation>&amp;Cuatro vistas</translation>
     </message>
@@ -7896,6 +7928,26 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>What there is no room for here</source>
         <translation>Lo que no cabe aquí</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Propio</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>S&amp;tandard planes</source>
+        <translation>Planos es&amp;tándar</translation>
+    </message>
+    <message>
+        <source>Transverse, coronal and sagittal slices again</source>
+        <translation>De nuevo cortes transversales, coronales y sagitales</translation>
+    </message>
+    <message>
+        <source>W %1  L %2</source>
+        <translation>A %1  N %2</translation>
     </message>
 </context>
 <context>

@@ -4073,6 +4073,30 @@
         <translation>Nommé par les numéros de classe de TotalSegmentator : vérifiez qu&apos;ils sont justes.</translation>
     </message>
     <message>
+        <source>Another window has {0} open: here it can be looked at, and nothing is changed.</source>
+        <translation>{0} est ouvert dans une autre fenêtre : ici on peut le regarder, et rien n’est modifié.</translation>
+    </message>
+    <message>
+        <source>Close it there and open it here again.</source>
+        <translation>Fermez-le là-bas et rouvrez-le ici.</translation>
+    </message>
+    <message>
+        <source>The folder of {0} takes no files: the case can be looked at, and nothing is kept.</source>
+        <translation>Le dossier de {0} n’accepte pas de fichiers : on peut regarder le cas, et rien n’est conservé.</translation>
+    </message>
+    <message>
+        <source>Copy it to where you may write, and open the copy.</source>
+        <translation>Copiez-le là où vous pouvez écrire, et ouvrez la copie.</translation>
+    </message>
+    <message>
+        <source>The folder {0} is gone: nothing more of this case can be kept.</source>
+        <translation>Le dossier {0} a disparu : plus rien de ce cas ne peut être conservé.</translation>
+    </message>
+    <message>
+        <source>Bring it back to its place, or open the case where it is now.</source>
+        <translation>Remettez-le à sa place, ou ouvrez le cas là où il est maintenant.</translation>
+    </message>
+    <message>
         <source>Less than 5 % of the organ is seen: too little to say where the rest is.</source>
         <translation>Moins de 5 % de l&apos;organe est visible : trop peu pour dire où se trouve le reste.</translation>
     </message>
@@ -5334,10 +5358,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>Annulé.</translation>
     </message>
     <message>
-        <source>Relative residual %1, answered in %2 ms</source>
-        <translation>Résidu relatif&#xa0;%1, réponse en&#xa0;%2 ms</translation>
-    </message>
-    <message>
         <source>Elastography &amp;waves...</source>
         <translation>&amp;Ondes d’élastographie…</translation>
     </message>
@@ -5429,6 +5449,18 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <source>Label maps and DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;All files (*)</source>
         <translation>Cartes d&apos;étiquettes et DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;Tous les fichiers (*)</translation>
     </message>
+    <message>
+        <source>%1 is still under way. If you close now, it is given up, and the case stays as it was.</source>
+        <translation>%1 est encore en cours. Si vous fermez maintenant, c’est abandonné, et le cas reste tel qu’il était.</translation>
+    </message>
+    <message>
+        <source>Keep working</source>
+        <translation>Continuer</translation>
+    </message>
+    <message>
+        <source>Give it up and close</source>
+        <translation>Abandonner et fermer</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
@@ -5513,10 +5545,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>Stiffness</source>
         <translation>Rigidité</translation>
-    </message>
-    <message>
-        <source>What holds it</source>
-        <translation>Ce qui le tient</translation>
     </message>
     <message>
         <source>The patient</source>
@@ -5685,6 +5713,10 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>Young&apos;s modulus of a cell, kPa</source>
         <translation>module de Young d’une cellule, kPa</translation>
+    </message>
+    <message>
+        <source>Attachments</source>
+        <translation>Attaches</translation>
     </message>
 </context>
 <context>
@@ -6512,10 +6544,6 @@ supposés</translation>
         <translation>Poser une section&#xa0;: ce qui part, ce qui reste, à quelle distance des tumeurs elle passe.</translation>
     </message>
     <message>
-        <source>Apart</source>
-        <translation>Écart</translation>
-    </message>
-    <message>
         <source>Draws the part that is removed away from the rest</source>
         <translation>Écarte du reste la partie qui est retirée</translation>
     </message>
@@ -6587,6 +6615,10 @@ supposés</translation>
         <source>The plan is in %1</source>
         <translation>Le plan est dans %1</translation>
     </message>
+    <message>
+        <source>Separation</source>
+        <translation>Écartement</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ResectionResults</name>
@@ -6635,10 +6667,6 @@ supposés</translation>
         <translation>mm</translation>
     </message>
     <message>
-        <source>Mind</source>
-        <translation>À noter</translation>
-    </message>
-    <message>
         <source>Smallest distance to the cut inside the liver</source>
         <translation>Plus petite distance à la section à l’intérieur du foie</translation>
     </message>
@@ -6669,6 +6697,10 @@ supposés</translation>
     <message>
         <source>&lt;b&gt;%1 ml&lt;/b&gt; stay (%2 %)</source>
         <translation>&lt;b&gt;%1 ml&lt;/b&gt; restent (%2 %)</translation>
+    </message>
+    <message>
+        <source>Caution</source>
+        <translation>Attention</translation>
     </message>
 </context>
 <context>
@@ -7345,6 +7377,14 @@ Module de Young&#xa0;%2 kPa (moyenne)</translation>
         <translation>%1 voxels,
 de %2 chacun</translation>
     </message>
+    <message>
+        <source>%1 (fixed)</source>
+        <translation>%1 (fixe)</translation>
+    </message>
+    <message>
+        <source>No part of the model: drawn where it was outlined, it does not move.</source>
+        <translation>Ne fait pas partie du modèle : dessiné là où il a été délimité, il ne bouge pas.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SuspectsTable</name>
@@ -7550,16 +7590,16 @@ de %2 chacun</translation>
         <translation>Le solide de l’instrument au contact du foie, et plusieurs instruments à la fois. Sinon, la force est répartie sur une surface.</translation>
     </message>
     <message>
-        <source>Keep it, take another</source>
-        <translation>Le laisser, en prendre un autre</translation>
-    </message>
-    <message>
         <source>Several tools at once need rigid tools</source>
         <translation>Plusieurs instruments à la fois ne sont possibles qu’avec des instruments rigides</translation>
     </message>
     <message>
         <source>Take the tool away</source>
         <translation>Retirer l’instrument</translation>
+    </message>
+    <message>
+        <source>Add another tool</source>
+        <translation>Ajouter un autre instrument</translation>
     </message>
 </context>
 <context>
@@ -7862,14 +7902,6 @@ By hand: drag with the right button</source>
         <translation>Tourne les trois coupes vers là où se tient le chirurgien. À la main&#xa0;: tirez les poignées du réticule, ou Ctrl et glisser</translation>
     </message>
     <message>
-        <source>S&amp;traight</source>
-        <translation>D&amp;roit</translation>
-    </message>
-    <message>
-        <source>The slices along the body again</source>
-        <translation>Les coupes de nouveau le long du corps</translation>
-    </message>
-    <message>
         <source>&amp;Four views</source>
         <translation>&amp;Quatre vues</translation>
     </message>
@@ -7896,6 +7928,26 @@ By hand: drag with the right button</source>
     <message>
         <source>What there is no room for here</source>
         <translation>Ce qui ne tient pas ici</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Personnalisé</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>S&amp;tandard planes</source>
+        <translation>Plans s&amp;tandard</translation>
+    </message>
+    <message>
+        <source>Transverse, coronal and sagittal slices again</source>
+        <translation>De nouveau des coupes transversales, coronales et sagittales</translation>
+    </message>
+    <message>
+        <source>W %1  L %2</source>
+        <translation>L %1  N %2</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,7 @@
 
 #include "base/files.h"
 #include "block_patient.h"
+#include "kept_pictures.h"
 #include "main_window.h"
 #include "run_test.h"
 #include "shown.h"
@@ -212,6 +213,26 @@ class RehearseTest : public QObject {
     // The nearest triangle's middle; bricks are 20 mm wide.
     QVERIFY(std::abs(rehearsal().tool_center_mm().y()) < 1e-9);
     QVERIFY((rehearsal().tool_center_mm() - Eigen::Vector3d(60, 0, 40)).norm() < 15);
+  }
+
+  // With no force nothing moves: what differs in the picture is the instrument.
+  void each_tool_looks_like_itself() {
+    rehearsal().set_touch(Touch::patch);
+    space().look_from(scene::PatientView::surgeon);
+    scene::Camera from_afar = space().view().camera();
+    from_afar.visible_height_mm = 450;
+    space().view().set_camera(from_afar);
+    std::vector<QImage> pictures;
+    for (const char* preset : {"palpation-probe", "grasper", "nathanson-retractor"}) {
+      rehearsal().hold_all({});
+      rehearsal().hold({preset, {60, 0, 40}, {0, -1, 0}, 10, {0, 1, 0}, 0.0});
+      QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
+      pictures.push_back(space().picture());
+      QVERIFY(pictures.back().save(glisson::test::kept_picture((std::string("tool-") + preset + ".png").c_str())));
+    }
+    QVERIFY(pictures[0] != pictures[1]);
+    QVERIFY(pictures[1] != pictures[2]);
+    QVERIFY(pictures[0] != pictures[2]);
   }
 
   void cleanupTestCase() { window_.reset(); }

@@ -57,6 +57,50 @@ class ResectTest : public QObject {
     QVERIFY(!child<QPushButton>("other_part")->isEnabled());
   }
 
+  // The eye stays where it is, and what is drawn of the plane is little more than the liver.
+  void a_cut_never_moves_the_camera() {
+    SpaceView& space = window_->views().space();
+    space.frame_all();
+    const QSize size = space.size();
+    const scene::Camera before = space.view().camera();
+    window_->views().set_crosshair({85, 40, 40});
+    QTest::mouseClick(child<QPushButton>("cut_through_crosshair"), Qt::LeftButton);
+    await_specimen_ml(224);
+    for (const char* shift_mm : {"10", "200", "0"}) {
+      type("cut_shift", shift_mm);
+      QTest::qWait(150);
+    }
+    await_specimen_ml(384);
+    QCOMPARE(space.size(), size);
+    QVERIFY(same(space.view().camera(), before));
+    // Nor does the plane count when a larger window shows everything again.
+    window_->resize(window_->size() + QSize(60, 40));
+    QTRY_VERIFY(space.size() != size);
+    window_->resize(window_->size() - QSize(60, 40));
+    QTRY_COMPARE(space.size(), size);
+    QVERIFY(same(space.view().camera(), before));
+    space.look_from(scene::PatientView::surgeon);
+    QVERIFY(same(space.view().camera(), before));
+    QTest::mouseClick(child<QPushButton>("no_cut"), Qt::LeftButton);
+  }
+
+  void the_plane_is_drawn_within_its_box() {
+    const geometry::Box box{{-10, -10, -10}, {130, 90, 90}};
+    CutPlane plane{{60, 40, 40}, 0, 0, 0};
+    for (const auto& normal : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(0, 0.2, -1)}) {
+      plane.put({70, 40, 45}, normal);
+      const geometry::Surface part = part_within(plane, box);
+      QVERIFY(geometry::check_surface(part).has_value());
+      for (const Eigen::Vector3d& point : part.points_mm) {
+        QVERIFY(std::abs((point - plane.point_mm()).dot(plane.normal())) < 1e-6);
+        QVERIFY(((point - box.min_mm).array() > -1e-6).all() && ((box.max_mm - point).array() > -1e-6).all());
+      }
+      QVERIFY(geometry::area_mm2(part) > 9000);  // the box's smallest section through there is 100 x 100 mm
+    }
+    plane.put({600, 40, 40}, {1, 0, 0});  // it passes the box by
+    QVERIFY(geometry::area_mm2(part_within(plane, box)) < 1000);
+  }
+
   void puts_a_plane_through_the_crosshair() {
     window_->views().set_crosshair({85, 40, 40});
     child<QComboBox>("cut_across")->setCurrentIndex(0);
@@ -218,6 +262,10 @@ class ResectTest : public QObject {
   void shuts_down_cleanly() { window_.reset(); }
 
  private:
+  static bool same(const scene::Camera& a, const scene::Camera& b) {
+    return (a.focus_mm - b.focus_mm).norm() < 1e-6 && (a.sight - b.sight).norm() < 1e-9 &&
+           std::abs(a.visible_height_mm - b.visible_height_mm) < 1e-6;
+  }
   template <typename Widget>
   Widget* child(const char* name) {
     return child_of<Widget>(*panel_, name);

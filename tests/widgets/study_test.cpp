@@ -73,6 +73,11 @@ class StudyTest : public QObject {
     window_ = shown_window();
   }
 
+  void offers_no_case_where_there_are_no_images() {
+    window_->go_to("study");
+    QVERIFY(!make()->isVisible());
+  }
+
   void takes_only_one_folder_or_file_that_is_dropped() {
     QVERIFY(drag({QUrl::fromLocalFile(QString::fromStdString(study().string()))}));
     QVERIFY(!drag({QUrl("https://example.org/study")}));
@@ -113,6 +118,7 @@ class StudyTest : public QObject {
     for (const int k : {0, 1}) choice(k)->setCurrentIndex(choice(k)->count() - 1);
     QVERIFY(!make()->isEnabled());
     QVERIFY(make()->toolTip().contains("role"));
+    QVERIFY(!is_bright(*make()));
   }
 
   void imports_the_series_that_the_person_chooses() {
@@ -122,6 +128,7 @@ class StudyTest : public QObject {
     keep_as->selectAll();
     QTest::keyClicks(keep_as, QString::fromStdString(case_folder().string()));
     QVERIFY(make()->isEnabled());
+    QVERIFY(is_bright(*make()));
     QTest::mouseClick(make(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(window_->workspace() == "segment" && next_step()->isVisible(), patience_ms);
     QVERIFY(fs::exists(case_folder() / "case.json"));
@@ -171,6 +178,10 @@ class StudyTest : public QObject {
   [[nodiscard]] fs::path study() const { return folder_.path() / "study"; }
   [[nodiscard]] fs::path case_folder() const { return folder_.path() / "dropped.glisson"; }
   QPushButton* next_step() { return window_->findChild<QWidget*>("next_step")->findChild<QPushButton*>(); }
+
+  static bool is_bright(QWidget& button) {
+    return button.grab().toImage().pixelColor(6, button.height() / 2).saturation() > 120;
+  }
 
   bool drag(const QList<QUrl>& urls) {
     QMimeData dragged;

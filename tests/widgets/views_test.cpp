@@ -7,8 +7,10 @@
 #include <QTableWidget>
 #include <QtTest>
 
+#include "base/files.h"
 #include "block_patient.h"
 #include "main_window.h"
+#include "modelled_case.h"
 #include "run_test.h"
 #include "shown.h"
 #include "support/shapes.h"
@@ -105,9 +107,13 @@ class ViewsTest : public QObject {
 
   void grey_values_have_presets_where_they_are_hounsfield_units() {
     auto* choice = child<QComboBox>("grey_window");
+    const auto* told = child<QLabel>("window_told");
+    QCOMPARE(choice->currentText(), "Liver");  // what a CT opens with
+    QCOMPARE(told->text(), "W 160  L 60");
     choice->setFocus();
-    QTest::keyClick(choice, Qt::Key_Down);
+    QTest::keyClick(choice, Qt::Key_Up);
     QCOMPARE(choice->currentText(), "Abdomen");
+    QCOMPARE(told->text(), "W 400  L 40");
     for (SliceView* each : views().slices()) {
       QCOMPARE(each->window_center(), 40.0);
       QCOMPARE(each->window_width(), 400.0);
@@ -123,6 +129,9 @@ class ViewsTest : public QObject {
     move_pressed({120, 60}, Qt::RightButton);
     QTest::mouseRelease(&slice(), Qt::RightButton, Qt::NoModifier, {120, 60});
     QVERIFY(slice().window_width() > 200);
+    QCOMPARE(choice->currentText(), "Own");
+    QCOMPARE(told->text(),
+             QString("W %1  L %2").arg(slice().window_width(), 0, 'f', 0).arg(slice().window_center(), 0, 'f', 0));
     // Without units there is the automatic window alone.
     Patient other = block_patient({3, 2, 2}, {}, {});
     other.name = "MR";
@@ -155,6 +164,98 @@ class ViewsTest : public QObject {
     patient.name = "Another";
     window_->show_patient(patient);
     QVERIFY(slice().window_width() != 9.0);
+  }
+
+  // NIfTI names no unit: air and soft tissue tell a CT.
+  void a_ct_without_a_unit_is_known_by_its_values() {
+    const auto ct = slope("");
+    for (std::size_t k = 0; k < ct->values.size(); ++k)
+      ct->values[k] = k % 3 == 0 ? -1000.0F : 40.0F + static_cast<float>(k % 50);
+    Patient patient = block_patient({3, 2, 2}, {}, {});
+    patient.name = "CT as NIfTI";
+    patient.anatomy = ct;
+    window_->show_patient(patient);
+    QCOMPARE(child<QComboBox>("grey_window")->currentText(), "Liver");
+    QCOMPARE(slice().window_width(), 160.0);
+    const auto mr = slope("");
+    for (float& value : mr->values) value *= 30;
+    QVERIFY(!in_hounsfield_units(*mr));
+  }
+
+  // Also by a window that opens the case another day.
+  void grey_values_are_kept_for_the_case() {
+    const TemporaryFolder folder;
+    const auto of_case = [&](const char* name) {
+      Patient patient = block_patient({3, 2, 2}, {}, {});
+      patient.name = name;
+      patient.folder = folder.path() / name;
+      std::filesystem::create_directories(patient.folder);
+      patient.anatomy = slope("HU");
+      return patient;
+    };
+    window_->show_patient(of_case("kept"));
+    QCOMPARE(slice().window_width(), 160.0);
+    views().set_window(17, 9);
+    window_->show_patient(of_case("other"));
+    QCOMPARE(slice().window_width(), 160.0);
+    const auto another_day = shown_window();
+    another_day->show_patient(of_case("kept"));
+    QCOMPARE(another_day->views().window().center, 17.0);
+    QCOMPARE(another_day->views().window().width, 9.0);
+    QCOMPARE(child_of<QComboBox>(*another_day, "grey_window")->currentText(), "Own");
+  }
+
+  void a_picture_for_paper_has_smooth_edges_and_the_view_stays_as_it_is() {
+    SpaceView& space = views().space();
+    const QImage shown = space.picture();
+    const Eigen::Vector2d before = space.view().pixel_of({120, 40, 40});
+    const QImage smooth = space.smooth_picture();
+    QCOMPARE(smooth.size(), shown.size());
+    QVERIFY(smooth != shown);
+    QVERIFY((space.view().pixel_of({120, 40, 40}) - before).norm() < 1e-9);
+    QTest::qWait(100);
+    QVERIFY(space.picture() == shown);
+  }
+
+  // A gall bladder beside the liver: in every workspace, in its list as fixed, and gone when it is unticked.
+  void structures_outside_of_the_model_are_drawn() {
+    Patient patient = block_patient({3, 2, 2}, {}, {});
+    patient.name = "With a gall bladder";
+    patient.around = {{"gallbladder",
+                       std::make_shared<geometry::Surface>(glisson::test::sphere_surface(14, 2, {60, -30, 40})), 11.5,
+                       true}};
+    window_->show_patient(patient);
+    auto* structures = child<QTreeWidget>("structures");
+    QCOMPARE(structures->topLevelItemCount(), 2);
+    QTreeWidgetItem* row = structures->topLevelItem(1);
+    QCOMPARE(row->text(0), "Gallbladder (fixed)");
+    QVERIFY(row->toolTip(0).contains("does not move"));
+    views().space().look_from(scene::PatientView::anterior);
+    for (const char* workspace : {"model", "rehearse", "resect"}) {
+      window_->go_to(workspace);
+      row->setCheckState(0, Qt::Checked);
+      const int with = greenish(views().space().picture());
+      QVERIFY2(with > 500, qPrintable(QString("%1: %2").arg(workspace).arg(with)));
+      row->setCheckState(0, Qt::Unchecked);
+      QVERIFY(greenish(views().space().picture()) < with / 10);
+    }
+    QTest::mouseClick(child<QPushButton>("cut_through_crosshair"), Qt::LeftButton);
+    row->setCheckState(0, Qt::Checked);
+    QVERIFY(greenish(views().space().picture()) > 500);
+    window_->go_to("rehearse");
+  }
+
+  void structures_outside_of_the_model_come_with_the_case() {
+    const TemporaryFolder parent;
+    const auto folder = test::modelled_case(parent.path());
+    QVERIFY(test::save_ball(folder, "gallbladder", 4).has_value());
+    const auto loaded = load_patient(folder, {});
+    QVERIFY(loaded.has_value());
+    QCOMPARE(loaded->structures.size(), std::size_t{2});  // liver and tumour, of the model
+    QCOMPARE(loaded->around.size(), std::size_t{1});
+    QCOMPARE(loaded->around.front().name, std::string("gallbladder"));
+    QVERIFY(loaded->around.front().fixed);
+    QVERIFY(std::abs(loaded->around.front().volume_ml - 0.27) < 0.1);  // a ball of 4 mm
   }
 
   // As much is seen after two views stood side by side as before, though the camera was turned in between.
@@ -258,6 +359,18 @@ class ViewsTest : public QObject {
   void cleanupTestCase() { window_.reset(); }
 
  private:
+  // Pixels of a gall bladder's colour.
+  static int greenish(const QImage& picture) {
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+      for (int x = 0; x < picture.width(); ++x) {
+        const QColor colour = picture.pixelColor(x, y);
+        if (colour.green() > colour.red() + 25 && colour.green() > colour.blue() + 25) ++count;
+      }
+    }
+    return count;
+  }
+
   LinkedViews& views() { return window_->views(); }
   SliceView& slice() { return views().slice(SliceDirection::transverse); }
   MeasureList& list() { return *window_->findChild<MeasureList*>(); }

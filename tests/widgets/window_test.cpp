@@ -66,6 +66,22 @@ class WindowTest : public QObject {
     QVERIFY(origin->text().contains("SIMULATED"));
   }
 
+  // Once on the screen; a picture that leaves it says it itself.
+  void says_once_that_it_is_simulated() {
+    SpaceView& space = window_->views().space();
+    QVERIFY(space.picture().height() > space.height() * space.devicePixelRatioF());
+    Patient real = simulated_block();
+    real.origin.clear();
+    window_->show_patient(real);
+    QVERIFY(std::abs(space.picture().height() - space.height() * space.devicePixelRatioF()) < 1);
+    window_->show_patient(simulated_block());
+    const auto* origin = window_->findChild<QLabel*>("origin");
+    window_->go_to("register");
+    QVERIFY(!origin->isVisible());
+    window_->go_to("rehearse");
+    QVERIFY(origin->isVisible());
+  }
+
   void goes_to_a_workspace_by_mouse_and_by_key() {
     QCOMPARE(window_->workspace(), "rehearse");
     QTest::mouseClick(child<QToolButton>("workspace_platform"), Qt::LeftButton);

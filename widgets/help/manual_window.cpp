@@ -160,6 +160,18 @@ void ManualWindow::search(const QString& words) {
   }
 }
 
+void ManualWindow::open(const QString& page) {
+  words_->clear();
+  for (int row = 0; row < titles_->count(); ++row) {
+    const auto n = static_cast<std::size_t>(titles_->item(row)->data(Qt::UserRole).toInt());
+    if (text_of(pages_[n].file.stem()) == page) titles_->setCurrentRow(row);
+  }
+}
+
+QString ManualWindow::open_page() const {
+  return open_page_ < 0 ? QString() : text_of(pages_[static_cast<std::size_t>(open_page_)].file.stem());
+}
+
 void ManualWindow::show_row(int row) {
   if (row >= 0) show_page(titles_->item(row)->data(Qt::UserRole).toInt());
 }

@@ -23,6 +23,10 @@ class ManualWindow : public QWidget {
   // that changes: the page that is read stays open. Without any it says that the manual is missing.
   explicit ManualWindow(const std::filesystem::path& folder, QWidget* parent = nullptr);
 
+  // The page of that file name without its ending ("05-rehearse"), whatever was searched for.
+  void open(const QString& page);
+  [[nodiscard]] QString open_page() const;  // its file name without its ending; empty where none is open
+
  private:
   struct ManualPage {
     std::filesystem::path file;

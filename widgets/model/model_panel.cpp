@@ -142,7 +142,7 @@ QWidget* ModelPanel::make_shown() {
   worded(part.group, [=, title = part.title] {
     title->setText(tr("The 3D view shows"));
     choices[0]->setText(tr("Stiffness"));
-    choices[1]->setText(tr("What holds it"));
+    choices[1]->setText(tr("Attachments"));
     choices[2]->setText(tr("The patient"));
   });
   return part.group;

@@ -167,7 +167,7 @@ void RehearsePanel::let_arrow_go() {
 std::vector<ToolInView> RehearsePanel::tools_in_view() const {
   std::vector<ToolInView> shown;
   for (const PlacedTool& tool : rehearsal_.tools()) {
-    shown.push_back({tool.center_mm, tool.direction, tool.force_N, tool.pulls(), {}});
+    shown.push_back({tool.center_mm, tool.direction, tool.force_N, tool.pulls(), {}, tool.preset});
   }
   const auto& solids = rehearsal_.solids();
   if (solids.size() == shown.size()) {

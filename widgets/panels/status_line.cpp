@@ -23,8 +23,6 @@ StatusLine::StatusLine(BackgroundWork& work, QWidget* parent) : QStatusBar(paren
   since_.start();
   text_ = new QLabel;
   text_->setIndent(10);
-  figures_ = new QLabel;
-  figures_->setObjectName("figures");
   progress_ = new QProgressBar;
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
@@ -36,8 +34,7 @@ StatusLine::StatusLine(BackgroundWork& work, QWidget* parent) : QStatusBar(paren
   standing->setObjectName("faint");
   standing->setContentsMargins(0, 0, 8, 0);
   addWidget(text_, 1);
-  for (QWidget* each : std::initializer_list<QWidget*>{progress_, cancel_, figures_, standing})
-    addPermanentWidget(each);
+  for (QWidget* each : std::initializer_list<QWidget*>{progress_, cancel_, standing}) addPermanentWidget(each);
   setSizeGripEnabled(false);
   connect(&work_, &BackgroundWork::started, this, &StatusLine::begin);
   connect(&work_, &BackgroundWork::progressed, this, &StatusLine::show_progress);

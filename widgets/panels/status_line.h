@@ -1,5 +1,5 @@
 #pragma once
-// The bottom line of the window: what was just done, long work with its time left and Cancel, the solver's figures.
+// The bottom line of the window: what was just done, long work with its time left and Cancel.
 
 #include <QElapsedTimer>
 #include <QLabel>
@@ -18,7 +18,6 @@ class StatusLine : public QStatusBar {
   explicit StatusLine(BackgroundWork& work, QWidget* parent = nullptr);
 
   void say(const QString& text) { text_->setText(text); }
-  void show_figures(const QString& figures) { figures_->setText(figures); }
   // Since the work under way, or the last one, began.
   [[nodiscard]] double work_ms() const { return static_cast<double>(since_.elapsed()); }
 
@@ -30,7 +29,6 @@ class StatusLine : public QStatusBar {
   BackgroundWork& work_;
   QElapsedTimer since_;
   QLabel* text_;
-  QLabel* figures_;
   QProgressBar* progress_;
   QPushButton* cancel_;
 };

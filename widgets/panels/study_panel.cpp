@@ -12,6 +12,12 @@
 #include "words/worded.h"
 
 namespace glisson::widgets {
+namespace {
+
+constexpr int fixed_role = Qt::UserRole + 1;
+
+}  // namespace
+
 StudyPanel::StudyPanel(QWidget* parent) : QWidget(parent) {
   setObjectName("panel");
   auto* column = new QVBoxLayout(this);
@@ -77,7 +83,7 @@ void StudyPanel::show_patient(const Patient& patient) {
 
   const QSignalBlocker quiet(structures_);
   structures_->clear();
-  list(patient.structures);
+  list(patient.all_structures());
 }
 
 void StudyPanel::list(const std::vector<PatientStructure>& structures) {
@@ -93,6 +99,7 @@ void StudyPanel::list(const std::vector<PatientStructure>& structures) {
     const QString name = QString::fromStdString(structure.name);
     row->setIcon(0, swatch(scene::appearance_of(structure.name).colour));
     row->setData(0, Qt::UserRole, name);
+    row->setData(0, fixed_role, structure.fixed);
     row->setCheckState(0, hidden.count(name) == 0 ? Qt::Checked : Qt::Unchecked);
     row->setText(1, QLocale().toString(structure.volume_ml, 'f', structure.volume_ml < 100 ? 1 : 0));
     row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
@@ -116,7 +123,10 @@ void StudyPanel::word_patient() {
   const QSignalBlocker quiet(structures_);
   for (int k = 0; k < structures_->topLevelItemCount(); ++k) {
     QTreeWidgetItem* row = structures_->topLevelItem(k);
-    row->setText(0, structure_label(row->data(0, Qt::UserRole).toString().toStdString()));
+    const QString label = structure_label(row->data(0, Qt::UserRole).toString().toStdString());
+    const bool fixed = row->data(0, fixed_role).toBool();
+    row->setText(0, fixed ? tr("%1 (fixed)").arg(label) : label);
+    row->setToolTip(0, fixed ? tr("No part of the model: drawn where it was outlined, it does not move.") : label);
   }
 }
 

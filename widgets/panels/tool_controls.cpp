@@ -123,7 +123,7 @@ void ToolControls::word() {
   rigid_->setToolTip(
       tr("The tool's solid in contact with the liver, and several tools at once. Otherwise the force is spread over a "
          "patch."));
-  keep_->setText(tr("Keep it, take another"));
+  keep_->setText(tr("Add another tool"));
   keep_->setToolTip(tr("Several tools at once need rigid tools"));
   release_->setText(tr("Take the tool away"));
 }

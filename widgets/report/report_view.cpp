@@ -146,7 +146,7 @@ void ReportView::refresh() {
   content.plan = plan_();
   if (!patient_.structures.empty()) {
     const QString picture = scratch_.filePath("patient.png");
-    if (bench_.views.space().picture().save(picture)) {
+    if (bench_.views.space().smooth_picture().save(picture)) {
       // Reports speak English: not translated.
       content.figures.push_back({path_of(picture), "The patient as shown in the window."});
     }

@@ -33,8 +33,9 @@ struct LineInSlice {
 [[nodiscard]] LineInSlice line_in_slice(const CutPlane& plane, const Eigen::Vector3d& slice_point_mm,
                                         const Eigen::Vector3d& slice_normal);
 
-// A square of the plane about its point, to be drawn.
-[[nodiscard]] std::array<Eigen::Vector3d, 4> corners_mm(const CutPlane& plane, double half_side_mm);
-[[nodiscard]] geometry::Surface square_of(const CutPlane& plane, double half_side_mm);
+// What of the plane lies within a box, to be drawn: its middle first, then six corners around it, so that it stays the
+// same triangles wherever it moves. Where it passes the box by: a small square about its point.
+[[nodiscard]] std::array<Eigen::Vector3d, 7> points_within(const CutPlane& plane, const geometry::Box& box);
+[[nodiscard]] geometry::Surface part_within(const CutPlane& plane, const geometry::Box& box);
 
 }  // namespace glisson::widgets

@@ -59,11 +59,11 @@ ResectPanel::ResectPanel(Bench bench, QWidget* parent) : QWidget(parent), bench_
     if (isVisible() && cut_controls_->drawing()) take_click(pick.position_mm);
   });
   connect(&bench_.patient_views, &PatientViews::slices_rebuilt, this, [this] {
-    move_square();
+    move_drawn_plane();
     handles_->draw_in_slices();
   });
   connect(&bench_.patient_views, &PatientViews::space_rebuilt, this, [this] {
-    move_square();
+    move_drawn_plane();
     if (isVisible()) pieces_.draw_apart(bench_.views.space().view(), apart_->value());
   });
   connect(live_, &LiveResection::changed, this, &ResectPanel::show_result);
@@ -125,7 +125,7 @@ QWidget* ResectPanel::make_outcome() {
   });
   connect(save_, &QPushButton::clicked, this, &ResectPanel::save);
   worded(group, [=, this] {
-    apart_name->setText(tr("Apart"));
+    apart_name->setText(tr("Separation"));
     apart_->setToolTip(tr("Draws the part that is removed away from the rest"));
     other_part_->setText(tr("Remove the other part"));
     no_cut_->setText(tr("No cut"));
@@ -148,7 +148,7 @@ void ResectPanel::take_up_saved_plan() {
   plane_.reset();
   points_mm_.clear();
   clicks_mm_.clear();
-  square_.reset();
+  drawn_plane_.reset();
   removed_ = Removed::smaller;
   cut_controls_->choose(CutControls::plane_cut);
   if (patient_.folder.empty() || !patient_.rehearsal) return;
@@ -246,10 +246,10 @@ void ResectPanel::cut_changed() {
   const auto shown = by_plane && !cut_controls_->by_clicks() ? plane_ : std::nullopt;
   handles_->set_plane(shown);
   handles_->set_points(by_plane ? clicks_mm_ : points_mm_);
-  move_square();
+  move_drawn_plane();
   live_->set_cut(cut());
   word_state();
-  if (!live_->result() || !square_ || !shown) show_scene();
+  if (!live_->result() || !drawn_plane_ || !shown) show_scene();
   bench_.views.redraw();
 }
 
@@ -271,11 +271,11 @@ void ResectPanel::show_scene() {
     scene.key = {{specimen_colour(), tr("Removed").toStdString()}, {remnant_colour(), tr("Stays").toStdString()}};
   }
   if (cut_controls_->kind() == CutControls::plane_cut && plane_ && !cut_controls_->by_clicks()) {
-    if (!square_) square_ = std::make_shared<geometry::Surface>(square_of(*plane_, reach_mm()));
-    scene.surfaces.push_back({"cut", square_, cut_colour, 0.14, scene::Finish::solid, {}});
-    scene.cuts.push_back({square_, cut_colour, 2.0});
+    if (!drawn_plane_) drawn_plane_ = std::make_shared<geometry::Surface>(part_within(*plane_, around_liver()));
+    scene.surfaces.push_back({"cut", drawn_plane_, cut_colour, 0.14, scene::Finish::solid, {}, false});
+    scene.cuts.push_back({drawn_plane_, cut_colour, 2.0});
   } else {
-    square_.reset();
+    drawn_plane_.reset();
     if (live_->result()) {
       scene.cuts.push_back({std::make_shared<geometry::Surface>(live_->result()->plan.cut), cut_colour, 2.0});
     }
@@ -285,13 +285,13 @@ void ResectPanel::show_scene() {
   bench_.patient_views.set_workspace_scene(std::move(scene));
 }
 
-// The square stays the same surface while it moves, so that the views need not be built anew.
-void ResectPanel::move_square() {
-  if (!square_ || !plane_ || !isVisible()) return;
-  const auto corners = corners_mm(*plane_, reach_mm());
-  const auto moved_mm = std::make_shared<const std::vector<Vector3d>>(corners.begin(), corners.end());
-  bench_.views.space().view().move_surface(square_, moved_mm);
-  for (SliceView* slice : bench_.views.slices()) slice->view().move_surface(square_, moved_mm);
+// It stays the same surface while it moves, so that the views need not be built anew.
+void ResectPanel::move_drawn_plane() {
+  if (!drawn_plane_ || !plane_ || !isVisible()) return;
+  const auto points = points_within(*plane_, around_liver());
+  const auto moved_mm = std::make_shared<const std::vector<Vector3d>>(points.begin(), points.end());
+  bench_.views.space().view().move_surface(drawn_plane_, moved_mm);
+  for (SliceView* slice : bench_.views.slices()) slice->view().move_surface(drawn_plane_, moved_mm);
 }
 
 void ResectPanel::word_state() {
@@ -317,14 +317,18 @@ QString ResectPanel::why_nothing() const {
                      "Drag its line in a slice to shift it, a line's end to tilt it.");
 }
 
-double ResectPanel::reach_mm() const {
-  if (patient_.structures.empty()) return 100;
-  return 0.5 * geometry::bounding_box(patient_.structures.front().surface->points_mm).diagonal_mm();
+geometry::Box ResectPanel::around_liver() const {
+  constexpr double beyond_mm = 10;
+  if (patient_.structures.empty()) return {};
+  geometry::Box box = geometry::bounding_box(patient_.structures.front().surface->points_mm);
+  box.min_mm.array() -= beyond_mm;
+  box.max_mm.array() += beyond_mm;
+  return box;
 }
 
 void ResectPanel::save() {
   const auto result = live_->result();
-  if (!result || patient_.folder.empty()) return;
+  if (!result || patient_.folder.empty() || !bench_.may_change()) return;
   bench_.work.start(tr("Saving the plan"), [this, result, folder = folder_of_plan(patient_)](const Progress&) {
     auto written = std::make_shared<Result<void>>(casefile::write_resection(folder, result->cut, result->plan));
     return BackgroundWork::Then([this, written, folder] {

@@ -45,12 +45,12 @@ class ResectPanel : public QWidget {
   void cut_changed();
   void show_result();
   void show_scene();
-  void move_square();
+  void move_drawn_plane();
   void word_state();
   void save();
   [[nodiscard]] std::optional<casefile::PlannedCut> cut() const;
   [[nodiscard]] QString why_nothing() const;
-  [[nodiscard]] double reach_mm() const;  // half a side of the plane as it is drawn
+  [[nodiscard]] geometry::Box around_liver() const;  // within which the plane is drawn
 
   Bench bench_;
   LiveResection* live_;
@@ -60,7 +60,7 @@ class ResectPanel : public QWidget {
   std::vector<Eigen::Vector3d> points_mm_;  // of the sheet
   std::vector<Eigen::Vector3d> clicks_mm_;  // of a plane, until there are three
   casefile::PlannedCut::Removed removed_ = casefile::PlannedCut::Removed::smaller;
-  std::shared_ptr<const geometry::Surface> square_;  // the plane as it is drawn
+  std::shared_ptr<const geometry::Surface> drawn_plane_;  // within a little more than the liver
   ResectionScene pieces_;
   QWidget* controls_;
   QLabel* missing_;

@@ -104,7 +104,7 @@ ResectionResults::ResectionResults(QWidget* parent) : QWidget(parent) {
   column->addWidget(answer_);
   worded(this, [=, this] {
     margins_title->setText(tr("Margins"));
-    margins_->setHorizontalHeaderLabels({tr("Structure"), tr("Side"), tr("mm"), tr("Mind")});
+    margins_->setHorizontalHeaderLabels({tr("Structure"), tr("Side"), tr("mm"), tr("Caution")});
     margins_->horizontalHeaderItem(margin_column)->setToolTip(tr("Smallest distance to the cut inside the liver"));
     margins_->horizontalHeaderItem(flag_column)
         ->setToolTip(tr("R1: a margin under 1 mm counts as tumour at the edge. Under 5 mm is narrow."));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/parallel.h"
 #include "casefile/case.h"
 #include "casefile/import.h"
 #include "casefile/model.h"
@@ -40,6 +41,28 @@ void leave_out_lost_landmarks(rehearsal::RehearsalSetup& setup, Patient& patient
        {std::to_string(lost)}});
 }
 
+// Whatever is outlined and no part of the model: the gall bladder, vessels outside, a landmark for the eye.
+Result<void> show_around(const casefile::Case& from, Patient& patient) {
+  auto outlined = casefile::read_structures(from);
+  if (!outlined) return failure(outlined.error());
+  std::erase_if(*outlined, [&](const segmentation::Structure& structure) {
+    const auto same = [&](const PatientStructure& known) { return known.name == structure.name; };
+    return segmentation::voxel_count(structure.mask) == 0 ||
+           std::any_of(patient.structures.begin(), patient.structures.end(), same);
+  });
+  std::vector<Result<geometry::Surface>> outlines(outlined->size(), failure("cancelled", {}));
+  parallel_for(outlines.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) outlines[k] = casefile::smooth_outline((*outlined)[k]);
+  });
+  for (std::size_t k = 0; k < outlines.size(); ++k) {
+    if (!outlines[k]) return failure(outlines[k].error());
+    const segmentation::Structure& structure = (*outlined)[k];
+    patient.around.push_back({structure.name, std::make_shared<geometry::Surface>(*std::move(outlines[k])),
+                              segmentation::volume_ml(structure.mask), true});
+  }
+  return {};
+}
+
 // The smooth surfaces, the liver's among them, ride in the model.
 Result<void> prepare_rehearsal(const casefile::Case& from, Patient& patient, const Progress& progress,
                                const FirstLook& first_look) {
@@ -51,6 +74,7 @@ Result<void> prepare_rehearsal(const casefile::Case& from, Patient& patient, con
                             static_cast<double>(std::max<std::size_t>(1, model->youngs_kPa.size()));
   patient.atlas_youngs_kPa = model->atlas_youngs_kPa;
   patient.evidence = model->evidence;
+  if (auto shown = show_around(from, patient); !shown) return shown;
   if (first_look) {
     Patient shown = patient;
     shown.preparing = true;

@@ -18,6 +18,7 @@ struct PatientStructure {
   std::string name;  // as in the case: "tumour-1"
   std::shared_ptr<const geometry::Surface> surface;
   double volume_ml = 0;
+  bool fixed = false;  // no part of the model: drawn where it was outlined, whatever moves
 };
 
 struct Patient {
@@ -27,7 +28,8 @@ struct Patient {
   std::shared_ptr<const imaging::Volume> anatomy;
   std::shared_ptr<const imaging::Volume> stiffness;  // absent where there was no elastography
   std::vector<PatientStructure> structures;          // the liver first
-  // Absent until the model was built. Its structures are those above, in their order.
+  std::vector<PatientStructure> around;              // fixed: outside of the model, or outlined since it was built
+  // Absent until the model was built. Its structures are those of `structures`, in their order.
   std::shared_ptr<const rehearsal::StaticRehearsal> rehearsal;
   std::shared_ptr<const rehearsal::RehearsalSetup> rehearsal_setup;  // what that was made from
   std::vector<Sentence> remarks;                                     // what the last step found worth looking at
@@ -40,17 +42,15 @@ struct Patient {
   [[nodiscard]] bool completes(const Patient& before) const {
     return before.preparing && before.folder == folder && before.name == name;
   }
+  [[nodiscard]] std::vector<PatientStructure> all_structures() const {
+    std::vector<PatientStructure> all = structures;
+    all.insert(all.end(), around.begin(), around.end());
+    return all;
+  }
   // The outlined liver; null where there is none.
   [[nodiscard]] const PatientStructure* liver() const {
     return !structures.empty() && structures.front().name == "liver" ? &structures.front() : nullptr;
   }
 };
-
-// A window of grey values that suits most of a volume: from its 1st to its 99th hundredth.
-struct GreyWindow {
-  double center = 0;
-  double width = 1;
-};
-[[nodiscard]] GreyWindow usual_window(const imaging::Volume& volume);
 
 }  // namespace glisson::widgets

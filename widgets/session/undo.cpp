@@ -62,8 +62,11 @@ Result<void> Undo::recorded(const Sentence& name, const std::function<Result<voi
 
 void Undo::change(const Sentence& name, const std::vector<std::string>& touches, std::function<Result<void>()> change,
                   std::function<void(const Result<void>&)> then) {
-  queue([this, history = history_, name, touches, change = std::move(change), then = std::move(then)] {
-    const Result<void> outcome = history ? history->record(name, change, touches) : change();
+  queue([this, history = history_, refused = refused_, name, touches, change = std::move(change),
+         then = std::move(then)] {
+    const Result<void> outcome = refused   ? Result<void>(failure(*refused))
+                                 : history ? history->record(name, change, touches)
+                                           : change();
     return [this, outcome, then] {
       if (!outcome) Q_EMIT failed(outcome.error());
       if (then) then(outcome);
@@ -73,7 +76,7 @@ void Undo::change(const Sentence& name, const std::vector<std::string>& touches,
 
 void Undo::value_changed(const Sentence& name, const QString& key, const QJsonValue& before, const QJsonValue& after,
                          Joins joins) {
-  if (!history_ || before == after) return;
+  if (!history_ || refused_ || before == after) return;
   const casefile::ValueChange value{key.toStdString(), text_of(before), text_of(after)};
   queue([this, history = history_, name, value, joins]() -> std::function<void()> {
     const auto outcome = history->record_values(
@@ -95,7 +98,7 @@ void Undo::undo() { go(Way::back); }
 void Undo::redo() { go(Way::forth); }
 
 void Undo::go(Way way) {
-  if (!history_ || held_up_) return;
+  if (!history_ || refused_ || held_up_) return;
   ++moving_;
   queue([this, history = history_, way]() -> std::function<void()> {
     const auto outcome = way == Way::back ? history->undo() : history->redo();
@@ -136,6 +139,11 @@ void Undo::set_held_up(bool held_up) {
   name_actions();
 }
 
+void Undo::refuse(const std::optional<Error>& why) {
+  refused_ = why;
+  name_actions();
+}
+
 void Undo::wait() { thread_.waitForDone(); }
 
 void Undo::name_actions() {
@@ -143,8 +151,8 @@ void Undo::name_actions() {
   const auto redoes = history_ ? history_->redo_name() : std::nullopt;
   undo_action_->setText(undoes ? tr("&Undo: %1").arg(told(*undoes)) : tr("&Undo"));
   redo_action_->setText(redoes ? tr("&Redo: %1").arg(told(*redoes)) : tr("&Redo"));
-  undo_action_->setEnabled(undoes.has_value() && !held_up_);
-  redo_action_->setEnabled(redoes.has_value() && !held_up_);
+  undo_action_->setEnabled(undoes.has_value() && !held_up_ && !refused_);
+  redo_action_->setEnabled(redoes.has_value() && !held_up_ && !refused_);
 }
 
 }  // namespace glisson::widgets

@@ -20,6 +20,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <QAction>
 #include <QJsonValue>
 #include <QObject>
@@ -67,7 +68,9 @@ class Undo : public QObject {
   [[nodiscard]] bool busy() const { return waiting_ > 0; }
   // Whether an undo or redo is under way: what is shown may be about to change.
   [[nodiscard]] bool moving() const { return moving_ > 0; }
-  void name_actions();             // in the language of now
+  void name_actions();  // in the language of now
+  // Nothing of the case is changed any more, for this reason: each attempt fails with it. Nothing: it may be again.
+  void refuse(const std::optional<Error>& why);
   void set_held_up(bool held_up);  // by long work on the case
   void wait();                     // until all is written; its outcomes come when the event loop turns
 
@@ -92,6 +95,7 @@ class Undo : public QObject {
   int waiting_ = 0;
   int moving_ = 0;
   bool held_up_ = false;
+  std::optional<Error> refused_;
 };
 
 }  // namespace glisson::widgets

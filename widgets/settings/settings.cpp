@@ -16,9 +16,16 @@ namespace fs = std::filesystem;
 constexpr const char* names_key = "show_names_outside";
 constexpr const char* threads_key = "threads";
 constexpr const char* recent_key = "recent_cases";
+constexpr const char* windows_key = "grey_windows";
 constexpr qsizetype most_recent_cases = 8;
+constexpr qsizetype most_windows = 100;
 
 QSettings settings() { return QSettings("glisson", "glisson"); }
+
+QString one_way_to(const fs::path& folder) {
+  std::error_code problem;
+  return text_of(fs::weakly_canonical(folder, problem));
+}
 
 }  // namespace
 
@@ -47,14 +54,36 @@ std::vector<fs::path> recent_cases() {
 }
 
 void remember_case(const fs::path& folder) {
-  std::error_code problem;
-  const QString text = text_of(fs::weakly_canonical(folder, problem));
+  const QString text = one_way_to(folder);
   QStringList folders = settings().value(recent_key).toStringList();
   folders.removeAll(text);
   folders.prepend(text);
   settings().setValue(recent_key, folders.mid(0, most_recent_cases));
 }
 
-void forget_recent_cases() { settings().remove(recent_key); }
+void forget_recent_cases() {
+  settings().remove(recent_key);
+  settings().remove(windows_key);
+}
+
+// Lines "60 160 /a/case.glisson", the last one first.
+std::optional<GreyWindow> kept_window(const fs::path& case_folder) {
+  if (case_folder.empty()) return std::nullopt;
+  for (const QString& line : settings().value(windows_key).toStringList()) {
+    if (line.section(' ', 2) != one_way_to(case_folder)) continue;
+    const GreyWindow window{line.section(' ', 0, 0).toDouble(), line.section(' ', 1, 1).toDouble()};
+    return window.width > 0 ? std::optional(window) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+void keep_window(const fs::path& case_folder, const GreyWindow& window) {
+  if (case_folder.empty()) return;
+  const QString folder = one_way_to(case_folder);
+  QStringList lines = settings().value(windows_key).toStringList();
+  lines.removeIf([&](const QString& line) { return line.section(' ', 2) == folder; });
+  lines.prepend(QString("%1 %2 %3").arg(window.center).arg(window.width).arg(folder));
+  settings().setValue(windows_key, lines.mid(0, most_windows));
+}
 
 }  // namespace glisson::widgets

@@ -3,7 +3,10 @@
 // theme by theme.h.
 
 #include <filesystem>
+#include <optional>
 #include <vector>
+
+#include "views/grey_window.h"
 
 namespace glisson::widgets {
 
@@ -21,6 +24,10 @@ void keep_threads(int threads);  // at once, too
 // Cases opened before that are still there, the last one first; at most eight.
 [[nodiscard]] std::vector<std::filesystem::path> recent_cases();
 void remember_case(const std::filesystem::path& folder);
-void forget_recent_cases();
+void forget_recent_cases();  // with their brightness and contrast
+
+// Brightness and contrast that a person chose for the images of a case; those of the last hundred cases.
+[[nodiscard]] std::optional<GreyWindow> kept_window(const std::filesystem::path& case_folder);
+void keep_window(const std::filesystem::path& case_folder, const GreyWindow& window);
 
 }  // namespace glisson::widgets

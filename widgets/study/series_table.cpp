@@ -9,7 +9,7 @@
 
 #include "imaging/read_series.h"
 #include "segmentation/structures.h"
-#include "session/patient.h"
+#include "views/grey_window.h"
 #include "words/grid_words.h"
 #include "words/told.h"
 #include "words/worded.h"
@@ -80,7 +80,7 @@ std::vector<Role> proposed(const imaging::Study& study) {
 
 QImage middle_slice(const imaging::Volume& volume, int side) {
   const imaging::Grid& grid = volume.grid;
-  const GreyWindow window = usual_window(volume);
+  const GreyWindow window = first_window(volume);
   const int k = grid.size[2] / 2;
   QImage slice(grid.size[0], grid.size[1], QImage::Format_Grayscale8);
   for (int j = 0; j < grid.size[1]; ++j) {

@@ -41,7 +41,8 @@ class SeriesTable : public QTreeWidget {
   std::shared_ptr<std::stop_source> stop_;
 };
 
-// The middle slice of a volume, transverse to its first two axes, in its usual window; at most `side` pixels across.
+// The middle slice of a volume, transverse to its first two axes, in the window that it opens with; at most `side`
+// pixels across.
 [[nodiscard]] QImage middle_slice(const imaging::Volume& volume, int side);
 
 // The slice of a label map that holds most of it, each value in the colour of its structure, else in one of its own.

@@ -196,7 +196,9 @@ void StudyPage::show_state() {
   add_->setToolTip(case_.empty() ? tr("No case is open.")
                    : !chosen     ? tr("Give at least one series a role first.")
                                  : tr("Glisson asks before anything is replaced; Ctrl+Z brings it back"));
-  series_->setVisible(study != nullptr);
+  // Nothing to be made of nothing.
+  for (QWidget* each : std::initializer_list<QWidget*>{series_, keep_title_, keep_as_, make_, add_})
+    each->setVisible(study != nullptr);
 }
 
 void StudyPage::choose_folder() {

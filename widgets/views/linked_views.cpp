@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "panels/ask_path.h"
-#include "session/patient.h"
-
 #include "words/worded.h"
 
 namespace glisson::widgets {
@@ -46,6 +44,8 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
       for (SliceView* other : slices_) {
         if (other != slice) other->set_window(center, width);
       }
+      Q_EMIT window_chosen();
+      Q_EMIT window_shown();
     });
   }
   std::array<QToolButton*, 4> sides{};
@@ -82,15 +82,20 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
 
 void LinkedViews::set_window(double center, double width) {
   for (SliceView* slice : slices_) slice->set_window(center, width);
+  Q_EMIT window_chosen();
+  Q_EMIT window_shown();
 }
 
-void LinkedViews::set_usual_window() {
+void LinkedViews::choose_window(WindowPreset preset) {
   if (!volume_) return;
-  const GreyWindow window = usual_window(*volume_);
-  set_window(window.center, window.width);
+  if (const auto window = window_of(preset, *volume_)) set_window(window->center, window->width);
 }
 
-bool LinkedViews::shows_hounsfield_units() const { return volume_ && volume_->unit == "HU"; }  // a unit, not translated
+WindowPreset LinkedViews::window_preset() const {
+  return volume_ ? preset_of(window(), *volume_) : WindowPreset::automatic;
+}
+
+bool LinkedViews::shows_hounsfield_units() const { return volume_ && in_hounsfield_units(*volume_); }
 
 void LinkedViews::set_axes(const Eigen::Matrix3d& axes) {
   for (SliceView* slice : slices_) slice->set_axes(axes);
@@ -109,11 +114,16 @@ void LinkedViews::straighten() {
   set_axes(Eigen::Matrix3d::Identity());
 }
 
+void LinkedViews::set_caption_of_pictures(const QString& caption) {
+  for (RenderWidget* view : std::initializer_list<RenderWidget*>{slices_[0], slices_[1], slices_[2], space_, twin_})
+    view->set_caption_of_pictures(caption);
+}
+
 void LinkedViews::save_view_in_use() { save_picture(static_cast<std::size_t>(frame_in_use())); }
 
 void LinkedViews::save_picture(std::size_t frame) {
   const std::array<RenderWidget*, 5> views{slices_[0], space_, slices_[1], slices_[2], twin_};
-  const QImage picture = views[frame]->picture();  // as it is now, before a dialog lies over it
+  const QImage picture = views[frame]->smooth_picture();  // as it is now, before a dialog lies over it
   static constexpr const char* proposed = "view.png";
   const QString file = ask_where_to_save(this, tr("Save the picture"), proposed, tr("Pictures (*.png)"));
   if (!file.isEmpty() && !picture.save(file)) Q_EMIT picture_not_saved(file);
@@ -122,6 +132,7 @@ void LinkedViews::save_picture(std::size_t frame) {
 void LinkedViews::show_slices(const SliceContent& content) {
   volume_ = content.volume;
   for (SliceView* slice : slices_) slice->show_content(content);
+  Q_EMIT window_shown();
 }
 
 void LinkedViews::set_crosshair(const Eigen::Vector3d& position_mm) {

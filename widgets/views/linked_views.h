@@ -7,6 +7,7 @@
 #include <QWidget>
 #include <vector>
 
+#include "views/grey_window.h"
 #include "views/slice_view.h"
 #include "views/space_view.h"
 #include "views/view_frame.h"
@@ -32,7 +33,9 @@ class LinkedViews : public QWidget {
   void redraw();
 
   void set_window(double center, double width);
-  void set_usual_window();  // from the volume's own values
+  void choose_window(WindowPreset preset);  // nothing happens for one that the image has not
+  [[nodiscard]] GreyWindow window() const { return {slices_[0]->window_center(), slices_[0]->window_width()}; }
+  [[nodiscard]] WindowPreset window_preset() const;
   [[nodiscard]] bool shows_hounsfield_units() const;
 
   // The slices' normals; see SliceView::set_axes.
@@ -41,6 +44,8 @@ class LinkedViews : public QWidget {
   void turn_to_surgeon();
   void straighten();
 
+  // Stands in every picture that is saved; empty for none.
+  void set_caption_of_pictures(const QString& caption);
   // Asks where to, for the view that was used last.
   void save_view_in_use();
 
@@ -53,6 +58,8 @@ class LinkedViews : public QWidget {
  Q_SIGNALS:
   void crosshair_moved(const Eigen::Vector3d& position_mm);
   void layout_changed();
+  void window_shown();   // brightness and contrast are others, or those of another image
+  void window_chosen();  // by a person
   void picture_not_saved(const QString& file);
 
  private:

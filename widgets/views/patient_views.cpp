@@ -7,13 +7,12 @@
 #include <utility>
 
 #include "scene/anatomy.h"
+#include "settings/settings.h"
 #include "words/told.h"
 
 namespace glisson::widgets {
 namespace {
 
-constexpr double shortest_arrow_mm = 18;
-constexpr double arrow_mm_per_N = 7;
 constexpr const char* distance_field = "displacement_mm";
 constexpr scene::Colour red{1.0, 0.10, 0.10};
 constexpr scene::Colour blue{0.12, 0.22, 1.0};
@@ -51,12 +50,41 @@ Eigen::Vector3d moved_with(const std::vector<Eigen::Vector3d>& rest_mm, const st
   return place_mm + now_mm[nearest] - rest_mm[nearest];
 }
 
+// Large organs around must not hide the liver.
+scene::SurfaceItem fixed_item(const PatientStructure& structure) {
+  constexpr double large_ml = 150;
+  constexpr double faint = 0.3;
+  const scene::Appearance look = scene::appearance_of(structure.name);
+  const bool large = structure.volume_ml > large_ml;
+  return {structure.name,
+          structure.surface,
+          look.colour,
+          large ? faint : look.opacity,
+          large ? scene::Finish::glass : look.finish,
+          {}};
+}
+
 }  // namespace
 
-double arrow_length_mm(double force_N) { return shortest_arrow_mm + arrow_mm_per_N * force_N; }
-double arrow_force_N(double length_mm) { return std::max(0.0, (length_mm - shortest_arrow_mm) / arrow_mm_per_N); }
+PatientViews::PatientViews(LinkedViews& views, QObject* parent) : QObject(parent), views_(views) {
+  keep_window_.setSingleShot(true);
+  keep_window_.setInterval(300);  // a drag is kept once, when it is over
+  connect(&keep_window_, &QTimer::timeout, this, &PatientViews::keep_window_now);
+  connect(&views_, &LinkedViews::window_chosen, this, [this] {
+    if (in_slices_ != SliceImage::anatomy) return;
+    chosen_window_ = views_.window();
+    keep_window_.start();
+  });
+}
 
-PatientViews::PatientViews(LinkedViews& views, QObject* parent) : QObject(parent), views_(views) {}
+PatientViews::~PatientViews() {
+  if (keep_window_.isActive()) keep_window_now();
+}
+
+void PatientViews::keep_window_now() {
+  keep_window_.stop();
+  keep_window(patient_.folder, chosen_window_);
+}
 
 void PatientViews::show_patient(const Patient& patient) {
   if (patient.completes(patient_)) {
@@ -64,6 +92,7 @@ void PatientViews::show_patient(const Patient& patient) {
     return;
   }
   const bool another = patient.folder != patient_.folder || patient.name != patient_.name;
+  if (keep_window_.isActive()) keep_window_now();
   patient_ = patient;
   if (another) {
     windows_.clear();
@@ -237,6 +266,10 @@ scene::Scene PatientViews::space_scene(Bodies bodies) const {
     if (bodies != Bodies::patient) scene.surfaces.push_back(item(k, atlas_body_, bodies));
     if (bodies != Bodies::atlas) scene.surfaces.push_back(item(k, patient_body_, bodies));
   }
+  for (const PatientStructure& structure : patient_.around) {
+    if (mode == WorkspaceScene::Patient::hidden || hidden_.count(structure.name) != 0) continue;
+    scene.surfaces.push_back(fixed_item(structure));
+  }
   if (workspace_) {
     for (const scene::SurfaceItem& surface : workspace_->surfaces) {
       if (hidden_.count(surface.name) == 0) scene.surfaces.push_back(surface);
@@ -245,9 +278,6 @@ scene::Scene PatientViews::space_scene(Bodies bodies) const {
   // What lies inside is drawn first, so that it shows through the clear liver around it.
   std::stable_sort(scene.surfaces.begin(), scene.surfaces.end(),
                    [](const auto& a, const auto& b) { return a.opacity > b.opacity; });
-  // The first clause: the whole sentence stands above the views.
-  static const QRegularExpression end_of_clause("[:,]");
-  scene.annotations.warning = told(patient_.origin).section(end_of_clause, 0, 0).toStdString();
   if (bodies == Bodies::both) {
     scene.annotations.key = {{red, tr("Red: one stiffness from the atlas").toStdString()},
                              {blue, tr("Blue: the patient's own stiffness").toStdString()},
@@ -268,7 +298,8 @@ void PatientViews::rebuild_slices() {
   if (content.volume) {
     in_slices_ = slice_image_;
     const auto kept = windows_.find(slice_image_);
-    const GreyWindow window = kept != windows_.end() ? kept->second : usual_window(*content.volume);
+    const auto of_case = slice_image_ == SliceImage::anatomy ? kept_window(patient_.folder) : std::nullopt;
+    const GreyWindow window = kept != windows_.end() ? kept->second : of_case.value_or(first_window(*content.volume));
     content.window_center = window.center;
     content.window_width = window.width;
   }
@@ -286,6 +317,10 @@ void PatientViews::rebuild_slices() {
     if (cuts(Bodies::atlas)) content.cuts.push_back({atlas_body_[k], has_both() ? red : colour, 1.6});
     if (cuts(Bodies::patient)) content.cuts.push_back({patient_body_[k], has_both() ? blue : colour, 1.6});
   }
+  for (const PatientStructure& structure : patient_.around) {
+    if (!in_slices || hidden_.count(structure.name) != 0) continue;
+    content.cuts.push_back({structure.surface, scene::appearance_of(structure.name).colour, 1.6});
+  }
   if (workspace_) content.cuts.insert(content.cuts.end(), workspace_->cuts.begin(), workspace_->cuts.end());
   views_.show_slices(content);
   apply_frame();
@@ -301,6 +336,9 @@ void PatientViews::apply_frame() {
 
   draw_marks(views_.space(), bodies_ == Bodies::atlas && atlas != nullptr ? atlas : own);
   if (bodies_ == Bodies::side_by_side) draw_marks(views_.twin(), atlas != nullptr ? atlas : own);
+  // On the screen that is said above the views; a picture that leaves it says it itself, by its first clause.
+  static const QRegularExpression end_of_clause("[:,]");
+  views_.set_caption_of_pictures(told(patient_.origin).section(end_of_clause, 0, 0));
   views_.redraw();
 }
 
@@ -327,7 +365,8 @@ void PatientViews::draw_marks(SpaceView& space, const rehearsal::RehearsalBody* 
     const Eigen::Vector3d free_end_mm = at_mm + (tool.pulls ? reach_mm : Eigen::Vector3d(-reach_mm));
     arrows.push_back({tool.pulls ? at_mm : free_end_mm, tool.pulls ? free_end_mm : at_mm, 3.2, tool_colour,
                       tr("%1 N").arg(tool.force_N, 0, 'f', 1).toStdString()});
-    for (const mechanics::Rod& rod : tool.rods) rods.push_back({rod.from_mm, rod.to_mm, rod.radius_mm, tool_steel});
+    for (const mechanics::Rod& rod : drawn_tool(tool, at_mm))
+      rods.push_back({rod.from_mm, rod.to_mm, rod.radius_mm, tool_steel});
     if (tool_movable_) grips = SpaceView::Grips{at_mm, free_end_mm};
   }
   if (workspace_) {

@@ -4,26 +4,20 @@
 
 #include <map>
 #include <QObject>
+#include <QTimer>
 #include <set>
 #include <string>
 
 #include "rehearsal/static_rehearsal.h"
 #include "session/patient.h"
 #include "views/linked_views.h"
+#include "views/tool_in_view.h"
 
 namespace glisson::widgets {
 
 enum class Bodies { patient, atlas, both, side_by_side };
 enum class LiverColour { tissue, displacement };
 enum class SliceImage { anatomy, stiffness };
-
-struct ToolInView {
-  Eigen::Vector3d center_mm{0, 0, 0};  // on the liver at rest
-  Eigen::Vector3d direction{0, -1, 0};
-  double force_N = 0;
-  bool pulls = false;                // the arrow leaves the liver there; otherwise it ends there
-  std::vector<mechanics::Rod> rods;  // the solid tool, where it is now; none where it is but a patch
-};
 
 // What a workspace shows in the views besides the patient, or in its place, as long as it is at work.
 struct WorkspaceScene {
@@ -36,15 +30,12 @@ struct WorkspaceScene {
   std::vector<scene::KeyEntry> key;          // of the view in space
 };
 
-// The arrow is longer the larger the force: 18 mm and 7 mm more a newton, whatever the zoom.
-[[nodiscard]] double arrow_length_mm(double force_N);
-[[nodiscard]] double arrow_force_N(double length_mm);
-
 class PatientViews : public QObject {
   Q_OBJECT
 
  public:
   explicit PatientViews(LinkedViews& views, QObject* parent = nullptr);
+  ~PatientViews() override;
 
   void show_patient(const Patient& patient);
   // At rest without a frame. Tools are drawn where the tissue under them is now; the last one is in hand.
@@ -86,6 +77,7 @@ class PatientViews : public QObject {
   void draw_marks(SpaceView& space, const rehearsal::RehearsalBody* shown);
   void rebuild_slices();
   void apply_frame();
+  void keep_window_now();
   void move_body(const Body& body, const rehearsal::RehearsalBody* displaced);
   [[nodiscard]] scene::SurfaceItem item(std::size_t structure, const Body& body, Bodies bodies) const;
   [[nodiscard]] bool at_rest() const;
@@ -104,6 +96,8 @@ class PatientViews : public QObject {
   SliceImage slice_image_ = SliceImage::anatomy;
   std::optional<SliceImage> in_slices_;       // what they show now
   std::map<SliceImage, GreyWindow> windows_;  // of what they have shown of this patient
+  GreyWindow chosen_window_;                  // of the anatomy, by a person; kept when the timer ends
+  QTimer keep_window_;
   std::optional<WorkspaceScene> workspace_;
   std::set<std::string> hidden_;
   std::string marked_landmark_;

@@ -19,6 +19,8 @@ namespace {
 
 const QColor empty_view(5, 6, 7);
 const QColor faint_words(150, 158, 168);
+const QColor caption_band(58, 44, 12);
+const QColor caption_ink(255, 201, 95);
 
 // One for all views: what draws in software uses every core for each frame anyway. It ends with the application, not
 // with the program's static objects: those of the drivers, made later, go first, under the hands of a frame not
@@ -40,6 +42,22 @@ QImage image_of(scene::DrawnFrame&& frame) {
   return QImage(
       kept->bgrx.data(), kept->width, kept->height, 4 * kept->width, QImage::Format_RGB32,
       [](void* held) { delete static_cast<scene::DrawnFrame*>(held); }, kept);
+}
+
+QImage captioned(const QImage& frame, const QString& caption, double pixel_scale) {
+  if (caption.isEmpty() || frame.isNull()) return frame;
+  const QRect band(0, frame.height(), frame.width(), 2 * static_cast<int>(12 * pixel_scale));
+  QImage picture(frame.width(), frame.height() + band.height(), frame.format());
+  QPainter painter(&picture);
+  painter.drawImage(0, 0, frame);
+  painter.fillRect(band, caption_band);
+  QFont font = painter.font();
+  font.setPixelSize(static_cast<int>(13 * pixel_scale));
+  font.setBold(true);
+  painter.setFont(font);
+  painter.setPen(caption_ink);
+  painter.drawText(band, Qt::AlignCenter, caption);
+  return picture;
 }
 
 }  // namespace
@@ -96,12 +114,12 @@ void RenderWidget::redraw() {
   });
 }
 
-std::shared_ptr<scene::ViewChanges> RenderWidget::take_changes() {
+std::shared_ptr<scene::ViewChanges> RenderWidget::take_changes(int oversampling) {
   out_of_date_ = false;
   ++frames_begun_;
-  view_.set_pixel_scale(devicePixelRatioF());  // another one when the window moves to another screen
-  return std::make_shared<scene::ViewChanges>(
-      view_.take_changes(std::max(device_width(), 1), std::max(device_height(), 1), shrink()));
+  view_.set_pixel_scale(oversampling * devicePixelRatioF());  // another one when the window moves to another screen
+  return std::make_shared<scene::ViewChanges>(view_.take_changes(
+      oversampling * std::max(device_width(), 1), oversampling * std::max(device_height(), 1), shrink()));
 }
 
 void RenderWidget::begin_frame() {
@@ -119,19 +137,38 @@ void RenderWidget::begin_frame() {
   }));
 }
 
-QImage RenderWidget::picture() {
-  const auto changes = take_changes();
+RenderWidget::Drawn RenderWidget::draw_now(const scene::ViewChanges& changes) {
   // Not QFuture::result(), which may run what has not begun yet on the thread that waits.
   Drawn drawn;
   QSemaphore done;
   drawing_thread().start([&] {
-    drawn = drawer_->draw(frames_begun_, *changes);
+    drawn = drawer_->draw(frames_begun_, changes);
     done.release();
   });
   done.acquire();
-  show_frame(drawn);
+  return drawn;
+}
+
+QImage RenderWidget::as_large_as_shown(const QImage& frame) const {
   const QSize size(device_width(), device_height());
-  return frame_.size() == size ? frame_ : frame_.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  const bool fits = frame.isNull() || frame.size() == size;
+  return captioned(fits ? frame : frame.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation), caption_,
+                   devicePixelRatioF());
+}
+
+QImage RenderWidget::picture() {
+  show_frame(draw_now(*take_changes()));
+  return as_large_as_shown(frame_);
+}
+
+QImage RenderWidget::smooth_picture() {
+  constexpr int oversampling = 2;
+  const Drawn drawn = draw_now(*take_changes(oversampling));
+  // The view counts in its own pixels again.
+  view_.set_pixel_scale(devicePixelRatioF());
+  view_.set_size(std::max(device_width(), 1), std::max(device_height(), 1));
+  redraw();
+  return as_large_as_shown(drawn.image);
 }
 
 void RenderWidget::show_frame(const Drawn& drawn) {

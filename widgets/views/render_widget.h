@@ -24,8 +24,12 @@ class RenderWidget : public QWidget {
   [[nodiscard]] scene::View& view() { return view_; }
   [[nodiscard]] const scene::View& view() const { return view_; }
   void redraw();
-  // The view as it is now; waits until it is drawn.
+  // The view as it is now, for others than who sits before it; waits until it is drawn.
   [[nodiscard]] QImage picture();
+  // The same with smooth edges, in four times the time: for paper.
+  [[nodiscard]] QImage smooth_picture();
+  // On a band below pictures, not below the view itself; empty for none.
+  void set_caption_of_pictures(const QString& caption) { caption_ = caption; }
 
   // What drawing the last frame took.
   [[nodiscard]] double last_frame_ms() const { return last_frame_ms_; }
@@ -56,7 +60,9 @@ class RenderWidget : public QWidget {
   struct Drawer;
   struct Drawn;
 
-  [[nodiscard]] std::shared_ptr<scene::ViewChanges> take_changes();
+  [[nodiscard]] std::shared_ptr<scene::ViewChanges> take_changes(int oversampling = 1);
+  [[nodiscard]] Drawn draw_now(const scene::ViewChanges& changes);
+  [[nodiscard]] QImage as_large_as_shown(const QImage& frame) const;
   void begin_frame();
   void show_frame(const Drawn& drawn);
 
@@ -64,6 +70,7 @@ class RenderWidget : public QWidget {
   std::shared_ptr<Drawer> drawer_;  // used on the drawing thread alone
   QImage frame_;
   QString drawn_by_ = "unknown";
+  QString caption_;
   QString why_none_;  // nothing can be drawn on this machine
   bool out_of_date_ = true;
   bool due_ = false;        // a frame is to begin in the next turn of the event loop

@@ -11,13 +11,8 @@
 namespace glisson::widgets {
 namespace {
 
-// In Hounsfield units, as radiology departments set them; the first is found from the volume itself.
-constexpr int automatic = 0;
-struct Preset {
-  double center;
-  double width;
-};
-constexpr std::array<Preset, 5> presets{{{0, 0}, {40, 400}, {60, 160}, {-600, 1500}, {400, 1800}}};
+constexpr int automatic = static_cast<int>(WindowPreset::automatic);
+constexpr int own = static_cast<int>(WindowPreset::own);
 
 }  // namespace
 
@@ -53,15 +48,26 @@ ViewBar::ViewBar(LinkedViews& views, MeasureTool& measure, QWidget* parent)
   row->addWidget(volumes_button);
 
   row->addSpacing(10);
+  window_name_ = new QLabel(this);
+  window_name_->setObjectName("view_name");
+  window_name_->setContentsMargins(0, 0, 4, 0);
+  row->addWidget(window_name_);
   window_ = new QComboBox(this);
   window_->setObjectName("grey_window");
-  for (std::size_t k = 0; k < presets.size(); ++k) window_->addItem({});
+  window_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // its words change with the language
+  for (int k = 0; k <= own; ++k) window_->addItem({});
   row->addWidget(window_);
-  connect(window_, &QComboBox::activated, this, &ViewBar::choose_window);
+  window_told_ = new QLabel(this);
+  window_told_->setObjectName("window_told");
+  row->addWidget(window_told_);
+  connect(window_, &QComboBox::activated, this, [this](int preset) {
+    views_.choose_window(static_cast<WindowPreset>(preset));
+    tell_window();
+  });
+  connect(&views_, &LinkedViews::window_shown, this, &ViewBar::tell_window);
   next_window_ = add_action("next_window", "", QKeySequence("Ctrl+Shift+W"), [this] {
-    const int count = views_.shows_hounsfield_units() ? static_cast<int>(presets.size()) : 1;
-    window_->setCurrentIndex((window_->currentIndex() + 1) % count);
-    choose_window(window_->currentIndex());
+    const int count = views_.shows_hounsfield_units() ? own : 1;
+    views_.choose_window(static_cast<WindowPreset>((window_->currentIndex() + 1) % (own + 1) % count));
   });
 
   row->addSpacing(10);
@@ -69,7 +75,7 @@ ViewBar::ViewBar(LinkedViews& views, MeasureTool& measure, QWidget* parent)
   straight_ = add_action("straight", "", QKeySequence("Ctrl+Shift+0"), [this] { views_.straighten(); });
   QToolButton* surgeon = add_button(surgeon_, "surgeons_side");
   QToolButton* straight = add_button(straight_, "straight");
-  dispensable_ = {volumes_button, straight, surgeon};
+  dispensable_ = {volumes_button, straight, surgeon, window_told_, window_name_};
   more_ = new QToolButton(this);
   more_->setObjectName("more");
   more_->setText("»");
@@ -121,6 +127,9 @@ ViewBar::ViewBar(LinkedViews& views, MeasureTool& measure, QWidget* parent)
     window_->setItemText(2, tr("Liver"));
     window_->setItemText(3, tr("Lung"));
     window_->setItemText(4, tr("Bone"));
+    window_->setItemText(own, tr("Own"));
+    window_name_->setText(tr("Window"));
+    tell_window();
     window_->setToolTip(
         tr("Brightness and contrast of the slices. The presets are for CT; MR has no fixed scale.\n"
            "By hand: drag with the right button"));
@@ -130,8 +139,8 @@ ViewBar::ViewBar(LinkedViews& views, MeasureTool& measure, QWidget* parent)
     surgeon_->setToolTip(
         tr("Turns the three slices to where the surgeon stands. By hand: drag the knobs of the crosshair, "
            "or Ctrl and drag"));
-    straight_->setText(tr("S&traight"));
-    straight_->setToolTip(tr("The slices along the body again"));
+    straight_->setText(tr("S&tandard planes"));
+    straight_->setToolTip(tr("Transverse, coronal and sagittal slices again"));
     more_->setToolTip(tr("What there is no room for here"));
     more_->setAccessibleName(more_->toolTip());
     layouts_[0]->setText(tr("&Four views"));
@@ -200,12 +209,21 @@ QToolButton* ViewBar::add_button(QAction* action, const char* name) {
 }
 
 void ViewBar::show_patient(const Patient& patient) {
-  structures_ = patient.structures;
+  structures_ = patient.all_structures();
   list_volumes();
-  window_->setCurrentIndex(automatic);
-  const bool hounsfield = patient.anatomy && patient.anatomy->unit == "HU";  // a unit, not translated
+}
+
+// What is shown now, and which of the presets that is.
+void ViewBar::tell_window() {
+  const bool hounsfield = views_.shows_hounsfield_units();
   auto* items = qobject_cast<QStandardItemModel*>(window_->model());
-  for (int k = 1; k < window_->count(); ++k) items->item(k)->setEnabled(hounsfield);
+  for (int k = automatic + 1; k < own; ++k) items->item(k)->setEnabled(hounsfield);
+  items->item(own)->setEnabled(views_.window_preset() == WindowPreset::own);
+  window_->setCurrentIndex(static_cast<int>(views_.window_preset()));
+  const GreyWindow window = views_.window();
+  const int digits = window.width < 20 ? 1 : 0;
+  window_told_->setText(tr("W %1  L %2").arg(window.width, 0, 'f', digits).arg(window.center, 0, 'f', digits));
+  fit();
 }
 
 void ViewBar::list_volumes() {
@@ -216,15 +234,6 @@ void ViewBar::list_volumes() {
     });
   }
   volumes_->setEnabled(!structures_.empty());
-}
-
-void ViewBar::choose_window(int preset) {
-  if (preset == automatic) {
-    views_.set_usual_window();
-  } else {
-    const Preset& chosen = presets.at(static_cast<std::size_t>(preset));
-    views_.set_window(chosen.center, chosen.width);
-  }
 }
 
 void ViewBar::fill(QMenu& menu) {

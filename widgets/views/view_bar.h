@@ -3,6 +3,7 @@
 
 #include <QActionGroup>
 #include <QComboBox>
+#include <QLabel>
 #include <QMenu>
 #include <QToolButton>
 #include <QWidget>
@@ -32,7 +33,7 @@ class ViewBar : public QWidget {
   QAction* add_action(const char* name, const char* icon, const QKeySequence& key, std::function<void()> act);
   QToolButton* add_button(QAction* action, const char* name);
   void list_volumes();
-  void choose_window(int preset);
+  void tell_window();
   void fit();
   [[nodiscard]] int width_without(std::size_t dispensable) const;
 
@@ -45,7 +46,9 @@ class ViewBar : public QWidget {
   QAction* next_window_;
   QAction* save_;
   QMenu* volumes_;
+  QLabel* window_name_;
   QComboBox* window_;
+  QLabel* window_told_;  // width and level
   // Where the row is too narrow for all, the first of these go first, into the menu of `more_`.
   std::vector<QWidget*> dispensable_;
   QToolButton* more_;

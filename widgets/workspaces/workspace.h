@@ -47,6 +47,8 @@ struct Bench {
   std::function<void(const QString& title, std::function<Result<Patient>(const Progress&)>)> change;
   // The same for another case than the open one: no step of undo.
   std::function<void(const QString& title, std::function<Result<Patient>(const Progress&)>)> open;
+  // Whether what is written into the case's folder may be; says why not.
+  std::function<bool()> may_change;
   std::function<void(const Error&)> tell_error;
   std::function<void(const QString&)> tell_status;
   std::function<void(const QString& workspace_id)> go_to;
