@@ -1,12 +1,14 @@
 // glisson-cli match SOURCE TARGET: non-rigid correspondence by geodesic distances.
 
 #include <fmt/format.h>
+#include <set>
 
 #include "base/files.h"
 #include "command.h"
-#include "geometry/mesh_file.h"
+#include "mended_surface.h"
 #include "one_of.h"
 #include "registration/geo.h"
+#include "shared_options.h"
 
 namespace glisson::cli {
 namespace {
@@ -28,24 +30,36 @@ const char* words(registration::StopReason reason) {
   return "not run";
 }
 
+// Vertices are told as they are numbered in the files, whatever mending did to them.
+std::string table_of(const MatchCommand& command, const registration::SurfaceMatch& match,
+                     const geometry::Mended& source, const geometry::Mended& target) {
+  std::string csv = "source_vertex,target_vertex\n";
+  const auto add = [&](int from, int to) {
+    csv += fmt::format("{},{}\n", source.point_from[static_cast<std::size_t>(from)],
+                       target.point_from[static_cast<std::size_t>(to)]);
+  };
+  if (!command.dense) {
+    for (std::size_t i = 0; i < match.source_points.size(); ++i) add(match.source_points[i], match.target_points[i]);
+    return csv;
+  }
+  const std::vector<int> target_of = registration::densify(match);
+  std::set<int> told;  // a vertex where sheets were parted stands for several
+  for (std::size_t point = 0; point < target_of.size(); ++point) {
+    if (told.insert(source.point_from[point]).second) add(static_cast<int>(point), target_of[point]);
+  }
+  return csv;
+}
+
 Result<Outcome> run(const MatchCommand& command, const Progress& progress) {
-  const auto source = geometry::read_surface(command.source);
+  const auto source = read_mended(command.source);
   if (!source) return failure(source.error());
-  const auto target = geometry::read_surface(command.target);
+  const auto target = read_mended(command.target);
   if (!target) return failure(target.error());
-  const auto match = registration::match_surfaces(*source, *target, command.options, progress);
+  const auto match =
+      registration::match_surfaces(source->mended.surface, target->mended.surface, command.options, progress);
   if (!match) return failure(match.error());
 
-  std::string csv = "source_vertex,target_vertex\n";
-  if (command.dense) {
-    const std::vector<int> target_of = registration::densify(*match);
-    for (std::size_t point = 0; point < target_of.size(); ++point)
-      csv += fmt::format("{},{}\n", point, target_of[point]);
-  } else {
-    for (std::size_t i = 0; i < match->source_points.size(); ++i) {
-      csv += fmt::format("{},{}\n", match->source_points[i], match->target_points[i]);
-    }
-  }
+  const std::string csv = table_of(command, *match, source->mended, target->mended);
   if (auto written = write_text_file(command.out, csv); !written) return failure(written.error());
 
   const auto& solution = match->solution;
@@ -61,6 +75,10 @@ Result<Outcome> run(const MatchCommand& command, const Progress& progress) {
                   fmt::format("{} points matched in {} passes ({}), {:.1f} ms; energy {:.1f}, lower bound {:.1f}\n",
                               match->source_points.size(), solution.passes.size(), words(solution.stopped),
                               solution.solve_ms, solution.energy, solution.lower_bound)};
+  for (const auto& notes : {source->notes, target->notes}) {
+    for (const std::string& note : notes) outcome.document["notes"].push_back(note);
+    outcome.text += bullet_list(notes);
+  }
   constexpr double doubtful = 0.6;
   if (match->orientation_kept < doubtful) {
     const std::string note = fmt::format(

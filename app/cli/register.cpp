@@ -7,7 +7,9 @@
 
 #include "command.h"
 #include "geometry/mesh_file.h"
+#include "mended_surface.h"
 #include "one_of.h"
+#include "shared_options.h"
 
 namespace glisson::cli {
 namespace {
@@ -19,23 +21,34 @@ struct RegisterCommand {
 
 Result<Outcome> run(const RegisterCommand& command, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const auto source = geometry::read_surface(command.source);
+  // Distances along a surface need one piece.
+  const auto pieces =
+      command.options.method == registration::Method::geo ? geometry::Pieces::one : geometry::Pieces::several;
+  const auto source = read_mended(command.source, pieces);
   if (!source) return failure(source.error());
-  const auto target = geometry::read_surface(command.target);
+  const auto target = read_mended(command.target, pieces);
   if (!target) return failure(target.error());
-  const auto registered = registration::register_surfaces(*source, *target, command.options, progress);
+  const auto registered =
+      registration::register_surfaces(source->mended.surface, target->mended.surface, command.options, progress);
   if (!registered) return failure(registered.error());
-  if (auto written = geometry::write_surface(command.out, registered->surface); !written) {
+  const geometry::Surface moved = geometry::carried_back(source->given, source->mended, registered->surface.points_mm);
+  if (auto written = geometry::write_surface(command.out, moved); !written) {
     return failure(written.error());
   }
   const double time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return Outcome{{{"rms_mm", registered->rms_mm},
-                  {"iterations", registered->iterations},
-                  {"time_s", time_s},
-                  {"orientation_kept", registered->orientation_kept},
-                  {"file", command.out}},
-                 fmt::format("{:.2f} mm root mean square to the target after {} iterations, {:.1f} s\n",
-                             registered->rms_mm, registered->iterations, time_s)};
+  Outcome outcome{{{"rms_mm", registered->rms_mm},
+                   {"iterations", registered->iterations},
+                   {"time_s", time_s},
+                   {"orientation_kept", registered->orientation_kept},
+                   {"file", command.out}},
+                  fmt::format("{:.2f} mm root mean square to the target after {} iterations, {:.1f} s\n",
+                              registered->rms_mm, registered->iterations, time_s)};
+  outcome.document["notes"] = Json::array();
+  for (const auto& notes : {source->notes, target->notes}) {
+    for (const std::string& note : notes) outcome.document["notes"].push_back(note);
+    outcome.text += bullet_list(notes);
+  }
+  return outcome;
 }
 
 }  // namespace

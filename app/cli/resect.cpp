@@ -10,6 +10,7 @@
 #include "command.h"
 #include "geometry/mesh_file.h"
 #include "mechanics/simulation.h"
+#include "mended_surface.h"
 #include "rehearsal/resection.h"
 #include "shared_options.h"
 
@@ -87,10 +88,11 @@ Result<Liver> liver_of(const Options& options) {
   }
   for (const std::string& given : options.structures) {
     const auto equals = given.find('=');
-    auto surface = geometry::read_surface(given.substr(equals + 1));
+    auto surface = read_mended(given.substr(equals + 1), geometry::Pieces::several);
     if (!surface) return failure(surface.error());
+    for (const std::string& note : surface->notes) liver.remarks.push_back({note, {}});
     const std::string name = given.substr(0, equals);
-    liver.structures.push_back({name, casefile::resection_kind(name), std::move(*surface)});
+    liver.structures.push_back({name, casefile::resection_kind(name), std::move(surface->mended.surface)});
   }
   return liver;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/files.h"
+#include "geometry/mesh_file.h"
 #include "support/data.h"
 #include "support/process.h"
 
@@ -31,6 +32,45 @@ TEST(MatchCommand, WritesAPairForEachPointAndSaysHowGoodTheyAre) {
   const std::string csv = read_text_file(out).value();
   EXPECT_TRUE(csv.starts_with("source_vertex,target_vertex\n"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 49);
+}
+
+// A wolf as shape collections have them: ten triangles turned, three doubled.
+std::filesystem::path damaged_wolf(const std::filesystem::path& folder) {
+  geometry::Surface surface = geometry::read_surface(wolf(0)).value();
+  for (std::size_t t = 100; t < 1100; t += 100) std::swap(surface.triangles[t][0], surface.triangles[t][1]);
+  for (const std::size_t t : {7U, 77U, 777U}) surface.triangles.push_back(surface.triangles[t]);
+  const auto file = folder / "damaged.obj";
+  EXPECT_TRUE(geometry::write_surface(file, surface));
+  return file;
+}
+
+TEST(MatchCommand, MendsTurnedAndDoubledTrianglesAndSaysSo) {
+  GLISSON_NEEDS_DATA("tosca_nonrigid_shapes");
+  const TemporaryFolder folder;
+  const auto damaged = damaged_wolf(folder.path());
+  const std::string out = (folder.path() / "m.csv").string(), sound = (folder.path() / "sound.csv").string();
+  const Finished finished =
+      glisson_cli({"match", damaged.string(), wolf(1), "--points", "48", "--out", out, "--json", "--quiet"});
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  ASSERT_FALSE(finished.json().at("notes").empty());
+  EXPECT_THAT(finished.json().at("notes")[0].get<std::string>(), ::testing::HasSubstr("damaged.obj"));
+  ASSERT_EQ(glisson_cli({"match", wolf(0), wolf(1), "--points", "48", "--out", sound, "--quiet"}).exit_code, 0);
+  EXPECT_EQ(read_text_file(out).value(), read_text_file(sound).value());
+}
+
+TEST(RegisterCommand, MendsTheSourceAndGivesItBackAsItWas) {
+  GLISSON_NEEDS_DATA("tosca_nonrigid_shapes");
+  const TemporaryFolder folder;
+  const auto damaged = damaged_wolf(folder.path());
+  const std::string out = (folder.path() / "moved.obj").string();
+  const Finished finished =
+      glisson_cli({"register", damaged.string(), wolf(0), "--method", "icp", "--out", out, "--json", "--quiet"});
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_FALSE(finished.json().at("notes").empty());
+  const geometry::Surface given = geometry::read_surface(damaged).value();
+  const geometry::Surface moved = geometry::read_surface(out).value();
+  EXPECT_EQ(moved.triangles, given.triangles);
+  EXPECT_EQ(moved.points_mm.size(), given.points_mm.size());
 }
 
 TEST(MatchCommand, RefusesMorePointsThanTheSurfaceHas) {
