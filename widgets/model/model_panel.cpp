@@ -202,7 +202,6 @@ QWidget* ModelPanel::make_building() {
   auto* row = new QHBoxLayout;
   target_ = new NumberBox(part.group);
   target_->setDecimals(0);
-  target_->setKeyboardTracking(false);
   target_->setObjectName("model_target");
   target_->setRange(500, 200000);
   target_->setSingleStep(5000);

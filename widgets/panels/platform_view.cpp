@@ -34,7 +34,6 @@ NumberBox* number_box(double least, double most, int decimals) {
   auto* box = new NumberBox;
   box->setRange(least, most);
   box->setDecimals(decimals);
-  box->setKeyboardTracking(false);
   return box;
 }
 
@@ -70,8 +69,8 @@ PlatformView::PlatformView(std::vector<Device> devices, hardware::ConvergenceCur
   accuracy_->set_value(5);
   for (NumberSlider* slider : {accuracy_, duration_, frames_, room_, limit_})
     connect(slider, &NumberSlider::changed, this, &PlatformView::replan);
-  connect(volume_, &QDoubleSpinBox::valueChanged, this, &PlatformView::replan);
-  connect(youngs_, &QDoubleSpinBox::valueChanged, this, [this] {
+  connect(volume_, &NumberBox::valueChanged, this, &PlatformView::replan);
+  connect(youngs_, &NumberBox::valueChanged, this, [this] {
     set_accuracy_range();
     replan();
   });

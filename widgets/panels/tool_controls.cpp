@@ -64,13 +64,12 @@ ToolControls::ToolControls(LiveRehearsal& rehearsal, QWidget* parent)
   force_->setObjectName("force");
   force_->setDecimals(1);
   force_->setSingleStep(force_step_N);
-  force_->setKeyboardTracking(false);
   forces->addWidget(force_slider_, 1);
   forces->addWidget(force_);
   auto* force_name = new QLabel(this);
   form->addRow(force_name, forces);
   connect(force_slider_, &QSlider::valueChanged, this, [this](int steps) { set_force(steps * force_step_N); });
-  connect(force_, &QDoubleSpinBox::valueChanged, this, &ToolControls::set_force);
+  connect(force_, &NumberBox::valueChanged, this, &ToolControls::set_force);
 
   rigid_ = new QCheckBox(this);
   rigid_->setObjectName("rigid");
