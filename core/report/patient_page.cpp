@@ -104,14 +104,16 @@ void add_retraction(Page& page, const std::optional<RehearsedRetraction>& retrac
     sentence += fmt::format("{} {} with {:.1f} N over {:.0f} mm radius", sentence.empty() ? "Tools:" : ",", tool.name,
                             tool.force_N, tool.radius_mm);
   }
-  page.blocks.push_back(
-      Paragraph{fmt::format("{}. The liver moves by up to {:.1f} mm. Linear elasticity: exact for small strains.",
-                            sentence, retraction->max_displacement_mm)});
+  const mechanics::Validity& validity = retraction->validity;
+  const std::string moves =
+      validity.usable() ? fmt::format("The liver moves by up to {:.1f} mm. ", retraction->max_displacement_mm) : "";
+  page.blocks.push_back(Paragraph{fmt::format("{}. {}{}", sentence, moves, validity.sentence().message())});
   Table table{"5 mm or more matters to a surgeon and is marked !.", {"Landmark", "Moves (mm)", "Atlas off (mm)"}, {}};
   for (const RehearsedLandmark& landmark : retraction->landmarks) {
+    const bool compared = validity.usable() && landmark.atlas_off_mm;
     table.rows.push_back({{landmark.id},
-                          length_mm(landmark.moves_mm),
-                          landmark.atlas_off_mm ? length_mm(*landmark.atlas_off_mm) : Cell{"-"}});
+                          validity.usable() ? length_mm(landmark.moves_mm) : Cell{"-"},
+                          compared ? length_mm(*landmark.atlas_off_mm) : Cell{"-"}});
   }
   page.blocks.push_back(std::move(table));
 }

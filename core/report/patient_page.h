@@ -12,6 +12,7 @@
 #include "base/result.h"
 #include "casefile/case.h"
 #include "hardware/plan.h"
+#include "mechanics/statics/validity.h"
 #include "report/page.h"
 
 namespace glisson::report {
@@ -32,6 +33,7 @@ struct RehearsedRetraction {
   std::vector<RehearsedTool> tools;
   double max_displacement_mm = 0;
   std::vector<RehearsedLandmark> landmarks;
+  mechanics::Validity validity = {};  // not usable: no figure of it is printed
 };
 
 struct PatientPageContent {

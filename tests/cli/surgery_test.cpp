@@ -209,7 +209,7 @@ TEST_F(SmallLiver, IsCutAndTouchedByAScenario) {
       "cuts": [{"points_mm": [[0, -60, -60], [0, 60, -60], [5, -60, 0], [5, 60, 0]], "center_mm": [0, 0, -50],
                 "radius_mm": 30}],
       "tools": [{"id": "probe", "shape": "palpation-probe", "position_mm": [-30, -80, 0], "direction": [0, 1, 0],
-                 "advance_mm": 40}]})"));
+                 "advance_mm": 35}]})"));
   const Json result = answer({"simulate", patient(), "--scenario", file("cut.json"), "--out", file("cut")});
   EXPECT_TRUE(result.at("converged").get<bool>());
   EXPECT_GT(result.at("tools")[0].at("force_N")[1].get<double>(), 0);

@@ -185,15 +185,12 @@ void RehearsePanel::show_frame() {
     summary_->setText(tr("Place the tool to see what moves."));
     return;
   }
+  if (!frame->validity.usable()) {
+    summary_->setText(QString("– ") + told(frame->validity.sentence()));
+    return;
+  }
   QString text = tr("The liver moves by up to %1 mm.").arg(frame->patient.max_displacement_mm, 0, 'f', 1);
   if (frame->atlas) text += " " + tr("The atlas is off by up to %1 mm.").arg(frame->max_difference_mm, 0, 'f', 1);
-  // Small-strain theory is the model's; say where it is stretched.
-  constexpr double strain_worth_a_word = 0.2;
-  if (frame->largest_strain > strain_worth_a_word) {
-    text +=
-        "\n" +
-        tr("Strains reach %1 %, more than this linear model is made for.").arg(100 * frame->largest_strain, 0, 'f', 0);
-  }
   summary_->setText(text);
 }
 

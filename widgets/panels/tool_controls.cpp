@@ -58,7 +58,7 @@ ToolControls::ToolControls(LiveRehearsal& rehearsal, QWidget* parent)
   connect(direction_, &QComboBox::activated, this, &ToolControls::apply_direction);
 
   auto* forces = new QHBoxLayout;
-  force_slider_ = new QSlider(Qt::Horizontal, this);
+  force_slider_ = new MarkedSlider(Qt::Horizontal, this);
   force_slider_->setObjectName("force_slider");
   force_ = new NumberBox(this);
   force_->setObjectName("force");
@@ -133,6 +133,7 @@ const rehearsal::ToolPreset& ToolControls::preset() const {
 
 void ToolControls::preset_chosen() {
   const rehearsal::ToolPreset& chosen = preset();
+  force_is_usual_ = true;
   show_force(chosen.usual_force_N);
   if (rehearsal_.has_tool()) {
     hold(rehearsal_.tool_center_mm());
@@ -142,7 +143,12 @@ void ToolControls::preset_chosen() {
 }
 
 void ToolControls::hold(const Eigen::Vector3d& center_mm) {
-  rehearsal_.hold({preset().id, center_mm, outward_, preset().radius_mm, chosen_direction(), force_->value()});
+  const PlacedTool tool{preset().id, center_mm, outward_, preset().radius_mm, chosen_direction(), force_->value()};
+  if (force_is_usual_) {
+    rehearsal_.hold_within_the_model(tool);
+  } else {
+    rehearsal_.hold(tool);
+  }
 }
 
 void ToolControls::place_at(const Eigen::Vector3d& position_mm, const Eigen::Vector3d& outward) {
@@ -186,6 +192,7 @@ Eigen::Vector3d ToolControls::chosen_direction() const {
 }
 
 void ToolControls::set_force(double force_N) {
+  force_is_usual_ = false;
   show_force(force_N);
   rehearsal_.set_force_N(force_N);
 }
@@ -213,8 +220,18 @@ void ToolControls::show_tool_in_hand() {
   }
 }
 
+void ToolControls::mark_where_the_model_ends() {
+  const double most_N = force_->maximum();
+  const auto within_N = rehearsal_.force_within_the_model_N(most_N);
+  const bool ends = within_N && *within_N < most_N;
+  force_slider_->set_mark(ends ? std::optional(*within_N / force_step_N) : std::nullopt);
+  force_slider_->setToolTip(ends ? tr("From %1 N on, strains are outside of the model").arg(*within_N, 0, 'f', 1)
+                                 : QString());
+}
+
 void ToolControls::follow() {
   if (rehearsal_.has_tool()) show_tool_in_hand();
+  mark_where_the_model_ends();
   setEnabled(!rehearsal_.frozen());
   rigid_->setEnabled(rehearsal_.knows_rigid_tools());
   rigid_->setChecked(rehearsal_.touch() == Touch::rigid);

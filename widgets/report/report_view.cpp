@@ -26,7 +26,7 @@ const QString html_name = "report.html", pdf_name = "report.pdf";
 std::optional<report::RehearsedRetraction> retraction_of(const LiveRehearsal& rehearsal) {
   const auto& frame = rehearsal.frame();
   if (!frame) return {};
-  report::RehearsedRetraction made{{}, frame->patient.max_displacement_mm, {}};
+  report::RehearsedRetraction made{{}, frame->patient.max_displacement_mm, {}, frame->validity};
   for (const PlacedTool& tool : rehearsal.tools()) made.tools.push_back({tool.preset, tool.force_N, tool.radius_mm});
   for (std::size_t k = 0; k < frame->patient.landmarks.size(); ++k) {
     const auto& landmark = frame->patient.landmarks[k];
