@@ -94,7 +94,8 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
   auto model = casefile::read_model(*patient);
   if (!model) return failure(model.error());
   const casefile::Evidence evidence = model->evidence;
-  const std::vector<std::string> remarks = messages(casefile::model_remarks(*patient));
+  std::vector<std::string> remarks = messages(casefile::model_remarks(*patient));
+  if (model->assumed) remarks.push_back(model->assumed->message());
   auto engine = rehearsal::SessionEngine::create(casefile::rehearsal_setup(std::move(*model)), progress.part(0.0, 0.7));
   if (!engine) return failure(std::move(engine.error()));
 

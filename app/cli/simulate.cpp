@@ -50,8 +50,10 @@ Result<Question> question(const Options& options, mechanics::Scenario scenario) 
       return effect.kind != "support-compliance" && effect.kind != "preload";
     });
   }
+  std::vector<Sentence> remarks = casefile::model_remarks(*patient);
+  if (model->assumed && !scenario.youngs_modulus && !options.data_file) remarks.push_back(*model->assumed);
   std::vector<Sentence> evidence = casefile::put_into(scenario, *model);
-  return Question{std::move(model->mesh), std::move(scenario), std::move(evidence), casefile::model_remarks(*patient)};
+  return Question{std::move(model->mesh), std::move(scenario), std::move(evidence), std::move(remarks)};
 }
 
 std::string describe(const mechanics::Simulation& simulation) {

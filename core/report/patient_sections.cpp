@@ -20,10 +20,10 @@ using casefile::Entry;
 std::string stiffness_source(const Entry& model) {
   const auto& options = model.made.options;
   if (const auto uniform = options.find("uniform_kPa"); uniform != options.end()) {
-    return "one value for all cells, " + uniform->second + " kPa";
+    return "assumed: one value for all cells, " + uniform->second + " kPa";
   }
   if (const auto atlas = options.find("atlas_kPa"); atlas != options.end()) {
-    return "the atlas's one value, " + atlas->second + " kPa";
+    return "assumed: the atlas's one value, " + atlas->second + " kPa";
   }
   return "the patient's own, from MR elastography";
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "casefile/model.h"
+#include "casefile/model_upkeep.h"
 #include "casefile/result_folder.h"
 #include "casefile/structures.h"
 #include "geometry/mesh_file.h"
@@ -281,7 +281,8 @@ Result<Scene> model_scene(const casefile::Case& patient) {
   item.opacity = 1;
   item.colouring = Colouring{mechanics::youngs_modulus_field, ColourMap::viridis, {0, high}, "Young's modulus (kPa)"};
   scene.surfaces.push_back(std::move(item));
-  scene.annotations.title = "The model's stiffness";
+  const bool assumed = casefile::assumed_stiffness(patient).has_value();
+  scene.annotations.title = assumed ? "The model's stiffness: assumed" : "The model's stiffness";
   return scene;
 }
 

@@ -21,7 +21,7 @@ LandmarkTable::LandmarkTable(QWidget* parent) : QTableWidget(0, 4, parent) {
   setObjectName("landmarks");
   worded(this, [this] {
     setHorizontalHeaderLabels({tr("Landmark"), tr("Moves\nmm"), tr("Atlas off\nmm"), tr("From 5 mm")});
-    horizontalHeaderItem(moves_column)->setToolTip(tr("How far the landmark moves with the patient's own stiffness"));
+    horizontalHeaderItem(moves_column)->setToolTip(tr("How far the landmark moves from where the scan shows it"));
     horizontalHeaderItem(apart_column)->setToolTip(tr("How far from there the atlas's stiffness puts it"));
     horizontalHeaderItem(flag_column)->setToolTip(tr("5 mm and more matters to a surgeon"));
   });
@@ -48,6 +48,7 @@ void LandmarkTable::show_frame(const rehearsal::RehearsalFrame* frame) {
     setRowCount(0);
     return;
   }
+  setColumnHidden(apart_column, !frame->atlas);
   setRowCount(static_cast<int>(frame->patient.landmarks.size()));
   for (std::size_t k = 0; k < frame->patient.landmarks.size(); ++k) {
     const auto row = static_cast<int>(k);

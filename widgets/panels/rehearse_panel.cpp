@@ -126,11 +126,24 @@ QWidget* RehearsePanel::make_look_group() {
   by_displacement_ = new QCheckBox(group);
   by_displacement_->setObjectName("by_displacement");
   column->addWidget(by_displacement_);
-  worded(group, [this] { by_displacement_->setText(tr("Colour the liver by how far it moves")); });
+  assumed_text_ = wrapped_label("assumed_stiffness", group);
+  assumed_text_->hide();
+  column->addWidget(assumed_text_);
+  worded(group, [this] {
+    show_assumed_stiffness(assumed_);
+    by_displacement_->setText(tr("Colour the liver by how far it moves"));
+  });
   connect(comparison_, &ComparisonChoice::changed, this, &RehearsePanel::bodies_chosen);
   connect(by_displacement_, &QCheckBox::toggled, this,
           [this](bool on) { Q_EMIT liver_colour_chosen(on ? LiverColour::displacement : LiverColour::tissue); });
   return group;
+}
+
+void RehearsePanel::show_assumed_stiffness(const std::optional<Sentence>& assumed) {
+  assumed_ = assumed;
+  assumed_text_->setVisible(assumed_.has_value());
+  assumed_text_->setText(assumed_ ? told(*assumed_) : QString());
+  comparison_->set_comparable(!assumed_);
 }
 
 void RehearsePanel::set_ready(bool ready) {

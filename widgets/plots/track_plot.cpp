@@ -84,7 +84,7 @@ void TrackPlot::show_track(const RehearsalTrack& track, std::optional<std::size_
     const bool usable = moment.validity.usable();  // else a gap
     time_s << moment.time_s;
     moved_mm << (!usable ? qQNaN() : known ? moment.landmarks_mm[*landmark] : moment.max_displacement_mm);
-    off_mm << (usable ? moment.atlas_off_mm : qQNaN());
+    off_mm << (usable ? moment.atlas_off_mm.value_or(qQNaN()) : qQNaN());
     force_N << moment.force_N;
   }
   moved_->setName(landmark ? landmark_name : tr("Moves at most"));

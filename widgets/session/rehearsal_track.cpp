@@ -39,8 +39,8 @@ std::string RehearsalTrack::csv(const std::vector<std::string>& landmark_ids) co
                            pull_N.y(), pull_N.z());
     }
     const mechanics::Validity& validity = moment.validity;
-    const auto figure = [&](double length_mm) {
-      return validity.usable() ? fmt::format(",{:.4f}", length_mm) : std::string(",");
+    const auto figure = [&](std::optional<double> length_mm) {
+      return validity.usable() && length_mm ? fmt::format(",{:.4f}", *length_mm) : std::string(",");
     };
     text += fmt::format("{:.3f},{},{:.4f}", moment.time_s, tools, moment.force_N);
     text += figure(moment.max_displacement_mm) + figure(moment.atlas_off_mm);
@@ -57,7 +57,7 @@ Moment moment_of(std::vector<PlacedTool> tools, const rehearsal::RehearsalFrame&
   moment.force_N = frame.force_N.norm();
   moment.max_displacement_mm = frame.patient.max_displacement_mm;
   moment.validity = frame.validity;
-  moment.atlas_off_mm = frame.max_difference_mm;
+  if (frame.atlas) moment.atlas_off_mm = frame.max_difference_mm;
   for (const auto& landmark : frame.patient.landmarks) moment.landmarks_mm.push_back(landmark.displacement_mm);
   return moment;
 }
