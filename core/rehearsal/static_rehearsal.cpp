@@ -244,7 +244,7 @@ double PlacedTool::force_within_the_model_N(const Vector3d& direction, double mo
   };
   if (within(most_N)) return most_N;
   double inside_N = 0, outside_N = most_N;
-  while (outside_N - inside_N > 0.01 * most_N) {
+  while (outside_N - inside_N > 0.001 * most_N) {
     const double middle_N = 0.5 * (inside_N + outside_N);
     (within(middle_N) ? inside_N : outside_N) = middle_N;
   }

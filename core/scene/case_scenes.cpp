@@ -29,6 +29,7 @@ Result<Scene> stiffness_scene(const casefile::Case& patient);
 Result<Scene> waves_scene(const casefile::Case& patient);
 Result<Scene> confidence_scene(const casefile::Case& patient);
 Result<Scene> model_scene(const casefile::Case& patient);
+Result<Scene> resection_scene(const casefile::Case& patient);
 
 // A result with what its case adds to the picture.
 struct ShownResult {
@@ -54,16 +55,17 @@ const std::vector<std::string>& wave_scene_names() {
 }
 
 Result<Scene> case_scene(const casefile::Case& patient, const std::string& name) {
-  Result<Scene> scene = failure(
-      Error{"scene-unknown",
-            GLISSON_TEXT("A case has no scene named {0}; it has {1}."),
-            {name, fmt::format("{}, {}", fmt::join(case_scene_names(), ", "), fmt::join(wave_scene_names(), ", "))},
-            {},
-            {}});
+  Result<Scene> scene = failure(Error{"scene-unknown",
+                                      GLISSON_TEXT("A case has no scene named {0}; it has {1}."),
+                                      {name, fmt::format("{}, {}, {}", fmt::join(case_scene_names(), ", "),
+                                                         fmt::join(wave_scene_names(), ", "), resection_scene_name)},
+                                      {},
+                                      {}});
   if (name == "anatomy") scene = anatomy_scene(patient);
   if (name == "liver") scene = liver_scene(patient);
   if (name == "stiffness") scene = stiffness_scene(patient);
   if (name == "model") scene = model_scene(patient);
+  if (name == resection_scene_name) scene = resection_scene(patient);
   if (name == "waves") scene = waves_scene(patient);
   if (name == "confidence") scene = confidence_scene(patient);
   if (scene) scene->annotations.warning = warning_of(patient);
@@ -257,6 +259,18 @@ Result<Scene> liver_scene(const casefile::Case& patient) {
   }
   if (scene.surfaces.empty()) return failure(patient.file_of("surfaces/liver").error());
   scene.annotations.title = "Liver, tumours and vessels";
+  return scene;
+}
+
+Result<Scene> resection_scene(const casefile::Case& patient) {
+  auto scene = liver_scene(patient);
+  if (!scene) return scene;
+  auto cut = geometry::read_surface(patient.folder() / "results" / "resection" / "cut.vtp");
+  if (!cut) return failure(Error{cut.error()}.with_hint(GLISSON_TEXT("Plan a resection first, and save it.")));
+  constexpr Colour of_the_cut{0.56, 0.85, 0.58};
+  scene->surfaces.push_back(
+      {"cut", std::make_shared<const geometry::Surface>(*std::move(cut)), of_the_cut, 0.9, Finish::solid, {}});
+  scene->annotations.title = "The planned cut";
   return scene;
 }
 
