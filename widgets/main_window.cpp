@@ -125,6 +125,7 @@ void MainWindow::make_workspaces() {
                      [this](const Patient& patient) {
                        rehearse_panel_->set_ready(patient.rehearsal != nullptr);
                        rehearse_panel_->show_evidence(patient.evidence);
+                       rehearse_panel_->show_assumed_stiffness(patient.assumed_stiffness);
                      },
                  .missing = model_missing});
   add_workspace(ResectPanel::workspace(bench()));
@@ -144,7 +145,7 @@ void MainWindow::make_workspaces() {
                        if (view == nullptr || patient.name.empty()) return;
                        const PatientStructure* liver = patient.liver();
                        view->show_case(QString::fromStdString(patient.name), liver != nullptr ? liver->volume_ml : 0,
-                                       patient.mean_youngs_kPa);
+                                       patient.mean_youngs_kPa, patient.assumed_stiffness.has_value());
                      }});
   add_workspace(EvidenceView::workspace(bench()));
 }

@@ -9,7 +9,7 @@
 namespace glisson::cli {
 namespace {
 
-Outcome describe(const rehearsal::Comparison& comparison) {
+Outcome describe(const rehearsal::Comparison& comparison, const std::array<mechanics::Validity, 2>& worth) {
   Outcome outcome{{{"mean_mm", comparison.mean_mm},
                    {"max_mm", comparison.max_mm},
                    {"significant", comparison.significant()},
@@ -30,6 +30,13 @@ Outcome describe(const rehearsal::Comparison& comparison) {
     outcome.text += fmt::format("  {:24} {:7.2f} mm{}\n", landmark.id, landmark.difference_mm,
                                 landmark.significant() ? "  >= 5 mm" : "");
   }
+  outcome.document["states"] = Json::array();
+  for (std::size_t k = 0; k < worth.size(); ++k) {
+    outcome.document["states"].push_back({{"state", to_string(worth[k].state())},
+                                          {"largest_strain", worth[k].largest_strain},
+                                          {"inverted_cells", worth[k].inverted_cells}});
+    outcome.text += fmt::format("{}: {}\n", k == 0 ? "A" : "B", worth[k].sentence().message());
+  }
   return outcome;
 }
 
@@ -46,7 +53,9 @@ void add_compare(CLI::App& app, Action& chosen) {
       if (!a) return failure(a.error());
       const auto b = casefile::read_result(folders->second);
       if (!b) return failure(b.error());
-      return rehearsal::compare(*a, *b).map(describe);
+      return rehearsal::compare(*a, *b).map([&](const rehearsal::Comparison& comparison) {
+        return describe(comparison, {a->validity, b->validity});
+      });
     };
   });
 }

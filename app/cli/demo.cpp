@@ -17,6 +17,7 @@ Outcome describe(const studies::DemoSummary& summary) {
       summary.liver_ml, summary.true_liver_ml, summary.liver_dice, summary.cells, summary.stiffness.mean_kPa,
       summary.stiffness.sd_kPa, summary.tool, summary.force_N, summary.max_displacement_mm, comparison.mean_mm,
       comparison.max_mm);
+  text += summary.validity.sentence().message() + "\n";
   text += fmt::format("  {:24} {:>8} {:>8} {:>8}\n", "landmark (mm)", "MRE", "atlas", "apart");
   for (const auto& landmark : comparison.landmarks) {
     text += fmt::format("  {:24} {:8.1f} {:8.1f} {:8.1f}{}\n", landmark.id, landmark.displacement_a_mm,

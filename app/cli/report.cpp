@@ -1,8 +1,13 @@
 // glisson-cli report CASE --out FILE.html: one page of what was done for a patient.
 
+#include <filesystem>
+
+#include "base/files.h"
 #include "command.h"
 #include "report/html.h"
 #include "report/patient_page.h"
+#include "scene/case_scenes.h"
+#include "scene/picture.h"
 
 namespace glisson::cli {
 namespace {
@@ -13,11 +18,36 @@ struct ReportCommand {
   std::string name;
 };
 
+// The planned cut, or without one the liver, and a slice with the outlines. What the case lacks is not drawn.
+Result<std::vector<report::Figure>> pictures(const casefile::Case& patient, const std::filesystem::path& folder) {
+  constexpr int width = 1200, height = 800;
+  const bool cut = std::filesystem::exists(patient.folder() / "results" / "resection" / "cut.vtp");
+  std::vector<std::pair<std::string, std::string>> wanted{{"anatomy", "A slice with the outlines."}};
+  wanted.insert(wanted.begin(), cut ? std::pair{std::string(scene::resection_scene_name), "The planned cut."}
+                                    : std::pair{std::string("liver"), "The liver with what lies inside it."});
+  std::vector<report::Figure> figures;
+  for (const auto& [name, caption] : wanted) {
+    const auto scene = scene::case_scene(patient, name);
+    if (!scene) continue;
+    const std::filesystem::path file = folder / (name + ".png");
+    auto drawn = scene::draw(*scene, width, height).and_then([&](const scene::Picture& picture) {
+      return scene::write_png(picture, file);
+    });
+    if (!drawn) return failure(std::move(drawn.error()));
+    figures.push_back({file, caption});
+  }
+  return figures;
+}
+
 Result<Outcome> run(const ReportCommand& command, const Progress& progress) {
   const auto patient = casefile::Case::open(command.case_folder);
   if (!patient) return failure(patient.error());
   report::PatientPageContent content;
   if (!command.name.empty()) content.name = command.name;
+  const TemporaryFolder scratch;
+  auto figures = pictures(*patient, scratch.path());
+  if (!figures) return failure(std::move(figures.error()));
+  content.figures = *std::move(figures);
   const auto page = report::patient_page(*patient, content, progress);
   if (!page) return failure(page.error());
   if (auto written = report::write_html(command.out, *page); !written) return failure(std::move(written.error()));

@@ -6,6 +6,7 @@
 #include "base/csv.h"
 #include "casefile/model.h"
 #include "casefile/resection_folder.h"
+#include "casefile/result_folder.h"
 #include "casefile/used_entries.h"
 #include "command.h"
 #include "geometry/mesh_file.h"
@@ -137,11 +138,21 @@ Result<Lying> lying(const Liver& liver, const std::optional<std::string>& result
   // Either the file or the folder that simulate writes.
   const std::filesystem::path given = *result;
   std::error_code problem;
-  const auto moved_mm =
-      displacement_mm(liver.mesh, std::filesystem::is_directory(given, problem) ? given / "result.vtu" : given);
+  const std::filesystem::path file = std::filesystem::is_directory(given, problem) ? given / "result.vtu" : given;
+  const auto moved_mm = displacement_mm(liver.mesh, file);
   if (!moved_mm) return failure(moved_mm.error());
+  const auto validity = casefile::read_validity(file.parent_path());
+  if (!validity) return failure(validity.error());
+  if (*validity && !(*validity)->usable()) {
+    return failure(Error{"retraction-unusable",
+                         GLISSON_TEXT("The result {0} is not to be used: {1}."),
+                         {file.string(), (*validity)->why_not().message()},
+                         GLISSON_TEXT("Simulate it again with less force."),
+                         file});
+  }
   auto displaced = rehearsal::displaced(liver.mesh, *moved_mm);
   if (!displaced) return failure(std::move(displaced.error()));
+  if (*validity) displaced->validity = **validity;
   return Lying{*std::move(displaced), rehearsal::displaced(liver.mesh, *moved_mm, liver.structures)};
 }
 
@@ -149,6 +160,7 @@ std::string in_words(const casefile::PlannedCut& cut, const rehearsal::Resection
   std::string text = cut.liver == casefile::PlannedCut::Liver::held_aside
                          ? "As the tools hold the liver: margins and widths there, volumes of the tissue at rest\n"
                          : "";
+  if (plan.retraction) text += plan.retraction->sentence().message() + "\n";
   text += fmt::format("Specimen {:.1f} ml, remnant {:.1f} ml ({:.1f} %), volumes to {:.2f} ml\n", plan.specimen_ml,
                       plan.remnant_ml, plan.remnant_percent(), plan.volume_error_ml);
   for (const auto& tumour : plan.tumours) {

@@ -32,10 +32,11 @@ Json json_of(const rehearsal::SessionStep& step) {
                      {"advance_mm", tool.advance_mm},
                      {"penetration_mm", tool.penetration_mm}});
   }
-  return {{"converged", step.report.converged},
+  return {{"converged", step.report.converged && step.report.inverted_cells == 0},
           {"relative_residual", step.report.relative_residual},
           {"iterations", step.report.rounds},
           {"energy_uJ", step.report.energy_uJ},
+          {"largest_strain", step.report.largest_strain},
           {"inverted_cells", step.report.inverted_cells},
           {"penetration_mm", step.report.penetration_mm},
           {"solve_ms", step.report.solve_ms},
@@ -45,13 +46,19 @@ Json json_of(const rehearsal::SessionStep& step) {
 Json json_of(const rehearsal::SessionFrame& frame) {
   Json json{{"number", frame.number},
             {"patient", json_of(frame.patient_step)},
-            {"max_displacement_mm", frame.patient.max_displacement_mm},
-            {"max_difference_mm", frame.max_difference_mm},
+            {"state", to_string(frame.validity.state())},
+            {"largest_strain", frame.validity.largest_strain},
+            {"inverted_cells", frame.validity.inverted_cells},
+            {"usable", frame.validity.usable()},
             {"step_ms", frame.step_ms},
             {"digest", frame.digest},
             {"landmarks", Json::array()}};
   if (!frame.refused.empty()) json["refused"] = frame.refused;
   if (frame.atlas_step) json["atlas"] = json_of(*frame.atlas_step);
+  if (frame.validity.state() != mechanics::AnswerState::within) json["reason"] = frame.validity.sentence().message();
+  if (!frame.validity.usable()) return json;
+  json["max_displacement_mm"] = frame.patient.max_displacement_mm;
+  if (frame.atlas) json["max_difference_mm"] = frame.max_difference_mm;
   for (std::size_t l = 0; l < frame.patient.landmarks.size(); ++l) {
     const auto& landmark = frame.patient.landmarks[l];
     Json entry{{"id", landmark.id},
@@ -66,6 +73,16 @@ Json json_of(const rehearsal::SessionFrame& frame) {
   return json;
 }
 
+std::string in_words(const rehearsal::SessionFrame& frame) {
+  std::string moved = "-";
+  if (frame.validity.usable()) {
+    moved = fmt::format("moved by {:6.2f} mm", frame.patient.max_displacement_mm);
+    if (frame.atlas) moved += fmt::format(", atlas apart by {:5.2f} mm", frame.max_difference_mm);
+  }
+  return fmt::format("{:3}  {}, in {:6.1f} ms. {}{}\n", frame.number, moved, frame.step_ms,
+                     frame.validity.sentence().message(), frame.refused.empty() ? "" : "  REFUSED: " + frame.refused);
+}
+
 Result<Outcome> run(const Options& options, const Progress& progress) {
   const auto text = read_text_file(options.commands_file, std::uint64_t{64} << 20);
   if (!text) return failure(text.error());
@@ -77,7 +94,8 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
   auto model = casefile::read_model(*patient);
   if (!model) return failure(model.error());
   const casefile::Evidence evidence = model->evidence;
-  const std::vector<std::string> remarks = messages(casefile::model_remarks(*patient));
+  std::vector<std::string> remarks = messages(casefile::model_remarks(*patient));
+  if (model->assumed) remarks.push_back(model->assumed->message());
   auto engine = rehearsal::SessionEngine::create(casefile::rehearsal_setup(std::move(*model)), progress.part(0.0, 0.7));
   if (!engine) return failure(std::move(engine.error()));
 
@@ -98,9 +116,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
     if (!recorded.empty() && recorded != frame.digest && !first_other) first_other = i;
     recording.emplace_back(command, frame.digest);
     outcome.document["steps"].push_back(json_of(frame));
-    outcome.text += fmt::format("{:3}  moved by {:6.2f} mm, atlas apart by {:5.2f} mm, in {:6.1f} ms{}\n", frame.number,
-                                frame.patient.max_displacement_mm, frame.max_difference_mm, frame.step_ms,
-                                frame.refused.empty() ? "" : "  REFUSED: " + frame.refused);
+    outcome.text += in_words(frame);
   }
   if (first_other) {
     return failure(Error{"replay-differs",

@@ -50,20 +50,29 @@ Result<Question> question(const Options& options, mechanics::Scenario scenario) 
       return effect.kind != "support-compliance" && effect.kind != "preload";
     });
   }
+  std::vector<Sentence> remarks = casefile::model_remarks(*patient);
+  if (model->assumed && !scenario.youngs_modulus && !options.data_file) remarks.push_back(*model->assumed);
   std::vector<Sentence> evidence = casefile::put_into(scenario, *model);
-  return Question{std::move(model->mesh), std::move(scenario), std::move(evidence), casefile::model_remarks(*patient)};
+  return Question{std::move(model->mesh), std::move(scenario), std::move(evidence), std::move(remarks)};
 }
 
 std::string describe(const mechanics::Simulation& simulation) {
   const mechanics::StaticResult& result = simulation.result;
+  const mechanics::Validity validity = validity_of(simulation);
+  const auto length = [&](double length_mm) {
+    return validity.usable() ? fmt::format("{:.2f} mm", length_mm) : std::string("-");
+  };
+  std::vector<std::string> notes = result.notes;
+  std::erase(notes, validity.sentence().message());  // which stands at the top
   std::string text =
-      fmt::format("Largest displacement {:.2f} mm; relative residual {:.1e}; set-up {:.2f} s, solve {:.0f} ms\n",
-                  result.max_displacement_mm, result.relative_residual, result.setup_s, result.step_ms);
+      fmt::format("{}\nLargest displacement {}; relative residual {:.1e}; set-up {:.2f} s, solve {:.0f} ms\n",
+                  validity.sentence().message(), length(result.max_displacement_mm), result.relative_residual,
+                  result.setup_s, result.step_ms);
   for (const auto& landmark : simulation.landmarks) {
-    text += fmt::format("  {:24} {:7.2f} mm{}\n", landmark.id, landmark.displacement_mm,
-                        landmark.displacement_mm >= rehearsal::significant_mm ? "  >= 5 mm" : "");
+    const bool far = validity.usable() && landmark.displacement_mm >= rehearsal::significant_mm;
+    text += fmt::format("  {:24} {:>10}{}\n", landmark.id, length(landmark.displacement_mm), far ? "  >= 5 mm" : "");
   }
-  return text + bullet_list(result.notes);
+  return text + bullet_list(notes);
 }
 
 // Measured strain and stress, where the person gave some, in place of the scenario's material.

@@ -2,25 +2,29 @@
 
 #include <fmt/format.h>
 
-#include "casefile/model.h"
+#include "casefile/model_upkeep.h"
 #include "command.h"
 
 namespace glisson::cli {
 namespace {
 
-Outcome describe(const elastography::CellStiffness& stiffness) {
+Outcome describe(const elastography::CellStiffness& stiffness, const std::optional<Sentence>& assumed) {
   return {
-      {{"mean_kPa", stiffness.mean_kPa},
+      {{"assumed", assumed.has_value()},
+       {"mean_kPa", stiffness.mean_kPa},
        {"sd_kPa", stiffness.sd_kPa},
        {"min_kPa", stiffness.min_kPa},
        {"max_kPa", stiffness.max_kPa},
        {"cells", stiffness.youngs_kPa.size()},
        {"cells_without_data", stiffness.cells_without_data},
        {"filled_fraction", stiffness.filled_fraction}},
-      fmt::format("Young's modulus {:.2f} kPa on average (sd {:.2f}, {:.2f} to {:.2f}); {} of {} cells had no reliable "
-                  "measurement and were filled from inside\n",
-                  stiffness.mean_kPa, stiffness.sd_kPa, stiffness.min_kPa, stiffness.max_kPa,
-                  stiffness.cells_without_data, stiffness.youngs_kPa.size())};
+      assumed
+          ? assumed->message() + "\n"
+          : fmt::format(
+                "Young's modulus {:.2f} kPa on average (sd {:.2f}, {:.2f} to {:.2f}); {} of {} cells had no reliable "
+                "measurement and were filled from inside\n",
+                stiffness.mean_kPa, stiffness.sd_kPa, stiffness.min_kPa, stiffness.max_kPa,
+                stiffness.cells_without_data, stiffness.youngs_kPa.size())};
 }
 
 }  // namespace
@@ -51,7 +55,10 @@ void add_stiffness(CLI::App& app, Action& chosen) {
             casefile::FromAtlas{atlas_shear_kPa->value_or("2.1") == "2.6" ? elastography::Atlas::published_cohort
                                                                           : elastography::Atlas::dissertation_cohort};
       }
-      return casefile::assign_stiffness(*patient, choice, {}, progress).map(describe);
+      return casefile::assign_stiffness(*patient, choice, {}, progress)
+          .map([&](const elastography::CellStiffness& stiffness) {
+            return describe(stiffness, casefile::assumed_stiffness(*patient));
+          });
     };
   });
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "casefile/model_upkeep.h"
 #include "casefile/structures.h"
 #include "casefile/used_entries.h"
 #include "geometry/mesh_file.h"
@@ -141,6 +142,11 @@ Result<PatientModel> read_model(const Case& patient) {
   model->anisotropy = learnt->organ.anisotropy;
   model->standing_loads = std::move(learnt->organ.standing_loads);
   model->evidence = std::move(learnt->evidence);
+  const auto& effects = model->evidence.effects;
+  const bool scaled = std::any_of(effects.begin(), effects.end(), [](const closedloop::LearntEffect& effect) {
+    return effect.carried && effect.kind == "stiffness-scale";
+  });
+  if (scaled) model->assumed.reset();
   return model;
 }
 
@@ -165,6 +171,7 @@ Result<PatientModel> read_model_before_evidence(const Case& patient) {
                          patient.folder()});
   }
   model.youngs_kPa = youngs->values;
+  model.assumed = assumed_stiffness(patient);
   model.atlas_youngs_kPa = elastography::atlas_youngs_kPa(elastography::Atlas::dissertation_cohort);
   model.supports = rehearsal::usual_supports();
 
@@ -177,7 +184,8 @@ Result<PatientModel> read_model_before_evidence(const Case& patient) {
       return geometry::read_surface(file);
     });
     if (!surface) return failure(surface.error());
-    StructureSurface shown{structure.name, structure.color_rgb, std::move(*surface)};
+    StructureSurface shown{structure.name, structure.color_rgb, std::move(*surface),
+                           segmentation::volume_ml(structure.mask)};
     if (structure.name == "liver") {
       model.liver = std::move(shown);
     } else {

@@ -50,11 +50,14 @@ struct StructureSurface {
   std::string name;
   std::array<double, 3> color_rgb;
   geometry::Surface surface;
+  double volume_ml = 0;  // of the outline that it is made from
 };
 struct PatientModel {
   geometry::TetMesh mesh;          // with youngs_modulus_kPa (as below), bare_area, diaphragm
   std::vector<double> youngs_kPa;  // one a cell
-  double atlas_youngs_kPa = 0;     // of the reference body that it is compared with
+  // Where nobody measured that stiffness: what was assumed. Such a model is not compared with the atlas.
+  std::optional<Sentence> assumed = {};
+  double atlas_youngs_kPa = 0;  // of the reference body that it is compared with
   std::vector<mechanics::Support> supports;
   std::optional<mechanics::Capsule> capsule;  // these three by evidence alone
   std::optional<mechanics::TransverseIsotropy> anisotropy;
@@ -70,7 +73,8 @@ Result<PatientModel> read_model(const Case& patient);
 Result<PatientModel> read_model_before_evidence(const Case& patient);
 [[nodiscard]] closedloop::OrganModel organ_of(const PatientModel& model);
 
-// The model as a rehearsal takes it, with its landmarks, without the structures' surfaces.
+// The model as a rehearsal takes it, with its landmarks, without the structures' surfaces. It has a reference body to
+// be compared with where its stiffness was measured.
 [[nodiscard]] rehearsal::RehearsalSetup rehearsal_setup(PatientModel model);
 
 // What a case brings to a scenario: the modulus stands in the mesh, supports and landmarks where the scenario has none,

@@ -15,7 +15,7 @@ rehearsal::RehearsalSetup rehearsal_setup(PatientModel model) {
   rehearsal::RehearsalSetup setup;
   setup.mesh = std::move(model.mesh);
   setup.patient_youngs_kPa = std::move(model.youngs_kPa);
-  setup.atlas_youngs_kPa = model.atlas_youngs_kPa;
+  if (!model.assumed) setup.atlas_youngs_kPa = model.atlas_youngs_kPa;
   setup.supports = std::move(model.supports);
   setup.standing_loads = std::move(model.standing_loads);
   setup.landmarks = std::move(model.landmarks);

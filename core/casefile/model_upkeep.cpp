@@ -1,5 +1,6 @@
 #include "casefile/model_upkeep.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
@@ -9,7 +10,6 @@
 
 #include "casefile/structures.h"
 #include "geometry/mesh_file.h"
-#include "segmentation/lesions.h"
 
 namespace glisson::casefile {
 namespace {
@@ -85,6 +85,7 @@ Result<ModelFacts> model_facts(const Case& patient, const Progress& progress) {
   if (!label) return failure(label.error());
   facts.label_ml = *label;
   facts.target_cells = target_cells_of(patient);
+  facts.assumed = assumed_stiffness(patient).has_value();
   for (const char* id : stages) {
     if (const Entry* entry = patient.find(id)) {
       facts.notes.insert(facts.notes.end(), entry->made.notes.begin(), entry->made.notes.end());
@@ -111,6 +112,23 @@ StiffnessChoice stiffness_choice_of(const Case& patient) {
                                                              : elastography::Atlas::dissertation_cohort};
   }
   return FromMre{};
+}
+
+std::optional<Sentence> assumed_stiffness(const Case& patient) {
+  if (patient.find("meshes/model") == nullptr) return {};
+  const StiffnessChoice choice = stiffness_choice_of(patient);
+  if (const auto* uniform = std::get_if<Uniform>(&choice)) {
+    return Sentence{
+        GLISSON_TEXT("The stiffness is assumed, {0} kPa for all cells, and not measured: it is not compared "
+                     "with the atlas."),
+        {fmt::format("{:.3g}", uniform->youngs_kPa)}};
+  }
+  if (const auto* atlas = std::get_if<FromAtlas>(&choice)) {
+    return Sentence{GLISSON_TEXT("The stiffness is assumed, the atlas's {0} kPa for all cells, and not measured: it is "
+                                 "not compared with the atlas."),
+                    {fmt::format("{:.3g}", elastography::atlas_youngs_kPa(atlas->atlas))}};
+  }
+  return {};
 }
 
 Result<void> bring_model_up_to_date(Case& patient, const Upkeep& upkeep, const Progress& progress) {
@@ -176,14 +194,11 @@ geometry::Surface part_with(const geometry::Surface& boundary, const geometry::T
   return part;
 }
 
-// As mesh_liver takes it: the liver with the lesions that stick out of it.
 Result<double> label_ml(const Case& patient) {
   auto structures = read_structures(patient);
   if (!structures) return failure(structures.error());
   if (structures->empty() || structures->front().name != "liver") return 0.0;
-  imaging::Mask liver = structures->front().mask;
-  const auto whole = segmentation::with_lesions(std::move(liver), *structures);
-  return segmentation::volume_ml(whole.liver);
+  return segmentation::volume_ml(structures->front().mask);
 }
 
 int target_cells_of(const Case& patient) {

@@ -23,10 +23,11 @@ struct ModelState {
 struct ModelFacts {
   std::size_t points = 0, cells = 0;
   double mesh_ml = 0;
-  double label_ml = 0;                   // of the liver's outline with all that lies inside
+  double label_ml = 0;                   // of the liver's outline
   std::vector<double> min_dihedral_deg;  // one a cell
   std::vector<double> youngs_kPa;        // one a cell
   double mean_kPa = 0, sd_kPa = 0;
+  bool assumed = false;          // nobody measured it
   std::size_t filled_cells = 0;  // without data of their own
   int target_cells = 0;          // that were asked for
   geometry::Surface surface;     // the boundary, cell field "youngs_modulus_kPa"
@@ -39,6 +40,8 @@ Result<ModelFacts> model_facts(const Case& patient, const Progress& progress = {
 
 // Whose stiffness the model has now; elastography's, where there is a map and no model yet, else the atlas's.
 [[nodiscard]] StiffnessChoice stiffness_choice_of(const Case& patient);
+// What stiffness the model assumes; nothing where it was measured, or where there is no model.
+[[nodiscard]] std::optional<Sentence> assumed_stiffness(const Case& patient);
 
 // Makes of the case's outlines and maps what has changed since: the mesh, where an outline has or another number of
 // cells is wanted, then the stiffness.

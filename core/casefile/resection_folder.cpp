@@ -47,6 +47,11 @@ rehearsal::StructureKind resection_kind(const std::string& structure) {
 std::string resection_text(const PlannedCut& cut, const rehearsal::Resection& plan) {
   Json document{{"format", "glisson-resection/1"}, {"cut", json_of_cut(cut, plan)}};
   document.update(json_of_plan(plan));
+  if (plan.retraction) {
+    document["retraction"] = {{"state", to_string(plan.retraction->state())},
+                              {"largest_strain", plan.retraction->largest_strain},
+                              {"inverted_cells", plan.retraction->inverted_cells}};
+  }
   return document.dump(2) + "\n";
 }
 

@@ -1,5 +1,8 @@
 #include "casefile/result_folder.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "base/json_value.h"
 #include "base/write_file.h"
 #include "geometry/mesh_file.h"
@@ -18,6 +21,7 @@ Failure not_a_result(const fs::path& folder, const std::string& why) {
 }
 
 Json steps_of(const mechanics::Simulation& simulation);
+mechanics::Validity validity_in(const Json& document);
 
 std::string_view engine_name(mechanics::Engine engine) { return engine == mechanics::Engine::fem ? "fem" : "meshfree"; }
 
@@ -33,16 +37,17 @@ Result<void> write_result(const fs::path& folder, const mechanics::Simulation& s
 
 std::string result_text(const mechanics::Simulation& simulation) {
   const mechanics::StaticResult& result = simulation.result;
+  const mechanics::Validity validity = validity_of(simulation);
   Json document{{"format", "glisson-result/1"},
                 {"engine", engine_name(simulation.scenario.engine)},
-                {"converged", result.may_be_used()},
+                {"converged", validity.usable()},
+                {"state", to_string(validity.state())},
                 {"why_stopped", result.why_stopped},
                 {"relative_residual", result.relative_residual},
                 {"iterations", result.iterations},
-                {"max_displacement_mm", result.max_displacement_mm},
                 {"strain_energy_uJ", result.strain_energy_uJ},
-                {"largest_strain", result.largest_strain},
-                {"inverted_cells", result.inverted_cells},
+                {"largest_strain", validity.largest_strain},
+                {"inverted_cells", validity.inverted_cells},
                 {"applied_force_N", json_of(result.applied_force_mN * 1e-3)},
                 {"held_reaction_N", json_of(result.fixed_reaction_mN * 1e-3)},
                 {"foundation_reaction_N", json_of(result.foundation_reaction_mN * 1e-3)},
@@ -50,11 +55,13 @@ std::string result_text(const mechanics::Simulation& simulation) {
                 {"timing", {{"setup_s", result.setup_s}, {"step_ms", result.step_ms}}},
                 {"notes", result.notes},
                 {"landmarks", Json::array()}};
+  if (validity.state() != mechanics::AnswerState::within) document["reason"] = validity.sentence().message();
+  if (validity.usable()) document["max_displacement_mm"] = result.max_displacement_mm;
   for (const mechanics::DisplacedLandmark& landmark : simulation.landmarks) {
-    document["landmarks"].push_back({{"id", landmark.id},
-                                     {"rest_mm", json_of(landmark.rest_mm)},
-                                     {"displaced_mm", json_of(landmark.displaced_mm)},
-                                     {"displacement_mm", landmark.displacement_mm}});
+    Json& told = document["landmarks"].emplace_back(Json{{"id", landmark.id}, {"rest_mm", json_of(landmark.rest_mm)}});
+    if (!validity.usable()) continue;
+    told["displaced_mm"] = json_of(landmark.displaced_mm);
+    told["displacement_mm"] = landmark.displacement_mm;
   }
   if (simulation.contact) {
     document["contact"] = {{"penetration_mm", simulation.contact->penetration_mm},
@@ -85,7 +92,8 @@ Json steps_of(const mechanics::Simulation& simulation) {
   Json steps = Json::array();
   for (const mechanics::MotionStep& step : simulation.steps) {
     Json landmarks = Json::array();
-    for (std::size_t l = 0; l < step.landmarks_mm.size(); ++l) {
+    const bool usable = step.report.converged && step.report.inverted_cells == 0;
+    for (std::size_t l = 0; usable && l < step.landmarks_mm.size(); ++l) {
       landmarks.push_back({{"id", simulation.landmarks[l].id}, {"position_mm", json_of(step.landmarks_mm[l])}});
     }
     steps.push_back({{"time_s", step.time_s},
@@ -93,9 +101,10 @@ Json steps_of(const mechanics::Simulation& simulation) {
                      {"held_reaction_N", json_of(step.fixed_reaction_mN * 1e-3)},
                      {"foundation_reaction_N", json_of(step.foundation_reaction_mN * 1e-3)},
                      {"ligament_reaction_N", json_of(step.ligament_reaction_mN * 1e-3)},
-                     {"converged", step.report.converged},
+                     {"converged", usable},
                      {"relative_residual", step.report.relative_residual},
                      {"iterations", step.report.iterations},
+                     {"largest_strain", step.largest_strain},
                      {"inverted_cells", step.report.inverted_cells},
                      {"kinetic_energy_uJ", step.report.kinetic_energy_uJ},
                      {"strain_energy_uJ", step.report.strain_energy_uJ},
@@ -104,7 +113,30 @@ Json steps_of(const mechanics::Simulation& simulation) {
   return steps;
 }
 
+// Of results from before there were states, too: a converged one with inverted cells is no better for its age.
+mechanics::Validity validity_in(const Json& document) {
+  const auto number = [&](const char* key) {
+    const Json* value = value_in(document, key);
+    return value != nullptr && value->is_number() ? value->get<double>() : 0.0;
+  };
+  const bool inverted = number("inverted_cells") > 0;
+  mechanics::Validity validity{says(document, "converged", true) || inverted, number("largest_strain"),
+                               inverted ? static_cast<int>(std::min(number("inverted_cells"), 1e9)) : 0};
+  if (says(document, "state", to_string(mechanics::AnswerState::within))) {
+    validity.limit = std::numeric_limits<double>::infinity();  // of a law that knows large strain
+  }
+  return validity;
+}
+
 }  // namespace
+
+Result<std::optional<mechanics::Validity>> read_validity(const fs::path& folder) {
+  std::error_code problem;
+  if (!fs::exists(folder / "result.json", problem)) return std::nullopt;
+  return read_json_file(folder / "result.json").map([](const Json& document) {
+    return std::optional(validity_in(document));
+  });
+}
 
 Result<rehearsal::ComparedResult> read_result(const fs::path& folder) {
   std::error_code problem;
@@ -114,10 +146,16 @@ Result<rehearsal::ComparedResult> read_result(const fs::path& folder) {
   if (!says(*document, "format", "glisson-result/1")) {
     return not_a_result(folder, GLISSON_TEXT("result.json does not say \"format\": \"glisson-result/1\""));
   }
-  if (!says(*document, "converged", true))
-    return not_a_result(folder, GLISSON_TEXT("the computation did not converge"));
-
   rehearsal::ComparedResult read;
+  read.validity = validity_in(*document);
+  if (!read.validity.usable()) {
+    return failure(Error{"not-a-result",
+                         GLISSON_TEXT("The result in {0} is not to be used: {1}."),
+                         {folder.string(), read.validity.why_not().message()},
+                         GLISSON_TEXT("Simulate it again with less force, or on other supports."),
+                         folder});
+  }
+
   auto mesh = geometry::read_tetrahedra(folder / "result.vtu");
   if (!mesh) return failure(mesh.error());
   read.mesh = std::move(*mesh);

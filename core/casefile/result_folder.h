@@ -1,8 +1,10 @@
 #pragma once
 // A simulation's outcome as files: DIR/result.vtu (the rest mesh with point array displacement_mm and its cell
-// fields), DIR/result.json (what was reached, the landmarks) and DIR/scenario.json (the question, in full).
+// fields), DIR/result.json (what was reached and is worth, the landmarks; no displacements of an unusable answer) and
+// DIR/scenario.json (the question, in full).
 
 #include <filesystem>
+#include <optional>
 
 #include "base/result.h"
 #include "mechanics/simulation.h"
@@ -13,8 +15,11 @@ namespace glisson::casefile {
 // The folder is made where absent; files of these names are replaced, each whole.
 Result<void> write_result(const std::filesystem::path& folder, const mechanics::Simulation& simulation);
 
-// Fails with "not-a-result", naming what is missing or damaged.
+// Fails with "not-a-result", naming what is missing or damaged, and where the answer may not be used.
 Result<rehearsal::ComparedResult> read_result(const std::filesystem::path& folder);
+
+// What the result in that folder is worth; nothing where there is no result.json. Fails where that is no JSON.
+Result<std::optional<mechanics::Validity>> read_validity(const std::filesystem::path& folder);
 
 // The summary that `simulate --json` prints and result.json holds, as JSON text.
 std::string result_text(const mechanics::Simulation& simulation);

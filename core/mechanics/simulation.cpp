@@ -104,6 +104,15 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   return simulation;
 }
 
+Validity validity_of(const Simulation& simulation) {
+  Validity worst = validity_of(simulation.result, simulation.scenario.material);
+  for (const MotionStep& step : simulation.steps) {
+    worst.largest_strain = std::max(worst.largest_strain, step.largest_strain);
+    worst.inverted_cells = std::max(worst.inverted_cells, step.report.inverted_cells);
+  }
+  return worst;
+}
+
 Result<std::vector<double>> youngs_modulus_of_cells(const geometry::TetMesh& mesh, const Scenario& scenario) {
   const YoungsModulus modulus = scenario.youngs_modulus.value_or(youngs_modulus_field);
   if (const double* uniform_kPa = std::get_if<double>(&modulus)) {

@@ -15,6 +15,7 @@
 #include "mechanics/scenario/cut.h"
 #include "mechanics/scenario/scenario.h"
 #include "mechanics/statics/static_result.h"
+#include "mechanics/statics/validity.h"
 
 namespace glisson::mechanics {
 
@@ -37,6 +38,7 @@ struct MotionStep {
   Eigen::Vector3d foundation_reaction_mN{0, 0, 0};
   Eigen::Vector3d ligament_reaction_mN{0, 0, 0};
   StepReport report;
+  double largest_strain = 0;  // as in StaticResult
 };
 
 struct SimulationOptions {
@@ -59,6 +61,9 @@ struct Simulation {
   geometry::TetMesh mesh;                // the rest mesh with point field "displacement_mm" (3) and cell fields
                                          // "youngs_modulus_kPa" and "von_mises_kPa", as written to result.vtu
 };
+
+// Of a motion the worst of its steps.
+[[nodiscard]] Validity validity_of(const Simulation& simulation);
 
 // Failures: those of StaticModel; "landmark-outside"; "modulus-missing" (no such cell field, or one of the wrong
 // size; the fields there are named); "cut-invalid", "cut-misses"; those of ContactBody; "not-available" (data in

@@ -42,6 +42,7 @@ struct ComparedResult {
   geometry::TetMesh mesh;  // rest points, with point field "displacement_mm"
   std::vector<mechanics::DisplacedLandmark> landmarks;
   std::vector<mechanics::ToolLoad> tools;
+  mechanics::Validity validity = {};
 };
 Result<Comparison> compare(const ComparedResult& a, const ComparedResult& b);
 

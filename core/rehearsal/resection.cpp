@@ -76,6 +76,7 @@ Result<Resection> plan_resection(const LyingLiver& lying, const CutSurface& cut,
   plan.specimen_ml = units::ml_from_mm3(plan.specimen_is_above ? volume.above_mm3 : volume.below_mm3);
   plan.remnant_ml = units::ml_from_mm3(plan.specimen_is_above ? volume.below_mm3 : volume.above_mm3);
   plan.volume_error_ml = units::ml_from_mm3(volume.error_mm3);
+  plan.retraction = lying.validity;
   plan.split = geometry::split_tetrahedra(liver, cut);
   plan.cut = exact_cut(liver, cut);
   plan.cut_area_mm2 = geometry::area_mm2(plan.cut);

@@ -65,6 +65,7 @@ struct Resection {
   geometry::Surface cut;                  // inside the liver, where it lies
   geometry::SplitMesh split;              // the liver in its parts, open along the cut, where it lies
   std::vector<std::string> notes;
+  std::optional<mechanics::Validity> retraction = {};  // of a liver that is held aside: what that answer is worth
 
   [[nodiscard]] double remnant_percent() const { return 100.0 * remnant_ml / (remnant_ml + specimen_ml); }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mechanics/elements/point_location.h"
+#include "mechanics/elements/strain.h"
 #include "mechanics/simulation.h"
 
 namespace glisson::rehearsal {
@@ -11,6 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 std::vector<double> volumes_mm3(const geometry::TetMesh& mesh);
+mechanics::Validity validity_by_corners(const geometry::TetMesh& rest, const std::vector<Vector3d>& displacement_mm);
 Vector3d middle_mm(const std::vector<Vector3d>& points_mm);
 void subtract_displacement(std::vector<Vector3d>& points_mm, const geometry::Fields& fields);
 
@@ -46,6 +48,7 @@ Result<LyingLiver> displaced(const geometry::TetMesh& rest, const std::vector<Ve
                          GLISSON_TEXT("Pull or push with less force."),
                          {}});
   }
+  lying.validity = validity_by_corners(rest, displacement_mm);
   return lying;
 }
 
@@ -84,6 +87,16 @@ std::vector<double> volumes_mm3(const geometry::TetMesh& mesh) {
   std::vector<double> volumes(mesh.cells.size());
   for (std::size_t cell = 0; cell < volumes.size(); ++cell) volumes[cell] = geometry::cell_volume_mm3(mesh, cell);
   return volumes;
+}
+
+mechanics::Validity validity_by_corners(const geometry::TetMesh& rest, const std::vector<Vector3d>& displacement_mm) {
+  const mechanics::NodeLayout corners = mechanics::lay_out_nodes(rest, mechanics::ElementOrder::linear);
+  Eigen::VectorXd u_mm(3 * Eigen::Index{corners.nodes()});
+  for (std::size_t p = 0; p < displacement_mm.size(); ++p) {
+    if (corners.node_of_point[p] >= 0) u_mm.segment<3>(3 * Eigen::Index{corners.node_of_point[p]}) = displacement_mm[p];
+  }
+  const mechanics::StrainRange strains = mechanics::strain_range(rest, corners, u_mm);
+  return {true, strains.largest_strain, strains.inverted_cells};
 }
 
 Vector3d middle_mm(const std::vector<Vector3d>& points_mm) {

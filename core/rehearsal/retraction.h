@@ -3,12 +3,14 @@
 // told of the tissue, which does not change by being held aside.
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "geometry/surface.h"
 #include "geometry/tetrahedra.h"
+#include "mechanics/statics/validity.h"
 
 namespace glisson::rehearsal {
 
@@ -23,13 +25,16 @@ struct NamedStructure {
 struct LyingLiver {
   geometry::TetMesh mesh;                // points where they lie; displaced ones with the point field "displacement_mm"
   std::vector<double> rest_volumes_mm3;  // of each cell
+  // What the answer is worth that displaced it; nothing at rest.
+  std::optional<mechanics::Validity> validity = std::nullopt;
 };
 
 [[nodiscard]] LyingLiver at_rest(const geometry::TetMesh& liver);
 
 // Displaced by `displacement_mm`, one a point of the mesh at rest. Within a cell the displacement is linear, as it is
-// drawn. Failures: "retraction-mismatch" (another number of points, or one that is not finite); "retraction-inverted"
-// where cells are turned inside out: nothing can be measured there.
+// drawn; by that its strain is judged, until the caller knows better. Failures: "retraction-mismatch" (another number
+// of points, or one that is not finite); "retraction-inverted" where cells are turned inside out: nothing can be
+// measured there.
 Result<LyingLiver> displaced(const geometry::TetMesh& rest, const std::vector<Eigen::Vector3d>& displacement_mm);
 
 // Structures carried along with the liver around them; what lies outside of it goes with its nearest place.

@@ -187,6 +187,8 @@ SessionFrame SessionEngine::Impl::frame_of(const Moment& moment) const {
   frame.tools = moment.tools;
   frame.patient = shown(*patient, moment.patient);
   frame.patient_step = {moment.patient.report, moment.patient.tools};
+  frame.validity = {moment.patient.report.converged, moment.patient.report.largest_strain,
+                    moment.patient.report.inverted_cells};
   if (moment.atlas) {
     frame.atlas = shown(*atlas, *moment.atlas);
     frame.atlas_step = SessionStep{moment.atlas->report, moment.atlas->tools};

@@ -46,6 +46,7 @@ struct SessionFrame {
   RehearsalBody patient;
   std::optional<RehearsalBody> atlas;
   SessionStep patient_step;
+  mechanics::Validity validity = {};  // of the patient's body, its strain by the corners of cells
   std::optional<SessionStep> atlas_step;
   std::vector<LandmarkDifference> differences;  // those of 5 mm and more are significant()
   double max_difference_mm = 0;                 // over the surface

@@ -221,7 +221,8 @@ RehearsalFrame PlacedTool::answer(const Vector3d& force_N) const {
   frame.force_N = force_N;
   frame.patient = impl_->rehearsal->body_under(impl_->patient, force_N);
   frame.relative_residual = impl_->patient.relative_residual;
-  frame.largest_strain = impl_->patient.strain->largest(force_N);
+  const mechanics::StrainRange strain = impl_->patient.strain->under(force_N);
+  frame.validity = {true, strain.largest_strain, strain.inverted_cells};
   if (impl_->atlas) {
     frame.atlas = impl_->rehearsal->body_under(*impl_->atlas, force_N);
     frame.relative_residual = std::max(frame.relative_residual, impl_->atlas->relative_residual);
@@ -234,6 +235,20 @@ RehearsalFrame PlacedTool::answer(const Vector3d& force_N) const {
   }
   frame.answer_ms = milliseconds_since(start);
   return frame;
+}
+
+// Strain is convex along a line of forces, so that what lies within begins at 0 and ends once.
+double PlacedTool::force_within_the_model_N(const Vector3d& direction, double most_N) const {
+  const auto within = [&](double force_N) {
+    return impl_->patient.strain->largest(force_N * direction) <= mechanics::small_strain_limit;
+  };
+  if (within(most_N)) return most_N;
+  double inside_N = 0, outside_N = most_N;
+  while (outside_N - inside_N > 0.001 * most_N) {
+    const double middle_N = 0.5 * (inside_N + outside_N);
+    (within(middle_N) ? inside_N : outside_N) = middle_N;
+  }
+  return inside_N;
 }
 
 std::vector<Vector3d> PlacedTool::patient_displacement_mm(const Vector3d& force_N) const {

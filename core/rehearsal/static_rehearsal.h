@@ -18,6 +18,7 @@
 #include "geometry/surface.h"
 #include "geometry/tetrahedra.h"
 #include "mechanics/statics/static_model.h"
+#include "mechanics/statics/validity.h"
 #include "rehearsal/comparison.h"
 
 namespace glisson::rehearsal {
@@ -62,7 +63,7 @@ struct RehearsalFrame {
   std::vector<LandmarkDifference> differences;  // patient against atlas; empty without a reference body
   double max_difference_mm = 0;                 // over the surface
   double relative_residual = 0;                 // the larger of the solves it is made from
-  double largest_strain = 0;  // principal, of the patient's body; above about 0.2 small strain is stretched
+  mechanics::Validity validity = {};                 // of the patient's body
   double answer_ms = 0;
 };
 
@@ -75,6 +76,10 @@ class PlacedTool {
 
   // The bodies under that force (N, patient LPS). The force must be finite.
   [[nodiscard]] RehearsalFrame answer(const Eigen::Vector3d& force_N) const;
+
+  // The largest force (N, to a thousandth of `most_N`) along that unit direction which stays within the model; at most
+  // `most_N`. 0 where the standing loads leave it already.
+  [[nodiscard]] double force_within_the_model_N(const Eigen::Vector3d& direction, double most_N) const;
 
   // Displacement of every mesh point of the patient's body (mm), for saving a result.
   [[nodiscard]] std::vector<Eigen::Vector3d> patient_displacement_mm(const Eigen::Vector3d& force_N) const;

@@ -4,8 +4,11 @@
 #include <algorithm>
 
 #include "base/files.h"
+#include "casefile/model_upkeep.h"
 #include "casefile/structures.h"
+#include "rehearsal/tool_presets.h"
 #include "report/internal/patient_sections.h"
+#include "report/plain_names.h"
 
 namespace glisson::report {
 namespace {
@@ -14,9 +17,10 @@ using casefile::Case;
 using casefile::Entry;
 using casefile::Freshness;
 
+void add_figures(Page& page, const std::vector<Figure>& figures);
 void add_images(Page& page, const Case& patient, bool names_shown);
 Result<void> add_structures(Page& page, const Case& patient);
-void add_retraction(Page& page, const std::optional<RehearsedRetraction>& retraction);
+void add_retraction(Page& page, const Case& patient, const std::optional<RehearsedRetraction>& retraction);
 void add_plan(Page& page, const std::optional<hardware::Plan>& plan);
 void add_files(Page& page, const Case& patient);
 
@@ -29,14 +33,14 @@ Result<Page> patient_page(const Case& patient, const PatientPageContent& content
   page.subtitle = "What was planned and rehearsed" + (content.when.empty() ? "" : ", " + content.when);
   page.warning = (patient.origin().empty() ? "" : patient.origin() + ". ") + "Not a medical device.";
   page.footer = fmt::format("Glisson {}. Not a medical device: not for diagnosis or treatment.", version());
-  if (!content.figures.empty()) page.blocks.push_back(FigureRow{content.figures});
-  add_images(page, patient, content.name.has_value());
-  if (auto added = add_structures(page, patient); !added) return failure(std::move(added.error()));
-  progress.report(0.3, GLISSON_TEXT("Reading the model"));
-  if (auto added = add_model(page, patient); !added) return failure(std::move(added.error()));
-  add_retraction(page, content.retraction);
+  add_figures(page, content.figures);
   add_resection(page, patient);
+  add_retraction(page, patient, content.retraction);
+  if (auto added = add_structures(page, patient); !added) return failure(std::move(added.error()));
   add_plan(page, content.plan);
+  progress.report(0.3, GLISSON_TEXT("Reading the model"));
+  add_images(page, patient, content.name.has_value());
+  if (auto added = add_model(page, patient); !added) return failure(std::move(added.error()));
   if (auto added = add_evidence(page, patient); !added) return failure(std::move(added.error()));
   progress.report(0.7, GLISSON_TEXT("Comparing the files with what they were made from"));
   add_files(page, patient);
@@ -51,6 +55,12 @@ Cell length_mm(double value_mm) {
           significant ? Cell::Emphasis::flag : Cell::Emphasis::none};
 }
 
+void add_figures(Page& page, const std::vector<Figure>& figures) {
+  if (figures.empty()) return;
+  page.blocks.push_back(FigureRow{{figures.front()}});
+  if (figures.size() > 1) page.blocks.push_back(FigureRow{{figures.begin() + 1, figures.end()}});
+}
+
 void add_images(Page& page, const Case& patient, bool names_shown) {
   page.blocks.push_back(Heading{"Images"});
   Table table{"", {"Volume", "From", "Made by"}, {}};
@@ -58,9 +68,9 @@ void add_images(Page& page, const Case& patient, bool names_shown) {
   for (const Entry& entry : patient.entries()) {
     if (!entry.id.starts_with("volumes/")) continue;
     std::vector<Cell> row{
-        {entry.id.substr(std::string("volumes/").size())},
+        {plain_name(entry.id.substr(std::string("volumes/").size()))},
         {entry.made.sources.empty() ? "the case" : fmt::format("{} files", entry.made.sources.size())},
-        {entry.made.by}};
+        {plain_way(entry.made.by)}};
     if (names_shown) {
       const auto described = entry.made.options.find("description");
       row.push_back({described == entry.made.options.end() ? "" : described->second});
@@ -85,15 +95,15 @@ Result<void> add_structures(Page& page, const Case& patient) {
   Table table{"", {"Structure", "ml", "Outlined by"}, {}};
   for (const auto& structure : *structures) {
     const Entry* entry = patient.find("labels/" + structure.name);
-    table.rows.push_back({{structure.name},
+    table.rows.push_back({{plain_name(structure.name)},
                           {fmt::format("{:.1f}", segmentation::volume_ml(structure.mask))},
-                          {entry != nullptr ? entry->made.by : ""}});
+                          {entry != nullptr ? plain_way(entry->made.by) : ""}});
   }
   page.blocks.push_back(std::move(table));
   return {};
 }
 
-void add_retraction(Page& page, const std::optional<RehearsedRetraction>& retraction) {
+void add_retraction(Page& page, const Case& patient, const std::optional<RehearsedRetraction>& retraction) {
   page.blocks.push_back(Heading{"Rehearsed retraction"});
   if (!retraction) {
     page.blocks.push_back(Paragraph{"No tool is on the liver: nothing is being rehearsed."});
@@ -101,17 +111,25 @@ void add_retraction(Page& page, const std::optional<RehearsedRetraction>& retrac
   }
   std::string sentence;
   for (const RehearsedTool& tool : retraction->tools) {
-    sentence += fmt::format("{} {} with {:.1f} N over {:.0f} mm radius", sentence.empty() ? "Tools:" : ",", tool.name,
-                            tool.force_N, tool.radius_mm);
+    const auto preset = rehearsal::tool_preset(tool.name);
+    sentence += fmt::format("{} {} with {:.1f} N over {:.0f} mm radius", sentence.empty() ? "Tools:" : ",",
+                            preset ? preset->name : tool.name, tool.force_N, tool.radius_mm);
   }
-  page.blocks.push_back(
-      Paragraph{fmt::format("{}. The liver moves by up to {:.1f} mm. Linear elasticity: exact for small strains.",
-                            sentence, retraction->max_displacement_mm)});
-  Table table{"5 mm or more matters to a surgeon and is marked !.", {"Landmark", "Moves (mm)", "Atlas off (mm)"}, {}};
+  const mechanics::Validity& validity = retraction->validity;
+  const std::string moves =
+      validity.usable() ? fmt::format("The liver moves by up to {:.1f} mm. ", retraction->max_displacement_mm) : "";
+  page.blocks.push_back(Paragraph{fmt::format("{}. {}{}", sentence, moves, validity.sentence().message())});
+  if (const auto assumed = casefile::assumed_stiffness(patient)) page.blocks.push_back(Paragraph{assumed->message()});
+  const bool compared =
+      std::any_of(retraction->landmarks.begin(), retraction->landmarks.end(),
+                  [](const RehearsedLandmark& landmark) { return landmark.atlas_off_mm.has_value(); });
+  Table table{"5 mm or more matters to a surgeon and is marked !.", {"Landmark", "Moves (mm)"}, {}};
+  if (compared) table.columns.emplace_back("Atlas off (mm)");
   for (const RehearsedLandmark& landmark : retraction->landmarks) {
-    table.rows.push_back({{landmark.id},
-                          length_mm(landmark.moves_mm),
-                          landmark.atlas_off_mm ? length_mm(*landmark.atlas_off_mm) : Cell{"-"}});
+    std::vector<Cell> row{{plain_name(landmark.id)}, validity.usable() ? length_mm(landmark.moves_mm) : Cell{"-"}};
+    const bool known = validity.usable() && landmark.atlas_off_mm;
+    if (compared) row.push_back(known ? length_mm(*landmark.atlas_off_mm) : Cell{"-"});
+    table.rows.push_back(std::move(row));
   }
   page.blocks.push_back(std::move(table));
 }
@@ -155,9 +173,9 @@ void add_files(Page& page, const Case& patient) {
   for (const Entry& entry : patient.entries()) {
     const Freshness freshness = patient.freshness(entry.id);
     table.rows.push_back(
-        {{entry.id},
+        {{plain_entry(entry.id)},
          {entry.sha256.substr(0, 12)},
-         {fmt::format("{} (Glisson {})", entry.made.by, entry.version)},
+         {fmt::format("{} (Glisson {})", plain_way(entry.made.by), entry.version)},
          {entry.when_utc},
          {freshness_word(freshness), freshness == Freshness::current ? Cell::Emphasis::none : Cell::Emphasis::flag}});
   }

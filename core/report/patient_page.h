@@ -1,6 +1,7 @@
 #pragma once
-// One page of what was done for a patient: images, structures, model, rehearsal, resection, what can be worn, evidence
-// accepted, and where each file of the case comes from. Read from the case; what the case does not hold is given.
+// What was done for a patient, the answer first: pictures, the planned cut with margins, vessels and remnant, what the
+// tools do to the landmarks, the structures; then, from the next page on, how it came about: images, model, evidence,
+// and where each file of the case comes from. Read from the case; what the case does not hold is given.
 //
 // The patient's name, the series' descriptions and the case's own folder stay out of it unless the name is given.
 
@@ -12,6 +13,7 @@
 #include "base/result.h"
 #include "casefile/case.h"
 #include "hardware/plan.h"
+#include "mechanics/statics/validity.h"
 #include "report/page.h"
 
 namespace glisson::report {
@@ -32,14 +34,15 @@ struct RehearsedRetraction {
   std::vector<RehearsedTool> tools;
   double max_displacement_mm = 0;
   std::vector<RehearsedLandmark> landmarks;
+  mechanics::Validity validity = {};  // not usable: no figure of it is printed
 };
 
 struct PatientPageContent {
   std::optional<std::string> name;  // nothing: withheld
-  std::vector<Figure> figures;
+  std::vector<Figure> figures;      // the first large, the others beside each other below it
   std::optional<RehearsedRetraction> retraction;
-  std::optional<hardware::Plan> plan;
-  std::string when;  // as a person reads it; empty for none
+  std::optional<hardware::Plan> plan;  // where it was asked for
+  std::string when;                    // as a person reads it; empty for none
 };
 
 // Fails where a file of the case cannot be read, naming it. What is missing in the case is said on the page.

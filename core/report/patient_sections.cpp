@@ -9,6 +9,7 @@
 #include "geometry/mesh_file.h"
 #include "mechanics/scenario/scenario.h"
 #include "report/internal/patient_sections.h"
+#include "report/plain_names.h"
 
 namespace glisson::report {
 namespace {
@@ -20,10 +21,10 @@ using casefile::Entry;
 std::string stiffness_source(const Entry& model) {
   const auto& options = model.made.options;
   if (const auto uniform = options.find("uniform_kPa"); uniform != options.end()) {
-    return "one value for all cells, " + uniform->second + " kPa";
+    return "assumed: one value for all cells, " + uniform->second + " kPa";
   }
   if (const auto atlas = options.find("atlas_kPa"); atlas != options.end()) {
-    return "the atlas's one value, " + atlas->second + " kPa";
+    return "assumed: the atlas's one value, " + atlas->second + " kPa";
   }
   return "the patient's own, from MR elastography";
 }
@@ -40,7 +41,7 @@ Table resection_table(const Json& json) {
                              : r1                ? "R1 !"
                              : narrow            ? "under 5 mm !"
                                                  : "";
-    table.rows.push_back({{tumour.at("name").get<std::string>()},
+    table.rows.push_back({{plain_name(tumour.at("name").get<std::string>())},
                           {side == "both"       ? "cut through"
                            : side == "specimen" ? "removed"
                                                 : "stays"},
@@ -70,7 +71,6 @@ Result<void> add_model(Page& page, const Case& patient) {
     table.rows.push_back({{std::move(name)}, {std::move(value)}});
   };
   row("Cells", fmt::format("{}", mesh->cells.size()));
-  row("Volume", fmt::format("{:.0f} ml", units::ml_from_mm3(geometry::volume_mm3(*mesh))));
   row("Smallest dihedral angle", fmt::format("{:.1f} deg", quality.min_dihedral_deg));
   row("Stiffness", stiffness_source(*entry));
   if (youngs != nullptr && !youngs->values.empty()) {
@@ -110,16 +110,22 @@ void add_resection(Page& page, const Case& patient) {
     page.blocks.push_back(Paragraph{fmt::format(
         "The cut removes {:.0f} ml and leaves {:.0f} ml, {:.1f} % of the liver.", json->at("specimen_ml").get<double>(),
         json->at("remnant_ml").get<double>(), json->at("remnant_percent").get<double>())});
+    if (json->contains("retraction")) {
+      const Json& worth = json->at("retraction");
+      page.blocks.push_back(Paragraph{fmt::format(
+          "Planned on the liver as tools hold it, an answer {} the model: strains reach {:.0f} %.",
+          worth.at("state") == "within" ? "within" : "outside of", 100 * worth.at("largest_strain").get<double>())});
+    }
     if (!json->at("tumours").empty()) page.blocks.push_back(resection_table(*json));
     Table crossed{"Vessels that the cut crosses.", {"Vessel", "Diameter (mm)"}, {}};
     for (const Json& crossing : json->at("crossings")) {
-      crossed.rows.push_back({{crossing.at("name").get<std::string>()},
+      const bool cava = crossing.value("by_calibre", "") == "vena-cava";
+      crossed.rows.push_back({{cava ? "Vena cava, by its width" : plain_name(crossing.at("name").get<std::string>())},
                               {fmt::format("{:.1f}", crossing.at("diameter_mm").get<double>())}});
     }
     if (!crossed.rows.empty()) page.blocks.push_back(std::move(crossed));
   } catch (const Json::exception&) {
-    page.blocks.push_back(
-        Paragraph{"The saved resection cannot be read: results/resection/resection.json is damaged."});
+    page.blocks.push_back(Paragraph{"The saved resection cannot be read: its file is damaged."});
   }
 }
 

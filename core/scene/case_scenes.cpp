@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "casefile/model.h"
+#include "casefile/model_upkeep.h"
 #include "casefile/result_folder.h"
 #include "casefile/structures.h"
 #include "geometry/mesh_file.h"
@@ -29,6 +29,7 @@ Result<Scene> stiffness_scene(const casefile::Case& patient);
 Result<Scene> waves_scene(const casefile::Case& patient);
 Result<Scene> confidence_scene(const casefile::Case& patient);
 Result<Scene> model_scene(const casefile::Case& patient);
+Result<Scene> resection_scene(const casefile::Case& patient);
 
 // A result with what its case adds to the picture.
 struct ShownResult {
@@ -54,16 +55,17 @@ const std::vector<std::string>& wave_scene_names() {
 }
 
 Result<Scene> case_scene(const casefile::Case& patient, const std::string& name) {
-  Result<Scene> scene = failure(
-      Error{"scene-unknown",
-            GLISSON_TEXT("A case has no scene named {0}; it has {1}."),
-            {name, fmt::format("{}, {}", fmt::join(case_scene_names(), ", "), fmt::join(wave_scene_names(), ", "))},
-            {},
-            {}});
+  Result<Scene> scene = failure(Error{"scene-unknown",
+                                      GLISSON_TEXT("A case has no scene named {0}; it has {1}."),
+                                      {name, fmt::format("{}, {}, {}", fmt::join(case_scene_names(), ", "),
+                                                         fmt::join(wave_scene_names(), ", "), resection_scene_name)},
+                                      {},
+                                      {}});
   if (name == "anatomy") scene = anatomy_scene(patient);
   if (name == "liver") scene = liver_scene(patient);
   if (name == "stiffness") scene = stiffness_scene(patient);
   if (name == "model") scene = model_scene(patient);
+  if (name == resection_scene_name) scene = resection_scene(patient);
   if (name == "waves") scene = waves_scene(patient);
   if (name == "confidence") scene = confidence_scene(patient);
   if (scene) scene->annotations.warning = warning_of(patient);
@@ -260,6 +262,18 @@ Result<Scene> liver_scene(const casefile::Case& patient) {
   return scene;
 }
 
+Result<Scene> resection_scene(const casefile::Case& patient) {
+  auto scene = liver_scene(patient);
+  if (!scene) return scene;
+  auto cut = geometry::read_surface(patient.folder() / "results" / "resection" / "cut.vtp");
+  if (!cut) return failure(Error{cut.error()}.with_hint(GLISSON_TEXT("Plan a resection first, and save it.")));
+  constexpr Colour of_the_cut{0.56, 0.85, 0.58};
+  scene->surfaces.push_back(
+      {"cut", std::make_shared<const geometry::Surface>(*std::move(cut)), of_the_cut, 0.9, Finish::solid, {}});
+  scene->annotations.title = "The planned cut";
+  return scene;
+}
+
 Result<Scene> model_scene(const casefile::Case& patient) {
   const auto mesh =
       patient.file_of("meshes/model").and_then([](const fs::path& file) { return geometry::read_tetrahedra(file); });
@@ -281,7 +295,8 @@ Result<Scene> model_scene(const casefile::Case& patient) {
   item.opacity = 1;
   item.colouring = Colouring{mechanics::youngs_modulus_field, ColourMap::viridis, {0, high}, "Young's modulus (kPa)"};
   scene.surfaces.push_back(std::move(item));
-  scene.annotations.title = "The model's stiffness";
+  const bool assumed = casefile::assumed_stiffness(patient).has_value();
+  scene.annotations.title = assumed ? "The model's stiffness: assumed" : "The model's stiffness";
   return scene;
 }
 

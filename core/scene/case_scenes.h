@@ -20,10 +20,13 @@ namespace glisson::scene {
 // Of a case whose waves were inverted, besides:
 //   waves        the shear waves in that slice at one instant
 //   confidence   how far the stiffness map is to be believed, 0 to 1
+// Of a case with a planned resection, besides:
+//   resection    the liver as glass with its tumours and vessels, and the cut
 // Of a result (a folder with result.vtu, inside a case's results/ or anywhere):
 //   displacement the moved liver coloured by how far each point moved, with the tool's force and the landmarks
 [[nodiscard]] const std::vector<std::string>& case_scene_names();  // those that every finished case has
 [[nodiscard]] const std::vector<std::string>& wave_scene_names();
+inline constexpr const char* resection_scene_name = "resection";
 
 // Fails with "scene-unknown" (the names are listed), or where the case lacks what the scene shows.
 Result<Scene> case_scene(const casefile::Case& patient, const std::string& name);

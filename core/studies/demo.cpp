@@ -93,6 +93,9 @@ std::string summary_text(const DemoSummary& summary) {
       {"force_N", summary.force_N},
       {"relative_residual", summary.relative_residual},
       {"max_displacement_mm", summary.max_displacement_mm},
+      {"state", to_string(summary.validity.state())},
+      {"largest_strain", summary.validity.largest_strain},
+      {"inverted_cells", summary.validity.inverted_cells},
       {"atlas_against_mre",
        {{"mean_mm", comparison.mean_mm}, {"max_mm", comparison.max_mm}, {"significant", comparison.significant()}}},
       {"landmarks", Json::array()},
@@ -177,12 +180,19 @@ Result<void> rehearse(Run& run, Case& patient, const Progress& progress) {
   scenario.youngs_modulus = model->atlas_youngs_kPa;
   const auto atlas = mechanics::simulate(model->mesh, scenario, {}, progress.part(0.5, 1.0));
   if (!atlas) return failure(atlas.error());
+  run.summary.validity = validity_of(*mre);
+  if (!run.summary.validity.usable()) {
+    return failure(Error{"answer-unusable",
+                         GLISSON_TEXT("The retraction's answer is not to be used: {0}."),
+                         {run.summary.validity.why_not().message()},
+                         GLISSON_TEXT("Use less force."),
+                         {}});
+  }
   auto comparison = rehearsal::compare(*mre, *atlas);
   if (!comparison) return failure(comparison.error());
 
   run.summary.relative_residual = std::max(mre->result.relative_residual, atlas->result.relative_residual);
   run.summary.max_displacement_mm = mre->result.max_displacement_mm;
-  run.summary.notes = mre->result.notes;
   run.summary.atlas_against_mre = std::move(*comparison);
   return casefile::write_result(patient.folder() / "results" / "mre", *mre).and_then([&] {
     return casefile::write_result(patient.folder() / "results" / "atlas", *atlas);

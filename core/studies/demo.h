@@ -35,7 +35,7 @@ struct DemoSummary {
   double force_N = 0;
   double relative_residual = 0;
   double max_displacement_mm = 0;
-  std::vector<std::string> notes;  // of the equilibrium: what to know before trusting the numbers
+  mechanics::Validity validity = {};  // of the equilibrium on the patient's own stiffness
   rehearsal::Comparison atlas_against_mre;
   double seconds = 0;
 };

@@ -62,8 +62,7 @@ std::string force_that_matters(const DemoSummary& summary) {
   std::string sentence = largest_mm > 0 ? fmt::format("The atlas misplaces some point by 5 mm from {:.1f} N on. ",
                                                       summary.force_N * rehearsal::significant_mm / largest_mm)
                                         : std::string();
-  for (const std::string& note : summary.notes) sentence += note + " ";
-  return sentence;
+  return sentence + summary.validity.sentence().message();
 }
 
 std::size_t significant_landmarks(const rehearsal::Comparison& comparison) {

@@ -2545,10 +2545,6 @@
         <translation>Ein Spline braucht vier zugeordnete Punkte, die nicht in einer Ebene liegen.</translation>
     </message>
     <message>
-        <source>A result that did not converge cannot be compared: {0}</source>
-        <translation>Ein nicht konvergiertes Ergebnis kann nicht verglichen werden: {0}</translation>
-    </message>
-    <message>
         <source>A result lacks the point array {0} with three values a point.</source>
         <translation>Einem Ergebnis fehlt das Punktfeld {0} mit drei Werten je Punkt.</translation>
     </message>
@@ -4073,28 +4069,64 @@
         <translation>Nach den Klassennummern von TotalSegmentator benannt: Prüfen Sie, ob sie stimmen.</translation>
     </message>
     <message>
-        <source>Another window has {0} open: here it can be looked at, and nothing is changed.</source>
-        <translation>{0} ist in einem anderen Fenster offen: Hier wird es nur gezeigt, und nichts wird geändert.</translation>
+        <source>The stiffness is assumed, {0} kPa for all cells, and not measured: it is not compared with the atlas.</source>
+        <translation>Die Steifigkeit ist angenommen, {0} kPa für alle Zellen, und nicht gemessen: Sie wird nicht mit dem Atlas verglichen.</translation>
     </message>
     <message>
-        <source>Close it there and open it here again.</source>
-        <translation>Schließen Sie es dort, und öffnen Sie es hier erneut.</translation>
+        <source>The stiffness is assumed, the atlas&apos;s {0} kPa for all cells, and not measured: it is not compared with the atlas.</source>
+        <translation>Die Steifigkeit ist angenommen, die {0} kPa des Atlas für alle Zellen, und nicht gemessen: Sie wird nicht mit dem Atlas verglichen.</translation>
     </message>
     <message>
-        <source>The folder of {0} takes no files: the case can be looked at, and nothing is kept.</source>
-        <translation>Der Ordner von {0} nimmt keine Dateien an: Der Fall lässt sich ansehen, doch nichts wird behalten.</translation>
+        <source>The result in {0} is not to be used: {1}.</source>
+        <translation>Das Ergebnis in {0} ist nicht brauchbar: {1}.</translation>
     </message>
     <message>
-        <source>Copy it to where you may write, and open the copy.</source>
-        <translation>Kopieren Sie ihn an einen Ort, an dem Sie schreiben dürfen, und öffnen Sie die Kopie.</translation>
+        <source>Simulate it again with less force, or on other supports.</source>
+        <translation>Simulieren Sie es noch einmal mit weniger Kraft oder auf anderen Auflagern.</translation>
     </message>
     <message>
-        <source>The folder {0} is gone: nothing more of this case can be kept.</source>
-        <translation>Der Ordner {0} ist fort: Von diesem Fall lässt sich nichts mehr behalten.</translation>
+        <source>Within the model: strains reach {0} %.</source>
+        <translation>Innerhalb des Modells: Die Dehnungen erreichen {0} %.</translation>
     </message>
     <message>
-        <source>Bring it back to its place, or open the case where it is now.</source>
-        <translation>Bringen Sie ihn an seinen Platz zurück, oder öffnen Sie den Fall dort, wo er jetzt ist.</translation>
+        <source>Outside of the model: strains reach {0} %, and beyond {1} % it is an extrapolation.</source>
+        <translation>Außerhalb des Modells: Die Dehnungen erreichen {0} %, und über {1} % ist es eine Extrapolation.</translation>
+    </message>
+    <message>
+        <source>Not to be used: cells turned inside out: {0}.</source>
+        <translation>Nicht brauchbar: umgestülpte Zellen: {0}.</translation>
+    </message>
+    <message>
+        <source>Not to be used: the computation did not converge.</source>
+        <translation>Nicht brauchbar: Die Rechnung ist nicht konvergiert.</translation>
+    </message>
+    <message>
+        <source>cells turned inside out: {0}</source>
+        <translation>umgestülpte Zellen: {0}</translation>
+    </message>
+    <message>
+        <source>Plan a resection first, and save it.</source>
+        <translation>Planen Sie zuerst eine Resektion, und speichern Sie sie.</translation>
+    </message>
+    <message>
+        <source>The result {0} is not to be used: {1}.</source>
+        <translation>Das Ergebnis {0} ist nicht brauchbar: {1}.</translation>
+    </message>
+    <message>
+        <source>Simulate it again with less force.</source>
+        <translation>Simulieren Sie es noch einmal mit weniger Kraft.</translation>
+    </message>
+    <message>
+        <source>A result that did not converge cannot be compared: {0}</source>
+        <translation>Ein nicht konvergiertes Ergebnis kann nicht verglichen werden: {0}</translation>
+    </message>
+    <message>
+        <source>The retraction&apos;s answer is not to be used: {0}.</source>
+        <translation>Die Antwort der Retraktion ist nicht brauchbar: {0}.</translation>
+    </message>
+    <message>
+        <source>Use less force.</source>
+        <translation>Nehmen Sie weniger Kraft.</translation>
     </message>
     <message>
         <source>Less than 5 % of the organ is seen: too little to say where the rest is.</source>
@@ -4163,6 +4195,30 @@
     <message>
         <source>Reading the guidance case</source>
         <translation>Fall zur Bildführung wird gelesen</translation>
+    </message>
+    <message>
+        <source>Another window has {0} open: here it can be looked at, and nothing is changed.</source>
+        <translation>{0} ist in einem anderen Fenster offen: Hier wird es nur gezeigt, und nichts wird geändert.</translation>
+    </message>
+    <message>
+        <source>Close it there and open it here again.</source>
+        <translation>Schließen Sie es dort, und öffnen Sie es hier erneut.</translation>
+    </message>
+    <message>
+        <source>The folder of {0} takes no files: the case can be looked at, and nothing is kept.</source>
+        <translation>Der Ordner von {0} nimmt keine Dateien an: Der Fall lässt sich ansehen, doch nichts wird behalten.</translation>
+    </message>
+    <message>
+        <source>Copy it to where you may write, and open the copy.</source>
+        <translation>Kopieren Sie ihn an einen Ort, an dem Sie schreiben dürfen, und öffnen Sie die Kopie.</translation>
+    </message>
+    <message>
+        <source>The folder {0} is gone: nothing more of this case can be kept.</source>
+        <translation>Der Ordner {0} ist fort: Von diesem Fall lässt sich nichts mehr behalten.</translation>
+    </message>
+    <message>
+        <source>Bring it back to its place, or open the case where it is now.</source>
+        <translation>Bringen Sie ihn an seinen Platz zurück, oder öffnen Sie den Fall dort, wo er jetzt ist.</translation>
     </message>
 </context>
 <context>
@@ -4331,10 +4387,6 @@
         <translation>Es gibt noch kein Modell.</translation>
     </message>
     <message>
-        <source>There is no model yet. Without elastography its stiffness is the atlas&apos;s.</source>
-        <translation>Es gibt noch kein Modell. Ohne Elastographie hat es die Steifigkeit des Atlas.</translation>
-    </message>
-    <message>
         <source>Build the model</source>
         <translation>Modell erstellen</translation>
     </message>
@@ -4410,16 +4462,16 @@
         <source>MRE waves</source>
         <translation>MRE-Wellen</translation>
     </message>
+    <message>
+        <source>There is no model yet. Without elastography its stiffness is assumed: the atlas&apos;s.</source>
+        <translation>Es gibt noch kein Modell. Ohne Elastographie ist seine Steifigkeit angenommen: die des Atlas.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
     <message>
         <source>Patient</source>
         <translation>Patient</translation>
-    </message>
-    <message>
-        <source>With this patient&apos;s own stiffness, from MR elastography</source>
-        <translation>Mit der eigenen Steifigkeit dieses Patienten, aus der MR-Elastographie</translation>
     </message>
     <message>
         <source>Atlas</source>
@@ -4444,6 +4496,18 @@
     <message>
         <source>Two 3D views that turn together: the patient on the left, the atlas on the right</source>
         <translation>Zwei 3D-Ansichten, die sich gemeinsam drehen: links der Patient, rechts der Atlas</translation>
+    </message>
+    <message>
+        <source>No stiffness was measured: there is nothing to compare with the atlas</source>
+        <translation>Es wurde keine Steifigkeit gemessen: Mit dem Atlas ist nichts zu vergleichen</translation>
+    </message>
+    <message>
+        <source>With this patient&apos;s own stiffness, as it was measured</source>
+        <translation>Mit der eigenen Steifigkeit dieses Patienten, wie sie gemessen wurde</translation>
+    </message>
+    <message>
+        <source>With the assumed stiffness</source>
+        <translation>Mit der angenommenen Steifigkeit</translation>
     </message>
 </context>
 <context>
@@ -5161,10 +5225,6 @@ mm</translation>
         <translation>Ab 5 mm</translation>
     </message>
     <message>
-        <source>How far the landmark moves with the patient&apos;s own stiffness</source>
-        <translation>Wie weit sich die Landmarke mit der eigenen Steifigkeit des Patienten bewegt</translation>
-    </message>
-    <message>
         <source>How far from there the atlas&apos;s stiffness puts it</source>
         <translation>Wie weit entfernt davon die Steifigkeit des Atlas sie platziert</translation>
     </message>
@@ -5179,6 +5239,10 @@ mm</translation>
     <message>
         <source>● Moves</source>
         <translation>● Bewegt sich</translation>
+    </message>
+    <message>
+        <source>How far the landmark moves from where the scan shows it</source>
+        <translation>Wie weit sich die Landmarke von dort bewegt, wo die Aufnahme sie zeigt</translation>
     </message>
 </context>
 <context>
@@ -5561,18 +5625,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <translation>Aus der MR-Elastographie</translation>
     </message>
     <message>
-        <source>Atlas: 2.1 kPa in shear</source>
-        <translation>Atlas: 2.1 kPa Schubmodul</translation>
-    </message>
-    <message>
-        <source>Atlas: 2.6 kPa in shear</source>
-        <translation>Atlas: 2.6 kPa Schubmodul</translation>
-    </message>
-    <message>
-        <source>One value for all cells</source>
-        <translation>Ein Wert für alle Zellen</translation>
-    </message>
-    <message>
         <source> kPa</source>
         <translation> kPa</translation>
     </message>
@@ -5689,10 +5741,6 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <translation>%1 Zellen, %2 Punkte</translation>
     </message>
     <message>
-        <source>%1 ml in cells, %2 ml outlined (%3 %)</source>
-        <translation>%1 ml in Zellen, %2 ml umrissen (%3 %)</translation>
-    </message>
-    <message>
         <source>Smallest dihedral angle %1°</source>
         <translation>Kleinster Flächenwinkel %1°</translation>
     </message>
@@ -5713,8 +5761,35 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
         <translation>Elastizitätsmodul einer Zelle, kPa</translation>
     </message>
     <message>
+        <source>Assumed: the atlas&apos;s 2.1 kPa in shear</source>
+        <translation>Angenommen: die 2.1 kPa (Schub) des Atlas</translation>
+    </message>
+    <message>
+        <source>Assumed: the atlas&apos;s 2.6 kPa in shear</source>
+        <translation>Angenommen: die 2.6 kPa (Schub) des Atlas</translation>
+    </message>
+    <message>
+        <source>Assumed: one value for all cells</source>
+        <translation>Angenommen: ein Wert für alle Zellen</translation>
+    </message>
+    <message>
+        <source>%1 ml outlined; the cells hold %2 % of it</source>
+        <translation>%1 ml umrissen; die Zellen füllen %2 % davon</translation>
+    </message>
+    <message>
+        <source>Assumed: %1 kPa for all cells</source>
+        <translation>Angenommen: %1 kPa für alle Zellen</translation>
+    </message>
+    <message>
         <source>Attachments</source>
         <translation>Aufhängung</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::MovieMaker</name>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
     </message>
 </context>
 <context>
@@ -5741,6 +5816,17 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::NumberBox</name>
+    <message>
+        <source>At most %1.</source>
+        <translation>Höchstens %1.</translation>
+    </message>
+    <message>
+        <source>At least %1.</source>
+        <translation>Mindestens %1.</translation>
     </message>
 </context>
 <context>
@@ -6166,6 +6252,10 @@ figures</source>
         <source>Where its figures come from:</source>
         <translation>Woher seine Werte stammen:</translation>
     </message>
+    <message>
+        <source>Volume of %1; its stiffness is assumed</source>
+        <translation>Volumen von %1; die Steifigkeit ist angenommen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ReadingPanel</name>
@@ -6403,10 +6493,6 @@ figures</source>
         <translation>Der Atlas irrt um bis zu %1 mm.</translation>
     </message>
     <message>
-        <source>Strains reach %1 %, more than this linear model is made for.</source>
-        <translation>Dehnungen erreichen %1 %, mehr, als dieses lineare Modell abbilden kann.</translation>
-    </message>
-    <message>
         <source>Changed by evidence: %1</source>
         <translation>Durch Befunde verändert: %1</translation>
     </message>
@@ -6520,6 +6606,14 @@ figures</source>
     <message>
         <source>The report could not be written to %1.</source>
         <translation>Der Bericht konnte nicht nach %1 geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>With what can be worn</source>
+        <translation>Mit tragbaren Rechnern</translation>
+    </message>
+    <message>
+        <source>Adds which wearable computers can do this case, as planned in Platform</source>
+        <translation>Fügt hinzu, welche tragbaren Rechner diesen Fall leisten, wie in Plattform geplant</translation>
     </message>
 </context>
 <context>
@@ -7222,8 +7316,12 @@ figures</source>
         <translation>Gezeigt wird der Stand davor.</translation>
     </message>
     <message>
-        <source>Cells turned inside out: %1. Use less force.</source>
-        <translation>Umgestülpte Zellen: %1. Nehmen Sie weniger Kraft.</translation>
+        <source>▲ Outside of the model</source>
+        <translation>▲ Außerhalb des Modells</translation>
+    </message>
+    <message>
+        <source>Use less force.</source>
+        <translation>Nehmen Sie weniger Kraft.</translation>
     </message>
 </context>
 <context>
@@ -7373,6 +7471,12 @@ Elastizitätsmodul %2 kPa (Mittel)</translation>
 %2 each</source>
         <translation>%1 Voxel,
 je %2</translation>
+    </message>
+    <message>
+        <source>%1 cells
+Young&apos;s modulus %2 kPa (assumed)</source>
+        <translation>%1 Zellen
+Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
     <message>
         <source>%1 (fixed)</source>
@@ -7593,6 +7697,10 @@ je %2</translation>
     <message>
         <source>Take the tool away</source>
         <translation>Instrument wegnehmen</translation>
+    </message>
+    <message>
+        <source>From %1 N on, strains are outside of the model</source>
+        <translation>Ab %1 N liegen die Dehnungen außerhalb des Modells</translation>
     </message>
     <message>
         <source>Add another tool</source>
@@ -8272,10 +8380,6 @@ Von Hand: mit der rechten Taste ziehen</translation>
         <translation>Proben: ziehen und sehen</translation>
     </message>
     <message>
-        <source>A retractor hoists segment VI with 2 N. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
-        <translation>Ein Retraktor hebt Segment VI mit 2 N. Ändern Sie die Kraft oder setzen Sie das Instrument mit einem Klick woanders an: Die Tabelle verfolgt jeden Tumor und jedes Gefäß und markiert, was 5 mm oder mehr abweicht.</translation>
-    </message>
-    <message>
         <source>Resect: what is left</source>
         <translation>Resektion: was übrig bleibt</translation>
     </message>
@@ -8314,6 +8418,10 @@ Von Hand: mit der rechten Taste ziehen</translation>
     <message>
         <source>All that was done for this patient, to read, save or print. The name is masked unless you ask for it in the settings.</source>
         <translation>Alles, was für diesen Patienten getan wurde, zum Lesen, Speichern oder Drucken. Der Name ist verdeckt, außer Sie verlangen ihn in den Einstellungen.</translation>
+    </message>
+    <message>
+        <source>A retractor hoists segment VI. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
+        <translation>Ein Retraktor hebt Segment VI an. Ändern Sie die Kraft, oder setzen Sie das Instrument per Klick anderswo an: Die Tabelle folgt jedem Tumor und Gefäß und markiert, was 5 mm oder mehr abweicht.</translation>
     </message>
 </context>
 </TS>

@@ -2545,10 +2545,6 @@
         <translation>Una spline necesita cuatro puntos emparejados que no estén en un plano.</translation>
     </message>
     <message>
-        <source>A result that did not converge cannot be compared: {0}</source>
-        <translation>Un resultado que no ha convergido no se puede comparar: {0}</translation>
-    </message>
-    <message>
         <source>A result lacks the point array {0} with three values a point.</source>
         <translation>A un resultado le falta la matriz de puntos {0} con tres valores por punto.</translation>
     </message>
@@ -4073,28 +4069,64 @@
         <translation>Nombrado por los números de clase de TotalSegmentator: compruebe que son correctos.</translation>
     </message>
     <message>
-        <source>Another window has {0} open: here it can be looked at, and nothing is changed.</source>
-        <translation>Otra ventana tiene abierto {0}: aquí se puede mirar, y nada se cambia.</translation>
+        <source>The stiffness is assumed, {0} kPa for all cells, and not measured: it is not compared with the atlas.</source>
+        <translation>La rigidez es supuesta, {0} kPa para todas las celdas, y no medida: no se compara con el atlas.</translation>
     </message>
     <message>
-        <source>Close it there and open it here again.</source>
-        <translation>Ciérrelo allí y vuelva a abrirlo aquí.</translation>
+        <source>The stiffness is assumed, the atlas&apos;s {0} kPa for all cells, and not measured: it is not compared with the atlas.</source>
+        <translation>La rigidez es supuesta, los {0} kPa del atlas para todas las celdas, y no medida: no se compara con el atlas.</translation>
     </message>
     <message>
-        <source>The folder of {0} takes no files: the case can be looked at, and nothing is kept.</source>
-        <translation>La carpeta de {0} no admite archivos: el caso se puede mirar, y nada se guarda.</translation>
+        <source>The result in {0} is not to be used: {1}.</source>
+        <translation>El resultado en {0} no es utilizable: {1}.</translation>
     </message>
     <message>
-        <source>Copy it to where you may write, and open the copy.</source>
-        <translation>Cópielo a donde pueda escribir y abra la copia.</translation>
+        <source>Simulate it again with less force, or on other supports.</source>
+        <translation>Simúlelo de nuevo con menos fuerza o con otros apoyos.</translation>
     </message>
     <message>
-        <source>The folder {0} is gone: nothing more of this case can be kept.</source>
-        <translation>La carpeta {0} ha desaparecido: nada más de este caso se puede guardar.</translation>
+        <source>Within the model: strains reach {0} %.</source>
+        <translation>Dentro del modelo: las deformaciones llegan al {0} %.</translation>
     </message>
     <message>
-        <source>Bring it back to its place, or open the case where it is now.</source>
-        <translation>Devuélvala a su sitio, o abra el caso donde esté ahora.</translation>
+        <source>Outside of the model: strains reach {0} %, and beyond {1} % it is an extrapolation.</source>
+        <translation>Fuera del modelo: las deformaciones llegan al {0} %, y por encima del {1} % es una extrapolación.</translation>
+    </message>
+    <message>
+        <source>Not to be used: cells turned inside out: {0}.</source>
+        <translation>No utilizable: celdas invertidas: {0}.</translation>
+    </message>
+    <message>
+        <source>Not to be used: the computation did not converge.</source>
+        <translation>No utilizable: el cálculo no ha convergido.</translation>
+    </message>
+    <message>
+        <source>cells turned inside out: {0}</source>
+        <translation>celdas invertidas: {0}</translation>
+    </message>
+    <message>
+        <source>Plan a resection first, and save it.</source>
+        <translation>Planifique primero una resección y guárdela.</translation>
+    </message>
+    <message>
+        <source>The result {0} is not to be used: {1}.</source>
+        <translation>El resultado {0} no es utilizable: {1}.</translation>
+    </message>
+    <message>
+        <source>Simulate it again with less force.</source>
+        <translation>Simúlelo de nuevo con menos fuerza.</translation>
+    </message>
+    <message>
+        <source>A result that did not converge cannot be compared: {0}</source>
+        <translation>Un resultado que no ha convergido no se puede comparar: {0}</translation>
+    </message>
+    <message>
+        <source>The retraction&apos;s answer is not to be used: {0}.</source>
+        <translation>La respuesta de la retracción no es utilizable: {0}.</translation>
+    </message>
+    <message>
+        <source>Use less force.</source>
+        <translation>Use menos fuerza.</translation>
     </message>
     <message>
         <source>Less than 5 % of the organ is seen: too little to say where the rest is.</source>
@@ -4163,6 +4195,30 @@
     <message>
         <source>Reading the guidance case</source>
         <translation>Leyendo el caso de guiado</translation>
+    </message>
+    <message>
+        <source>Another window has {0} open: here it can be looked at, and nothing is changed.</source>
+        <translation>Otra ventana tiene abierto {0}: aquí se puede mirar, y nada se cambia.</translation>
+    </message>
+    <message>
+        <source>Close it there and open it here again.</source>
+        <translation>Ciérrelo allí y vuelva a abrirlo aquí.</translation>
+    </message>
+    <message>
+        <source>The folder of {0} takes no files: the case can be looked at, and nothing is kept.</source>
+        <translation>La carpeta de {0} no admite archivos: el caso se puede mirar, y nada se guarda.</translation>
+    </message>
+    <message>
+        <source>Copy it to where you may write, and open the copy.</source>
+        <translation>Cópielo a donde pueda escribir y abra la copia.</translation>
+    </message>
+    <message>
+        <source>The folder {0} is gone: nothing more of this case can be kept.</source>
+        <translation>La carpeta {0} ha desaparecido: nada más de este caso se puede guardar.</translation>
+    </message>
+    <message>
+        <source>Bring it back to its place, or open the case where it is now.</source>
+        <translation>Devuélvala a su sitio, o abra el caso donde esté ahora.</translation>
     </message>
 </context>
 <context>
@@ -4331,10 +4387,6 @@
         <translation>Aún no hay modelo.</translation>
     </message>
     <message>
-        <source>There is no model yet. Without elastography its stiffness is the atlas&apos;s.</source>
-        <translation>Aún no hay modelo. Sin elastografía, su rigidez es la del atlas.</translation>
-    </message>
-    <message>
         <source>Build the model</source>
         <translation>Construir el modelo</translation>
     </message>
@@ -4410,16 +4462,16 @@
         <source>MRE waves</source>
         <translation>Ondas de ERM</translation>
     </message>
+    <message>
+        <source>There is no model yet. Without elastography its stiffness is assumed: the atlas&apos;s.</source>
+        <translation>Todavía no hay modelo. Sin elastografía su rigidez es supuesta: la del atlas.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
     <message>
         <source>Patient</source>
         <translation>Paciente</translation>
-    </message>
-    <message>
-        <source>With this patient&apos;s own stiffness, from MR elastography</source>
-        <translation>Con la rigidez propia de este paciente, por elastografía por RM</translation>
     </message>
     <message>
         <source>Atlas</source>
@@ -4444,6 +4496,18 @@
     <message>
         <source>Two 3D views that turn together: the patient on the left, the atlas on the right</source>
         <translation>Dos vistas 3D que giran juntas: el paciente a la izquierda, el atlas a la derecha</translation>
+    </message>
+    <message>
+        <source>No stiffness was measured: there is nothing to compare with the atlas</source>
+        <translation>No se midió ninguna rigidez: no hay nada que comparar con el atlas</translation>
+    </message>
+    <message>
+        <source>With this patient&apos;s own stiffness, as it was measured</source>
+        <translation>Con la rigidez propia de este paciente, tal como se midió</translation>
+    </message>
+    <message>
+        <source>With the assumed stiffness</source>
+        <translation>Con la rigidez supuesta</translation>
     </message>
 </context>
 <context>
@@ -5163,10 +5227,6 @@ mm</translation>
 5 mm</translation>
     </message>
     <message>
-        <source>How far the landmark moves with the patient&apos;s own stiffness</source>
-        <translation>Cuánto se mueve el punto de referencia con la rigidez propia del paciente</translation>
-    </message>
-    <message>
         <source>How far from there the atlas&apos;s stiffness puts it</source>
         <translation>A qué distancia de ahí lo sitúa la rigidez del atlas</translation>
     </message>
@@ -5181,6 +5241,10 @@ mm</translation>
     <message>
         <source>● Moves</source>
         <translation>● Se mueve</translation>
+    </message>
+    <message>
+        <source>How far the landmark moves from where the scan shows it</source>
+        <translation>Cuánto se aleja el punto de referencia de donde lo muestra la exploración</translation>
     </message>
 </context>
 <context>
@@ -5563,18 +5627,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <translation>De la elastografía por RM</translation>
     </message>
     <message>
-        <source>Atlas: 2.1 kPa in shear</source>
-        <translation>Atlas: 2.1 kPa en cizalla</translation>
-    </message>
-    <message>
-        <source>Atlas: 2.6 kPa in shear</source>
-        <translation>Atlas: 2.6 kPa en cizalla</translation>
-    </message>
-    <message>
-        <source>One value for all cells</source>
-        <translation>Un valor para todas las celdas</translation>
-    </message>
-    <message>
         <source> kPa</source>
         <translation> kPa</translation>
     </message>
@@ -5691,10 +5743,6 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <translation>%1 celdas, %2 puntos</translation>
     </message>
     <message>
-        <source>%1 ml in cells, %2 ml outlined (%3 %)</source>
-        <translation>%1 ml en celdas, %2 ml delimitados (%3 %)</translation>
-    </message>
-    <message>
         <source>Smallest dihedral angle %1°</source>
         <translation>Menor ángulo diedro %1°</translation>
     </message>
@@ -5715,8 +5763,35 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
         <translation>módulo de Young de una celda, kPa</translation>
     </message>
     <message>
+        <source>Assumed: the atlas&apos;s 2.1 kPa in shear</source>
+        <translation>Supuesto: los 2.1 kPa (cizalla) del atlas</translation>
+    </message>
+    <message>
+        <source>Assumed: the atlas&apos;s 2.6 kPa in shear</source>
+        <translation>Supuesto: los 2.6 kPa (cizalla) del atlas</translation>
+    </message>
+    <message>
+        <source>Assumed: one value for all cells</source>
+        <translation>Supuesto: un valor para todas las celdas</translation>
+    </message>
+    <message>
+        <source>%1 ml outlined; the cells hold %2 % of it</source>
+        <translation>%1 ml de contorno; las celdas llenan el %2 %</translation>
+    </message>
+    <message>
+        <source>Assumed: %1 kPa for all cells</source>
+        <translation>Supuesto: %1 kPa para todas las celdas</translation>
+    </message>
+    <message>
         <source>Attachments</source>
         <translation>Fijaciones</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::MovieMaker</name>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
     </message>
 </context>
 <context>
@@ -5743,6 +5818,17 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::NumberBox</name>
+    <message>
+        <source>At most %1.</source>
+        <translation>Como máximo %1.</translation>
+    </message>
+    <message>
+        <source>At least %1.</source>
+        <translation>Como mínimo %1.</translation>
     </message>
 </context>
 <context>
@@ -6169,6 +6255,10 @@ supuestas</translation>
         <source>Where its figures come from:</source>
         <translation>De dónde proceden sus cifras:</translation>
     </message>
+    <message>
+        <source>Volume of %1; its stiffness is assumed</source>
+        <translation>Volumen de %1; su rigidez es supuesta</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ReadingPanel</name>
@@ -6406,10 +6496,6 @@ supuestas</translation>
         <translation>El atlas se equivoca hasta %1 mm.</translation>
     </message>
     <message>
-        <source>Strains reach %1 %, more than this linear model is made for.</source>
-        <translation>Las deformaciones llegan al %1 %, más de lo que admite este modelo lineal.</translation>
-    </message>
-    <message>
         <source>Changed by evidence: %1</source>
         <translation>Cambiado por la evidencia: %1</translation>
     </message>
@@ -6523,6 +6609,14 @@ supuestas</translation>
     <message>
         <source>The report could not be written to %1.</source>
         <translation>El informe no se pudo escribir en %1.</translation>
+    </message>
+    <message>
+        <source>With what can be worn</source>
+        <translation>Con lo que se puede llevar</translation>
+    </message>
+    <message>
+        <source>Adds which wearable computers can do this case, as planned in Platform</source>
+        <translation>Añade qué ordenadores portables pueden con este caso, como se planificó en Plataforma</translation>
     </message>
 </context>
 <context>
@@ -7225,8 +7319,12 @@ supuestas</translation>
         <translation>Se muestra el estado anterior.</translation>
     </message>
     <message>
-        <source>Cells turned inside out: %1. Use less force.</source>
-        <translation>Celdas invertidas: %1. Use menos fuerza.</translation>
+        <source>▲ Outside of the model</source>
+        <translation>▲ Fuera del modelo</translation>
+    </message>
+    <message>
+        <source>Use less force.</source>
+        <translation>Use menos fuerza.</translation>
     </message>
 </context>
 <context>
@@ -7376,6 +7474,12 @@ Módulo de Young %2 kPa (media)</translation>
 %2 each</source>
         <translation>%1 vóxeles,
 de %2 cada uno</translation>
+    </message>
+    <message>
+        <source>%1 cells
+Young&apos;s modulus %2 kPa (assumed)</source>
+        <translation>%1 celdas
+Módulo de Young %2 kPa (supuesto)</translation>
     </message>
     <message>
         <source>%1 (fixed)</source>
@@ -7596,6 +7700,10 @@ de %2 cada uno</translation>
     <message>
         <source>Take the tool away</source>
         <translation>Retirar el instrumento</translation>
+    </message>
+    <message>
+        <source>From %1 N on, strains are outside of the model</source>
+        <translation>Desde %1 N, las deformaciones están fuera del modelo</translation>
     </message>
     <message>
         <source>Add another tool</source>
@@ -8275,10 +8383,6 @@ A mano: arrastre con el botón derecho</translation>
         <translation>Ensayar: tirar y ver</translation>
     </message>
     <message>
-        <source>A retractor hoists segment VI with 2 N. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
-        <translation>Un separador eleva el segmento VI con 2 N. Cambie la fuerza o coloque el instrumento en otro lugar con un clic: la tabla sigue cada tumor y cada vaso, y marca lo que se desvía 5 mm o más.</translation>
-    </message>
-    <message>
         <source>Resect: what is left</source>
         <translation>Resección: lo que queda</translation>
     </message>
@@ -8317,6 +8421,10 @@ A mano: arrastre con el botón derecho</translation>
     <message>
         <source>All that was done for this patient, to read, save or print. The name is masked unless you ask for it in the settings.</source>
         <translation>Todo lo hecho para este paciente, para leer, guardar o imprimir. El nombre se oculta salvo que lo pida en los ajustes.</translation>
+    </message>
+    <message>
+        <source>A retractor hoists segment VI. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
+        <translation>Un separador eleva el segmento VI. Cambie la fuerza, o coloque el instrumento en otro lugar con un clic: la tabla sigue cada tumor y cada vaso, y marca lo que se desvía 5 mm o más.</translation>
     </message>
 </context>
 </TS>

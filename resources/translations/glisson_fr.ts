@@ -2545,10 +2545,6 @@
         <translation>Une spline exige quatre points appariés qui ne soient pas dans un plan.</translation>
     </message>
     <message>
-        <source>A result that did not converge cannot be compared: {0}</source>
-        <translation>Un résultat qui n’a pas convergé ne peut pas être comparé&#xa0;: {0}</translation>
-    </message>
-    <message>
         <source>A result lacks the point array {0} with three values a point.</source>
         <translation>Il manque à un résultat le tableau de points {0} avec trois valeurs par point.</translation>
     </message>
@@ -4073,28 +4069,64 @@
         <translation>Nommé par les numéros de classe de TotalSegmentator : vérifiez qu&apos;ils sont justes.</translation>
     </message>
     <message>
-        <source>Another window has {0} open: here it can be looked at, and nothing is changed.</source>
-        <translation>{0} est ouvert dans une autre fenêtre : ici on peut le regarder, et rien n’est modifié.</translation>
+        <source>The stiffness is assumed, {0} kPa for all cells, and not measured: it is not compared with the atlas.</source>
+        <translation>La rigidité est supposée, {0} kPa pour toutes les cellules, et non mesurée : elle n’est pas comparée à l’atlas.</translation>
     </message>
     <message>
-        <source>Close it there and open it here again.</source>
-        <translation>Fermez-le là-bas et rouvrez-le ici.</translation>
+        <source>The stiffness is assumed, the atlas&apos;s {0} kPa for all cells, and not measured: it is not compared with the atlas.</source>
+        <translation>La rigidité est supposée, les {0} kPa de l’atlas pour toutes les cellules, et non mesurée : elle n’est pas comparée à l’atlas.</translation>
     </message>
     <message>
-        <source>The folder of {0} takes no files: the case can be looked at, and nothing is kept.</source>
-        <translation>Le dossier de {0} n’accepte pas de fichiers : on peut regarder le cas, et rien n’est conservé.</translation>
+        <source>The result in {0} is not to be used: {1}.</source>
+        <translation>Le résultat dans {0} est inutilisable : {1}.</translation>
     </message>
     <message>
-        <source>Copy it to where you may write, and open the copy.</source>
-        <translation>Copiez-le là où vous pouvez écrire, et ouvrez la copie.</translation>
+        <source>Simulate it again with less force, or on other supports.</source>
+        <translation>Simulez-le de nouveau avec moins de force, ou sur d’autres appuis.</translation>
     </message>
     <message>
-        <source>The folder {0} is gone: nothing more of this case can be kept.</source>
-        <translation>Le dossier {0} a disparu : plus rien de ce cas ne peut être conservé.</translation>
+        <source>Within the model: strains reach {0} %.</source>
+        <translation>Dans le modèle : les déformations atteignent {0} %.</translation>
     </message>
     <message>
-        <source>Bring it back to its place, or open the case where it is now.</source>
-        <translation>Remettez-le à sa place, ou ouvrez le cas là où il est maintenant.</translation>
+        <source>Outside of the model: strains reach {0} %, and beyond {1} % it is an extrapolation.</source>
+        <translation>Hors du modèle : les déformations atteignent {0} %, et au-delà de {1} % c’est une extrapolation.</translation>
+    </message>
+    <message>
+        <source>Not to be used: cells turned inside out: {0}.</source>
+        <translation>Inutilisable : cellules retournées : {0}.</translation>
+    </message>
+    <message>
+        <source>Not to be used: the computation did not converge.</source>
+        <translation>Inutilisable : le calcul n’a pas convergé.</translation>
+    </message>
+    <message>
+        <source>cells turned inside out: {0}</source>
+        <translation>cellules retournées : {0}</translation>
+    </message>
+    <message>
+        <source>Plan a resection first, and save it.</source>
+        <translation>Planifiez d’abord une résection, et enregistrez-la.</translation>
+    </message>
+    <message>
+        <source>The result {0} is not to be used: {1}.</source>
+        <translation>Le résultat {0} est inutilisable : {1}.</translation>
+    </message>
+    <message>
+        <source>Simulate it again with less force.</source>
+        <translation>Simulez-le de nouveau avec moins de force.</translation>
+    </message>
+    <message>
+        <source>A result that did not converge cannot be compared: {0}</source>
+        <translation>Un résultat qui n’a pas convergé ne peut pas être comparé&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>The retraction&apos;s answer is not to be used: {0}.</source>
+        <translation>La réponse de la rétraction est inutilisable : {0}.</translation>
+    </message>
+    <message>
+        <source>Use less force.</source>
+        <translation>Utilisez moins de force.</translation>
     </message>
     <message>
         <source>Less than 5 % of the organ is seen: too little to say where the rest is.</source>
@@ -4163,6 +4195,30 @@
     <message>
         <source>Reading the guidance case</source>
         <translation>Lecture du cas de guidage</translation>
+    </message>
+    <message>
+        <source>Another window has {0} open: here it can be looked at, and nothing is changed.</source>
+        <translation>{0} est ouvert dans une autre fenêtre : ici on peut le regarder, et rien n’est modifié.</translation>
+    </message>
+    <message>
+        <source>Close it there and open it here again.</source>
+        <translation>Fermez-le là-bas et rouvrez-le ici.</translation>
+    </message>
+    <message>
+        <source>The folder of {0} takes no files: the case can be looked at, and nothing is kept.</source>
+        <translation>Le dossier de {0} n’accepte pas de fichiers : on peut regarder le cas, et rien n’est conservé.</translation>
+    </message>
+    <message>
+        <source>Copy it to where you may write, and open the copy.</source>
+        <translation>Copiez-le là où vous pouvez écrire, et ouvrez la copie.</translation>
+    </message>
+    <message>
+        <source>The folder {0} is gone: nothing more of this case can be kept.</source>
+        <translation>Le dossier {0} a disparu : plus rien de ce cas ne peut être conservé.</translation>
+    </message>
+    <message>
+        <source>Bring it back to its place, or open the case where it is now.</source>
+        <translation>Remettez-le à sa place, ou ouvrez le cas là où il est maintenant.</translation>
     </message>
 </context>
 <context>
@@ -4331,10 +4387,6 @@
         <translation>Il n’y a pas encore de modèle.</translation>
     </message>
     <message>
-        <source>There is no model yet. Without elastography its stiffness is the atlas&apos;s.</source>
-        <translation>Il n’y a pas encore de modèle. Sans élastographie, sa rigidité est celle de l’atlas.</translation>
-    </message>
-    <message>
         <source>Build the model</source>
         <translation>Construire le modèle</translation>
     </message>
@@ -4410,16 +4462,16 @@
         <source>MRE waves</source>
         <translation>Ondes ERM</translation>
     </message>
+    <message>
+        <source>There is no model yet. Without elastography its stiffness is assumed: the atlas&apos;s.</source>
+        <translation>Il n’y a pas encore de modèle. Sans élastographie, sa rigidité est supposée : celle de l’atlas.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
     <message>
         <source>Patient</source>
         <translation>Patient</translation>
-    </message>
-    <message>
-        <source>With this patient&apos;s own stiffness, from MR elastography</source>
-        <translation>Avec la rigidité propre à ce patient, d’après l’élastographie par RM</translation>
     </message>
     <message>
         <source>Atlas</source>
@@ -4444,6 +4496,18 @@
     <message>
         <source>Two 3D views that turn together: the patient on the left, the atlas on the right</source>
         <translation>Deux vues 3D qui tournent ensemble&#xa0;: le patient à gauche, l’atlas à droite</translation>
+    </message>
+    <message>
+        <source>No stiffness was measured: there is nothing to compare with the atlas</source>
+        <translation>Aucune rigidité n’a été mesurée : il n’y a rien à comparer à l’atlas</translation>
+    </message>
+    <message>
+        <source>With this patient&apos;s own stiffness, as it was measured</source>
+        <translation>Avec la rigidité propre à ce patient, telle qu’elle a été mesurée</translation>
+    </message>
+    <message>
+        <source>With the assumed stiffness</source>
+        <translation>Avec la rigidité supposée</translation>
     </message>
 </context>
 <context>
@@ -5163,10 +5227,6 @@ mm</translation>
 5 mm</translation>
     </message>
     <message>
-        <source>How far the landmark moves with the patient&apos;s own stiffness</source>
-        <translation>De combien le repère se déplace avec la rigidité propre au patient</translation>
-    </message>
-    <message>
         <source>How far from there the atlas&apos;s stiffness puts it</source>
         <translation>À quelle distance de là le place la rigidité de l’atlas</translation>
     </message>
@@ -5181,6 +5241,10 @@ mm</translation>
     <message>
         <source>● Moves</source>
         <translation>● Bouge</translation>
+    </message>
+    <message>
+        <source>How far the landmark moves from where the scan shows it</source>
+        <translation>De combien le repère s’éloigne de l’endroit où l’examen le montre</translation>
     </message>
 </context>
 <context>
@@ -5563,18 +5627,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>De l’élastographie par RM</translation>
     </message>
     <message>
-        <source>Atlas: 2.1 kPa in shear</source>
-        <translation>Atlas&#xa0;: 2.1 kPa en cisaillement</translation>
-    </message>
-    <message>
-        <source>Atlas: 2.6 kPa in shear</source>
-        <translation>Atlas&#xa0;: 2.6 kPa en cisaillement</translation>
-    </message>
-    <message>
-        <source>One value for all cells</source>
-        <translation>Une valeur pour toutes les cellules</translation>
-    </message>
-    <message>
         <source> kPa</source>
         <translation> kPa</translation>
     </message>
@@ -5691,10 +5743,6 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>%1 cellules, %2 points</translation>
     </message>
     <message>
-        <source>%1 ml in cells, %2 ml outlined (%3 %)</source>
-        <translation>%1 ml en cellules, %2 ml délimités (%3 %)</translation>
-    </message>
-    <message>
         <source>Smallest dihedral angle %1°</source>
         <translation>Plus petit angle dièdre %1°</translation>
     </message>
@@ -5715,8 +5763,35 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
         <translation>module de Young d’une cellule, kPa</translation>
     </message>
     <message>
+        <source>Assumed: the atlas&apos;s 2.1 kPa in shear</source>
+        <translation>Supposé : les 2.1 kPa (cisaillement) de l’atlas</translation>
+    </message>
+    <message>
+        <source>Assumed: the atlas&apos;s 2.6 kPa in shear</source>
+        <translation>Supposé : les 2.6 kPa (cisaillement) de l’atlas</translation>
+    </message>
+    <message>
+        <source>Assumed: one value for all cells</source>
+        <translation>Supposé : une valeur pour toutes les cellules</translation>
+    </message>
+    <message>
+        <source>%1 ml outlined; the cells hold %2 % of it</source>
+        <translation>%1 ml de contour ; les cellules en remplissent %2 %</translation>
+    </message>
+    <message>
+        <source>Assumed: %1 kPa for all cells</source>
+        <translation>Supposé : %1 kPa pour toutes les cellules</translation>
+    </message>
+    <message>
         <source>Attachments</source>
         <translation>Attaches</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::MovieMaker</name>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
     </message>
 </context>
 <context>
@@ -5743,6 +5818,17 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::NumberBox</name>
+    <message>
+        <source>At most %1.</source>
+        <translation>Au plus %1.</translation>
+    </message>
+    <message>
+        <source>At least %1.</source>
+        <translation>Au moins %1.</translation>
     </message>
 </context>
 <context>
@@ -6169,6 +6255,10 @@ supposés</translation>
         <source>Where its figures come from:</source>
         <translation>D’où viennent ses chiffres&#xa0;:</translation>
     </message>
+    <message>
+        <source>Volume of %1; its stiffness is assumed</source>
+        <translation>Volume de %1 ; sa rigidité est supposée</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ReadingPanel</name>
@@ -6406,10 +6496,6 @@ supposés</translation>
         <translation>L’atlas se trompe jusqu’à&#xa0;%1 mm.</translation>
     </message>
     <message>
-        <source>Strains reach %1 %, more than this linear model is made for.</source>
-        <translation>Les déformations atteignent&#xa0;%1&#xa0;%, plus que ne le permet ce modèle linéaire.</translation>
-    </message>
-    <message>
         <source>Changed by evidence: %1</source>
         <translation>Modifié par les constats&#xa0;: %1</translation>
     </message>
@@ -6523,6 +6609,14 @@ supposés</translation>
     <message>
         <source>The report could not be written to %1.</source>
         <translation>Le rapport n’a pas pu être écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>With what can be worn</source>
+        <translation>Avec ce qui peut être porté</translation>
+    </message>
+    <message>
+        <source>Adds which wearable computers can do this case, as planned in Platform</source>
+        <translation>Ajoute quels ordinateurs portés peuvent traiter ce cas, comme prévu dans Plateforme</translation>
     </message>
 </context>
 <context>
@@ -7225,8 +7319,12 @@ supposés</translation>
         <translation>Ce qui est montré est l’état précédent.</translation>
     </message>
     <message>
-        <source>Cells turned inside out: %1. Use less force.</source>
-        <translation>Cellules retournées&#xa0;: %1. Réduisez la force.</translation>
+        <source>▲ Outside of the model</source>
+        <translation>▲ Hors du modèle</translation>
+    </message>
+    <message>
+        <source>Use less force.</source>
+        <translation>Utilisez moins de force.</translation>
     </message>
 </context>
 <context>
@@ -7376,6 +7474,12 @@ Module de Young&#xa0;%2 kPa (moyenne)</translation>
 %2 each</source>
         <translation>%1 voxels,
 de %2 chacun</translation>
+    </message>
+    <message>
+        <source>%1 cells
+Young&apos;s modulus %2 kPa (assumed)</source>
+        <translation>%1 cellules
+Module de Young %2 kPa (supposé)</translation>
     </message>
     <message>
         <source>%1 (fixed)</source>
@@ -7596,6 +7700,10 @@ de %2 chacun</translation>
     <message>
         <source>Take the tool away</source>
         <translation>Retirer l’instrument</translation>
+    </message>
+    <message>
+        <source>From %1 N on, strains are outside of the model</source>
+        <translation>Dès %1 N, les déformations sont hors du modèle</translation>
     </message>
     <message>
         <source>Add another tool</source>
@@ -8275,10 +8383,6 @@ By hand: drag with the right button</source>
         <translation>Répéter&#xa0;: tirer et voir</translation>
     </message>
     <message>
-        <source>A retractor hoists segment VI with 2 N. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
-        <translation>Un écarteur soulève le segment VI avec 2 N. Changez la force, ou placez l’instrument ailleurs d’un clic&#xa0;: le tableau suit chaque tumeur et chaque vaisseau, et marque ce qui s’écarte de 5 mm ou plus.</translation>
-    </message>
-    <message>
         <source>Resect: what is left</source>
         <translation>Résection&#xa0;: ce qui reste</translation>
     </message>
@@ -8317,6 +8421,10 @@ By hand: drag with the right button</source>
     <message>
         <source>All that was done for this patient, to read, save or print. The name is masked unless you ask for it in the settings.</source>
         <translation>Tout ce qui a été fait pour ce patient, à lire, enregistrer ou imprimer. Le nom est masqué, sauf demande dans les réglages.</translation>
+    </message>
+    <message>
+        <source>A retractor hoists segment VI. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
+        <translation>Un écarteur soulève le segment VI. Changez la force, ou placez l’instrument ailleurs d’un clic : le tableau suit chaque tumeur et chaque vaisseau, et marque ce qui s’écarte de 5 mm ou plus.</translation>
     </message>
 </context>
 </TS>

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "base/files.h"
+#include "base/json.h"
 #include "support/data.h"
 #include "support/process.h"
 
@@ -168,6 +169,64 @@ TEST_F(SmallLiver, AcceptedEvidenceChangesWhatIsRehearsedAndIsTakenBackToTheBit)
   EXPECT_EQ(glisson_cli({"accept", patient(), "--take-back", "--effect", "capsule"}).exit_code, 1);
 }
 
+TEST_F(SmallLiver, EveryAnswerSaysWhatItIsWorthAndNoneThatMayNotBeUsedIsPrinted) {
+  const auto pulled = [&](const std::string& name, const std::string& force_N) {
+    EXPECT_TRUE(write_text_file(folder_->path() / (name + ".json"), R"({"loads": [{"tool": {
+        "center_mm": [0, -50, 0], "radius_mm": 15, "force_N": [0, -)" + force_N +
+                                                                        ", 0]}}]}"));
+    return answer({"simulate", patient(), "--scenario", file(name + ".json"), "--out", file(name)});
+  };
+  const Json gentle = pulled("gentle", "0.05"), hard = pulled("hard", "2"), brute = pulled("brute", "200");
+  EXPECT_EQ(gentle.at("state"), "within");
+  EXPECT_TRUE(gentle.at("converged").get<bool>());
+  EXPECT_FALSE(gentle.contains("reason"));
+  EXPECT_EQ(hard.at("state"), "outside-of-the-model");
+  EXPECT_GT(hard.at("largest_strain").get<double>(), 0.2);
+  EXPECT_THAT(hard.at("reason").get<std::string>(), HasSubstr("beyond 20 %"));
+  EXPECT_GT(hard.at("landmarks")[0].at("displacement_mm").get<double>(), 0);
+  EXPECT_EQ(brute.at("state"), "unusable");
+  EXPECT_GT(brute.at("inverted_cells").get<int>(), 0);
+  EXPECT_FALSE(brute.at("converged").get<bool>());
+  EXPECT_FALSE(brute.contains("max_displacement_mm"));
+  EXPECT_FALSE(brute.at("landmarks")[0].contains("displaced_mm"));
+  EXPECT_EQ(read_json_file(folder_->path() / "brute/result.json").value().at("state"), "unusable");
+
+  const Finished words =
+      glisson_cli({"simulate", patient(), "--scenario", file("brute.json"), "--out", file("brute"), "--quiet"});
+  EXPECT_EQ(words.exit_code, 0);
+  EXPECT_THAT(words.out, HasSubstr("Not to be used: cells turned inside out"));
+  EXPECT_THAT(words.out, HasSubstr("Largest displacement -;"));
+  // Nor does anything go on from it.
+  const std::string plane = "--plane=0,-30,0,0,-1,0";
+  EXPECT_EQ(
+      glisson_cli({"resect", patient(), plane, "--result", file("brute"), "--out", file("no"), "--quiet"}).exit_code,
+      1);
+  EXPECT_EQ(glisson_cli({"compare", file("gentle"), file("brute"), "--quiet"}).exit_code, 1);
+  const Json held = answer({"resect", patient(), plane, "--result", file("hard"), "--out", file("aside")});
+  EXPECT_EQ(held.at("retraction").at("state"), "outside-of-the-model");
+  EXPECT_EQ(answer({"compare", file("gentle"), file("hard")}).at("states")[1].at("state"), "outside-of-the-model");
+}
+
+TEST_F(SmallLiver, AnAssumedStiffnessIsCalledSoAndNotComparedWithTheAtlas) {
+  const Json given = answer({"stiffness", patient(), "--uniform-kPa", "6"});
+  EXPECT_TRUE(given.at("assumed").get<bool>());
+  EXPECT_THAT(glisson_cli({"stiffness", patient(), "--uniform-kPa", "6", "--quiet"}).out,
+              HasSubstr("is assumed, 6 kPa"));
+  ASSERT_TRUE(write_text_file(folder_->path() / "touch.json", R"({"format": "glisson-session/1", "commands": [
+    {"hold": {"id": "hook", "shape": "nathanson-retractor", "position_mm": [0, 0, -70], "direction": [0, 0, 1],
+              "push_mN": 200}}]})"));
+  const Json session = answer({"session", patient(), "--commands", file("touch.json")});
+  EXPECT_THAT(session.at("notes").dump(), HasSubstr("not compared with the atlas"));
+  const Json& step = session.at("steps")[0];
+  EXPECT_FALSE(step.contains("atlas"));
+  EXPECT_FALSE(step.contains("max_difference_mm"));
+  EXPECT_TRUE(step.at("usable").get<bool>());
+  EXPECT_GT(step.at("largest_strain").get<double>(), 0);
+  ASSERT_TRUE(write_text_file(folder_->path() / "weight.json", R"({"loads": [{"gravity_m_s2": [0, 9.81, 0]}]})"));
+  const Json hung = answer({"simulate", patient(), "--scenario", file("weight.json"), "--out", file("weight")});
+  EXPECT_THAT(hung.at("notes").dump(), HasSubstr("The stiffness is assumed"));
+}
+
 TEST_F(SmallLiver, ASessionWithTwoToolsIsRecordedAndReplaysToTheBit) {
   const char* commands = R"({"format": "glisson-session/1", "commands": [
     {"hold": {"id": "hook", "shape": "nathanson-retractor", "position_mm": [0, 0, -70], "direction": [0, 0, 1],
@@ -209,7 +268,7 @@ TEST_F(SmallLiver, IsCutAndTouchedByAScenario) {
       "cuts": [{"points_mm": [[0, -60, -60], [0, 60, -60], [5, -60, 0], [5, 60, 0]], "center_mm": [0, 0, -50],
                 "radius_mm": 30}],
       "tools": [{"id": "probe", "shape": "palpation-probe", "position_mm": [-30, -80, 0], "direction": [0, 1, 0],
-                 "advance_mm": 40}]})"));
+                 "advance_mm": 35}]})"));
   const Json result = answer({"simulate", patient(), "--scenario", file("cut.json"), "--out", file("cut")});
   EXPECT_TRUE(result.at("converged").get<bool>());
   EXPECT_GT(result.at("tools")[0].at("force_N")[1].get<double>(), 0);

@@ -49,6 +49,11 @@ TEST(Session, FollowsLandmarksAndStructuresAndComparesWithTheTwin) {
   EXPECT_TRUE(frame.patient_step.report.converged);
   EXPECT_LE(frame.patient_step.report.penetration_mm, 0.1);
   EXPECT_EQ(frame.patient_step.report.inverted_cells, 0);
+  EXPECT_TRUE(frame.validity.usable());
+  // By corners: no more than the whole solve finds at the corners of quadratic cells, and not far from it.
+  const double whole_strain = engine.whole_result()->largest_strain;
+  EXPECT_LE(frame.validity.largest_strain, whole_strain);
+  EXPECT_GT(frame.validity.largest_strain, 0.4 * whole_strain);
   EXPECT_GT(frame.patient_step.report.energy_uJ, 0);
   EXPECT_LT(frame.patient_step.report.relative_residual, 1e-8);
   EXPECT_GT(frame.patient.landmarks[0].displacement_mm, 2);

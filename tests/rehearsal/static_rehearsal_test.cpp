@@ -56,7 +56,7 @@ TEST(StaticRehearsal, AnswersWhatAFullSolveOfBothBodiesWould) {
     const auto moved = rehearsal.patient().displacement_at(full, places);
     EXPECT_LT((frame.patient.landmarks[0].displaced_mm - setup.landmarks[0].position_mm - moved[0]).norm(), 1e-9);
     EXPECT_LT((frame.patient.structures_mm[0][1] - Vector3d(45, 20, 20) - moved[1]).norm(), 1e-9);
-    EXPECT_NEAR(frame.largest_strain, full.largest_strain, 1e-9);
+    EXPECT_NEAR(frame.validity.largest_strain, full.largest_strain, 1e-9);
     EXPECT_LE(frame.relative_residual, 1e-9);
 
     const auto saved = tool.patient_displacement_mm(force_N);
@@ -73,8 +73,38 @@ TEST(StaticRehearsal, SaysTheLargestStrainThatAFullSolveFindsWhateverTheDirectio
     const Vector3d force_N = 0.05 * i * Vector3d(std::cos(i), std::sin(2 * i), std::cos(3 * i));
     mechanics::Loads loads = setup.standing_loads;
     loads.push_back(mechanics::ToolLoad{tool_center_mm, tool_radius_mm, force_N.unaryExpr(&units::mN_from_N)});
-    EXPECT_NEAR(tool.answer(force_N).largest_strain, rehearsal.patient().solve(loads)->largest_strain, 1e-9) << i;
+    EXPECT_NEAR(tool.answer(force_N).validity.largest_strain, rehearsal.patient().solve(loads)->largest_strain, 1e-9)
+        << i;
   }
+}
+
+TEST(StaticRehearsal, CountsTheCellsTurnedInsideOutAsAFullSolveDoes) {
+  const RehearsalSetup setup = slab();
+  const auto rehearsal = StaticRehearsal::create(setup).value();
+  const auto tool = rehearsal.place_tool(tool_center_mm, tool_radius_mm).value();
+  int most = 0;
+  for (const Vector3d& force_N : {Vector3d(0, 0, -4), Vector3d(0, 30, 0), Vector3d(10, 60, -20)}) {
+    mechanics::Loads loads = setup.standing_loads;
+    loads.push_back(mechanics::ToolLoad{tool_center_mm, tool_radius_mm, force_N.unaryExpr(&units::mN_from_N)});
+    const mechanics::Validity validity = tool.answer(force_N).validity;
+    EXPECT_EQ(validity.inverted_cells, rehearsal.patient().solve(loads)->inverted_cells) << force_N.transpose();
+    EXPECT_EQ(validity.usable(), validity.inverted_cells == 0);
+    most = std::max(most, validity.inverted_cells);
+  }
+  EXPECT_GT(most, 0);
+}
+
+TEST(StaticRehearsal, KnowsTheForceAtWhichTheModelEnds) {
+  const auto rehearsal = StaticRehearsal::create(slab()).value();
+  const auto tool = rehearsal.place_tool(tool_center_mm, tool_radius_mm).value();
+  const Vector3d direction = Vector3d(0.2, -1, 0.5).normalized();
+  constexpr double most_N = 20;
+  const double within_N = tool.force_within_the_model_N(direction, most_N);
+  ASSERT_GT(within_N, 0);
+  ASSERT_LT(within_N, most_N);
+  EXPECT_EQ(tool.answer(within_N * direction).validity.state(), mechanics::AnswerState::within);
+  EXPECT_NE(tool.answer((within_N + 0.01 * most_N) * direction).validity.state(), mechanics::AnswerState::within);
+  EXPECT_EQ(tool.force_within_the_model_N(direction, 0.5 * within_N), 0.5 * within_N);
 }
 
 TEST(StaticRehearsal, ComparesEachLandmarkWithTheAtlasTwin) {

@@ -70,7 +70,8 @@ TEST_F(PatientPage, TellsModelAndResectionWithTheirWarnings) {
   const std::string page = html();
   EXPECT_THAT(page, HasSubstr("6.00 kPa on average"));
   EXPECT_THAT(page, HasSubstr("one value for all cells, 6 kPa"));
-  EXPECT_THAT(page, HasSubstr("768 ml"));
+  EXPECT_THAT(page, Not(HasSubstr("768 ml")));  // the cells' volume: the liver's is its outline's
+  EXPECT_THAT(page, HasSubstr("assumed: one value"));
   EXPECT_THAT(page, HasSubstr("removes 189 ml and leaves 579 ml"));  // 29.5 of 120 mm
   EXPECT_THAT(page, HasSubstr("R1 !"));
 }
@@ -78,11 +79,44 @@ TEST_F(PatientPage, TellsModelAndResectionWithTheirWarnings) {
 TEST_F(PatientPage, MarksLandmarksFromFiveMillimetresOn) {
   PatientPageContent content;
   content.retraction = RehearsedRetraction{
-      {{"retractor", 2.0, 15}}, 13.2, {{"tumour-1", 4.9, 0.2}, {"portal-vein-1", 5.0, std::nullopt}}};
+      {{"retractor", 2.0, 15}}, 13.2, {{"tumour-1", 4.9, 0.2}, {"portal-vein-1", 5.0, std::nullopt}}, {true, 0.1, 0}};
   const std::string page = html(content);
   EXPECT_THAT(page, HasSubstr("retractor with 2.0 N"));
   EXPECT_THAT(page, HasSubstr("<td>4.9</td>"));
   EXPECT_THAT(page, HasSubstr("<td class=\"flag\">5.0 !</td>"));
+}
+
+TEST_F(PatientPage, PrintsNoFigureOfAnAnswerThatMayNotBeUsed) {
+  PatientPageContent content;
+  content.retraction = RehearsedRetraction{{{"grasper", 2.0, 6}}, 133.7, {{"tumour-1", 44.9, 8.1}}, {true, 2.1, 31}};
+  const std::string page = html(content);
+  EXPECT_THAT(page, HasSubstr("Grasper with 2.0 N"));
+  EXPECT_THAT(page, HasSubstr("Not to be used: cells turned inside out: 31."));
+  for (const char* figure : {"133.7", "44.9", "8.1"}) EXPECT_THAT(page, Not(HasSubstr(figure)));
+  EXPECT_THAT(page, HasSubstr("<td>-</td>"));
+  content.retraction->validity = {true, 0.42, 0};
+  EXPECT_THAT(html(content), HasSubstr("Outside of the model: strains reach 42 %"));
+  EXPECT_THAT(html(content), HasSubstr("44.9 !"));
+}
+
+TEST_F(PatientPage, BeginsWithTheAnswerAndEndsWithWhereItComesFrom) {
+  add_model();
+  PatientPageContent content;
+  content.retraction =
+      RehearsedRetraction{{{"grasper", 1.0, 6}}, 3, {{"portal-vein-1", 2.0, std::nullopt}}, {true, 0.1, 0}};
+  const std::string page = html(content);
+  std::size_t at = 0;
+  for (const char* heading : {"Planned resection", "Rehearsed retraction", "Structures", "Images", "Model",
+                              "Evidence accepted", "Where it comes from"}) {
+    const std::size_t found = page.find("<h2>" + std::string(heading));
+    ASSERT_NE(found, std::string::npos) << heading;
+    EXPECT_GT(found, at) << heading;
+    at = found;
+  }
+  EXPECT_THAT(page, HasSubstr("Portal vein 1"));
+  for (const char* internal : {"portal-vein-1", "meshes/model", "What can be worn", "Atlas off"}) {
+    EXPECT_THAT(page, Not(HasSubstr(internal)));
+  }
 }
 
 TEST_F(PatientPage, FlagsAFileThatAnotherProgramChanged) {

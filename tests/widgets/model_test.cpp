@@ -6,12 +6,15 @@
 #include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <QTreeWidget>
 #include <QtTest>
 
 #include "kept_pictures.h"
 #include "main_window.h"
 #include "model/model_panel.h"
 #include "modelled_case.h"
+#include "panels/comparison_choice.h"
+#include "panels/study_panel.h"
 #include "run_test.h"
 #include "shown.h"
 
@@ -41,8 +44,37 @@ class ModelTest : public QObject {
     QVERIFY(!primary()->isVisible());
     QVERIFY(child<QLabel>("model_cells")->text().startsWith(QString::number(panel_->facts()->cells)));
     QVERIFY(std::abs(panel_->facts()->mesh_ml / panel_->facts()->label_ml - 1) < 0.1);
-    QVERIFY(child<QLabel>("model_stiffness")->text().contains("6.0 kPa on average, sd 0.0"));
+    QVERIFY(child<QLabel>("model_stiffness")->text().contains("Assumed: 6.0 kPa for all cells"));
     QCOMPARE(panel_->facts()->min_dihedral_deg.size(), panel_->facts()->cells);
+  }
+
+  // Two guesses are not compared: there is nothing of the patient in either.
+  void an_assumed_stiffness_is_called_so_everywhere_and_not_compared() {
+    QTRY_VERIFY_WITH_TIMEOUT(window_->rehearsal().body() != nullptr, patience_ms);
+    QVERIFY(window_->rehearsal().body()->atlas() == nullptr);
+    window_->go_to("rehearse");
+    const auto* said = child_of<QLabel>(*window_, "assumed_stiffness");
+    QVERIFY(said->isVisible());
+    QVERIFY(said->text().contains("The stiffness is assumed, 6 kPa for all cells, and not measured"));
+    for (const QPushButton* button : window_->findChild<ComparisonChoice*>()->findChildren<QPushButton*>()) {
+      QCOMPARE(button->isEnabled(), button->text() == "Patient");
+      if (!button->isEnabled()) QVERIFY(button->toolTip().contains("No stiffness was measured"));
+    }
+    bool facts_say_so = false;
+    for (const QLabel* label : window_->findChild<StudyPanel*>()->findChildren<QLabel*>()) {
+      facts_say_so |= label->text().contains("6.0 kPa (assumed)");
+    }
+    QVERIFY(facts_say_so);
+    window_->go_to("model");
+  }
+
+  // One number for the liver: the outline's, wherever its volume stands.
+  void the_livers_volume_is_that_of_its_outline() {
+    const double outline_ml = panel_->facts()->label_ml;
+    QVERIFY(child<QLabel>("model_volume")->text().startsWith(QString::number(outline_ml, 'f', 0) + " ml outlined"));
+    const auto* structures = child_of<QTreeWidget>(*window_->findChild<StudyPanel*>(), "structures");
+    const double listed_ml = structures->topLevelItem(0)->text(1).toDouble();
+    QVERIFY2(std::abs(listed_ml - outline_ml) < 0.06, qPrintable(QString("%1 %2").arg(listed_ml).arg(outline_ml)));
   }
 
   void a_source_that_the_case_lacks_says_so() {

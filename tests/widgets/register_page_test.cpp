@@ -15,6 +15,7 @@
 #include "shown.h"
 #include "studies/example_sequence.h"
 #include "support/folders.h"
+#include "words/number_box.h"
 
 namespace glisson::widgets {
 namespace {
@@ -192,7 +193,7 @@ class RegisterPageTest : public QObject {
     const std::size_t triangle = some_triangle();
     QTest::mouseClick(video, Qt::LeftButton, {}, video->on_widget(*video->middle_of(triangle)).toPoint());
     QVERIFY(page_->chosen()[0].has_value());
-    QCOMPARE(child<QSpinBox>("triangle")->value(), static_cast<int>(*page_->chosen()[0]) + 1);
+    QCOMPARE(child<NumberBox>("triangle")->value(), static_cast<double>(*page_->chosen()[0] + 1));
     auto* history = child<TriangleHistory>("history");
     QCOMPARE(history->lines(), page_->chosen()[1] ? 2 : 1);
     QVERIFY(child<QLabel>("place")->text().contains("correlation"));
@@ -200,7 +201,7 @@ class RegisterPageTest : public QObject {
     QCOMPARE(history->frame(), 1.0);
     keep_picture("register_history");
     // By its number, for whoever has no mouse; and beside the mesh, nothing is chosen.
-    child<QSpinBox>("triangle")->setValue(1);
+    child<NumberBox>("triangle")->setValue(1);
     QCOMPARE(*page_->chosen()[0], std::size_t{0});
     QTest::mouseClick(video, Qt::LeftButton, {}, video->on_widget({2, 2}).toPoint());
     QVERIFY(!page_->chosen()[0].has_value());
@@ -226,7 +227,7 @@ class RegisterPageTest : public QObject {
     for (auto* control : page_->findChildren<QWidget*>()) {
       const bool is_control = qobject_cast<QAbstractButton*>(control) != nullptr ||
                               qobject_cast<QComboBox*>(control) != nullptr ||
-                              qobject_cast<QSpinBox*>(control) != nullptr;
+                              qobject_cast<QAbstractSpinBox*>(control) != nullptr;
       if (!is_control || !control->isVisible() || control->inherits("QTableCornerButton")) continue;
       const auto* button = qobject_cast<QAbstractButton*>(control);
       const QString which = control->objectName() + " (" + control->metaObject()->className() + ")";

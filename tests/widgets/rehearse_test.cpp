@@ -136,6 +136,12 @@ class RehearseTest : public QObject {
     QVERIFY(first->rgb != last->rgb);
     QVERIFY(std::abs(last->width - space().width()) <= 1);
     QVERIFY(told.last().first().toString().startsWith("Written:"));
+    // Below it stands what the answer is worth: white on a dark band.
+    const auto brightest_below = [](const vision::Frame& frame) {
+      const auto band = static_cast<std::size_t>(3 * frame.width * (frame.height / 20));
+      return *std::max_element(frame.rgb.end() - static_cast<std::ptrdiff_t>(band), frame.rgb.end());
+    };
+    QVERIFY(brightest_below(*last) > 180);
     // Stopped, it leaves nothing and says so.
     panel->track().make_movie(folder.path() / "stopped.mp4");
     QTest::mouseClick(child<QPushButton>("track_movie"), Qt::LeftButton);
@@ -200,10 +206,65 @@ class RehearseTest : public QObject {
     rehearsal().set_force_N(2.0);
     const std::string csv = rehearsal().track().csv({"tumour-1", "hilum"});
     const QStringList lines = QString::fromStdString(csv).trimmed().split('\n');
-    QCOMPARE(lines.front(), "time_s,tools,force_N,max_displacement_mm,atlas_off_mm,tumour-1_mm,hilum_mm");
+    QCOMPARE(lines.front(),
+             "time_s,tools,force_N,max_displacement_mm,atlas_off_mm,tumour-1_mm,hilum_mm,state,largest_strain,"
+             "inverted_cells");
     QCOMPARE(lines.size(), 3);
     QCOMPARE(lines.back().split(',').at(2), "2.0000");
-    QCOMPARE(lines.back().split(',').size(), 7);
+    QCOMPARE(lines.back().split(',').size(), 10);
+  }
+
+  void says_what_an_answer_is_worth_and_prints_none_that_may_not_be_used() {
+    auto* sign = child<QLabel>("solving_sign");
+    auto* trouble = child<QLabel>("solving_trouble");
+    const auto table_text = [this](int column) {
+      return window_->findChild<LandmarkTable*>()->item(0, column)->text();
+    };
+    const double within_N = *rehearsal().force_within_the_model_N(20);
+    rehearsal().set_force_N(0.9 * within_N);
+    QVERIFY(sign->text().contains("Solved"));
+    QVERIFY(!trouble->isVisible());
+    rehearsal().set_force_N(1.2 * within_N);
+    QVERIFY(sign->text().contains("Outside of the model"));
+    QVERIFY(trouble->text().contains("beyond 20 %"));
+    QVERIFY(table_text(LandmarkTable::moves_column).toDouble() > 0);
+    rehearsal().set_force_N(40 * within_N);
+    QVERIFY(rehearsal().frame()->validity.inverted_cells > 0);
+    QVERIFY(sign->text().contains("Not to be used"));
+    QVERIFY(child<QLabel>("summary")->text().startsWith("– Not to be used: cells turned inside out"));
+    QCOMPARE(table_text(LandmarkTable::moves_column), "–");
+    QCOMPARE(table_text(LandmarkTable::apart_column), "–");
+    const QStringList lines =
+        QString::fromStdString(rehearsal().track().csv({"tumour-1", "hilum"})).trimmed().split('\n');
+    QCOMPARE(lines.back().split(',').mid(3, 5), (QStringList{"", "", "", "", "unusable"}));
+    QVERIFY(lines[lines.size() - 2].contains(",outside-of-the-model,0.2"));
+    const std::string landmarks = landmark_csv(*rehearsal().frame());
+    QVERIFY(landmarks.find("tumour-1,100.000,40.000,40.000,,,,,,unusable,") != std::string::npos);
+  }
+
+  void begins_with_a_force_that_the_model_bears_and_marks_where_it_ends() {
+    rehearsal().take_tool_away();
+    auto* tool = child<QComboBox>("tool");
+    tool->setFocus();
+    for (const Qt::Key key : {Qt::Key_End, Qt::Key_Home}) QTest::keyClick(tool, key);
+    QCOMPARE(tool->currentText(), "Nathanson liver retractor");
+    window_->findChild<ToolControls*>()->place_at({120, 40, 40}, {1, 0, 0});
+    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
+    QCOMPARE(rehearsal().frame()->validity.state(), mechanics::AnswerState::within);
+    QVERIFY(rehearsal().force_N() > 0 && rehearsal().force_N() <= 2.0);
+    auto* slider = child<MarkedSlider>("force_slider");
+    QVERIFY(slider->mark().has_value());
+    slider->setValue(static_cast<int>(*slider->mark()) + 2);
+    QVERIFY(child<QLabel>("solving_sign")->text().contains("Outside of the model"));
+    // A force that nobody chose gives way to what the model bears, to a tenth of a newton.
+    PlacedTool strong = rehearsal().tools().back();
+    strong.force_N = 9;
+    rehearsal().hold_within_the_model(strong);
+    QTRY_COMPARE_WITH_TIMEOUT(rehearsal().solving(), Solving::solved, patience_ms);
+    QCOMPARE(rehearsal().frame()->validity.state(), mechanics::AnswerState::within);
+    QVERIFY(std::abs(child<QDoubleSpinBox>("force")->value() - rehearsal().force_N()) < 1e-9);
+    QVERIFY2(std::abs(*slider->mark() - slider->value()) <= 1.0,
+             qPrintable(QString("mark %1, value %2").arg(*slider->mark()).arg(slider->value())));
   }
 
   void places_the_tool_at_the_crosshair_by_key() {

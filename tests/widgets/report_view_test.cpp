@@ -49,7 +49,7 @@ class ReportViewTest : public QObject {
                               qPrintable(window_->findChild<QLabel*>("notice_text")->text()), patience_ms);
     const QString page = text();
     QVERIFY(page.contains("6.00 kPa on average"));
-    QVERIFY(page.contains("tumour-1"));
+    QVERIFY(page.contains("Tumour 1"));
     QVERIFY(page.contains("No resection was saved."));
     QVERIFY(page.contains("nothing is being rehearsed"));
     QVERIFY(page.contains("Not a medical device"));
@@ -71,7 +71,27 @@ class ReportViewTest : public QObject {
     window_->rehearsal().hold({"palpation-probe", surface.points_mm.front(), {0, -1, 0}, 6, {0, 1, 0}, 1.5});
     QVERIFY(placed.wait(patience_ms));
     window_->go_to("report");
-    QTRY_VERIFY_WITH_TIMEOUT(text().contains("palpation-probe with 1.5 N"), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(text().contains("Palpation probe with 1.5 N"), patience_ms);
+  }
+
+  // An answer that may not be used leaves no figure on the page, and what can be worn stands there only if asked for.
+  void says_what_the_answer_is_worth() {
+    const double within_N = *window_->rehearsal().force_within_the_model_N(2);
+    QVERIFY2(within_N > 0, qPrintable(QString::number(within_N)));
+    window_->rehearsal().set_force_N(1.5 * within_N);
+    QTest::mouseClick(child<QPushButton>("report_refresh"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(text().contains("Outside of the model: strains reach"), patience_ms);
+    window_->rehearsal().set_force_N(60 * within_N);
+    QVERIFY(!window_->rehearsal().frame()->validity.usable());
+    QTest::mouseClick(child<QPushButton>("report_refresh"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(text().contains("Not to be used: cells turned inside out"), patience_ms);
+    QVERIFY(!text().contains("moves by up to"));
+    QVERIFY(text().contains("The stiffness is assumed"));
+    QVERIFY(!text().contains("What can be worn"));
+    QTest::mouseClick(child<QCheckBox>("report_boards"), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
+    QTRY_VERIFY_WITH_TIMEOUT(text().contains("What can be worn"), patience_ms);
+    QTest::mouseClick(child<QCheckBox>("report_boards"), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
+    QTRY_VERIFY_WITH_TIMEOUT(!text().contains("What can be worn"), patience_ms);
   }
 
   void saves_a_web_page_and_prints_a_pdf() {

@@ -28,7 +28,7 @@ constexpr Words all[] = {
                        "elastography. What holds the liver in place is shown too.")},
     {"rehearse", QT_TRANSLATE_NOOP("tour", "Rehearse: pull, and see"),
      QT_TRANSLATE_NOOP("tour",
-                       "A retractor hoists segment VI with 2 N. Change the force, or place the tool elsewhere by a "
+                       "A retractor hoists segment VI. Change the force, or place the tool elsewhere by a "
                        "click: the table follows each tumour and vessel, and marks what is 5 mm or more off.")},
     {"resect", QT_TRANSLATE_NOOP("tour", "Resect: what is left"),
      QT_TRANSLATE_NOOP("tour",

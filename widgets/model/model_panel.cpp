@@ -186,9 +186,9 @@ QWidget* ModelPanel::make_stiffness() {
   worded(part.group, [=, this, title = part.title] {
     title->setText(tr("Young's modulus"));
     source_->setItemText(mre, tr("From MR elastography"));
-    source_->setItemText(atlas_own_cohort, tr("Atlas: 2.1 kPa in shear"));
-    source_->setItemText(atlas_published, tr("Atlas: 2.6 kPa in shear"));
-    source_->setItemText(one_value, tr("One value for all cells"));
+    source_->setItemText(atlas_own_cohort, tr("Assumed: the atlas's 2.1 kPa in shear"));
+    source_->setItemText(atlas_published, tr("Assumed: the atlas's 2.6 kPa in shear"));
+    source_->setItemText(one_value, tr("Assumed: one value for all cells"));
     value_->setSuffix(tr(" kPa"));
     value_->setToolTip(tr("Young's modulus, about three times the shear modulus"));
     give_->setText(tr("Give it this stiffness"));
@@ -202,7 +202,6 @@ QWidget* ModelPanel::make_building() {
   auto* row = new QHBoxLayout;
   target_ = new NumberBox(part.group);
   target_->setDecimals(0);
-  target_->setKeyboardTracking(false);
   target_->setObjectName("model_target");
   target_->setRange(500, 200000);
   target_->setSingleStep(5000);
@@ -383,21 +382,21 @@ void ModelPanel::word_state() {
   if (!facts_) return;
   const casefile::ModelFacts& facts = *facts_;
   cells_->setText(tr("%1 cells, %2 points").arg(facts.cells).arg(facts.points));
-  volume_->setText(tr("%1 ml in cells, %2 ml outlined (%3 %)")
-                       .arg(facts.mesh_ml, 0, 'f', 0)
+  volume_->setText(tr("%1 ml outlined; the cells hold %2 % of it")
                        .arg(facts.label_ml, 0, 'f', 0)
-                       .arg(facts.label_ml > 0 ? 100 * (facts.mesh_ml / facts.label_ml - 1) : 0, 0, 'f', 1));
+                       .arg(facts.label_ml > 0 ? 100 * facts.mesh_ml / facts.label_ml : 0, 0, 'f', 1));
   quality_->setText(
       tr("Smallest dihedral angle %1°")
           .arg(*std::min_element(facts.min_dihedral_deg.begin(), facts.min_dihedral_deg.end()), 0, 'f', 1));
   dihedrals_->show_values(facts.min_dihedral_deg, tr("smallest dihedral angle of a cell, °"));
-  stiffness_->setText(tr("%1 kPa on average, sd %2").arg(facts.mean_kPa, 0, 'f', 1).arg(facts.sd_kPa, 0, 'f', 1) +
-                      (facts.filled_cells > 0
-                           ? "\n" + tr("%1 % of the cells without data of their own, filled from inside")
-                                        .arg(100.0 * static_cast<double>(facts.filled_cells) /
-                                                 static_cast<double>(std::max<std::size_t>(1, facts.cells)),
-                                             0, 'f', 0)
-                           : QString()));
+  stiffness_->setText(
+      (facts.assumed ? tr("Assumed: %1 kPa for all cells").arg(facts.mean_kPa, 0, 'f', 1)
+                     : tr("%1 kPa on average, sd %2").arg(facts.mean_kPa, 0, 'f', 1).arg(facts.sd_kPa, 0, 'f', 1)) +
+      (facts.filled_cells > 0 ? "\n" + tr("%1 % of the cells without data of their own, filled from inside")
+                                           .arg(100.0 * static_cast<double>(facts.filled_cells) /
+                                                    static_cast<double>(std::max<std::size_t>(1, facts.cells)),
+                                                0, 'f', 0)
+                              : QString()));
   moduli_->show_values(facts.youngs_kPa, tr("Young's modulus of a cell, kPa"));
   QStringList notes;
   for (const Sentence& note : facts.notes) notes << told(note);

@@ -17,26 +17,40 @@ ComparisonChoice::ComparisonChoice(QWidget* parent) : QWidget(parent), group_(ne
     button->setProperty("segment", place);  // the theme joins them
     group_->addButton(button, static_cast<int>(bodies));
     row->addWidget(button, 1);
-    return button;
   };
-  QPushButton* patient = add(Bodies::patient, "first");
-  QPushButton* atlas = add(Bodies::atlas, "middle");
-  QPushButton* both = add(Bodies::both, "middle");
-  QPushButton* beside = add(Bodies::side_by_side, "last");
-  worded(this, [=] {
-    patient->setText(tr("Patient"));
-    patient->setToolTip(tr("With this patient's own stiffness, from MR elastography"));
-    atlas->setText(tr("Atlas"));
-    atlas->setToolTip(tr("With one stiffness for the whole liver, as an atlas gives it"));
-    both->setText(tr("Both"));
-    both->setToolTip(tr("Atlas in red, patient in blue: purple where they agree"));
-    beside->setText(tr("Side by side"));
-    beside->setToolTip(tr("Two 3D views that turn together: the patient on the left, the atlas on the right"));
-  });
+  add(Bodies::patient, "first");
+  add(Bodies::atlas, "middle");
+  add(Bodies::both, "middle");
+  add(Bodies::side_by_side, "last");
+  worded(this, [this] { word(); });
   choose(Bodies::patient);
   connect(group_, &QButtonGroup::idClicked, this, [this](int id) { Q_EMIT changed(static_cast<Bodies>(id)); });
 }
 
 void ComparisonChoice::choose(Bodies bodies) { group_->button(static_cast<int>(bodies))->setChecked(true); }
+
+void ComparisonChoice::set_comparable(bool comparable) {
+  comparable_ = comparable;
+  for (const Bodies bodies : {Bodies::atlas, Bodies::both, Bodies::side_by_side}) {
+    group_->button(static_cast<int>(bodies))->setEnabled(comparable);
+  }
+  word();
+}
+
+void ComparisonChoice::word() {
+  const auto say = [this](Bodies bodies, const QString& name, const QString& tip) {
+    QAbstractButton* button = group_->button(static_cast<int>(bodies));
+    button->setText(name);
+    button->setToolTip(tip);
+  };
+  const QString alone = tr("No stiffness was measured: there is nothing to compare with the atlas");
+  say(Bodies::patient, tr("Patient"),
+      comparable_ ? tr("With this patient's own stiffness, as it was measured") : tr("With the assumed stiffness"));
+  say(Bodies::atlas, tr("Atlas"),
+      comparable_ ? tr("With one stiffness for the whole liver, as an atlas gives it") : alone);
+  say(Bodies::both, tr("Both"), comparable_ ? tr("Atlas in red, patient in blue: purple where they agree") : alone);
+  say(Bodies::side_by_side, tr("Side by side"),
+      comparable_ ? tr("Two 3D views that turn together: the patient on the left, the atlas on the right") : alone);
+}
 
 }  // namespace glisson::widgets

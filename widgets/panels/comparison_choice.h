@@ -16,13 +16,18 @@ class ComparisonChoice : public QWidget {
   explicit ComparisonChoice(QWidget* parent = nullptr);
 
   void choose(Bodies bodies);
+  // Without a measured stiffness there is the patient alone.
+  void set_comparable(bool comparable);
   [[nodiscard]] Bodies chosen() const { return static_cast<Bodies>(group_->checkedId()); }
 
  Q_SIGNALS:
   void changed(glisson::widgets::Bodies bodies);
 
  private:
+  void word();
+
   QButtonGroup* group_;
+  bool comparable_ = true;
 };
 
 }  // namespace glisson::widgets

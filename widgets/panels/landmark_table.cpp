@@ -21,7 +21,7 @@ LandmarkTable::LandmarkTable(QWidget* parent) : QTableWidget(0, 4, parent) {
   setObjectName("landmarks");
   worded(this, [this] {
     setHorizontalHeaderLabels({tr("Landmark"), tr("Moves\nmm"), tr("Atlas off\nmm"), tr("From 5 mm")});
-    horizontalHeaderItem(moves_column)->setToolTip(tr("How far the landmark moves with the patient's own stiffness"));
+    horizontalHeaderItem(moves_column)->setToolTip(tr("How far the landmark moves from where the scan shows it"));
     horizontalHeaderItem(apart_column)->setToolTip(tr("How far from there the atlas's stiffness puts it"));
     horizontalHeaderItem(flag_column)->setToolTip(tr("5 mm and more matters to a surgeon"));
   });
@@ -48,10 +48,14 @@ void LandmarkTable::show_frame(const rehearsal::RehearsalFrame* frame) {
     setRowCount(0);
     return;
   }
+  setColumnHidden(apart_column, !frame->atlas);
   setRowCount(static_cast<int>(frame->patient.landmarks.size()));
   for (std::size_t k = 0; k < frame->patient.landmarks.size(); ++k) {
-    fill_row(static_cast<int>(k), frame->patient.landmarks[k],
-             k < frame->differences.size() ? &frame->differences[k] : nullptr);
+    const auto row = static_cast<int>(k);
+    fill_row(row, frame->patient.landmarks[k], k < frame->differences.size() ? &frame->differences[k] : nullptr);
+    if (frame->validity.usable()) continue;
+    for (const int column : {moves_column, apart_column}) item(row, column)->setText("–");
+    item(row, flag_column)->setText({});
   }
 }
 
@@ -82,14 +86,23 @@ void LandmarkTable::fill_row(int row, const mechanics::DisplacedLandmark& landma
 }
 
 std::string landmark_csv(const rehearsal::RehearsalFrame& frame) {
-  std::string text = "landmark,rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,displacement_mm,atlas_off_mm\n";
+  std::string text =
+      "landmark,rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,displacement_mm,atlas_off_mm,"
+      "state,largest_strain,inverted_cells\n";
+  const mechanics::Validity& validity = frame.validity;
   for (std::size_t k = 0; k < frame.patient.landmarks.size(); ++k) {
     const mechanics::DisplacedLandmark& landmark = frame.patient.landmarks[k];
     const auto& rest = landmark.rest_mm;
     const auto& now = landmark.displaced_mm;
-    text += fmt::format("{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{}\n", landmark.id, rest.x(), rest.y(),
-                        rest.z(), now.x(), now.y(), now.z(), landmark.displacement_mm,
-                        k < frame.differences.size() ? fmt::format("{:.3f}", frame.differences[k].difference_mm) : "");
+    text += fmt::format("{},{:.3f},{:.3f},{:.3f},", landmark.id, rest.x(), rest.y(), rest.z());
+    if (validity.usable()) {
+      text += fmt::format("{:.3f},{:.3f},{:.3f},{:.3f},", now.x(), now.y(), now.z(), landmark.displacement_mm);
+      if (k < frame.differences.size()) text += fmt::format("{:.3f}", frame.differences[k].difference_mm);
+    } else {
+      text += ",,,,";
+    }
+    text +=
+        fmt::format(",{},{:.4f},{}\n", to_string(validity.state()), validity.largest_strain, validity.inverted_cells);
   }
   return text;
 }

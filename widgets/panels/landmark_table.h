@@ -25,7 +25,8 @@ class LandmarkTable : public QTableWidget {
   void fill_row(int row, const mechanics::DisplacedLandmark& landmark, const rehearsal::LandmarkDifference* difference);
 };
 
-// The same as CSV, every landmark a line, lengths in mm.
+// The same as CSV, every landmark a line, lengths in mm, with what the answer is worth; of one that is not usable where
+// the landmarks lie at rest.
 [[nodiscard]] std::string landmark_csv(const rehearsal::RehearsalFrame& frame);
 
 }  // namespace glisson::widgets

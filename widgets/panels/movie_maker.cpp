@@ -1,5 +1,10 @@
 #include "panels/movie_maker.h"
 
+#include <algorithm>
+#include <QPainter>
+
+#include "words/told.h"
+
 namespace glisson::widgets {
 namespace {
 
@@ -11,6 +16,24 @@ vision::Frame frame_of(const QImage& picture) {
     frame.rgb.insert(frame.rgb.end(), rgb.constScanLine(y), rgb.constScanLine(y) + std::ptrdiff_t{3} * rgb.width());
   }
   return frame;
+}
+
+// The force, and what the answer is worth: whoever sees the movie sees no panel.
+QString caption_of(const rehearsal::RehearsalFrame& frame) {
+  return MovieMaker::tr("%1 N").arg(frame.force_N.norm(), 0, 'f', 1) + "  ·  " + told(frame.validity.sentence());
+}
+
+void write_below(QImage& picture, const QString& words) {
+  picture.setDevicePixelRatio(1);
+  QPainter painter(&picture);
+  QFont font = painter.font();
+  font.setPixelSize(std::max(10, picture.height() / 32));
+  painter.setFont(font);
+  const int band = 2 * font.pixelSize();
+  const QRect below(0, picture.height() - band, picture.width(), band);
+  painter.fillRect(below, QColor(0, 0, 0, 170));
+  painter.setPen(Qt::white);
+  painter.drawText(below.adjusted(band / 2, 0, -band / 2, 0), Qt::AlignLeft | Qt::AlignVCenter, words);
 }
 
 }  // namespace
@@ -44,7 +67,9 @@ void MovieMaker::next_picture() {
   if (rehearsal_.track().empty()) return stop();         // the patient was closed
   if (rehearsal_.solving() == Solving::solving) return;  // the shape of this moment is on its way
   const double length_s = rehearsal_.track().length_s();
-  auto done = writer_->add(frame_of(grab_()));
+  QImage picture = grab_();
+  if (rehearsal_.frame()) write_below(picture, caption_of(*rehearsal_.frame()));
+  auto done = writer_->add(frame_of(picture));
   time_s_ += 1 / frames_per_second;
   Q_EMIT progressed(length_s > 0 ? std::min(1.0, time_s_ / length_s) : 1.0);
   // Half a second of rest at the end, so that the outcome can be seen.

@@ -14,14 +14,13 @@ NumberSlider::NumberSlider(double least, double most, double step, int decimals,
   number_ = new NumberBox(this);
   number_->setDecimals(decimals);
   number_->setSingleStep(step);
-  number_->setKeyboardTracking(false);
   number_->setFixedWidth(112);
   row->addWidget(slider_, 1);
   row->addWidget(number_);
   setFocusProxy(slider_);
   set_range(least, most);
   connect(slider_, &QSlider::valueChanged, this, [this](int steps) { number_->setValue(steps * step_); });
-  connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+  connect(number_, &NumberBox::valueChanged, this, [this](double value) {
     show_on_slider();
     Q_EMIT changed(value);
   });
@@ -39,6 +38,16 @@ void NumberSlider::set_range(double least, double most) {
   }
   number_->setRange(least, most);
   show_on_slider();
+}
+
+bool NumberSlider::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTipChange) {
+    for (QWidget* each : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(number_)}) {
+      each->setAccessibleName(accessibleName());
+      each->setToolTip(toolTip());
+    }
+  }
+  return QWidget::event(event);
 }
 
 void NumberSlider::show_on_slider() {

@@ -20,6 +20,10 @@ class NumberSlider : public QWidget {
   // Keeps the value where it still fits.
   void set_range(double least, double most);
 
+ protected:
+  // What is said of the pair holds for both.
+  bool event(QEvent* event) override;
+
  Q_SIGNALS:
   void changed(double value);
 

@@ -34,7 +34,6 @@ NumberBox* number_box(double least, double most, int decimals) {
   auto* box = new NumberBox;
   box->setRange(least, most);
   box->setDecimals(decimals);
-  box->setKeyboardTracking(false);
   return box;
 }
 
@@ -70,8 +69,8 @@ PlatformView::PlatformView(std::vector<Device> devices, hardware::ConvergenceCur
   accuracy_->set_value(5);
   for (NumberSlider* slider : {accuracy_, duration_, frames_, room_, limit_})
     connect(slider, &NumberSlider::changed, this, &PlatformView::replan);
-  connect(volume_, &QDoubleSpinBox::valueChanged, this, &PlatformView::replan);
-  connect(youngs_, &QDoubleSpinBox::valueChanged, this, [this] {
+  connect(volume_, &NumberBox::valueChanged, this, &PlatformView::replan);
+  connect(youngs_, &NumberBox::valueChanged, this, [this] {
     set_accuracy_range();
     replan();
   });
@@ -101,17 +100,18 @@ QWidget* PlatformView::shipped(QWidget* parent) {
   return sorry;
 }
 
-void PlatformView::show_case(const QString& name, double liver_volume_cm3, double youngs_kPa) {
+void PlatformView::show_case(const QString& name, double liver_volume_cm3, double youngs_kPa, bool assumed) {
   const QSignalBlocker quiet_volume(volume_);
   const QSignalBlocker quiet_youngs(youngs_);
   if (liver_volume_cm3 > 0) volume_->setValue(liver_volume_cm3);
   if (youngs_kPa > 0) youngs_->setValue(youngs_kPa);
-  case_name_words_ = [name = name.toStdString(), volume = liver_volume_cm3 > 0, stiffness = youngs_kPa > 0] {
+  case_name_words_ = [name = name.toStdString(), volume = liver_volume_cm3 > 0, stiffness = youngs_kPa > 0, assumed] {
     const QString shown = patient_label(name);
-    return volume && stiffness ? tr("Volume and stiffness of %1").arg(shown)
-           : volume            ? tr("Volume of %1; its stiffness is not known").arg(shown)
-           : stiffness         ? tr("Stiffness of %1; its volume is not known").arg(shown)
-                               : tr("%1 has no outlined liver yet: type its volume").arg(shown);
+    return assumed && volume     ? tr("Volume of %1; its stiffness is assumed").arg(shown)
+           : volume && stiffness ? tr("Volume and stiffness of %1").arg(shown)
+           : volume              ? tr("Volume of %1; its stiffness is not known").arg(shown)
+           : stiffness           ? tr("Stiffness of %1; its volume is not known").arg(shown)
+                                 : tr("%1 has no outlined liver yet: type its volume").arg(shown);
   };
   word_case();
   set_accuracy_range();

@@ -27,7 +27,7 @@ class PlatformView : public QWidget {
   static QWidget* shipped(QWidget* parent = nullptr);
 
   // Takes volume and mean Young's modulus over; 0 where the case does not know.
-  void show_case(const QString& name, double liver_volume_cm3, double youngs_kPa);
+  void show_case(const QString& name, double liver_volume_cm3, double youngs_kPa, bool assumed = false);
   // Devices that a person measured or wrote; those with a known id take its place.
   void add_devices(std::vector<hardware::Device> devices);
 

@@ -126,11 +126,24 @@ QWidget* RehearsePanel::make_look_group() {
   by_displacement_ = new QCheckBox(group);
   by_displacement_->setObjectName("by_displacement");
   column->addWidget(by_displacement_);
-  worded(group, [this] { by_displacement_->setText(tr("Colour the liver by how far it moves")); });
+  assumed_text_ = wrapped_label("assumed_stiffness", group);
+  assumed_text_->hide();
+  column->addWidget(assumed_text_);
+  worded(group, [this] {
+    show_assumed_stiffness(assumed_);
+    by_displacement_->setText(tr("Colour the liver by how far it moves"));
+  });
   connect(comparison_, &ComparisonChoice::changed, this, &RehearsePanel::bodies_chosen);
   connect(by_displacement_, &QCheckBox::toggled, this,
           [this](bool on) { Q_EMIT liver_colour_chosen(on ? LiverColour::displacement : LiverColour::tissue); });
   return group;
+}
+
+void RehearsePanel::show_assumed_stiffness(const std::optional<Sentence>& assumed) {
+  assumed_ = assumed;
+  assumed_text_->setVisible(assumed_.has_value());
+  assumed_text_->setText(assumed_ ? told(*assumed_) : QString());
+  comparison_->set_comparable(!assumed_);
 }
 
 void RehearsePanel::set_ready(bool ready) {
@@ -185,15 +198,12 @@ void RehearsePanel::show_frame() {
     summary_->setText(tr("Place the tool to see what moves."));
     return;
   }
+  if (!frame->validity.usable()) {
+    summary_->setText(QString("– ") + told(frame->validity.sentence()));
+    return;
+  }
   QString text = tr("The liver moves by up to %1 mm.").arg(frame->patient.max_displacement_mm, 0, 'f', 1);
   if (frame->atlas) text += " " + tr("The atlas is off by up to %1 mm.").arg(frame->max_difference_mm, 0, 'f', 1);
-  // Small-strain theory is the model's; say where it is stretched.
-  constexpr double strain_worth_a_word = 0.2;
-  if (frame->largest_strain > strain_worth_a_word) {
-    text +=
-        "\n" +
-        tr("Strains reach %1 %, more than this linear model is made for.").arg(100 * frame->largest_strain, 0, 'f', 0);
-  }
   summary_->setText(text);
 }
 

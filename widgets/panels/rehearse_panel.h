@@ -25,6 +25,8 @@ class RehearsePanel : public QWidget {
   void set_ready(bool ready);
   // What measurements changed of the model that is rehearsed, and what of them it cannot hold.
   void show_evidence(const casefile::Evidence& evidence);
+  // What stiffness was assumed, where none was measured.
+  void show_assumed_stiffness(const std::optional<Sentence>& assumed);
   [[nodiscard]] bool placing() const { return tool_->placing(); }
   // A click on the liver, while placing, or the tool dragged over it: it goes there (at rest).
   void place_at(const Eigen::Vector3d& position_mm, const Eigen::Vector3d& outward) {
@@ -67,6 +69,8 @@ class RehearsePanel : public QWidget {
   QLabel* missing_;
   QLabel* evidence_text_;
   casefile::Evidence evidence_;
+  QLabel* assumed_text_;
+  std::optional<Sentence> assumed_;
   QWidget* controls_;
   ToolControls* tool_;
   SolvingLight* light_;

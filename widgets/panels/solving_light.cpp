@@ -37,7 +37,9 @@ void SolvingLight::show_drawing_ms(double drawing_ms) {
 }
 
 void SolvingLight::show_state() {
-  const int inverted = rehearsal_.inverted_cells();
+  using mechanics::AnswerState;
+  const auto& frame = rehearsal_.frame();
+  const AnswerState state = frame ? frame->validity.state() : AnswerState::within;
   QString words;
   QString colour;
   switch (rehearsal_.solving()) {
@@ -47,8 +49,12 @@ void SolvingLight::show_state() {
       colour = "warning";
       break;
     case Solving::solved:
-      words = inverted > 0 ? tr("▲ Not to be used") : tr("✔ Solved");
-      colour = inverted > 0 ? "trouble" : "accent_edge";
+      words = state == AnswerState::within                 ? tr("✔ Solved")
+              : state == AnswerState::outside_of_the_model ? tr("▲ Outside of the model")
+                                                           : tr("▲ Not to be used");
+      colour = state == AnswerState::within                 ? "accent_edge"
+               : state == AnswerState::outside_of_the_model ? "warning"
+                                                            : "trouble";
       break;
     case Solving::refused:
       words = tr("✖ Not solved");
@@ -58,7 +64,6 @@ void SolvingLight::show_state() {
   if (rehearsal_.frozen()) words += "  " + tr("❚❚ Frozen");
   sign_->setText(words);
   sign_->setStyleSheet(colour.isEmpty() ? QString() : QString("color: %1").arg(theme_colour(colour.toLatin1()).name()));
-  const auto& frame = rehearsal_.frame();
   figures_->setText(frame ? tr("residual %1 · solved in %2 ms · drawn in %3 ms")
                                 .arg(frame->relative_residual, 0, 'e', 0)
                                 .arg(frame->answer_ms, 0, 'f', 1)
@@ -67,8 +72,8 @@ void SolvingLight::show_state() {
   QString trouble;
   if (rehearsal_.refusal()) {
     trouble = told(*rehearsal_.refusal()) + " " + tr("What is shown is from before.");
-  } else if (inverted > 0) {
-    trouble = tr("Cells turned inside out: %1. Use less force.").arg(inverted);
+  } else if (state != AnswerState::within) {
+    trouble = told(frame->validity.sentence()) + " " + tr("Use less force.");
   }
   trouble_->setText(trouble);
   trouble_->setVisible(!trouble.isEmpty());

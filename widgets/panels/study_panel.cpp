@@ -115,7 +115,8 @@ void StudyPanel::word_patient() {
     facts << tr("%1 voxels,\n%2 each").arg(size_words(grid), spacing_words(grid));
   }
   if (patient_.rehearsal) {
-    facts << tr("%1 cells\nYoung's modulus %2 kPa (mean)")
+    facts << (patient_.assumed_stiffness ? tr("%1 cells\nYoung's modulus %2 kPa (assumed)")
+                                         : tr("%1 cells\nYoung's modulus %2 kPa (mean)"))
                  .arg(patient_.rehearsal->patient().mesh().cells.size())
                  .arg(patient_.mean_youngs_kPa, 0, 'f', 1);
   }

@@ -58,19 +58,18 @@ ToolControls::ToolControls(LiveRehearsal& rehearsal, QWidget* parent)
   connect(direction_, &QComboBox::activated, this, &ToolControls::apply_direction);
 
   auto* forces = new QHBoxLayout;
-  force_slider_ = new QSlider(Qt::Horizontal, this);
+  force_slider_ = new MarkedSlider(Qt::Horizontal, this);
   force_slider_->setObjectName("force_slider");
   force_ = new NumberBox(this);
   force_->setObjectName("force");
   force_->setDecimals(1);
   force_->setSingleStep(force_step_N);
-  force_->setKeyboardTracking(false);
   forces->addWidget(force_slider_, 1);
   forces->addWidget(force_);
   auto* force_name = new QLabel(this);
   form->addRow(force_name, forces);
   connect(force_slider_, &QSlider::valueChanged, this, [this](int steps) { set_force(steps * force_step_N); });
-  connect(force_, &QDoubleSpinBox::valueChanged, this, &ToolControls::set_force);
+  connect(force_, &NumberBox::valueChanged, this, &ToolControls::set_force);
 
   rigid_ = new QCheckBox(this);
   rigid_->setObjectName("rigid");
@@ -134,6 +133,7 @@ const rehearsal::ToolPreset& ToolControls::preset() const {
 
 void ToolControls::preset_chosen() {
   const rehearsal::ToolPreset& chosen = preset();
+  force_is_usual_ = true;
   show_force(chosen.usual_force_N);
   if (rehearsal_.has_tool()) {
     hold(rehearsal_.tool_center_mm());
@@ -143,7 +143,12 @@ void ToolControls::preset_chosen() {
 }
 
 void ToolControls::hold(const Eigen::Vector3d& center_mm) {
-  rehearsal_.hold({preset().id, center_mm, outward_, preset().radius_mm, chosen_direction(), force_->value()});
+  const PlacedTool tool{preset().id, center_mm, outward_, preset().radius_mm, chosen_direction(), force_->value()};
+  if (force_is_usual_) {
+    rehearsal_.hold_within_the_model(tool);
+  } else {
+    rehearsal_.hold(tool);
+  }
 }
 
 void ToolControls::place_at(const Eigen::Vector3d& position_mm, const Eigen::Vector3d& outward) {
@@ -187,6 +192,7 @@ Eigen::Vector3d ToolControls::chosen_direction() const {
 }
 
 void ToolControls::set_force(double force_N) {
+  force_is_usual_ = false;
   show_force(force_N);
   rehearsal_.set_force_N(force_N);
 }
@@ -214,8 +220,18 @@ void ToolControls::show_tool_in_hand() {
   }
 }
 
+void ToolControls::mark_where_the_model_ends() {
+  const double most_N = force_->maximum();
+  const auto within_N = rehearsal_.force_within_the_model_N(most_N);
+  const bool ends = within_N && *within_N < most_N;
+  force_slider_->set_mark(ends ? std::optional(*within_N / force_step_N) : std::nullopt);
+  force_slider_->setToolTip(ends ? tr("From %1 N on, strains are outside of the model").arg(*within_N, 0, 'f', 1)
+                                 : QString());
+}
+
 void ToolControls::follow() {
   if (rehearsal_.has_tool()) show_tool_in_hand();
+  mark_where_the_model_ends();
   setEnabled(!rehearsal_.frozen());
   rigid_->setEnabled(rehearsal_.knows_rigid_tools());
   rigid_->setChecked(rehearsal_.touch() == Touch::rigid);

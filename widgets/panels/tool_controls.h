@@ -4,9 +4,9 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QPushButton>
-#include <QSlider>
 #include <QWidget>
 
+#include "panels/marked_slider.h"
 #include "session/live_rehearsal.h"
 #include "words/number_box.h"
 
@@ -44,11 +44,13 @@ class ToolControls : public QWidget {
   [[nodiscard]] Eigen::Vector3d chosen_direction() const;
   void show_force(double force_N);
   void show_tool_in_hand();
+  void mark_where_the_model_ends();
   void set_force(double force_N);
   void hold(const Eigen::Vector3d& center_mm);
   void word();
 
   LiveRehearsal& rehearsal_;
+  bool force_is_usual_ = true;         // nobody has chosen it yet
   Eigen::Vector3d outward_{0, -1, 0};  // where the tool stands
   Eigen::Vector3d hoist_direction_;
   Eigen::Vector3d dragged_direction_{0, -1, 0};
@@ -56,7 +58,7 @@ class ToolControls : public QWidget {
   QPushButton* place_;
   QPushButton* hoist_button_;
   QComboBox* direction_;
-  QSlider* force_slider_;
+  MarkedSlider* force_slider_;
   NumberBox* force_;
   QCheckBox* rigid_;
   QPushButton* keep_;

@@ -4,6 +4,7 @@
 #include <qcustomplot.h>
 
 #include <algorithm>
+#include <QtNumeric>
 #include <QVBoxLayout>
 
 #include "plots/themed_plot.h"
@@ -80,9 +81,10 @@ void TrackPlot::show_track(const RehearsalTrack& track, std::optional<std::size_
   QVector<double> force_N;
   for (const Moment& moment : track.moments()) {
     const bool known = landmark && *landmark < moment.landmarks_mm.size();
+    const bool usable = moment.validity.usable();  // else a gap
     time_s << moment.time_s;
-    moved_mm << (known ? moment.landmarks_mm[*landmark] : moment.max_displacement_mm);
-    off_mm << moment.atlas_off_mm;
+    moved_mm << (!usable ? qQNaN() : known ? moment.landmarks_mm[*landmark] : moment.max_displacement_mm);
+    off_mm << (usable ? moment.atlas_off_mm.value_or(qQNaN()) : qQNaN());
     force_N << moment.force_N;
   }
   moved_->setName(landmark ? landmark_name : tr("Moves at most"));
@@ -90,7 +92,10 @@ void TrackPlot::show_track(const RehearsalTrack& track, std::optional<std::size_
   atlas_off_->setData(time_s, off_mm, true);
   force_->setData(time_s, force_N, true);
   const auto top_of = [](const QVector<double>& values, double least) {
-    return std::max(least, values.isEmpty() ? 0 : *std::max_element(values.begin(), values.end()));
+    for (const double value : values) {
+      if (value > least) least = value;
+    }
+    return least;
   };
   plot_->xAxis->setRange(0, std::max(5.0, track.length_s()));
   plot_->yAxis->setRange(0, 1.1 * std::max(top_of(moved_mm, 6), top_of(off_mm, 6)));

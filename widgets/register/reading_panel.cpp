@@ -65,8 +65,8 @@ void ReadingPanel::add_tolerance(QVBoxLayout& column) {
   worded(tolerance_, [=, this] {
     label->setText(tr("Tolerance: rejected from"));
     tolerance_->set_suffix(tr(" mm"));
-    tolerance_->setToolTip(tr("Triangles whose landmarks are off by this much or more, mm, are grey and hatched"));
     tolerance_->setAccessibleName(tr("Tolerance"));
+    tolerance_->setToolTip(tr("Triangles whose landmarks are off by this much or more, mm, are grey and hatched"));
     for (std::size_t i = 0; i < presets.size(); ++i) {
       presets[i]->setText(tr("%1 mm").arg(tolerances_mm[i]));
       presets[i]->setToolTip(tr("Sets the tolerance to %1 mm").arg(tolerances_mm[i]));

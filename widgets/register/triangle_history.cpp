@@ -103,10 +103,10 @@ QWidget* TriangleHistory::make_head() {
   row->setSpacing(10);
   QLabel* title = heading();
   row->addWidget(title);
-  triangle_ = new QSpinBox;
+  triangle_ = new NumberBox;
+  triangle_->setDecimals(0);
   triangle_->setObjectName("triangle");
   triangle_->setRange(0, 0);
-  triangle_->setKeyboardTracking(false);
   triangle_->setMinimumWidth(76);
   title->setBuddy(triangle_);
   row->addWidget(triangle_);
@@ -116,8 +116,8 @@ QWidget* TriangleHistory::make_head() {
   said_->setMinimumHeight(2 * fontMetrics().height() + 4);
   said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   row->addWidget(said_, 1);
-  connect(triangle_, &QSpinBox::valueChanged, this, [this](int number) {
-    Q_EMIT triangle_chosen(number > 0 ? std::optional(static_cast<std::size_t>(number - 1)) : std::nullopt);
+  connect(triangle_, &NumberBox::valueChanged, this, [this](double number) {
+    Q_EMIT triangle_chosen(number > 0 ? std::optional(static_cast<std::size_t>(number) - 1) : std::nullopt);
   });
   worded(head, [=, this] {
     title->setText(tr("A triangle over the frames"));
@@ -130,8 +130,8 @@ QWidget* TriangleHistory::make_head() {
 
 void TriangleHistory::show_triangle(std::size_t count, std::optional<std::size_t> triangle) {
   const QSignalBlocker quiet(triangle_);
-  triangle_->setRange(0, static_cast<int>(count));
-  triangle_->setValue(triangle ? static_cast<int>(*triangle) + 1 : 0);
+  triangle_->setRange(0, static_cast<double>(count));
+  triangle_->setValue(triangle ? static_cast<double>(*triangle + 1) : 0);
 }
 
 void TriangleHistory::show_courses(const std::array<std::optional<Line>, 2>& lines, double tolerance_mm) {

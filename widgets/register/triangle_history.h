@@ -5,10 +5,10 @@
 #include <array>
 #include <optional>
 #include <QLabel>
-#include <QSpinBox>
 #include <QWidget>
 
 #include "registration_quality/sirgn.h"
+#include "words/number_box.h"
 
 class QCustomPlot;
 class QCPAxisRect;
@@ -44,7 +44,7 @@ class TriangleHistory : public QWidget {
   QWidget* make_head();
   void word();
 
-  QSpinBox* triangle_;
+  NumberBox* triangle_;
   QLabel* said_;
   QCustomPlot* plot_;
   QCPAxisRect* errors_;

@@ -1,15 +1,18 @@
 #include "report/report_view.h"
 
+#include <array>
 #include <QDateTime>
 #include <QHBoxLayout>
 #include <QPrinter>
 #include <QVBoxLayout>
 
+#include "geometry/mesh_file.h"
 #include "panels/ask_path.h"
 #include "panels/parts.h"
 #include "report/html.h"
 #include "report/page_document.h"
 #include "report/patient_page.h"
+#include "resect/resection_scene.h"
 #include "settings/settings.h"
 #include "words/paths.h"
 #include "words/told.h"
@@ -26,7 +29,7 @@ const QString html_name = "report.html", pdf_name = "report.pdf";
 std::optional<report::RehearsedRetraction> retraction_of(const LiveRehearsal& rehearsal) {
   const auto& frame = rehearsal.frame();
   if (!frame) return {};
-  report::RehearsedRetraction made{{}, frame->patient.max_displacement_mm, {}};
+  report::RehearsedRetraction made{{}, frame->patient.max_displacement_mm, {}, frame->validity};
   for (const PlacedTool& tool : rehearsal.tools()) made.tools.push_back({tool.preset, tool.force_N, tool.radius_mm});
   for (std::size_t k = 0; k < frame->patient.landmarks.size(); ++k) {
     const auto& landmark = frame->patient.landmarks[k];
@@ -59,6 +62,9 @@ ReportView::ReportView(Bench bench, PlanOfNow plan, QWidget* parent)
   name_ = new QCheckBox(panel);
   name_->setObjectName("report_name");
   column->addWidget(name_);
+  boards_ = new QCheckBox(panel);
+  boards_->setObjectName("report_boards");
+  column->addWidget(boards_);
   refresh_ = named_button("report_refresh", panel);
   column->addWidget(refresh_);
   column->addSpacing(10);
@@ -76,6 +82,7 @@ ReportView::ReportView(Bench bench, PlanOfNow plan, QWidget* parent)
   across->addWidget(paper_, 30);
   across->addStretch(1);
   connect(name_, &QCheckBox::toggled, this, &ReportView::refresh);
+  connect(boards_, &QCheckBox::toggled, this, &ReportView::refresh);
   // What was under way when the page was asked for is over.
   connect(
       &bench_.work, &BackgroundWork::finished, this,
@@ -90,6 +97,8 @@ ReportView::ReportView(Bench bench, PlanOfNow plan, QWidget* parent)
     title->setText(tr("Report"));
     name_->setText(tr("Show the patient's name"));
     name_->setToolTip(tr("Without it the page names neither the patient nor the case; see the settings too"));
+    boards_->setText(tr("With what can be worn"));
+    boards_->setToolTip(tr("Adds which wearable computers can do this case, as planned in Platform"));
     refresh_->setText(tr("Collect again"));
     refresh_->setToolTip(tr("Reads the case and the present rehearsal anew"));
     html_->setText(tr("Save as a web page..."));
@@ -143,17 +152,15 @@ void ReportView::refresh() {
   if (name_->isChecked()) content.name = patient_label(patient_.name).toStdString();
   content.when = QDateTime::currentDateTime().toString(Qt::ISODate).replace('T', ' ').left(16).toStdString();
   content.retraction = retraction_of(bench_.rehearsal);
-  content.plan = plan_();
-  if (!patient_.structures.empty()) {
-    const QString picture = scratch_.filePath("patient.png");
-    if (bench_.views.space().smooth_picture().save(picture)) {
-      // Reports speak English: not translated.
-      content.figures.push_back({path_of(picture), "The patient as shown in the window."});
-    }
-  }
+  if (boards_->isChecked()) content.plan = plan_();
+  std::vector<Taken> taken;
+  if (!patient_.structures.empty()) taken = pictures();
   bench_.work.start(
       tr("Collecting the report"),
-      [this, content, folder = patient_.folder](const Progress& progress) -> BackgroundWork::Then {
+      [this, content, taken, folder = patient_.folder](const Progress& progress) mutable -> BackgroundWork::Then {
+        for (const Taken& each : taken) {
+          if (each.image.save(text_of(each.figure.png))) content.figures.push_back(each.figure);
+        }
         auto page = std::make_shared<Result<report::Page>>(casefile::Case::open(folder).and_then(
             [&](const casefile::Case& patient) { return report::patient_page(patient, content, progress); }));
         return [this, page] {
@@ -161,6 +168,32 @@ void ReportView::refresh() {
           show_page(**page);
         };
       });
+}
+
+std::vector<ReportView::Taken> ReportView::pictures() {
+  const auto cut = geometry::read_surface(patient_.folder / "results" / "resection" / "cut.vtp");
+  if (cut) {
+    const auto sheet = std::make_shared<geometry::Surface>(*cut);
+    WorkspaceScene scene;
+    scene.patient = WorkspaceScene::Patient::at_rest;
+    scene.surfaces.push_back({"cut", sheet, specimen_colour(), 0.9, scene::Finish::solid, {}});
+    scene.cuts.push_back({sheet, specimen_colour(), 2});
+    bench_.patient_views.set_workspace_scene(std::move(scene));
+  }
+  std::vector<Taken> taken;
+  const auto keep = [&](RenderWidget& view, const QString& name, const char* caption) {
+    taken.push_back({view.smooth_picture(), {path_of(scratch_.filePath(name)), caption}});
+  };
+  // Reports speak English: not translated.
+  const char* in_space = cut ? "The planned cut." : "The patient as shown in the window.";
+  keep(bench_.views.space(), "space.png", in_space);
+  // These are not translated either.
+  constexpr std::array<const char*, 3> slices{"Transverse", "Coronal", "Sagittal"};
+  for (std::size_t k = 0; patient_.anatomy && k < slices.size(); ++k) {
+    keep(bench_.views.slice(static_cast<SliceDirection>(k)), QString("slice-%1.png").arg(k), slices[k]);
+  }
+  if (cut) bench_.patient_views.set_workspace_scene({});
+  return taken;
 }
 
 void ReportView::show_page(const report::Page& page) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <QCheckBox>
+#include <QImage>
 #include <QLabel>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -42,6 +43,12 @@ class ReportView : public QWidget {
   void choose_html();
   void choose_pdf();
   void word_state();
+  // What the views show, with the saved cut where there is one: in space, then the three slices.
+  struct Taken {
+    QImage image;
+    report::Figure figure;  // its file is yet to be written
+  };
+  [[nodiscard]] std::vector<Taken> pictures();
 
   Bench bench_;
   PlanOfNow plan_;
@@ -54,6 +61,7 @@ class ReportView : public QWidget {
   QTextBrowser* paper_;
   QLabel* state_;
   QCheckBox* name_;
+  QCheckBox* boards_;
   QPushButton* refresh_;
   QPushButton* html_;
   QPushButton* pdf_;

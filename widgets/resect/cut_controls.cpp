@@ -16,7 +16,6 @@ NumberBox* number_box(double least, double most, double step, const char* name, 
   box->setRange(least, most);
   box->setDecimals(1);
   box->setSingleStep(step);
-  box->setKeyboardTracking(false);
   return box;
 }
 
@@ -75,7 +74,7 @@ QWidget* CutControls::make_plane() {
     names[k] = new QLabel(group);
     names[k]->setBuddy(box);
     form->addRow(names[k++], box);
-    connect(box, &QDoubleSpinBox::valueChanged, this,
+    connect(box, &NumberBox::valueChanged, this,
             [this] { Q_EMIT plane_typed(shift_->value(), turn_->value(), tilt_->value()); });
   }
   connect(through_crosshair_, &QPushButton::clicked, this, [this] {

@@ -1,6 +1,7 @@
 #include "session/live_rehearsal.h"
 
 #include <algorithm>
+#include <cmath>
 #include <QFutureWatcher>
 #include <QtConcurrentRun>
 
@@ -69,7 +70,7 @@ void LiveRehearsal::start_anew() {
   frozen_ = false;
   to_place_.reset();
   frame_.reset();
-  inverted_cells_ = 0;
+  eases_ = false;
   solids_.clear();
   session_timer_.stop();
   end_elsewhere(std::move(session_));
@@ -112,6 +113,11 @@ void LiveRehearsal::hold(const PlacedTool& tool) {
   }
 }
 
+void LiveRehearsal::hold_within_the_model(const PlacedTool& tool) {
+  eases_ = touch_ == Touch::patch;
+  hold(tool);
+}
+
 void LiveRehearsal::change_tool(const std::function<void(PlacedTool&)>& change) {
   if (tools_.empty() || frozen_) return;
   PlacedTool tool = tools_.back();
@@ -123,6 +129,7 @@ void LiveRehearsal::change_tool(const std::function<void(PlacedTool&)>& change) 
 
 void LiveRehearsal::set_force_N(double force_N) {
   if (frozen_) return;
+  eases_ = false;
   force_N_ = force_N;
   change_tool([&](PlacedTool& tool) { tool.force_N = force_N; });
 }
@@ -136,6 +143,7 @@ void LiveRehearsal::set_direction(const Eigen::Vector3d& unit) {
 void LiveRehearsal::hold_all(const std::vector<PlacedTool>& wanted) {
   if (!body_ || frozen_) return;
   go_on();
+  eases_ = false;
   const auto [differs, _] = std::mismatch(tools_.begin(), tools_.end(), wanted.begin(), wanted.end());
   const auto same = static_cast<std::size_t>(differs - tools_.begin());
   if (same == tools_.size() && same == wanted.size()) return;
@@ -161,7 +169,6 @@ void LiveRehearsal::take_tool_away() {
   numbers_.pop_back();
   if (tools_.empty()) {
     frame_.reset();
-    inverted_cells_ = 0;
     set_solving(Solving::no_tool);
   } else {
     force_N_ = tools_.back().force_N;
@@ -189,6 +196,7 @@ void LiveRehearsal::answer_now() {
   const PlacedTool& tool = tools_.back();
   if (const rehearsal::PlacedTool* placed = remembered(tool)) {
     to_place_.reset();
+    ease(*placed);
     show_answer(*placed, tool);
     record(nullptr);
     return;
@@ -197,6 +205,29 @@ void LiveRehearsal::answer_now() {
   set_solving(Solving::solving);
   Q_EMIT frame_changed();  // the tool is there already, the shape follows
   if (!is_placing_) solve_for(tool);
+}
+
+void LiveRehearsal::ease(const rehearsal::PlacedTool& placed) {
+  constexpr double step_N = 0.1;
+  if (!eases_) return;
+  eases_ = false;
+  PlacedTool& tool = tools_.back();
+  const double within_N = placed.force_within_the_model_N(tool.direction, tool.force_N);
+  if (within_N >= tool.force_N) return;
+  tool.force_N = step_N * std::max(1.0, std::floor(within_N / step_N));
+  force_N_ = tool.force_N;
+}
+
+std::optional<double> LiveRehearsal::force_within_the_model_N(double most_N) const {
+  if (touch_ == Touch::rigid || !has_tool()) return {};
+  const rehearsal::PlacedTool* placed = remembered(tools().back());
+  if (placed == nullptr) return {};
+  PlacedTool asked = tools().back();
+  asked.force_N = 0;
+  if (!within_ || within_->tool != asked || within_->most_N != most_N || within_->body_count != body_count_) {
+    within_ = {asked, most_N, body_count_, placed->force_within_the_model_N(asked.direction, most_N)};
+  }
+  return within_->force_N;
 }
 
 const rehearsal::PlacedTool* LiveRehearsal::remembered(const PlacedTool& tool) const {
@@ -222,7 +253,8 @@ void LiveRehearsal::solve_for(const PlacedTool& tool) {
     const PlacedTool wanted = *to_place_;
     if (remembered(wanted) != nullptr) {
       to_place_.reset();
-      show_answer(placed_.back(), wanted);
+      if (!shown_moment_) ease(placed_.back());
+      show_answer(placed_.back(), shown_moment_ ? wanted : tools_.back());
       if (!shown_moment_) record(nullptr);
       Q_EMIT placed(placed_.back().solve_ms());
     } else if (body_count == body_count_ && wanted.center_mm == tool.center_mm && wanted.radius_mm == tool.radius_mm) {
@@ -241,10 +273,6 @@ void LiveRehearsal::solve_for(const PlacedTool& tool) {
 
 void LiveRehearsal::show_answer(const rehearsal::PlacedTool& placed, const PlacedTool& tool) {
   frame_ = placed.answer(tool.pull_N());
-  // Where no strain reaches 1, no cell can turn inside out.
-  inverted_cells_ = frame_->largest_strain < 1 ? 0
-                                               : widgets::inverted_cells(body_->patient().mesh(),
-                                                                         placed.patient_displacement_mm(tool.pull_N()));
   refusal_.reset();
   set_solving(Solving::solved);
   Q_EMIT frame_changed();
@@ -285,7 +313,6 @@ void LiveRehearsal::look_for_contact() {
 void LiveRehearsal::show_contact(const std::shared_ptr<const rehearsal::SessionFrame>& frame, Solving solving) {
   frame_ = frame_of(*frame);
   solids_ = solids_of(*frame);
-  inverted_cells_ = frame->patient_step.report.inverted_cells;
   refusal_.reset();
   if (!frame->refused.empty()) {
     refuse(Error{"not-converged",

@@ -45,6 +45,9 @@ class LiveRehearsal : public QObject {
 
   // Puts the tool there. A later call supersedes this one: of several on the way, only the last is solved for.
   void hold(const PlacedTool& tool);
+  // The same with no more force than leaves the answer within the model, in steps of 0.1 N: for a force that nobody
+  // has chosen. A rigid tool, whose answer is not known beforehand, keeps its force.
+  void hold_within_the_model(const PlacedTool& tool);
   void set_force_N(double force_N);
   void set_direction(const Eigen::Vector3d& unit);  // of the force
   void take_tool_away();                            // the one in hand; another that was kept comes to hand
@@ -70,7 +73,9 @@ class LiveRehearsal : public QObject {
   [[nodiscard]] Solving solving() const { return solving_; }
   // Why the last command was not carried out; the frame is of what was before it.
   [[nodiscard]] const std::optional<Error>& refusal() const { return refusal_; }
-  [[nodiscard]] int inverted_cells() const { return inverted_cells_; }
+  // The largest force along the present direction that stays within the model, at most `most_N`; known of a patch
+  // alone.
+  [[nodiscard]] std::optional<double> force_within_the_model_N(double most_N) const;
 
   [[nodiscard]] const RehearsalTrack& track() const { return track_; }
   void clear_track();
@@ -90,6 +95,7 @@ class LiveRehearsal : public QObject {
   void solve_for(const PlacedTool& tool);
   [[nodiscard]] const rehearsal::PlacedTool* remembered(const PlacedTool& tool) const;
   void answer_now();
+  void ease(const rehearsal::PlacedTool& placed);
   void show_answer(const rehearsal::PlacedTool& placed, const PlacedTool& tool);
   void show_contact(const std::shared_ptr<const rehearsal::SessionFrame>& frame, Solving solving);
   void look_for_contact();
@@ -110,10 +116,10 @@ class LiveRehearsal : public QObject {
   std::vector<int> numbers_;       // of the tools in the session of rigid ones
   int next_number_ = 0;
   bool takes_another_ = false;
+  bool eases_ = false;  // the force is nobody's choice yet
   std::optional<rehearsal::RehearsalFrame> frame_;
   Solving solving_ = Solving::no_tool;
   std::optional<Error> refusal_;
-  int inverted_cells_ = 0;
   std::vector<mechanics::ToolShape> solids_;
 
   // Answers to the places of late; going back to one costs no solve.
@@ -121,6 +127,15 @@ class LiveRehearsal : public QObject {
   bool is_placing_ = false;
   std::optional<PlacedTool> to_place_;
   int body_count_ = 0;  // so that what was solved for another body is known when it arrives
+
+  // The last answer of force_within_the_model_N, and to what.
+  struct Within {
+    PlacedTool tool;
+    double most_N = 0;
+    int body_count = 0;
+    double force_N = 0;
+  };
+  mutable std::optional<Within> within_;
 
   std::unique_ptr<rehearsal::LiveSession> session_;
   std::uint64_t session_frame_ = 0;

@@ -23,8 +23,7 @@ Result<std::shared_ptr<const imaging::Volume>> read_volume(const casefile::Case&
 }
 
 PatientStructure structure_of(const casefile::StructureSurface& read) {
-  const double volume_mm3 = geometry::volume_mm3(read.surface);
-  return {read.name, std::make_shared<geometry::Surface>(read.surface), units::ml_from_mm3(std::abs(volume_mm3))};
+  return {read.name, std::make_shared<geometry::Surface>(read.surface), read.volume_ml};
 }
 
 // Landmarks are those of the structures as they are outlined now, the mesh is that of the model: after an edit some may
@@ -72,7 +71,7 @@ Result<void> prepare_rehearsal(const casefile::Case& from, Patient& patient, con
   for (const auto& structure : model->structures) patient.structures.push_back(structure_of(structure));
   patient.mean_youngs_kPa = std::accumulate(model->youngs_kPa.begin(), model->youngs_kPa.end(), 0.0) /
                             static_cast<double>(std::max<std::size_t>(1, model->youngs_kPa.size()));
-  patient.atlas_youngs_kPa = model->atlas_youngs_kPa;
+  patient.assumed_stiffness = model->assumed;
   patient.evidence = model->evidence;
   if (auto shown = show_around(from, patient); !shown) return shown;
   if (first_look) {
@@ -195,7 +194,11 @@ Result<Patient> build_model(const fs::path& case_folder, const Progress& progres
   if (auto given = casefile::assign_stiffness(*opened, choice, {}, progress.part(0.5, 0.6)); !given) {
     return failure(given.error());
   }
-  return load_patient(case_folder, progress.part(0.6, 1));
+  // The stiffness that nobody chose here.
+  return load_patient(case_folder, progress.part(0.6, 1)).map([](Patient patient) {
+    if (patient.assumed_stiffness) patient.remarks.push_back(*patient.assumed_stiffness);
+    return patient;
+  });
 }
 
 Result<Patient> load_demo(const fs::path& folder, const Progress& progress, const FirstLook& first_look) {

@@ -28,7 +28,7 @@ std::size_t RehearsalTrack::at(double time_s) const {
 std::string RehearsalTrack::csv(const std::vector<std::string>& landmark_ids) const {
   std::string text = "time_s,tools,force_N,max_displacement_mm,atlas_off_mm";
   for (const std::string& id : landmark_ids) text += "," + id + "_mm";
-  text += "\n";
+  text += ",state,largest_strain,inverted_cells\n";
   for (const Moment& moment : moments_) {
     std::string tools;
     for (const PlacedTool& tool : moment.tools) {
@@ -38,10 +38,15 @@ std::string RehearsalTrack::csv(const std::vector<std::string>& landmark_ids) co
                            tool.preset, tool.center_mm.x(), tool.center_mm.y(), tool.center_mm.z(), pull_N.x(),
                            pull_N.y(), pull_N.z());
     }
-    text += fmt::format("{:.3f},{},{:.4f},{:.4f},{:.4f}", moment.time_s, tools, moment.force_N,
-                        moment.max_displacement_mm, moment.atlas_off_mm);
-    for (const double displacement_mm : moment.landmarks_mm) text += fmt::format(",{:.4f}", displacement_mm);
-    text += "\n";
+    const mechanics::Validity& validity = moment.validity;
+    const auto figure = [&](std::optional<double> length_mm) {
+      return validity.usable() && length_mm ? fmt::format(",{:.4f}", *length_mm) : std::string(",");
+    };
+    text += fmt::format("{:.3f},{},{:.4f}", moment.time_s, tools, moment.force_N);
+    text += figure(moment.max_displacement_mm) + figure(moment.atlas_off_mm);
+    for (const double displacement_mm : moment.landmarks_mm) text += figure(displacement_mm);
+    text +=
+        fmt::format(",{},{:.4f},{}\n", to_string(validity.state()), validity.largest_strain, validity.inverted_cells);
   }
   return text;
 }
@@ -51,7 +56,8 @@ Moment moment_of(std::vector<PlacedTool> tools, const rehearsal::RehearsalFrame&
   moment.tools = std::move(tools);
   moment.force_N = frame.force_N.norm();
   moment.max_displacement_mm = frame.patient.max_displacement_mm;
-  moment.atlas_off_mm = frame.max_difference_mm;
+  moment.validity = frame.validity;
+  if (frame.atlas) moment.atlas_off_mm = frame.max_difference_mm;
   for (const auto& landmark : frame.patient.landmarks) moment.landmarks_mm.push_back(landmark.displacement_mm);
   return moment;
 }

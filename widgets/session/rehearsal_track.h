@@ -2,6 +2,7 @@
 // What was done in a rehearsal, moment by moment, with the figures that a plot shows of it.
 
 #include <memory>
+#include <optional>
 #include <QString>
 #include <vector>
 
@@ -14,8 +15,9 @@ struct Moment {
   std::vector<PlacedTool> tools;
   double force_N = 0;  // the length of the sum of all tools' forces
   double max_displacement_mm = 0;
-  double atlas_off_mm = 0;           // the largest over the liver's surface; 0 without an atlas
-  std::vector<double> landmarks_mm;  // how far each one moves
+  std::optional<double> atlas_off_mm = {};  // the largest over the liver's surface, where there is an atlas to compare with
+  std::vector<double> landmarks_mm;    // how far each one moves
+  mechanics::Validity validity = {};        // what these figures are worth
   // With rigid tools, the shape depends on the way to it and is kept; without, it is answered anew, to the same bit.
   std::shared_ptr<const rehearsal::SessionFrame> contact;
 };
@@ -35,7 +37,8 @@ class RehearsalTrack {
   // The last one at or before that time; there must be one.
   [[nodiscard]] std::size_t at(double time_s) const;
 
-  // One line a moment: time, tools with places and forces, figures, landmarks.
+  // One line a moment: time, tools with places and forces, figures, landmarks, and what they are worth; no figures of
+  // an answer that is not usable.
   [[nodiscard]] std::string csv(const std::vector<std::string>& landmark_ids) const;
 
  private:

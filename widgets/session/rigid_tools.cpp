@@ -45,6 +45,7 @@ rehearsal::RehearsalFrame frame_of(const rehearsal::SessionFrame& session) {
   if (session.atlas_step) {
     frame.relative_residual = std::max(frame.relative_residual, session.atlas_step->report.relative_residual);
   }
+  frame.validity = session.validity;
   frame.answer_ms = session.step_ms;
   return frame;
 }
@@ -62,17 +63,6 @@ std::vector<mechanics::ToolShape> solids_of(const rehearsal::SessionFrame& frame
     solid = mechanics::placed(touching->shape, pose);
   }
   return solids;
-}
-
-int inverted_cells(const geometry::TetMesh& mesh, const std::vector<Eigen::Vector3d>& displacement_mm) {
-  return static_cast<int>(std::count_if(mesh.cells.begin(), mesh.cells.end(), [&](const auto& cell) {
-    const auto at = [&](int corner) {
-      const auto p = static_cast<std::size_t>(cell[static_cast<std::size_t>(corner)]);
-      return Eigen::Vector3d(mesh.points_mm[p] + displacement_mm[p]);
-    };
-    const Eigen::Vector3d origin = at(0);
-    return (at(1) - origin).dot((at(2) - origin).cross(at(3) - origin)) <= 0;
-  }));
 }
 
 }  // namespace glisson::widgets

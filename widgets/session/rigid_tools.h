@@ -34,7 +34,4 @@ Result<mechanics::ContactTool> contact_tool(const PlacedTool& tool, const std::s
 // Each tool where it is now, in patient coordinates; nothing for a grasper.
 [[nodiscard]] std::vector<mechanics::ToolShape> solids_of(const rehearsal::SessionFrame& frame);
 
-// Cells that the displacements of their corners turn inside out.
-[[nodiscard]] int inverted_cells(const geometry::TetMesh& mesh, const std::vector<Eigen::Vector3d>& displacement_mm);
-
 }  // namespace glisson::widgets

@@ -5,12 +5,12 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QThread>
 
 #include "settings/settings.h"
 #include "theme.h"
 #include "words/language.h"
+#include "words/number_box.h"
 #include "words/worded.h"
 
 namespace glisson::widgets {
@@ -50,11 +50,12 @@ SettingsWindow::SettingsWindow(QWidget* parent) : QDialog(parent) {
   connect(names, &QCheckBox::toggled, this, &show_names_outside);
   QLabel* names_why = explanation();
 
-  auto* threads = new QSpinBox;
+  auto* threads = new NumberBox;
+  threads->setDecimals(0);
   threads->setObjectName("threads");
   threads->setRange(0, QThread::idealThreadCount());
   threads->setValue(kept_threads());
-  connect(threads, &QSpinBox::valueChanged, this, &keep_threads);
+  connect(threads, &NumberBox::valueChanged, this, [](double chosen) { keep_threads(static_cast<int>(chosen)); });
 
   auto* theme_label = new QLabel;
   auto* language_label = new QLabel;

@@ -142,8 +142,9 @@ void CaseOverview::list_missing() {
   }
   if (has("labels/liver") && !has("meshes/model")) {
     add_step(
-        has("volumes/stiffness") ? tr("There is no model yet.")
-                                 : tr("There is no model yet. Without elastography its stiffness is the atlas's."),
+        has("volumes/stiffness")
+            ? tr("There is no model yet.")
+            : tr("There is no model yet. Without elastography its stiffness is assumed: the atlas's."),
         tr("Build the model"), [this] { recompute(); }, "step_model");
   }
   if (has("meshes/model")) {

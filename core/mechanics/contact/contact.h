@@ -75,7 +75,8 @@ struct ContactReport {
   double movement_mm = 0;        // between the last two rounds
   double relative_residual = 0;  // the largest of the solves that the state is a sum of
   double energy_uJ = 0;          // of the body, from the work of the tools' forces; standing loads apart
-  int inverted_cells = 0;        // turned inside out, by their corners: far beyond small strain
+  double largest_strain = 0;     // the largest mean strain of any cell, by the corners' displacements
+  int inverted_cells = 0;        // turned inside out, by their corners
   int new_solves = 0;            // right-hand sides that this state needed beyond what was remembered
   double solve_ms = 0;
 };

@@ -243,7 +243,8 @@ Result<Answer> follow(const Mover& mover, const Body& body, const std::vector<Ma
     state = state_of(body, materials, u_mm, loads, besides_mN);
     if (mover.fixed_reaction_mN) state.fixed_reaction_mN = mover.fixed_reaction_mN();
     MotionStep step{(done + 1) * motion.step_s,   displacement_at(body, state, places), state.fixed_reaction_mN,
-                    state.foundation_reaction_mN, state.ligament_reaction_mN,           *report};
+                    state.foundation_reaction_mN, state.ligament_reaction_mN,           *report,
+                    state.largest_strain};
     for (std::size_t l = 0; l < places.size(); ++l) step.landmarks_mm[l] += scenario.landmarks[l].position_mm;
     answer.steps.push_back(std::move(step));
   }
@@ -264,6 +265,7 @@ Result<Answer> follow(const Mover& mover, const Body& body, const std::vector<Ma
     std::tie(answer.tools, answer.contact.emplace()) = mover.contacts();
     answer.contact->converged = status == SolveStatus::converged;
     answer.contact->energy_uJ = result.strain_energy_uJ;
+    answer.contact->largest_strain = result.largest_strain;
     answer.contact->inverted_cells = result.inverted_cells;
   }
   answer.landmark_displacements_mm = displacement_at(body, result, places);

@@ -156,11 +156,6 @@ StaticResult result_of(const MeshfreeBody& handles, const Eigen::VectorXd& q_mm,
   const Eigen::VectorXd u_mm = handles.basis->displacement(q_mm);
   StaticResult result = state_of(handles.body, handles.materials, u_mm, loads, Eigen::VectorXd::Zero(u_mm.size()));
   result.fixed_reaction_mN = sum_of(handles.holding_force_mN(u_mm));
-  if (handles.law == MaterialLaw::linear && result.inverted_cells == 0 && result.largest_strain > 0.2) {
-    result.notes.push_back(
-        fmt::format("The largest strain is {:.0f} %: linear elasticity at small strain is an extrapolation there.",
-                    100.0 * result.largest_strain));
-  }
   const double points_a_node = static_cast<double>(handles.body.mesh.points_mm.size()) / handles.basis->handles();
   if (points_a_node < 4) {
     result.notes.push_back(fmt::format(

@@ -9,6 +9,7 @@
 #include "mechanics/solvers/internal/newton.h"
 #include "mechanics/statics/displacements.h"
 #include "mechanics/statics/internal/elastic_potential.h"
+#include "mechanics/statics/validity.h"
 
 namespace glisson::mechanics {
 Result<StaticResult> find_equilibrium(const Body& body, const std::vector<Material>& materials, const Loads& loads,
@@ -93,11 +94,11 @@ StaticResult state_of(const Body& body, const std::vector<Material>& materials, 
   const StrainRange strains = strain_range(body.mesh, body.layout, u_mm, measure);
   result.largest_strain = strains.largest_strain;
   result.inverted_cells = strains.inverted_cells;
-  if (strains.inverted_cells > 0) {
-    result.notes.push_back(
-        fmt::format("{} cells are turned inside out: the load is more than this mesh or this material can bear.",
-                    strains.inverted_cells));
-  }
+  const bool small =
+      std::holds_alternative<SmallStrain>(materials.front()) || std::holds_alternative<Corotational>(materials.front());
+  const Validity validity{true, strains.largest_strain, strains.inverted_cells,
+                          strain_limit(small ? MaterialLaw::corotational : MaterialLaw::neo_hookean)};
+  if (validity.state() != AnswerState::within) result.notes.push_back(validity.sentence().message());
   if (result.max_displacement_mm == 0 && loads.dead_mN.norm() > 0) {
     result.notes.emplace_back("Every load acts on what is held: nothing moves.");
   }

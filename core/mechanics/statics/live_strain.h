@@ -1,15 +1,17 @@
 #pragma once
-// The largest principal strain of a body whose displacements are linear in one force, exactly and in microseconds: what
-// StaticResult::largest_strain would say of the whole solve, at small strain, over the corners of all cells.
+// The strain of a body whose displacements are linear in one force, exactly and in microseconds: what strain_range
+// would say of the whole solve, at small strain, over the corners of all cells.
 //
-// Strain is linear in the force too: at each corner eps(F) = eps_0 + sum over axes of F_a eps_a. Its largest eigenvalue
+// So is the strain: at each corner eps(F) = eps_0 + sum over axes of F_a eps_a. Its largest eigenvalue
 // in magnitude is at most |eps_0| + |F| k, k^2 being the largest eigenvalue of the 3x3 products eps_a : eps_b, so that
 // the corners that may be the worst are a few hundred of tens of thousands, and only their eigenvalues are computed.
+// Nor can a cell be turned inside out where no strain reaches 1.
 
 #include <array>
 #include <Eigen/Core>
 #include <vector>
 
+#include "mechanics/elements/strain.h"
 #include "mechanics/statics/static_model.h"
 #include "mechanics/statics/static_result.h"
 
@@ -20,15 +22,17 @@ class LiveStrain {
   // Of a body under `standing` and, for each 1 N along an axis, `per_N` more.
   LiveStrain(const StaticModel& model, const StaticResult& standing, const std::array<const StaticResult*, 3>& per_N);
 
+  [[nodiscard]] StrainRange under(const Eigen::Vector3d& force_N) const;
   [[nodiscard]] double largest(const Eigen::Vector3d& force_N) const;
 
  private:
-  struct Corner {
+  struct Corner {  // displacement gradients
     Eigen::Matrix3d standing;
     std::array<Eigen::Matrix3d, 3> per_N;
 
-    [[nodiscard]] double largest(const Eigen::Vector3d& force_N) const;
+    [[nodiscard]] Eigen::Matrix3d gradient(const Eigen::Vector3d& force_N) const;
   };
+  [[nodiscard]] Eigen::ArrayXd bounds(const Eigen::Vector3d& force_N) const;
   std::vector<Corner> corners_;
   Eigen::ArrayXd standing_bound_, per_N_bound_;  // |eps_0| and k of each
 };

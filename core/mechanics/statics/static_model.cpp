@@ -9,6 +9,7 @@
 #include "mechanics/elements/strain.h"
 #include "mechanics/solvers/constrained_system.h"
 #include "mechanics/statics/displacements.h"
+#include "mechanics/statics/validity.h"
 
 namespace glisson::mechanics {
 
@@ -144,17 +145,8 @@ StaticResult StaticModel::Impl::result_of(const ConstrainedSolution& solution, c
   const StrainRange strains = strain_range(mesh, layout, u);
   result.largest_strain = strains.largest_strain;
   result.inverted_cells = strains.inverted_cells;
-  if (strains.inverted_cells > 0) {
-    result.notes.push_back(
-        fmt::format("{} cells are turned inside out: the load is far beyond what linear elasticity "
-                    "can describe.",
-                    strains.inverted_cells));
-  } else if (strains.largest_strain > 0.2) {
-    result.notes.push_back(
-        fmt::format("The largest strain is {:.0f} %: linear elasticity at small strain is an "
-                    "extrapolation there.",
-                    100.0 * strains.largest_strain));
-  }
+  const Validity validity{true, strains.largest_strain, strains.inverted_cells};
+  if (validity.state() != AnswerState::within) result.notes.push_back(validity.sentence().message());
   // 1e-16 of rounding over a condition beyond 1e14 leaves no correct digit, however small the residual.
   if (system->factor() && system->factor()->reciprocal_condition() < 1e-14) {
     result.notes.emplace_back("The body is barely held: small errors of its data change the displacements a lot.");

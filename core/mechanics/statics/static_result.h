@@ -31,11 +31,12 @@ struct StaticResult {
   double external_work_uJ = 0;  // f.u / 2 in linear elasticity: equals the energies where nothing held is moved
   double max_displacement_mm = 0;
   double largest_strain = 0;       // largest principal strain in magnitude, over the corners of all cells
-  int inverted_cells = 0;          // cells that the displacement turns inside out: beyond linear elasticity
+  int inverted_cells = 0;          // cells that the displacement turns inside out
   std::vector<std::string> notes;  // English sentences a person should know before trusting the numbers
   double setup_s = 0;              // assembly and factorisation of the model
   double step_ms = 0;              // this solve
 
+  // It is the equilibrium asked for; what that is worth says validity.h.
   [[nodiscard]] bool may_be_used() const { return status == SolveStatus::converged; }
 };
 

@@ -340,7 +340,9 @@ ContactState ContactSearch::state() const {
     }
   }
   state.report = report_;
-  state.report.inverted_cells = responses_.inverted_cells(seen_mm_);
+  const StrainRange strains = responses_.strain_range(seen_mm_);
+  state.report.largest_strain = strains.largest_strain;
+  state.report.inverted_cells = strains.inverted_cells;
   state.report.relative_residual = responses_.relative_residual();
   for (const auto& [point, force] : state.force_mN) {
     state.report.energy_uJ +=

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <Eigen/Geometry>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
+#include "base/parallel.h"
 #include "mechanics/elements/shape_functions.h"
+#include "mechanics/materials/linear_elasticity.h"
 
 namespace glisson::mechanics {
 
@@ -151,17 +154,28 @@ Eigen::MatrixXd SurfaceResponses::seen_part(const Eigen::MatrixXd& displacement_
   return part;
 }
 
-int SurfaceResponses::inverted_cells(const VectorXd& seen_mm) const {
+StrainRange SurfaceResponses::strain_range(const VectorXd& seen_mm) const {
   const geometry::TetMesh& mesh = model_.mesh();
-  int inverted = 0;
-  for (const auto& cell : mesh.cells) {
-    std::array<Vector3d, 4> corners;
-    for (int i = 0; i < 4; ++i) {
-      corners[i] = mesh.points_mm[cell[i]] + seen_mm.segment<3>(3 * seen_of_mesh_point_[cell[i]]);
+  StrainRange range;
+  std::mutex joining;
+  parallel_for(mesh.cells.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    StrainRange part;
+    for (std::size_t c = begin; c < end; ++c) {
+      Eigen::Matrix<double, 3, 4> u_mm;
+      for (int i = 0; i < 4; ++i) u_mm.col(i) = seen_mm.segment<3>(3 * seen_of_mesh_point_[mesh.cells[c][i]]);
+      const Matrix3d gradient = u_mm * cell_geometry(mesh, c).barycentric_gradients;
+      part.inverted_cells += (Matrix3d::Identity() + gradient).determinant() <= 0 ? 1 : 0;
+      const Matrix3d strain = small_strain(gradient);
+      if (strain.norm() <= part.largest_strain) continue;  // of which the largest principal strain is no more
+      Eigen::SelfAdjointEigenSolver<Matrix3d> principal;
+      principal.computeDirect(strain, Eigen::EigenvaluesOnly);
+      part.largest_strain = std::max(part.largest_strain, principal.eigenvalues().cwiseAbs().maxCoeff());
     }
-    inverted += (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[3] - corners[0]) <= 0;
-  }
-  return inverted;
+    const std::lock_guard lock(joining);
+    range.largest_strain = std::max(range.largest_strain, part.largest_strain);
+    range.inverted_cells += part.inverted_cells;
+  });
+  return range;
 }
 
 }  // namespace glisson::mechanics

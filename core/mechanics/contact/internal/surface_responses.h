@@ -15,6 +15,7 @@
 #include "base/result.h"
 #include "geometry/surface.h"
 #include "mechanics/elements/point_location.h"
+#include "mechanics/elements/strain.h"
 #include "mechanics/statics/static_model.h"
 
 namespace glisson::mechanics {
@@ -47,7 +48,8 @@ class SurfaceResponses {
   [[nodiscard]] Eigen::Index surface_values() const { return 3 * static_cast<Eigen::Index>(mesh_point_.size()); }
   [[nodiscard]] Eigen::Index watched_values() const { return 3 * static_cast<Eigen::Index>(watched_.size()); }
 
-  [[nodiscard]] int inverted_cells(const Eigen::VectorXd& seen_mm) const;
+  // By the cells' corners alone: the largest mean strain of any cell, and the cells turned inside out.
+  [[nodiscard]] StrainRange strain_range(const Eigen::VectorXd& seen_mm) const;
   [[nodiscard]] double relative_residual() const { return relative_residual_; }  // the worst so far
 
  private:

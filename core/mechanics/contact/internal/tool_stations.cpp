@@ -10,7 +10,8 @@ LargeContact outcome(const AugmentedLagrangian& lagrangian, StaticResult state, 
   contact.result.relative_residual = contact.report.relative_residual;
   contact.result.iterations = contact.report.rounds;
   contact.report.energy_uJ = contact.result.strain_energy_uJ;
-  contact.report.inverted_cells = static_cast<int>(contact.result.inverted_cells);
+  contact.report.largest_strain = contact.result.largest_strain;
+  contact.report.inverted_cells = contact.result.inverted_cells;
   contact.report.converged = rested;
   contact.result.status = rested ? SolveStatus::converged : SolveStatus::not_converged;
   contact.result.why_stopped =
