@@ -1,0 +1,118 @@
+// Documents and tables that people write by hand or with a script: JSON in our formats, and CSV. Seeds
+// are what ships, and short documents of each format.
+
+#include <functional>
+
+#include "base/csv.h"
+#include "base/files.h"
+#include "closedloop/experiment/experiment.h"
+#include "fuzz/target.h"
+#include "geometry/mesh_file.h"
+#include "guidance/guidance_file.h"
+#include "hardware/convergence_curve.h"
+#include "hardware/device_file.h"
+#include "mechanics/scenario/scenario_file.h"
+#include "registration_quality/sequence_file.h"
+#include "rehearsal/session.h"
+#include "support/folders.h"
+#include "support/shapes.h"
+#include "vision/calibration.h"
+
+namespace glisson::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A reader of a file, and its refusal told: an error says what is wrong.
+template <typename Reader>
+Target reader_of(const std::string& name, const std::string& file, std::vector<std::string> good, Reader read,
+                 std::function<void(const fs::path&)> beside = {}) {
+  const auto run = [=](const std::string& bytes, const fs::path& folder) {
+    if (beside && !fs::exists(folder / "beside")) {
+      beside(folder);
+      file_of("", folder, "beside");
+    }
+    const auto answer = read(file_of(bytes, folder, file));
+    if (!answer) promise(!answer.error().message().empty() && !answer.error().code.empty(), "a refusal says why");
+  };
+  return {name, [good = std::move(good)](const fs::path&) { return good; }, run};
+}
+
+std::string shipped(const char* file) { return read_text_file(test::source_folder() / "resources" / file).value(); }
+
+const char* const scenario = R"({"engine": "fem", "material": "neo-hookean", "poisson_ratio": 0.45,
+ "youngs_modulus_kPa": 5.0, "supports": [{"point_array": "fixed"}, {"sphere": {"center_mm": [0, 1, 2], "radius_mm": 5},
+ "foundation_kPa_per_mm": 1.1}, {"box": {"min_mm": [0, 0, 0], "max_mm": [1, 2, 3]}, "directions": ["x", "y"]}],
+ "loads": [{"tool": {"center_mm": [1, 2, 3], "radius_mm": 8, "force_N": [0, 0, 1.5]}}, {"pressure_kPa": 1.6},
+ {"gravity_m_s2": [0, 9.81, 0]}], "motion": {"step_s": 0.02, "steps": 5, "mass_damping_per_s": 0.1,
+ "stiffness_damping_s": 0.01}, "landmarks": [{"id": "tumour-1", "position_mm": [4, 5, 6]}]})";
+
+const char* const recording = R"({"format": "glisson-session/1", "commands": [
+ {"hold": {"id": "hook", "shape": "nathanson-retractor", "position_mm": [0, 0, -70], "direction": [0, 0, 1],
+ "push_mN": 200}}, {"release": "hook"}, {"undo": true}]})";
+
+const char* const sequence = R"({"frames": [{"image": "f0.png", "cloud": "f0.ply"}, {"cloud": "f0.ply"}],
+ "landmarks": "tracks.csv", "model": "f0.ply", "camera": {"matrix": [[500, 0, 320], [0, 500, 240], [0, 0, 1]],
+ "distortion": [0.1, 0, 0, 0]}, "simulated": "by hand"})";
+
+const char* const stereo = R"({"left": {"matrix": [[500, 0, 320], [0, 500, 240], [0, 0, 1]], "distortion": [0.1, 0]},
+ "right": {"matrix": [[500, 0, 320], [0, 500, 240], [0, 0, 1]], "distortion": []},
+ "left_to_right": [[1, 0, 0, -5], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]})";
+
+const char* const guided = R"({"format": "glisson-guidance/1", "title": "a box", "model": {"mesh": "box.vtu",
+ "youngs_modulus_kPa": 5.0, "poisson_ratio": 0.45}, "gravity_m_s2": [0, 9.8, 0],
+ "features": [{"id": "edge", "points": "edge.csv"}], "frames": [{"id": "f0", "points": "f0.ply", "noise_mm": 0.5,
+ "pose_guess": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], "features": [{"id": "edge", "points": "edge.csv",
+ "noise_mm": 1}], "tools": [{"id": "t", "contact_mm": [1, 2, 3], "radius_mm": 4, "force_N": [0, 0, 1]}]}],
+ "targets": "targets.csv"})";
+
+void files_of_a_sequence(const fs::path& folder) {
+  promise(bool(geometry::write_surface(folder / "f0.ply", test::sphere_surface(10, 1))), "the model is written");
+  file_of("landmark,frame,x_mm,y_mm,z_mm\n1,0,1,2,3\n1,1,1,2,3.5\n", folder, "tracks.csv");
+}
+
+void curves_of_the_example(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(test::source_folder() / "resources/examples/silicone")) {
+    if (entry.path().extension() == ".csv") fs::copy_file(entry.path(), folder / entry.path().filename());
+  }
+}
+
+void files_of_a_guidance(const fs::path& folder) {
+  files_of_a_sequence(folder);
+  promise(bool(geometry::write_tetrahedra(folder / "box.vtu", test::box_of_tetrahedra({2, 1, 1}, {20, 10, 10}))),
+          "the mesh is written");
+  file_of("x_mm,y_mm,z_mm\n0,0,0\n5,0,0\n10,0,0\n", folder, "edge.csv");
+  file_of("id,x_mm,y_mm,z_mm\nt1,5,5,5\n", folder, "targets.csv");
+}
+
+}  // namespace
+
+std::vector<Target> targets() {
+  return {
+      reader_of("csv", "t.csv", {"time_s,force_N\n0,1\n0.5,1.5\n", "1;2;3\r\n4;5;6\r\n", "a\tb\n1\t\n,2\n"},
+                [](const fs::path& file) { return read_csv(file); }),
+      reader_of("scenario", "s.json", {scenario}, [](const fs::path& file) { return mechanics::read_scenario(file); }),
+      reader_of("recording", "r.json", {recording},
+                [](const fs::path& file) {
+                  return read_text_file(file).and_then(
+                      [](const std::string& text) { return rehearsal::parse_recording(text); });
+                }),
+      reader_of(
+          "sequence", "sequence.json", {sequence},
+          [](const fs::path& file) { return registration_quality::read_sequence(file); }, files_of_a_sequence),
+      reader_of("calibration", "c.json", {stereo},
+                [](const fs::path& file) { return vision::read_stereo_calibration(file); }),
+      reader_of("devices", "d.json", {shipped("devices/devices.json")},
+                [](const fs::path& file) { return hardware::read_devices(file); }),
+      reader_of("convergence", "c.json", {shipped("devices/convergence.json")},
+                [](const fs::path& file) { return hardware::read_convergence_curve(file); }),
+      reader_of(
+          "experiment", "e.json", {shipped("examples/silicone/experiment.json")},
+          [](const fs::path& file) { return closedloop::read_experiment(file); }, curves_of_the_example),
+      reader_of(
+          "guidance", "guidance.json", {guided}, [](const fs::path& file) { return guidance::read_guidance(file); },
+          files_of_a_guidance),
+  };
+}
+
+}  // namespace glisson::fuzz
