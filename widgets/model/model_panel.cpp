@@ -220,7 +220,13 @@ QWidget* ModelPanel::make_building() {
 }
 
 void ModelPanel::show_patient(const Patient& patient) {
+  const bool completed = patient.completes(patient_);
   patient_ = patient;
+  if (completed) {  // its facts are there already, or on their way
+    word_state();
+    if (isVisible()) show_scene();
+    return;
+  }
   facts_.reset();
   state_ = {};
   has_waves_ = !patient.folder.empty() && WaveView::has_waves(patient.folder);

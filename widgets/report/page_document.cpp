@@ -89,11 +89,28 @@ class Writer {
     cursor_.movePosition(QTextCursor::End);
   }
 
+  // Beside each other, each with its caption below it; one alone leaves room for what follows on the page.
   void operator()(const report::FigureRow& row) {
-    for (const report::Figure& figure : row.figures) {
-      picture(QImage(text_of(figure.png)), text(figure.caption),
-              std::min(0.7 * page_width_px, page_width_px / static_cast<double>(row.figures.size()) - 6));
+    if (row.figures.size() == 1) {
+      const report::Figure& figure = row.figures.front();
+      return picture(QImage(text_of(figure.png)), text(figure.caption), 0.55 * page_width_px);
     }
+    const int columns = static_cast<int>(row.figures.size());
+    next_block({});
+    QTextTableFormat format;
+    format.setBorder(0);
+    format.setCellPadding(2);
+    format.setWidth(QTextLength(QTextLength::PercentageLength, 100));
+    QTextTable* table = cursor_.insertTable(1, columns, format);
+    for (int column = 0; column < columns; ++column) {
+      const report::Figure& figure = row.figures[static_cast<std::size_t>(column)];
+      const QImage image(text_of(figure.png));
+      QTextCursor at = table->cellAt(0, column).firstCursorPosition();
+      if (!image.isNull()) at.insertImage(image_format(image, page_width_px / columns - 10));
+      at.insertBlock();
+      at.insertText(text(figure.caption), letters(8.5, soft, false));
+    }
+    cursor_.movePosition(QTextCursor::End);
   }
   void operator()(const report::DrawingRow& row) {
     for (const report::Drawing& drawing : row.drawings) svg(drawing.svg, text(drawing.caption));
@@ -116,16 +133,19 @@ class Writer {
     }
     begun_ = true;
   }
-  void picture(const QImage& image, const QString& caption, double width_px) {
-    if (image.isNull()) return;
-    next_block({});
+  QTextImageFormat image_format(const QImage& image, double width_px) {
     const QString name = QString("picture-%1").arg(pictures_++);
     document_.addResource(QTextDocument::ImageResource, QUrl(name), image);
     QTextImageFormat format;
     format.setName(name);
     format.setWidth(width_px);
     format.setHeight(width_px * image.height() / image.width());
-    cursor_.insertImage(format);
+    return format;
+  }
+  void picture(const QImage& image, const QString& caption, double width_px) {
+    if (image.isNull()) return;
+    next_block({});
+    cursor_.insertImage(image_format(image, width_px));
     if (!caption.isEmpty()) paragraph(caption, 8.5, soft);
   }
   void svg(std::string drawing, const QString& caption) {
