@@ -1,4 +1,4 @@
-#include "main_window.h"
+#include "widgets/main_window.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,23 +14,23 @@
 
 #include "base/files.h"
 #include "base/result.h"
-#include "evidence/evidence_view.h"
-#include "model/model_panel.h"
-#include "panels/platform_view.h"
-#include "register/register_page.h"
-#include "report/report_view.h"
-#include "resect/resect_panel.h"
-#include "segment/segment_panel.h"
-#include "session/load_patient.h"
-#include "settings/settings.h"
-#include "settings/window_place.h"
-#include "study/study_page.h"
-#include "views/measure_list.h"
-#include "views/wave_view.h"
-#include "words/named.h"
-#include "words/paths.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/evidence/evidence_view.h"
+#include "widgets/hardware/platform_view.h"
+#include "widgets/model/model_panel.h"
+#include "widgets/register/register_page.h"
+#include "widgets/report/report_view.h"
+#include "widgets/resect/resect_panel.h"
+#include "widgets/segment/segment_panel.h"
+#include "widgets/session/load_patient.h"
+#include "widgets/settings/settings.h"
+#include "widgets/settings/window_place.h"
+#include "widgets/study/study_page.h"
+#include "widgets/views/measure_list.h"
+#include "widgets/views/wave_view.h"
+#include "widgets/words/named.h"
+#include "widgets/words/paths.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {
@@ -112,10 +112,10 @@ MainWindow::~MainWindow() {
 
 // In the order of the work, research last.
 void MainWindow::make_workspaces() {
-  add_workspace(StudyPage::workspace(bench()));
+  add_workspace(StudyPage::workspace(context()));
   study_page_ = findChild<StudyPage*>();
-  add_workspace(SegmentPanel::workspace(bench()));
-  add_workspace(ModelPanel::workspace(bench()));
+  add_workspace(SegmentPanel::workspace(context()));
+  add_workspace(ModelPanel::workspace(context()));
   rehearse_panel_ = new RehearsePanel(rehearsal_);
   add_workspace({.id = "rehearse",
                  .name = [] { return tr("Rehearse"); },
@@ -128,12 +128,12 @@ void MainWindow::make_workspaces() {
                        rehearse_panel_->show_assumed_stiffness(patient.assumed_stiffness);
                      },
                  .missing = model_missing});
-  add_workspace(ResectPanel::workspace(bench()));
+  add_workspace(ResectPanel::workspace(context()));
   QWidget* platforms = PlatformView::shipped();
-  add_workspace(ReportView::workspace(bench(), [view = qobject_cast<PlatformView*>(platforms)] {
+  add_workspace(ReportView::workspace(context(), [view = qobject_cast<PlatformView*>(platforms)] {
     return view != nullptr ? view->plan() : std::nullopt;
   }));
-  add_workspace(RegisterPage::workspace(bench()));
+  add_workspace(RegisterPage::workspace(context()));
   add_workspace({.id = "platform",
                  .name = [] { return tr("Platform"); },
                  .about = [] { return tr("Find what can be worn for this case."); },
@@ -147,7 +147,7 @@ void MainWindow::make_workspaces() {
                        view->show_case(QString::fromStdString(patient.name), liver != nullptr ? liver->volume_ml : 0,
                                        patient.mean_youngs_kPa, patient.assumed_stiffness.has_value());
                      }});
-  add_workspace(EvidenceView::workspace(bench()));
+  add_workspace(EvidenceView::workspace(context()));
 }
 
 void MainWindow::add_workspace(Workspace workspace) {
@@ -169,7 +169,7 @@ void MainWindow::go_to(const QString& workspace_id) {
 
 QString MainWindow::workspace() const { return workspaces_.at(static_cast<std::size_t>(bar_->current())).id; }
 
-Bench MainWindow::bench() {
+WorkspaceContext MainWindow::context() {
   return {
       .work = work_,
       .views = *views_,

@@ -8,30 +8,30 @@
 #include <QStackedWidget>
 #include <vector>
 
-#include "diary/diary.h"
-#include "diary/stall_watch.h"
-#include "help/manual_window.h"
-#include "help/tour.h"
-#include "panels/export_menu.h"
-#include "panels/next_step_box.h"
-#include "panels/notices.h"
-#include "panels/rehearse_panel.h"
-#include "panels/status_line.h"
-#include "panels/study_panel.h"
-#include "panels/welcome_page.h"
-#include "session/case_hold.h"
-#include "session/live_rehearsal.h"
-#include "session/load_patient.h"
-#include "session/open_work.h"
-#include "session/patient.h"
-#include "session/rehearsal_undo.h"
-#include "session/undo.h"
-#include "views/linked_views.h"
-#include "views/patient_views.h"
-#include "views/view_bar.h"
-#include "words/told.h"
-#include "work/background_work.h"
-#include "workspaces/workspace_bar.h"
+#include "widgets/diary/diary.h"
+#include "widgets/diary/stall_watch.h"
+#include "widgets/help/manual_window.h"
+#include "widgets/help/tour.h"
+#include "widgets/panels/export_menu.h"
+#include "widgets/panels/next_step_box.h"
+#include "widgets/panels/notices.h"
+#include "widgets/panels/status_line.h"
+#include "widgets/panels/study_panel.h"
+#include "widgets/panels/welcome_page.h"
+#include "widgets/rehearse/rehearse_panel.h"
+#include "widgets/session/case_hold.h"
+#include "widgets/session/live_rehearsal.h"
+#include "widgets/session/load_patient.h"
+#include "widgets/session/open_work.h"
+#include "widgets/session/patient.h"
+#include "widgets/session/rehearsal_undo.h"
+#include "widgets/session/undo.h"
+#include "widgets/views/linked_views.h"
+#include "widgets/views/patient_views.h"
+#include "widgets/views/view_bar.h"
+#include "widgets/words/told.h"
+#include "widgets/work/background_work.h"
+#include "widgets/workspaces/workspace_bar.h"
 
 namespace glisson::widgets {
 
@@ -73,7 +73,7 @@ class MainWindow : public QMainWindow {
  private:
   void make_workspaces();
   void add_workspace(Workspace workspace);
-  [[nodiscard]] Bench bench();
+  [[nodiscard]] WorkspaceContext context();
   void make_menus();
   QWidget* make_centre();
   void connect_parts();

@@ -4,17 +4,17 @@
 #include <QMessageBox>
 
 #include "base/files.h"
-#include "diary/diary_window.h"
-#include "help/manual_pages.h"
-#include "help/shortcuts_window.h"
-#include "main_window.h"
-#include "panels/ask_path.h"
-#include "settings/settings.h"
-#include "settings/settings_window.h"
-#include "study/study_page.h"
-#include "words/language_menu.h"
-#include "words/paths.h"
-#include "words/worded.h"
+#include "widgets/diary/diary_window.h"
+#include "widgets/help/manual_pages.h"
+#include "widgets/help/shortcuts_window.h"
+#include "widgets/main_window.h"
+#include "widgets/panels/ask_path.h"
+#include "widgets/settings/settings.h"
+#include "widgets/settings/settings_window.h"
+#include "widgets/study/study_page.h"
+#include "widgets/words/language_menu.h"
+#include "widgets/words/paths.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 
@@ -31,7 +31,7 @@ void MainWindow::make_menus() {
   add_labels_ = file->addAction({}, this, &MainWindow::choose_labels);
   add_labels_->setObjectName("add_labels");
   file->addSeparator();
-  export_ = new ExportMenu(bench(), this);
+  export_ = new ExportMenu(context(), this);
   file->addMenu(export_);
   save_picture_ = file->addAction({}, QKeySequence::Save, this, &MainWindow::save_picture);
   show_waves_ = file->addAction({}, QKeySequence("Ctrl+W"), this, &MainWindow::show_waves);

@@ -1,8 +1,8 @@
 // The tour through the window: what each stop does on the demo patient.
 
-#include "help/tour_stops.h"
-#include "main_window.h"
-#include "register/register_page.h"
+#include "widgets/help/tour_stops.h"
+#include "widgets/main_window.h"
+#include "widgets/register/register_page.h"
 
 namespace glisson::widgets {
 

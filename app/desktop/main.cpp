@@ -7,10 +7,10 @@
 
 #include "base/files.h"
 #include "base/parallel.h"
-#include "main_window.h"
-#include "settings/settings.h"
-#include "theme.h"
-#include "words/language.h"
+#include "widgets/main_window.h"
+#include "widgets/settings/settings.h"
+#include "widgets/theme.h"
+#include "widgets/words/language.h"
 
 namespace {
 

@@ -63,7 +63,7 @@ struct RehearsalFrame {
   std::vector<LandmarkDifference> differences;  // patient against atlas; empty without a reference body
   double max_difference_mm = 0;                 // over the surface
   double relative_residual = 0;                 // the larger of the solves it is made from
-  mechanics::Validity validity = {};                 // of the patient's body
+  mechanics::Validity validity = {};            // of the patient's body
   double answer_ms = 0;
 };
 

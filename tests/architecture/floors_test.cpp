@@ -105,9 +105,6 @@ TEST(Floors, ARoomIncludesOnlyRoomsBelowIt) {
         target == include.room)
       continue;
     ASSERT_TRUE(floor_of.contains(include.room)) << include.file << " is in a room that has no floor";
-    // Within widgets, and from the desktop's main(), folders of widgets are named from widgets/ on.
-    const bool in_widgets = include.room == "widgets" || include.room == "desktop";
-    if (in_widgets && fs::is_directory(glisson::test::source_folder() / "widgets" / target)) continue;
     ASSERT_TRUE(floor_of.contains(target))
         << include.file << " includes \"" << include.header << "\", which is no room";
     EXPECT_LT(floor_of.at(target), floor_of.at(include.room))

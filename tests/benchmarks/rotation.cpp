@@ -13,9 +13,9 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-#include "main_window.h"
-#include "theme.h"
-#include "words/language.h"
+#include "widgets/main_window.h"
+#include "widgets/theme.h"
+#include "widgets/words/language.h"
 
 namespace {
 

@@ -8,9 +8,9 @@
 
 #include "geometry/mesh_file.h"
 #include "mechanics/bodies.h"
-#include "mechanics/meshfree/internal/reduced_matrix.h"
 #include "mechanics/meshfree/internal/meshfree_body.h"
 #include "mechanics/meshfree/internal/meshfree_dynamics.h"
+#include "mechanics/meshfree/internal/reduced_matrix.h"
 #include "mechanics/meshfree/meshfree_model.h"
 #include "mechanics/simulation.h"
 #include "mechanics/statics/equilibrium.h"

@@ -9,8 +9,8 @@
 
 #include "base/parallel.h"
 #include "problems.h"
-#include "registration/trwls.h"
 #include "registration/internal/trwls_schedule.h"
+#include "registration/trwls.h"
 #include "registration/trws.h"
 
 namespace glisson::registration {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "session/patient.h"
 #include "support/shapes.h"
+#include "widgets/session/patient.h"
 
 namespace glisson::widgets {
 

@@ -12,16 +12,16 @@
 #include "base/files.h"
 #include "casefile/case.h"
 #include "imaging/volume_file.h"
-#include "main_window.h"
 #include "modelled_case.h"
-#include "register/register_page.h"
 #include "run_test.h"
-#include "segment/segment_panel.h"
-#include "settings/settings.h"
 #include "shown.h"
-#include "study/study_page.h"
-#include "views/wave_view.h"
 #include "wave_case.h"
+#include "widgets/main_window.h"
+#include "widgets/register/register_page.h"
+#include "widgets/segment/segment_panel.h"
+#include "widgets/settings/settings.h"
+#include "widgets/study/study_page.h"
+#include "widgets/views/wave_view.h"
 
 namespace glisson::widgets {
 namespace {

@@ -18,14 +18,14 @@
 #include "casefile/case.h"
 #include "closedloop/palpation/model.h"
 #include "closedloop/palpation_bodies.h"
-#include "evidence/evidence_view.h"
 #include "geometry/mesh_file.h"
 #include "kept_pictures.h"
-#include "main_window.h"
 #include "modelled_case.h"
 #include "run_test.h"
 #include "shown.h"
 #include "support/folders.h"
+#include "widgets/evidence/evidence_view.h"
+#include "widgets/main_window.h"
 
 namespace glisson::widgets {
 namespace {

@@ -14,15 +14,15 @@
 #include <set>
 
 #include "base/files.h"
-#include "diary/diary_window.h"
-#include "diary/stall_watch.h"
-#include "help/shortcuts_window.h"
-#include "main_window.h"
 #include "run_test.h"
-#include "session/open_work.h"
-#include "settings/settings.h"
-#include "settings/settings_window.h"
-#include "theme.h"
+#include "widgets/diary/diary_window.h"
+#include "widgets/diary/stall_watch.h"
+#include "widgets/help/shortcuts_window.h"
+#include "widgets/main_window.h"
+#include "widgets/session/open_work.h"
+#include "widgets/settings/settings.h"
+#include "widgets/settings/settings_window.h"
+#include "widgets/theme.h"
 
 namespace glisson::widgets {
 namespace {

@@ -16,13 +16,13 @@
 #include "casefile/case.h"
 #include "imaging/volume_file.h"
 #include "kept_pictures.h"
-#include "main_window.h"
-#include "panels/export_menu.h"
 #include "run_test.h"
 #include "segmentation/structures.h"
 #include "shown.h"
-#include "study/study_page.h"
 #include "support/data.h"
+#include "widgets/main_window.h"
+#include "widgets/panels/export_menu.h"
+#include "widgets/study/study_page.h"
 
 namespace glisson::widgets {
 namespace {

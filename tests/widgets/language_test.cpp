@@ -14,16 +14,16 @@
 #include <set>
 
 #include "block_patient.h"
-#include "help/manual_window.h"
-#include "main_window.h"
-#include "panels/platform_view.h"
 #include "run_test.h"
 #include "shown.h"
 #include "support/folders.h"
 #include "support/shapes.h"
-#include "views/wave_view.h"
-#include "words/number_box.h"
-#include "words/told.h"
+#include "widgets/hardware/platform_view.h"
+#include "widgets/help/manual_window.h"
+#include "widgets/main_window.h"
+#include "widgets/views/wave_view.h"
+#include "widgets/words/number_box.h"
+#include "widgets/words/told.h"
 
 namespace glisson::widgets {
 namespace {

@@ -14,8 +14,8 @@
 #include "run_test.h"
 #include "shown.h"
 #include "support/folders.h"
-#include "words/language.h"
-#include "words/paths.h"
+#include "widgets/words/language.h"
+#include "widgets/words/paths.h"
 
 namespace glisson::widgets {
 namespace {

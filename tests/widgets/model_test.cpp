@@ -10,13 +10,13 @@
 #include <QtTest>
 
 #include "kept_pictures.h"
-#include "main_window.h"
-#include "model/model_panel.h"
 #include "modelled_case.h"
-#include "panels/comparison_choice.h"
-#include "panels/study_panel.h"
 #include "run_test.h"
 #include "shown.h"
+#include "widgets/main_window.h"
+#include "widgets/model/model_panel.h"
+#include "widgets/panels/study_panel.h"
+#include "widgets/rehearse/comparison_choice.h"
 
 namespace glisson::widgets {
 namespace {

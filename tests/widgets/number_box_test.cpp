@@ -4,11 +4,11 @@
 #include <QtTest>
 
 #include "block_patient.h"
-#include "main_window.h"
 #include "run_test.h"
-#include "settings/settings_window.h"
 #include "shown.h"
-#include "words/number_box.h"
+#include "widgets/main_window.h"
+#include "widgets/settings/settings_window.h"
+#include "widgets/words/number_box.h"
 
 namespace glisson::widgets {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "hardware/device_file.h"
 #include "kept_pictures.h"
-#include "panels/platform_view.h"
 #include "run_test.h"
 #include "shown.h"
 #include "support/folders.h"
+#include "widgets/hardware/platform_view.h"
 
 namespace glisson::widgets {
 namespace {

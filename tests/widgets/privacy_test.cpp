@@ -10,11 +10,11 @@
 
 #include "base/files.h"
 #include "modelled_case.h"
-#include "panels/landmark_table.h"
-#include "report/report_view.h"
 #include "run_test.h"
-#include "settings/settings.h"
 #include "shown.h"
+#include "widgets/rehearse/landmark_table.h"
+#include "widgets/report/report_view.h"
+#include "widgets/settings/settings.h"
 
 namespace glisson::widgets {
 namespace {

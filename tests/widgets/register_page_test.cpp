@@ -10,12 +10,12 @@
 
 #include "base/files.h"
 #include "kept_pictures.h"
-#include "register/register_page.h"
 #include "run_test.h"
 #include "shown.h"
 #include "studies/example_sequence.h"
 #include "support/folders.h"
-#include "words/number_box.h"
+#include "widgets/register/register_page.h"
+#include "widgets/words/number_box.h"
 
 namespace glisson::widgets {
 namespace {

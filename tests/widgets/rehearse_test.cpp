@@ -13,11 +13,11 @@
 #include "base/files.h"
 #include "block_patient.h"
 #include "kept_pictures.h"
-#include "main_window.h"
 #include "run_test.h"
 #include "shown.h"
 #include "support/shapes.h"
 #include "vision/frame.h"
+#include "widgets/main_window.h"
 
 namespace glisson::widgets {
 namespace {

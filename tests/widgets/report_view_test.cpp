@@ -10,11 +10,11 @@
 
 #include "base/files.h"
 #include "kept_pictures.h"
-#include "main_window.h"
 #include "modelled_case.h"
-#include "report/report_view.h"
 #include "run_test.h"
 #include "shown.h"
+#include "widgets/main_window.h"
+#include "widgets/report/report_view.h"
 
 namespace glisson::widgets {
 namespace {

@@ -13,11 +13,11 @@
 
 #include "block_patient.h"
 #include "kept_pictures.h"
-#include "main_window.h"
-#include "resect/resect_panel.h"
 #include "run_test.h"
 #include "shown.h"
 #include "support/shapes.h"
+#include "widgets/main_window.h"
+#include "widgets/resect/resect_panel.h"
 
 namespace glisson::widgets {
 namespace {

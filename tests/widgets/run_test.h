@@ -7,9 +7,9 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "theme.h"
-#include "views/render_widget.h"
-#include "words/language.h"
+#include "widgets/theme.h"
+#include "widgets/views/render_widget.h"
+#include "widgets/words/language.h"
 
 namespace glisson::widgets {
 

@@ -9,11 +9,11 @@
 #include <QtTest>
 
 #include "base/files.h"
-#include "main_window.h"
 #include "run_test.h"
-#include "segment/segment_panel.h"
 #include "shown.h"
 #include "small_case.h"
+#include "widgets/main_window.h"
+#include "widgets/segment/segment_panel.h"
 
 namespace glisson::widgets {
 namespace {

@@ -5,7 +5,7 @@
 #include <QApplication>
 #include <QtTest>
 
-#include "main_window.h"
+#include "widgets/main_window.h"
 
 namespace glisson::widgets {
 

@@ -18,10 +18,10 @@
 #include "imaging/dicom_text.h"
 #include "imaging/dicom_uid.h"
 #include "imaging/dicom_write.h"
-#include "main_window.h"
 #include "run_test.h"
 #include "shown.h"
-#include "study/study_page.h"
+#include "widgets/main_window.h"
+#include "widgets/study/study_page.h"
 
 namespace glisson::widgets {
 namespace {

@@ -7,7 +7,7 @@
 #include <QtTest>
 
 #include "run_test.h"
-#include "theme.h"
+#include "widgets/theme.h"
 
 namespace glisson::widgets {
 namespace {

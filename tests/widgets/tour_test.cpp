@@ -7,10 +7,10 @@
 #include <QtTest>
 #include <set>
 
-#include "evidence/evidence_view.h"
-#include "main_window.h"
 #include "run_test.h"
 #include "support/tour_picture.h"
+#include "widgets/evidence/evidence_view.h"
+#include "widgets/main_window.h"
 
 namespace glisson::widgets {
 namespace {

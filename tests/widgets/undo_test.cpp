@@ -5,10 +5,10 @@
 #include <QtTest>
 
 #include "base/files.h"
-#include "main_window.h"
 #include "modelled_case.h"
 #include "run_test.h"
 #include "shown.h"
+#include "widgets/main_window.h"
 
 namespace glisson::widgets {
 namespace {

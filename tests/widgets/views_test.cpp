@@ -9,12 +9,12 @@
 
 #include "base/files.h"
 #include "block_patient.h"
-#include "main_window.h"
 #include "modelled_case.h"
 #include "run_test.h"
 #include "shown.h"
 #include "support/shapes.h"
-#include "views/measure_list.h"
+#include "widgets/main_window.h"
+#include "widgets/views/measure_list.h"
 
 namespace glisson::widgets {
 namespace {

@@ -2,7 +2,7 @@
 //
 // The case holds a plane wave of known stiffness, written as its importer leaves it.
 
-#include "views/wave_view.h"
+#include "widgets/views/wave_view.h"
 
 #include <QSignalSpy>
 #include <QtTest>
@@ -10,8 +10,8 @@
 #include "base/files.h"
 #include "run_test.h"
 #include "shown.h"
-#include "views/map_picture.h"
 #include "wave_case.h"
+#include "widgets/views/map_picture.h"
 
 namespace glisson::widgets {
 namespace {

@@ -13,15 +13,15 @@
 
 #include "base/files.h"
 #include "block_patient.h"
-#include "help/manual_pages.h"
-#include "help/manual_window.h"
 #include "kept_pictures.h"
-#include "main_window.h"
 #include "modelled_case.h"
 #include "run_test.h"
-#include "segment/segment_panel.h"
 #include "shown.h"
-#include "words/language.h"
+#include "widgets/help/manual_pages.h"
+#include "widgets/help/manual_window.h"
+#include "widgets/main_window.h"
+#include "widgets/segment/segment_panel.h"
+#include "widgets/words/language.h"
 
 namespace glisson::widgets {
 namespace {

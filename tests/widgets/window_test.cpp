@@ -13,12 +13,12 @@
 #include <QtTest>
 
 #include "block_patient.h"
-#include "main_window.h"
-#include "panels/platform_view.h"
 #include "run_test.h"
 #include "shown.h"
 #include "support/shapes.h"
-#include "words/named.h"
+#include "widgets/hardware/platform_view.h"
+#include "widgets/main_window.h"
+#include "widgets/words/named.h"
 
 namespace glisson::widgets {
 namespace {

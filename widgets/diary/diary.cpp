@@ -1,4 +1,4 @@
-#include "diary/diary.h"
+#include "widgets/diary/diary.h"
 
 #include <QFile>
 #include <QFileInfo>

@@ -1,4 +1,4 @@
-#include "diary/diary_window.h"
+#include "widgets/diary/diary_window.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -9,10 +9,10 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
-#include "panels/ask_path.h"
-#include "words/paths.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/panels/ask_path.h"
+#include "widgets/words/paths.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 

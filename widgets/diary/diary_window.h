@@ -4,7 +4,7 @@
 #include <QPlainTextEdit>
 #include <QWidget>
 
-#include "diary/diary.h"
+#include "widgets/diary/diary.h"
 
 namespace glisson::widgets {
 

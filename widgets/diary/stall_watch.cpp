@@ -1,4 +1,4 @@
-#include "diary/stall_watch.h"
+#include "widgets/diary/stall_watch.h"
 
 #include <time.h>
 

@@ -1,4 +1,4 @@
-#include "evidence/effect_words.h"
+#include "widgets/evidence/effect_words.h"
 
 #include <array>
 #include <QCoreApplication>

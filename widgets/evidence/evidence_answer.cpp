@@ -1,13 +1,13 @@
-#include "evidence/evidence_answer.h"
+#include "widgets/evidence/evidence_answer.h"
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "evidence/effect_words.h"
-#include "evidence/svg_view.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/evidence/effect_words.h"
+#include "widgets/evidence/svg_view.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

@@ -12,10 +12,10 @@
 #include <QWidget>
 
 #include "closedloop/explain.h"
-#include "evidence/evidence_record.h"
-#include "evidence/evidence_tables.h"
-#include "evidence/residual_scene.h"
-#include "views/space_view.h"
+#include "widgets/evidence/evidence_record.h"
+#include "widgets/evidence/evidence_tables.h"
+#include "widgets/evidence/residual_scene.h"
+#include "widgets/views/space_view.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "evidence/evidence_record.h"
+#include "widgets/evidence/evidence_record.h"
 
 #include <QRegularExpression>
 

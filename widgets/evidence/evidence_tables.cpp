@@ -1,12 +1,12 @@
-#include "evidence/evidence_tables.h"
+#include "widgets/evidence/evidence_tables.h"
 
 #include <algorithm>
 #include <QHeaderView>
 #include <QLocale>
 
-#include "evidence/effect_words.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/evidence/effect_words.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

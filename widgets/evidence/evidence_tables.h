@@ -5,7 +5,7 @@
 #include <QTreeWidget>
 
 #include "closedloop/learnt_organ.h"
-#include "evidence/evidence_record.h"
+#include "widgets/evidence/evidence_record.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "evidence/evidence_view.h"
+#include "widgets/evidence/evidence_view.h"
 
 #include <algorithm>
 #include <QHBoxLayout>
@@ -8,14 +8,14 @@
 
 #include "base/files.h"
 #include "casefile/evidence.h"
-#include "evidence/effect_words.h"
-#include "panels/ask_path.h"
-#include "panels/parts.h"
 #include "report/explanation_folder.h"
-#include "session/load_patient.h"
-#include "words/paths.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/evidence/effect_words.h"
+#include "widgets/panels/ask_path.h"
+#include "widgets/panels/parts.h"
+#include "widgets/session/load_patient.h"
+#include "widgets/words/paths.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {
@@ -33,7 +33,7 @@ std::optional<fs::path> report_folder(const fs::path& path) {
 
 }  // namespace
 
-EvidenceView::EvidenceView(Bench bench, QWidget* parent) : QWidget(parent), bench_(std::move(bench)) {
+EvidenceView::EvidenceView(WorkspaceContext context, QWidget* parent) : QWidget(parent), context_(std::move(context)) {
   setObjectName("evidence_view");
   auto* across = new QHBoxLayout(this);
   across->setContentsMargins(0, 0, 0, 0);
@@ -45,8 +45,8 @@ EvidenceView::EvidenceView(Bench bench, QWidget* parent) : QWidget(parent), benc
   right_->addWidget(answer_);
   across->addWidget(right_, 1);
   connect(&answer_->found(), &FoundTree::ticked, this, &EvidenceView::word_state);
-  connect(&bench_.work, &BackgroundWork::progressed, this, [this](double fraction) { tell_time_left(fraction); });
-  connect(&bench_.work, &BackgroundWork::finished, this, [this] {
+  connect(&context_.work, &BackgroundWork::progressed, this, [this](double fraction) { tell_time_left(fraction); });
+  connect(&context_.work, &BackgroundWork::finished, this, [this] {
     explaining_ = false;
     time_left_->clear();
     word_state();
@@ -54,8 +54,8 @@ EvidenceView::EvidenceView(Bench bench, QWidget* parent) : QWidget(parent), benc
   worded(this, [this] { word_state(); });
 }
 
-Workspace EvidenceView::workspace(Bench bench) {
-  auto* view = new EvidenceView(std::move(bench));
+Workspace EvidenceView::workspace(WorkspaceContext context) {
+  auto* view = new EvidenceView(std::move(context));
   return {.id = "evidence",
           .name = [] { return tr("Evidence"); },
           .about = [] { return tr("Hold measurements against the model, and find what it lacks."); },
@@ -162,28 +162,28 @@ void EvidenceView::open(const fs::path& path) {
 
 void EvidenceView::open_example() {
   const auto resources = resource_folder();
-  if (!resources) return bench_.tell_error(resources.error());
+  if (!resources) return context_.tell_error(resources.error());
   explain(*resources / "examples" / "silicone" / "experiment.json");
 }
 
 void EvidenceView::explain(const fs::path& experiment) {
   const fs::path to = path_of(scratch_.filePath(QString::number(++made_here_)));
-  const bool begun = bench_.work.start(tr("Explaining %1").arg(text_of(experiment.filename())),
-                                       [this, experiment, to](const Progress& progress) -> BackgroundWork::Then {
-                                         auto explained = closedloop::explain(experiment, progress);
-                                         Result<void> written;
-                                         std::shared_ptr<const closedloop::Explained> shared;
-                                         if (explained) {
-                                           shared = std::make_shared<closedloop::Explained>(*std::move(explained));
-                                           written = report::write_explanation(to, *shared);
-                                         } else {
-                                           written = failure(std::move(explained.error()));
-                                         }
-                                         return [this, to, shared, written] {
-                                           if (!written) return bench_.tell_error(written.error());
-                                           show_report(to, shared);
-                                         };
-                                       });
+  const bool begun = context_.work.start(tr("Explaining %1").arg(text_of(experiment.filename())),
+                                         [this, experiment, to](const Progress& progress) -> BackgroundWork::Then {
+                                           auto explained = closedloop::explain(experiment, progress);
+                                           Result<void> written;
+                                           std::shared_ptr<const closedloop::Explained> shared;
+                                           if (explained) {
+                                             shared = std::make_shared<closedloop::Explained>(*std::move(explained));
+                                             written = report::write_explanation(to, *shared);
+                                           } else {
+                                             written = failure(std::move(explained.error()));
+                                           }
+                                           return [this, to, shared, written] {
+                                             if (!written) return context_.tell_error(written.error());
+                                             show_report(to, shared);
+                                           };
+                                         });
   if (!begun) return;
   explaining_ = true;
   since_.start();
@@ -192,7 +192,7 @@ void EvidenceView::explain(const fs::path& experiment) {
 
 void EvidenceView::show_report(const fs::path& folder, std::shared_ptr<const closedloop::Explained> explained) {
   auto read = read_evidence(folder);
-  if (!read) return bench_.tell_error(read.error());
+  if (!read) return context_.tell_error(read.error());
   record_ = std::make_shared<EvidenceRecord>(*std::move(read));
   right_->setCurrentWidget(answer_);
   answer_->show_record(record_, std::move(explained));
@@ -295,38 +295,38 @@ void EvidenceView::accept() {
   question.setDefaultButton(QMessageBox::Cancel);
   question.exec();
   if (question.clickedButton() != go) return;
-  bench_.change(tr("Accepting the evidence"),
-                [folder = patient_.folder, model = record_->folder / "model.json",
-                 kinds = answer_->found().ticked_kinds()](const Progress& progress) -> Result<Patient> {
-                  auto patient = casefile::Case::open(folder);
-                  if (!patient) return failure(patient.error());
-                  auto accepted = casefile::accept_evidence(*patient, model, kinds);
-                  if (!accepted) return failure(std::move(accepted.error()));
-                  return load_patient(folder, progress);
-                });
+  context_.change(tr("Accepting the evidence"),
+                  [folder = patient_.folder, model = record_->folder / "model.json",
+                   kinds = answer_->found().ticked_kinds()](const Progress& progress) -> Result<Patient> {
+                    auto patient = casefile::Case::open(folder);
+                    if (!patient) return failure(patient.error());
+                    auto accepted = casefile::accept_evidence(*patient, model, kinds);
+                    if (!accepted) return failure(std::move(accepted.error()));
+                    return load_patient(folder, progress);
+                  });
 }
 
 void EvidenceView::take_back() {
-  bench_.change(tr("Taking the evidence back"),
-                [folder = patient_.folder](const Progress& progress) -> Result<Patient> {
-                  auto patient = casefile::Case::open(folder);
-                  if (!patient) return failure(patient.error());
-                  auto left = casefile::take_back_evidence(*patient);
-                  if (!left) return failure(std::move(left.error()));
-                  return load_patient(folder, progress);
-                });
+  context_.change(tr("Taking the evidence back"),
+                  [folder = patient_.folder](const Progress& progress) -> Result<Patient> {
+                    auto patient = casefile::Case::open(folder);
+                    if (!patient) return failure(patient.error());
+                    auto left = casefile::take_back_evidence(*patient);
+                    if (!left) return failure(std::move(left.error()));
+                    return load_patient(folder, progress);
+                  });
 }
 
 void EvidenceView::compare_trials(const fs::path& experiment) {
   if (!record_) return;
-  bench_.work.start(
+  context_.work.start(
       tr("Predicting the trials of %1").arg(text_of(experiment.filename())),
       [this, experiment, model = record_->folder / "model.json"](const Progress& progress) -> BackgroundWork::Then {
         auto declared = closedloop::predict(experiment, {}, progress.part(0, 0.5));
         auto better = declared ? closedloop::predict(experiment, model, progress.part(0.5, 1))
                                : Result<closedloop::Prediction>(tl::unexpected(declared.error()));
         return [this, declared = std::move(declared), better = std::move(better)] {
-          if (!better) return bench_.tell_error(better.error());
+          if (!better) return context_.tell_error(better.error());
           show_comparison(*declared, *better);
         };
       });
@@ -378,12 +378,12 @@ void EvidenceView::save_report() {
   if (chosen.isEmpty() || !record_) return;
   for (const char* name : {"report.json", "report.html", "model.json"}) {
     const auto bytes = read_text_file(record_->folder / name, std::uint64_t{64} << 20);
-    if (!bytes) return bench_.tell_error(bytes.error());
+    if (!bytes) return context_.tell_error(bytes.error());
     if (auto written = write_text_file(path_of(chosen) / name, *bytes); !written) {
-      return bench_.tell_error(written.error());
+      return context_.tell_error(written.error());
     }
   }
-  bench_.tell_status(tr("The report is in %1").arg(chosen));
+  context_.tell_status(tr("The report is in %1").arg(chosen));
 }
 
 }  // namespace glisson::widgets

@@ -12,8 +12,8 @@
 #include <QWidget>
 
 #include "closedloop/predict.h"
-#include "evidence/evidence_answer.h"
-#include "workspaces/workspace.h"
+#include "widgets/evidence/evidence_answer.h"
+#include "widgets/workspaces/workspace.h"
 
 namespace glisson::widgets {
 
@@ -21,8 +21,8 @@ class EvidenceView : public QWidget {
   Q_OBJECT
 
  public:
-  explicit EvidenceView(Bench bench, QWidget* parent = nullptr);
-  [[nodiscard]] static Workspace workspace(Bench bench);
+  explicit EvidenceView(WorkspaceContext context, QWidget* parent = nullptr);
+  [[nodiscard]] static Workspace workspace(WorkspaceContext context);
 
   // An experiment is explained, a report's folder or one of its files is shown.
   void open(const std::filesystem::path& path);
@@ -53,7 +53,7 @@ class EvidenceView : public QWidget {
   // Why what was found cannot be accepted; empty where it can.
   [[nodiscard]] QString why_not_accept() const;
 
-  Bench bench_;
+  WorkspaceContext context_;
   Patient patient_;
   std::shared_ptr<const EvidenceRecord> record_;
   std::optional<closedloop::LearntOrgan> weighed_;  // absent without a patient's model, or where nothing was learnt

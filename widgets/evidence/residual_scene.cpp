@@ -1,4 +1,4 @@
-#include "evidence/residual_scene.h"
+#include "widgets/evidence/residual_scene.h"
 
 #include <algorithm>
 #include <map>

@@ -1,9 +1,9 @@
-#include "evidence/svg_view.h"
+#include "widgets/evidence/svg_view.h"
 
 #include <QPainter>
 #include <QSvgRenderer>
 
-#include "theme.h"
+#include "widgets/theme.h"
 
 namespace glisson::widgets {
 namespace {

@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <QWidget>
 
-#include "evidence/evidence_record.h"
+#include "widgets/evidence/evidence_record.h"
 
 namespace glisson::widgets {
 

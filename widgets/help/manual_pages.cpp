@@ -1,4 +1,4 @@
-#include "help/manual_pages.h"
+#include "widgets/help/manual_pages.h"
 
 #include <map>
 

@@ -1,4 +1,4 @@
-#include "help/manual_window.h"
+#include "widgets/help/manual_window.h"
 
 #include <algorithm>
 #include <QHBoxLayout>
@@ -11,9 +11,9 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
-#include "words/language.h"
-#include "words/paths.h"
-#include "words/worded.h"
+#include "widgets/words/language.h"
+#include "widgets/words/paths.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace fs = std::filesystem;

@@ -1,4 +1,4 @@
-#include "help/shortcuts_window.h"
+#include "widgets/help/shortcuts_window.h"
 
 #include <algorithm>
 #include <QAbstractButton>
@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 #include <vector>
 
-#include "words/worded.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

@@ -1,9 +1,9 @@
-#include "help/tour.h"
+#include "widgets/help/tour.h"
 
 #include <QHBoxLayout>
 #include <utility>
 
-#include "words/worded.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "help/tour_stops.h"
+#include "widgets/help/tour_stops.h"
 
 #include <QCoreApplication>
 

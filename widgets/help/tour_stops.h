@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "help/tour.h"
+#include "widgets/help/tour.h"
 
 namespace glisson::widgets {
 

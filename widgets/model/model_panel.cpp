@@ -1,4 +1,4 @@
-#include "model/model_panel.h"
+#include "widgets/model/model_panel.h"
 
 #include <algorithm>
 #include <QFormLayout>
@@ -8,12 +8,12 @@
 #include <QVBoxLayout>
 
 #include "mechanics/scenario/scenario.h"
-#include "panels/parts.h"
-#include "session/load_patient.h"
-#include "views/wave_view.h"
-#include "words/paths.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/panels/parts.h"
+#include "widgets/session/load_patient.h"
+#include "widgets/views/wave_view.h"
+#include "widgets/words/paths.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {
@@ -81,7 +81,7 @@ Reading read_case(const std::filesystem::path& folder) {
 
 }  // namespace
 
-ModelPanel::ModelPanel(Bench bench, QWidget* parent) : QWidget(parent), bench_(std::move(bench)) {
+ModelPanel::ModelPanel(WorkspaceContext context, QWidget* parent) : QWidget(parent), context_(std::move(context)) {
   const auto [title, missing, controls, column] = lay_out_side_panel(this);
   missing_ = missing;
   controls_ = controls;
@@ -101,8 +101,8 @@ ModelPanel::ModelPanel(Bench bench, QWidget* parent) : QWidget(parent), bench_(s
   });
 }
 
-Workspace ModelPanel::workspace(Bench bench) {
-  auto* panel = new ModelPanel(std::move(bench));
+Workspace ModelPanel::workspace(WorkspaceContext context) {
+  auto* panel = new ModelPanel(std::move(context));
   return {.id = "model",
           .name = [] { return tr("Model"); },
           .about = [] { return tr("Cells, stiffness and supports of the liver, and building them anew."); },
@@ -242,7 +242,7 @@ void ModelPanel::read() {
     watcher->deleteLater();
     if (asked != asked_) return;
     const std::shared_ptr<Reading> reading = watcher->result();
-    if (reading->problem) bench_.tell_error(*reading->problem);
+    if (reading->problem) context_.tell_error(*reading->problem);
     facts_ = reading->facts;
     state_ = reading->state;
     has_map_ = reading->has_map;
@@ -279,15 +279,15 @@ StiffnessChoice ModelPanel::choice() const {
 }
 
 void ModelPanel::rebuild(const std::optional<int>& target_cells) {
-  bench_.change(tr("Building the model"),
-                [folder = patient_.folder,
-                 upkeep = casefile::Upkeep{target_cells, choice()}](const Progress& progress) -> Result<Patient> {
-                  auto patient = casefile::Case::open(folder);
-                  if (!patient) return failure(patient.error());
-                  auto made = casefile::bring_model_up_to_date(*patient, upkeep, progress.part(0, 0.7));
-                  if (!made) return failure(std::move(made.error()));
-                  return load_patient(folder, progress.part(0.7, 1));
-                });
+  context_.change(tr("Building the model"),
+                  [folder = patient_.folder,
+                   upkeep = casefile::Upkeep{target_cells, choice()}](const Progress& progress) -> Result<Patient> {
+                    auto patient = casefile::Case::open(folder);
+                    if (!patient) return failure(patient.error());
+                    auto made = casefile::bring_model_up_to_date(*patient, upkeep, progress.part(0, 0.7));
+                    if (!made) return failure(std::move(made.error()));
+                    return load_patient(folder, progress.part(0.7, 1));
+                  });
 }
 
 void ModelPanel::show_waves() {
@@ -295,8 +295,8 @@ void ModelPanel::show_waves() {
   view->setWindowFlag(Qt::Window);
   view->setAttribute(Qt::WA_DeleteOnClose);
   connect(view, &WaveView::accepted, this, [this] {
-    bench_.change(tr("Opening %1").arg(text_of(patient_.folder.filename())),
-                  [folder = patient_.folder](const Progress& progress) { return load_patient(folder, progress); });
+    context_.change(tr("Opening %1").arg(text_of(patient_.folder.filename())),
+                    [folder = patient_.folder](const Progress& progress) { return load_patient(folder, progress); });
   });
   view->show();
   view->invert();
@@ -308,14 +308,14 @@ void ModelPanel::showEvent(QShowEvent* event) {
 }
 
 void ModelPanel::hideEvent(QHideEvent* event) {
-  bench_.patient_views.set_workspace_scene({});
+  context_.patient_views.set_workspace_scene({});
   QWidget::hideEvent(event);
 }
 
 void ModelPanel::show_scene() {
   if (!isVisible()) return;
   if (!facts_ || shown_ == Shown::patient) {
-    bench_.patient_views.set_workspace_scene({});
+    context_.patient_views.set_workspace_scene({});
     return;
   }
   WorkspaceScene scene;
@@ -344,7 +344,7 @@ void ModelPanel::show_scene() {
                                                {low, high},
                                                tr("Young's modulus (kPa)").toStdString()}});
   }
-  bench_.patient_views.set_workspace_scene(std::move(scene));
+  context_.patient_views.set_workspace_scene(std::move(scene));
 }
 
 void ModelPanel::word_state() {

@@ -10,9 +10,9 @@
 #include <QWidget>
 
 #include "casefile/model_upkeep.h"
-#include "plots/histogram_plot.h"
-#include "words/number_box.h"
-#include "workspaces/workspace.h"
+#include "widgets/plots/histogram_plot.h"
+#include "widgets/words/number_box.h"
+#include "widgets/workspaces/workspace.h"
 
 namespace glisson::widgets {
 
@@ -22,8 +22,8 @@ class ModelPanel : public QWidget {
  public:
   enum class Shown { patient, stiffness, supports };
 
-  explicit ModelPanel(Bench bench, QWidget* parent = nullptr);
-  [[nodiscard]] static Workspace workspace(Bench bench);
+  explicit ModelPanel(WorkspaceContext context, QWidget* parent = nullptr);
+  [[nodiscard]] static Workspace workspace(WorkspaceContext context);
 
   void show_patient(const Patient& patient);
   [[nodiscard]] const casefile::ModelFacts* facts() const { return facts_.get(); }
@@ -48,7 +48,7 @@ class ModelPanel : public QWidget {
   void word_state();
   [[nodiscard]] casefile::StiffnessChoice choice() const;
 
-  Bench bench_;
+  WorkspaceContext context_;
   Patient patient_;
   std::shared_ptr<const casefile::ModelFacts> facts_;
   casefile::ModelState state_;

@@ -1,4 +1,4 @@
-#include "panels/ask_path.h"
+#include "widgets/panels/ask_path.h"
 
 #include <QCoreApplication>
 #include <QDialogButtonBox>

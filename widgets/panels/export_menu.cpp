@@ -1,14 +1,14 @@
-#include "panels/export_menu.h"
+#include "widgets/panels/export_menu.h"
 
-#include "panels/ask_path.h"
-#include "words/paths.h"
-#include "words/worded.h"
+#include "widgets/panels/ask_path.h"
+#include "widgets/words/paths.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 
 using casefile::ExportFormat;
 
-ExportMenu::ExportMenu(const Bench& bench, QWidget* parent) : QMenu(parent), bench_(bench) {
+ExportMenu::ExportMenu(const WorkspaceContext& context, QWidget* parent) : QMenu(parent), context_(context) {
   struct Listed {
     const char* name;
     ExportFormat format;
@@ -40,7 +40,7 @@ void ExportMenu::word() {
 }
 
 void ExportMenu::ask(ExportFormat format) {
-  const QString name = text_of(bench_.patient().folder.stem());
+  const QString name = text_of(context_.patient().folder.stem());
   const QString dicom_name = name + ".dcm", mesh_name = name + ".vtu";
   QString out;
   if (format == ExportFormat::dicom_seg) {
@@ -54,14 +54,14 @@ void ExportMenu::ask(ExportFormat format) {
 }
 
 void ExportMenu::write(ExportFormat format, const std::filesystem::path& out) {
-  bench_.work.start(
+  context_.work.start(
       tr("Exporting"),
-      [this, folder = bench_.patient().folder, format, out](const Progress& progress) -> BackgroundWork::Then {
+      [this, folder = context_.patient().folder, format, out](const Progress& progress) -> BackgroundWork::Then {
         const auto written = casefile::Case::open(folder).and_then(
             [&](const casefile::Case& patient) { return casefile::export_case(patient, format, out, progress); });
         return [this, written, out] {
-          if (!written) return bench_.tell_error(written.error());
-          bench_.tell_status(tr("Files written: %1, in %2").arg(written->size()).arg(text_of(out)));
+          if (!written) return context_.tell_error(written.error());
+          context_.tell_status(tr("Files written: %1, in %2").arg(written->size()).arg(text_of(out)));
         };
       });
 }

@@ -5,7 +5,7 @@
 #include <QMenu>
 
 #include "casefile/export.h"
-#include "workspaces/workspace.h"
+#include "widgets/workspaces/workspace.h"
 
 namespace glisson::widgets {
 
@@ -13,7 +13,7 @@ class ExportMenu : public QMenu {
   Q_OBJECT
 
  public:
-  ExportMenu(const Bench& bench, QWidget* parent);
+  ExportMenu(const WorkspaceContext& context, QWidget* parent);
 
   // Without a question, for who knows where to.
   void write(casefile::ExportFormat format, const std::filesystem::path& out);
@@ -22,7 +22,7 @@ class ExportMenu : public QMenu {
   void ask(casefile::ExportFormat format);
   void word();
 
-  Bench bench_;
+  WorkspaceContext context_;
   std::vector<std::pair<QAction*, casefile::ExportFormat>> formats_;
 };
 

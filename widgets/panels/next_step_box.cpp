@@ -1,7 +1,7 @@
-#include "panels/next_step_box.h"
+#include "widgets/panels/next_step_box.h"
 
-#include "panels/parts.h"
-#include "words/worded.h"
+#include "widgets/panels/parts.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 

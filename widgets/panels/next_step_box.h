@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "session/load_patient.h"
+#include "widgets/session/load_patient.h"
 
 namespace glisson::widgets {
 

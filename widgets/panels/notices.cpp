@@ -1,13 +1,13 @@
-#include "panels/notices.h"
+#include "widgets/panels/notices.h"
 
 #include <algorithm>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QStyle>
 
-#include "panels/parts.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/panels/parts.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "panels/number_slider.h"
+#include "widgets/panels/number_slider.h"
 
 #include <cmath>
 #include <QHBoxLayout>

@@ -4,7 +4,7 @@
 #include <QSlider>
 #include <QWidget>
 
-#include "words/number_box.h"
+#include "widgets/words/number_box.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "panels/parts.h"
+#include "widgets/panels/parts.h"
 
 #include <QEvent>
 #include <QScrollBar>

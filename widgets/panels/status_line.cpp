@@ -1,10 +1,10 @@
-#include "panels/status_line.h"
+#include "widgets/panels/status_line.h"
 
 #include <cmath>
 
-#include "panels/parts.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/panels/parts.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

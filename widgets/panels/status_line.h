@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <QStatusBar>
 
-#include "work/background_work.h"
+#include "widgets/work/background_work.h"
 
 namespace glisson::widgets {
 

@@ -1,15 +1,15 @@
-#include "panels/study_panel.h"
+#include "widgets/panels/study_panel.h"
 
 #include <QHeaderView>
 #include <QVBoxLayout>
 #include <set>
 
-#include "panels/parts.h"
-#include "panels/swatch.h"
 #include "scene/anatomy.h"
-#include "words/grid_words.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/panels/parts.h"
+#include "widgets/panels/swatch.h"
+#include "widgets/words/grid_words.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

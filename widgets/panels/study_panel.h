@@ -6,8 +6,8 @@
 #include <QTreeWidget>
 #include <QWidget>
 
-#include "session/patient.h"
-#include "views/patient_views.h"
+#include "widgets/session/patient.h"
+#include "widgets/views/patient_views.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "panels/swatch.h"
+#include "widgets/panels/swatch.h"
 
 #include <QPainter>
 

@@ -1,11 +1,11 @@
-#include "panels/welcome_page.h"
+#include "widgets/panels/welcome_page.h"
 
 #include <algorithm>
 #include <QIcon>
 
-#include "settings/settings.h"
-#include "words/paths.h"
-#include "words/worded.h"
+#include "widgets/settings/settings.h"
+#include "widgets/words/paths.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

@@ -1,5 +1,5 @@
 #undef QT_NO_KEYWORDS  // qcustomplot.h is written with them
-#include "plots/contour_plot.h"
+#include "widgets/plots/contour_plot.h"
 
 #include <qcustomplot.h>
 
@@ -8,8 +8,8 @@
 #include <limits>
 #include <QVBoxLayout>
 
-#include "plots/themed_plot.h"
-#include "words/worded.h"
+#include "widgets/plots/themed_plot.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

@@ -1,13 +1,13 @@
 #undef QT_NO_KEYWORDS  // qcustomplot.h is written with them
-#include "plots/histogram_plot.h"
+#include "widgets/plots/histogram_plot.h"
 
 #include <qcustomplot.h>
 #include <algorithm>
 #include <cmath>
 #include <QVBoxLayout>
 
-#include "plots/themed_plot.h"
-#include "theme.h"
+#include "widgets/plots/themed_plot.h"
+#include "widgets/theme.h"
 
 namespace glisson::widgets {
 namespace {

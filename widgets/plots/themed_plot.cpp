@@ -1,5 +1,5 @@
 #undef QT_NO_KEYWORDS  // qcustomplot.h is written with them
-#include "plots/themed_plot.h"
+#include "widgets/plots/themed_plot.h"
 
 #include <qcustomplot.h>
 #include <QEvent>

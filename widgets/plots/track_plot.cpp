@@ -1,5 +1,5 @@
 #undef QT_NO_KEYWORDS  // qcustomplot.h is written with them
-#include "plots/track_plot.h"
+#include "widgets/plots/track_plot.h"
 
 #include <qcustomplot.h>
 
@@ -7,10 +7,10 @@
 #include <QtNumeric>
 #include <QVBoxLayout>
 
-#include "plots/themed_plot.h"
 #include "rehearsal/comparison.h"
-#include "theme.h"
-#include "words/worded.h"
+#include "widgets/plots/themed_plot.h"
+#include "widgets/theme.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 

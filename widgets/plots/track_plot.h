@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "session/rehearsal_track.h"
+#include "widgets/session/rehearsal_track.h"
 
 class QCustomPlot;
 class QCPGraph;

@@ -1,4 +1,4 @@
-#include "register/algorithm_choice.h"
+#include "widgets/register/algorithm_choice.h"
 
 #include <algorithm>
 #include <QHBoxLayout>
@@ -6,9 +6,9 @@
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
-#include "panels/parts.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/panels/parts.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 

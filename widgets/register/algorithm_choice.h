@@ -9,7 +9,7 @@
 #include <QPushButton>
 #include <QWidget>
 
-#include "register/judged_sequence.h"
+#include "widgets/register/judged_sequence.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "register/figures_table.h"
+#include "widgets/register/figures_table.h"
 
 #include <numeric>
 #include <QHeaderView>

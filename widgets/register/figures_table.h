@@ -4,7 +4,7 @@
 #include <array>
 #include <QTableWidget>
 
-#include "register/judged_sequence.h"
+#include "widgets/register/judged_sequence.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "register/heat_legend.h"
+#include "widgets/register/heat_legend.h"
 
 #include <QLocale>
 #include <QPainter>

@@ -1,4 +1,4 @@
-#include "register/heat_video.h"
+#include "widgets/register/heat_video.h"
 
 #include <algorithm>
 #include <cmath>

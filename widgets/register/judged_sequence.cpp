@@ -1,4 +1,4 @@
-#include "register/judged_sequence.h"
+#include "widgets/register/judged_sequence.h"
 
 #include <algorithm>
 #include <chrono>

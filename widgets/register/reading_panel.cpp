@@ -1,10 +1,10 @@
-#include "register/reading_panel.h"
+#include "widgets/register/reading_panel.h"
 
 #include <QLabel>
 #include <QPushButton>
 
-#include "panels/parts.h"
-#include "words/worded.h"
+#include "widgets/panels/parts.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

@@ -5,8 +5,8 @@
 #include <QVBoxLayout>
 #include <QWidget>
 
-#include "panels/number_slider.h"
-#include "register/figures_table.h"
+#include "widgets/panels/number_slider.h"
+#include "widgets/register/figures_table.h"
 
 namespace glisson::widgets {
 

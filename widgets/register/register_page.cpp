@@ -1,4 +1,4 @@
-#include "register/register_page.h"
+#include "widgets/register/register_page.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,13 +8,13 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "panels/ask_path.h"
-#include "panels/parts.h"
-#include "settings/settings.h"
 #include "studies/example_sequence.h"
-#include "words/paths.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/panels/ask_path.h"
+#include "widgets/panels/parts.h"
+#include "widgets/settings/settings.h"
+#include "widgets/words/paths.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 
@@ -50,11 +50,11 @@ RegisterPage::RegisterPage(BackgroundWork& work, QWidget* parent) : QWidget(pare
   worded(this, [this] { word(); });
 }
 
-Workspace RegisterPage::workspace(const Bench& bench) {
+Workspace RegisterPage::workspace(const WorkspaceContext& context) {
   return {.id = "register",
           .name = [] { return tr("Register"); },
           .about = [] { return tr("See how good a registration of a video is, place by place."); },
-          .widget = new RegisterPage(bench.work),
+          .widget = new RegisterPage(context.work),
           .place = Workspace::Place::whole_window,
           .group = Workspace::Group::research};
 }

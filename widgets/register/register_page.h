@@ -13,16 +13,16 @@
 #include <QStackedWidget>
 #include <QWidget>
 
-#include "register/algorithm_choice.h"
-#include "register/heat_legend.h"
-#include "register/heat_video.h"
-#include "register/judged_sequence.h"
-#include "register/reading_panel.h"
-#include "register/register_welcome.h"
-#include "register/timeline.h"
-#include "register/triangle_history.h"
-#include "work/background_work.h"
-#include "workspaces/workspace.h"
+#include "widgets/register/algorithm_choice.h"
+#include "widgets/register/heat_legend.h"
+#include "widgets/register/heat_video.h"
+#include "widgets/register/judged_sequence.h"
+#include "widgets/register/reading_panel.h"
+#include "widgets/register/register_welcome.h"
+#include "widgets/register/timeline.h"
+#include "widgets/register/triangle_history.h"
+#include "widgets/work/background_work.h"
+#include "widgets/workspaces/workspace.h"
 
 namespace glisson::widgets {
 
@@ -31,7 +31,7 @@ class RegisterPage : public QWidget {
 
  public:
   explicit RegisterPage(BackgroundWork& work, QWidget* parent = nullptr);
-  [[nodiscard]] static Workspace workspace(const Bench& bench);
+  [[nodiscard]] static Workspace workspace(const WorkspaceContext& context);
 
   // A sequence.json. On a worker thread, as everything here that takes time.
   void open(const std::filesystem::path& file);

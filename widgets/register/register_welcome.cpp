@@ -1,9 +1,9 @@
-#include "register/register_welcome.h"
+#include "widgets/register/register_welcome.h"
 
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "words/worded.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

@@ -1,9 +1,9 @@
-#include "register/timeline.h"
+#include "widgets/register/timeline.h"
 
 #include <algorithm>
 #include <QHBoxLayout>
 
-#include "words/worded.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

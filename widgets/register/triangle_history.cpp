@@ -1,5 +1,5 @@
 #undef QT_NO_KEYWORDS  // qcustomplot.h is written with them
-#include "register/triangle_history.h"
+#include "widgets/register/triangle_history.h"
 
 #include <qcustomplot.h>
 
@@ -9,9 +9,9 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "panels/parts.h"
-#include "plots/themed_plot.h"
-#include "words/worded.h"
+#include "widgets/panels/parts.h"
+#include "widgets/plots/themed_plot.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

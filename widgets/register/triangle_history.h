@@ -8,7 +8,7 @@
 #include <QWidget>
 
 #include "registration_quality/sirgn.h"
-#include "words/number_box.h"
+#include "widgets/words/number_box.h"
 
 class QCustomPlot;
 class QCPAxisRect;

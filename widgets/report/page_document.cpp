@@ -1,4 +1,4 @@
-#include "report/page_document.h"
+#include "widgets/report/page_document.h"
 
 #include <algorithm>
 #include <QImage>
@@ -7,7 +7,7 @@
 #include <QTextCursor>
 #include <QTextTable>
 
-#include "words/paths.h"
+#include "widgets/words/paths.h"
 
 namespace glisson::widgets {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/report_view.h"
+#include "widgets/report/report_view.h"
 
 #include <array>
 #include <QDateTime>
@@ -7,16 +7,16 @@
 #include <QVBoxLayout>
 
 #include "geometry/mesh_file.h"
-#include "panels/ask_path.h"
-#include "panels/parts.h"
 #include "report/html.h"
-#include "report/page_document.h"
 #include "report/patient_page.h"
-#include "resect/resection_scene.h"
-#include "settings/settings.h"
-#include "words/paths.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/panels/ask_path.h"
+#include "widgets/panels/parts.h"
+#include "widgets/report/page_document.h"
+#include "widgets/resect/resection_scene.h"
+#include "widgets/settings/settings.h"
+#include "widgets/words/paths.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {
@@ -41,8 +41,8 @@ std::optional<report::RehearsedRetraction> retraction_of(const LiveRehearsal& re
 
 }  // namespace
 
-ReportView::ReportView(Bench bench, PlanOfNow plan, QWidget* parent)
-    : QWidget(parent), bench_(std::move(bench)), plan_(std::move(plan)) {
+ReportView::ReportView(WorkspaceContext context, PlanOfNow plan, QWidget* parent)
+    : QWidget(parent), context_(std::move(context)), plan_(std::move(plan)) {
   setObjectName("report_view");
   auto* across = new QHBoxLayout(this);
   across->setContentsMargins(0, 0, 0, 0);
@@ -85,7 +85,7 @@ ReportView::ReportView(Bench bench, PlanOfNow plan, QWidget* parent)
   connect(boards_, &QCheckBox::toggled, this, &ReportView::refresh);
   // What was under way when the page was asked for is over.
   connect(
-      &bench_.work, &BackgroundWork::finished, this,
+      &context_.work, &BackgroundWork::finished, this,
       [this] {
         if (waiting_ && isVisible()) refresh();
       },
@@ -108,8 +108,8 @@ ReportView::ReportView(Bench bench, PlanOfNow plan, QWidget* parent)
   });
 }
 
-Workspace ReportView::workspace(Bench bench, PlanOfNow plan) {
-  auto* view = new ReportView(std::move(bench), std::move(plan));
+Workspace ReportView::workspace(WorkspaceContext context, PlanOfNow plan) {
+  auto* view = new ReportView(std::move(context), std::move(plan));
   return {.id = "report",
           .name = [] { return tr("Report"); },
           .about = [] { return tr("All that was done for this patient on one page."); },
@@ -143,7 +143,7 @@ void ReportView::showEvent(QShowEvent* event) {
 }
 
 void ReportView::refresh() {
-  waiting_ = bench_.work.busy();
+  waiting_ = context_.work.busy();
   if (patient_.folder.empty() || waiting_) {
     word_state();
     return;
@@ -151,11 +151,11 @@ void ReportView::refresh() {
   report::PatientPageContent content;
   if (name_->isChecked()) content.name = patient_label(patient_.name).toStdString();
   content.when = QDateTime::currentDateTime().toString(Qt::ISODate).replace('T', ' ').left(16).toStdString();
-  content.retraction = retraction_of(bench_.rehearsal);
+  content.retraction = retraction_of(context_.rehearsal);
   if (boards_->isChecked()) content.plan = plan_();
   std::vector<Taken> taken;
   if (!patient_.structures.empty()) taken = pictures();
-  bench_.work.start(
+  context_.work.start(
       tr("Collecting the report"),
       [this, content, taken, folder = patient_.folder](const Progress& progress) mutable -> BackgroundWork::Then {
         for (const Taken& each : taken) {
@@ -164,7 +164,7 @@ void ReportView::refresh() {
         auto page = std::make_shared<Result<report::Page>>(casefile::Case::open(folder).and_then(
             [&](const casefile::Case& patient) { return report::patient_page(patient, content, progress); }));
         return [this, page] {
-          if (!*page) return bench_.tell_error(page->error());
+          if (!*page) return context_.tell_error(page->error());
           show_page(**page);
         };
       });
@@ -178,7 +178,7 @@ std::vector<ReportView::Taken> ReportView::pictures() {
     scene.patient = WorkspaceScene::Patient::at_rest;
     scene.surfaces.push_back({"cut", sheet, specimen_colour(), 0.9, scene::Finish::solid, {}});
     scene.cuts.push_back({sheet, specimen_colour(), 2});
-    bench_.patient_views.set_workspace_scene(std::move(scene));
+    context_.patient_views.set_workspace_scene(std::move(scene));
   }
   std::vector<Taken> taken;
   const auto keep = [&](RenderWidget& view, const QString& name, const char* caption) {
@@ -186,13 +186,13 @@ std::vector<ReportView::Taken> ReportView::pictures() {
   };
   // Reports speak English: not translated.
   const char* in_space = cut ? "The planned cut." : "The patient as shown in the window.";
-  keep(bench_.views.space(), "space.png", in_space);
+  keep(context_.views.space(), "space.png", in_space);
   // These are not translated either.
   constexpr std::array<const char*, 3> slices{"Transverse", "Coronal", "Sagittal"};
   for (std::size_t k = 0; patient_.anatomy && k < slices.size(); ++k) {
-    keep(bench_.views.slice(static_cast<SliceDirection>(k)), QString("slice-%1.png").arg(k), slices[k]);
+    keep(context_.views.slice(static_cast<SliceDirection>(k)), QString("slice-%1.png").arg(k), slices[k]);
   }
-  if (cut) bench_.patient_views.set_workspace_scene({});
+  if (cut) context_.patient_views.set_workspace_scene({});
   return taken;
 }
 
@@ -237,9 +237,9 @@ void ReportView::choose_html() {
   const QString file = ask_where_to_save(this, tr("Save the report"), html_name, tr("Web pages (*.html)"));
   if (file.isEmpty()) return;
   if (auto written = save_html(path_of(file)); !written) {
-    bench_.tell_error(written.error());
+    context_.tell_error(written.error());
   } else {
-    bench_.tell_status(tr("The report is in %1").arg(file));
+    context_.tell_status(tr("The report is in %1").arg(file));
   }
 }
 
@@ -248,9 +248,9 @@ void ReportView::choose_pdf() {
   if (file.isEmpty()) return;
   print_pdf(file);
   if (QFileInfo(file).size() > 0) {
-    bench_.tell_status(tr("The report is in %1").arg(file));
+    context_.tell_status(tr("The report is in %1").arg(file));
   } else {
-    bench_.tell_status(tr("The report could not be written to %1.").arg(file));
+    context_.tell_status(tr("The report could not be written to %1.").arg(file));
   }
 }
 

@@ -15,7 +15,7 @@
 
 #include "hardware/plan.h"
 #include "report/page.h"
-#include "workspaces/workspace.h"
+#include "widgets/workspaces/workspace.h"
 
 namespace glisson::widgets {
 
@@ -26,8 +26,8 @@ class ReportView : public QWidget {
   // What was planned to be worn, where it was planned for this patient.
   using PlanOfNow = std::function<std::optional<hardware::Plan>()>;
 
-  explicit ReportView(Bench bench, PlanOfNow plan, QWidget* parent = nullptr);
-  [[nodiscard]] static Workspace workspace(Bench bench, PlanOfNow plan);
+  explicit ReportView(WorkspaceContext context, PlanOfNow plan, QWidget* parent = nullptr);
+  [[nodiscard]] static Workspace workspace(WorkspaceContext context, PlanOfNow plan);
 
   void show_patient(const Patient& patient);
   // Collects everything anew, on a worker.
@@ -50,7 +50,7 @@ class ReportView : public QWidget {
   };
   [[nodiscard]] std::vector<Taken> pictures();
 
-  Bench bench_;
+  WorkspaceContext context_;
   PlanOfNow plan_;
   Patient patient_;
   QTemporaryDir scratch_;  // the page's pictures

@@ -1,11 +1,11 @@
-#include "resect/cut_controls.h"
+#include "widgets/resect/cut_controls.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "panels/parts.h"
-#include "words/worded.h"
+#include "widgets/panels/parts.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

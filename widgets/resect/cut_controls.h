@@ -8,8 +8,8 @@
 #include <QStackedWidget>
 #include <QWidget>
 
-#include "resect/cut_plane.h"
-#include "words/number_box.h"
+#include "widgets/resect/cut_plane.h"
+#include "widgets/words/number_box.h"
 
 namespace glisson::widgets {
 

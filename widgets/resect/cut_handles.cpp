@@ -1,4 +1,4 @@
-#include "resect/cut_handles.h"
+#include "widgets/resect/cut_handles.h"
 
 #include <cmath>
 #include <Eigen/Geometry>

@@ -7,8 +7,8 @@
 #include <QObject>
 #include <vector>
 
-#include "resect/cut_plane.h"
-#include "views/linked_views.h"
+#include "widgets/resect/cut_plane.h"
+#include "widgets/views/linked_views.h"
 
 class QMouseEvent;
 

@@ -1,4 +1,4 @@
-#include "resect/cut_plane.h"
+#include "widgets/resect/cut_plane.h"
 
 #include <algorithm>
 #include <cmath>

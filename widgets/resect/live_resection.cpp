@@ -1,4 +1,4 @@
-#include "resect/live_resection.h"
+#include "widgets/resect/live_resection.h"
 
 #include <QFutureWatcher>
 #include <QtConcurrentRun>

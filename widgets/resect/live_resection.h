@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "casefile/resection_folder.h"
-#include "session/patient.h"
+#include "widgets/session/patient.h"
 
 namespace glisson::widgets {
 

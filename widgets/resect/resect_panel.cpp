@@ -1,13 +1,13 @@
-#include "resect/resect_panel.h"
+#include "widgets/resect/resect_panel.h"
 
 #include <Eigen/Geometry>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "panels/parts.h"
-#include "words/paths.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/panels/parts.h"
+#include "widgets/words/paths.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {
@@ -22,9 +22,9 @@ std::filesystem::path folder_of_plan(const Patient& patient) { return patient.fo
 
 }  // namespace
 
-ResectPanel::ResectPanel(Bench bench, QWidget* parent) : QWidget(parent), bench_(std::move(bench)) {
+ResectPanel::ResectPanel(WorkspaceContext context, QWidget* parent) : QWidget(parent), context_(std::move(context)) {
   live_ = new LiveResection(this);
-  handles_ = new CutHandles(bench_.views, this);
+  handles_ = new CutHandles(context_.views, this);
   const auto [title, missing, controls, column] = lay_out_side_panel(this);
   missing_ = missing;
   controls_ = controls;
@@ -37,7 +37,7 @@ ResectPanel::ResectPanel(Bench bench, QWidget* parent) : QWidget(parent), bench_
   connect(cut_controls_, &CutControls::kind_chosen, this, &ResectPanel::cut_changed);
   connect(cut_controls_, &CutControls::drawing_changed, this, &ResectPanel::set_drawing);
   connect(cut_controls_, &CutControls::through_crosshair, this, [this](const Vector3d& normal) {
-    if (!patient_.structures.empty()) move_plane(plane_through(bench_.views.crosshair_mm(), normal));
+    if (!patient_.structures.empty()) move_plane(plane_through(context_.views.crosshair_mm(), normal));
   });
   connect(cut_controls_, &CutControls::plane_typed, this, [this](double shift_mm, double turn_deg, double tilt_deg) {
     if (plane_) move_plane({plane_->middle_mm, shift_mm, turn_deg, tilt_deg});
@@ -55,16 +55,16 @@ ResectPanel::ResectPanel(Bench bench, QWidget* parent) : QWidget(parent), bench_
     points_mm_[point] = position_mm;
     cut_changed();
   });
-  connect(&bench_.views.space(), &SpaceView::clicked, this, [this](const scene::View::Pick& pick) {
+  connect(&context_.views.space(), &SpaceView::clicked, this, [this](const scene::View::Pick& pick) {
     if (isVisible() && cut_controls_->drawing()) take_click(pick.position_mm);
   });
-  connect(&bench_.patient_views, &PatientViews::slices_rebuilt, this, [this] {
+  connect(&context_.patient_views, &PatientViews::slices_rebuilt, this, [this] {
     move_drawn_plane();
     handles_->draw_in_slices();
   });
-  connect(&bench_.patient_views, &PatientViews::space_rebuilt, this, [this] {
+  connect(&context_.patient_views, &PatientViews::space_rebuilt, this, [this] {
     move_drawn_plane();
-    if (isVisible()) pieces_.draw_apart(bench_.views.space().view(), apart_->value());
+    if (isVisible()) pieces_.draw_apart(context_.views.space().view(), apart_->value());
   });
   connect(live_, &LiveResection::changed, this, &ResectPanel::show_result);
   worded(this, [=, this] {
@@ -75,8 +75,8 @@ ResectPanel::ResectPanel(Bench bench, QWidget* parent) : QWidget(parent), bench_
   });
 }
 
-Workspace ResectPanel::workspace(Bench bench) {
-  auto* panel = new ResectPanel(std::move(bench));
+Workspace ResectPanel::workspace(WorkspaceContext context) {
+  auto* panel = new ResectPanel(std::move(context));
   return {.id = "resect",
           .name = [] { return tr("Resect"); },
           .about = [] { return tr("Set a cut: what goes, what stays, how near the tumours it passes."); },
@@ -110,8 +110,8 @@ QWidget* ResectPanel::make_outcome() {
   save_ = named_button("primary", group);
   column->addWidget(save_);
   connect(apart_, &QSlider::valueChanged, this, [this](int apart_mm) {
-    pieces_.draw_apart(bench_.views.space().view(), apart_mm);
-    bench_.views.space().redraw();
+    pieces_.draw_apart(context_.views.space().view(), apart_mm);
+    context_.views.space().redraw();
   });
   connect(other_part_, &QPushButton::clicked, this, [this] {
     removed_ = removed_ == Removed::smaller ? Removed::larger : Removed::smaller;
@@ -172,7 +172,7 @@ void ResectPanel::showEvent(QShowEvent* event) {
 void ResectPanel::hideEvent(QHideEvent* event) {
   cut_controls_->stop_drawing();
   handles_->set_active(false);
-  bench_.patient_views.set_workspace_scene({});
+  context_.patient_views.set_workspace_scene({});
   QWidget::hideEvent(event);
 }
 
@@ -197,7 +197,7 @@ void ResectPanel::take_click(const Vector3d& position_mm) {
     constexpr double narrowest = 0.02;  // sine of the angle between them
     if (normal.norm() < narrowest * along_mm.norm() * aside_mm.norm()) {
       clicks_mm_.clear();
-      bench_.tell_status(tr("The three places lie almost on one line. Click three others."));
+      context_.tell_status(tr("The three places lie almost on one line. Click three others."));
     } else {
       plane_ = plane_through(first_mm, normal);
       cut_controls_->stop_drawing();
@@ -220,10 +220,10 @@ void ResectPanel::set_drawing(bool drawing) {
   clicks_mm_.clear();
   handles_->set_drawing(drawing);
   if (drawing) apart_->setValue(0);
-  bench_.tell_status(!drawing ? QString()
-                     : cut_controls_->by_clicks()
-                         ? tr("Click three places on the liver or in the slices.")
-                         : tr("Click on the liver or in the slices where the cut is to pass."));
+  context_.tell_status(!drawing ? QString()
+                       : cut_controls_->by_clicks()
+                           ? tr("Click three places on the liver or in the slices.")
+                           : tr("Click on the liver or in the slices where the cut is to pass."));
   cut_changed();
 }
 
@@ -250,7 +250,7 @@ void ResectPanel::cut_changed() {
   live_->set_cut(cut());
   word_state();
   if (!live_->result() || !drawn_plane_ || !shown) show_scene();
-  bench_.views.redraw();
+  context_.views.redraw();
 }
 
 void ResectPanel::show_result() {
@@ -282,7 +282,7 @@ void ResectPanel::show_scene() {
   }
   scene.marks = handles_->marks_in_space();
   scene.arrows = handles_->arrows_in_space();
-  bench_.patient_views.set_workspace_scene(std::move(scene));
+  context_.patient_views.set_workspace_scene(std::move(scene));
 }
 
 // It stays the same surface while it moves, so that the views need not be built anew.
@@ -290,8 +290,8 @@ void ResectPanel::move_drawn_plane() {
   if (!drawn_plane_ || !plane_ || !isVisible()) return;
   const auto points = points_within(*plane_, around_liver());
   const auto moved_mm = std::make_shared<const std::vector<Vector3d>>(points.begin(), points.end());
-  bench_.views.space().view().move_surface(drawn_plane_, moved_mm);
-  for (SliceView* slice : bench_.views.slices()) slice->view().move_surface(drawn_plane_, moved_mm);
+  context_.views.space().view().move_surface(drawn_plane_, moved_mm);
+  for (SliceView* slice : context_.views.slices()) slice->view().move_surface(drawn_plane_, moved_mm);
 }
 
 void ResectPanel::word_state() {
@@ -328,14 +328,14 @@ geometry::Box ResectPanel::around_liver() const {
 
 void ResectPanel::save() {
   const auto result = live_->result();
-  if (!result || patient_.folder.empty() || !bench_.may_change()) return;
-  bench_.work.start(tr("Saving the plan"), [this, result, folder = folder_of_plan(patient_)](const Progress&) {
+  if (!result || patient_.folder.empty() || !context_.may_change()) return;
+  context_.work.start(tr("Saving the plan"), [this, result, folder = folder_of_plan(patient_)](const Progress&) {
     auto written = std::make_shared<Result<void>>(casefile::write_resection(folder, result->cut, result->plan));
     return BackgroundWork::Then([this, written, folder] {
       if (!*written) {
-        bench_.tell_error(written->error());
+        context_.tell_error(written->error());
       } else {
-        bench_.tell_status(tr("The plan is in %1").arg(text_of(folder)));
+        context_.tell_status(tr("The plan is in %1").arg(text_of(folder)));
       }
     });
   });

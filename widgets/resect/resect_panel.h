@@ -8,12 +8,12 @@
 #include <QSlider>
 #include <QWidget>
 
-#include "resect/cut_controls.h"
-#include "resect/cut_handles.h"
-#include "resect/live_resection.h"
-#include "resect/resection_results.h"
-#include "resect/resection_scene.h"
-#include "workspaces/workspace.h"
+#include "widgets/resect/cut_controls.h"
+#include "widgets/resect/cut_handles.h"
+#include "widgets/resect/live_resection.h"
+#include "widgets/resect/resection_results.h"
+#include "widgets/resect/resection_scene.h"
+#include "widgets/workspaces/workspace.h"
 
 namespace glisson::widgets {
 
@@ -21,8 +21,8 @@ class ResectPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ResectPanel(Bench bench, QWidget* parent = nullptr);
-  [[nodiscard]] static Workspace workspace(Bench bench);
+  explicit ResectPanel(WorkspaceContext context, QWidget* parent = nullptr);
+  [[nodiscard]] static Workspace workspace(WorkspaceContext context);
 
   void show_patient(const Patient& patient);
   [[nodiscard]] const LiveResection& live() const { return *live_; }
@@ -52,7 +52,7 @@ class ResectPanel : public QWidget {
   [[nodiscard]] QString why_nothing() const;
   [[nodiscard]] geometry::Box around_liver() const;  // within which the plane is drawn
 
-  Bench bench_;
+  WorkspaceContext context_;
   LiveResection* live_;
   CutHandles* handles_;
   Patient patient_;

@@ -1,16 +1,16 @@
-#include "resect/resection_results.h"
+#include "widgets/resect/resection_results.h"
 
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QLocale>
 #include <QVBoxLayout>
 
-#include "panels/parts.h"
-#include "panels/swatch.h"
-#include "resect/resection_scene.h"
-#include "theme.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/panels/parts.h"
+#include "widgets/panels/swatch.h"
+#include "widgets/resect/resection_scene.h"
+#include "widgets/theme.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

@@ -5,7 +5,7 @@
 #include <QTableWidget>
 #include <QWidget>
 
-#include "resect/live_resection.h"
+#include "widgets/resect/live_resection.h"
 
 namespace glisson::widgets {
 

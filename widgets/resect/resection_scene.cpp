@@ -1,4 +1,4 @@
-#include "resect/resection_scene.h"
+#include "widgets/resect/resection_scene.h"
 
 #include "scene/anatomy.h"
 

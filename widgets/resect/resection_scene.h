@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "resect/live_resection.h"
-#include "views/patient_views.h"
+#include "widgets/resect/live_resection.h"
+#include "widgets/views/patient_views.h"
 
 namespace glisson::widgets {
 

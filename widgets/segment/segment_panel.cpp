@@ -1,4 +1,4 @@
-#include "segment/segment_panel.h"
+#include "widgets/segment/segment_panel.h"
 
 #include <QHideEvent>
 #include <QInputDialog>
@@ -7,12 +7,12 @@
 
 #include "casefile/import.h"
 #include "casefile/structures.h"
-#include "panels/parts.h"
-#include "panels/swatch.h"
 #include "scene/anatomy.h"
-#include "session/load_patient.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/panels/parts.h"
+#include "widgets/panels/swatch.h"
+#include "widgets/session/load_patient.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {
@@ -31,8 +31,8 @@ std::string free_name(const std::string& base, const std::vector<EditedStructure
 
 }  // namespace
 
-Workspace SegmentPanel::workspace(const Bench& bench) {
-  auto* panel = new SegmentPanel(bench);
+Workspace SegmentPanel::workspace(const WorkspaceContext& context) {
+  auto* panel = new SegmentPanel(context);
   return {.id = "segment",
           .name = [] { return tr("Segment"); },
           .about = [] { return tr("Outline the liver, its vessels and its tumours."); },
@@ -46,12 +46,12 @@ Workspace SegmentPanel::workspace(const Bench& bench) {
               }};
 }
 
-SegmentPanel::SegmentPanel(const Bench& bench, QWidget* parent)
+SegmentPanel::SegmentPanel(const WorkspaceContext& context, QWidget* parent)
     : QWidget(parent),
-      bench_(bench),
-      editor_(bench.undo),
-      overlay_(bench.views, editor_),
-      tools_(bench.views, editor_, overlay_) {
+      context_(context),
+      editor_(context.undo),
+      overlay_(context.views, editor_),
+      tools_(context.views, editor_, overlay_) {
   setObjectName("panel");
   setAttribute(Qt::WA_StyledBackground);
   auto* inner = new QWidget;
@@ -77,10 +77,10 @@ void SegmentPanel::connect_parts() {
   connect(&editor_, &StructureEditor::changed, this, [this] { has_drawn_ = true; });
   connect(&editor_, &StructureEditor::surfaces_changed, this, &SegmentPanel::show_space);
   connect(&editor_, &StructureEditor::working, this, &SegmentPanel::show_state);
-  connect(&editor_, &StructureEditor::failed, this, bench_.tell_error);
-  connect(&editor_, &StructureEditor::changed_nothing, this, [this] { bench_.tell_status(tr("Nothing changed.")); });
-  connect(&bench_.undo, &Undo::entries_moved, this, [this] { has_drawn_ = true; });
-  connect(&tools_, &SliceTools::refused, this, bench_.tell_status);
+  connect(&editor_, &StructureEditor::failed, this, context_.tell_error);
+  connect(&editor_, &StructureEditor::changed_nothing, this, [this] { context_.tell_status(tr("Nothing changed.")); });
+  connect(&context_.undo, &Undo::entries_moved, this, [this] { has_drawn_ = true; });
+  connect(&tools_, &SliceTools::refused, this, context_.tell_status);
   connect(&tools_, &SliceTools::radius_changed, radius_, &NumberSlider::set_value);
   connect(&tools_, &SliceTools::seeds_changed, this, &SegmentPanel::show_state);
 
@@ -120,7 +120,7 @@ void SegmentPanel::connect_parts() {
   // What the controls say is read when the button is pressed; the filter itself runs on a worker.
   using segmentation::with_margin;
   filter(filters_[fill_between], GLISSON_TEXT("Fill between slices of {0}"), [this]() -> StructureEditor::Edit {
-    const SliceView& view = *bench_.views.slices()[static_cast<std::size_t>(fill_along_->currentIndex())];
+    const SliceView& view = *context_.views.slices()[static_cast<std::size_t>(fill_along_->currentIndex())];
     return [direction = view.normal()](imaging::Mask mask) {
       const int axis = segmentation::axis_along(mask.grid, direction);
       return segmentation::fill_between_layers(std::move(mask), axis);
@@ -182,22 +182,22 @@ void SegmentPanel::hideEvent(QHideEvent* event) {
   if (event->spontaneous() || !window()->isVisible()) return;  // minimised, or closed: nobody looks elsewhere
   choose_tool(Tool::none);
   overlay_.set_on(false);
-  bench_.list_structures(std::nullopt);
-  bench_.patient_views.set_workspace_scene(std::nullopt);
+  context_.list_structures(std::nullopt);
+  context_.patient_views.set_workspace_scene(std::nullopt);
   // A patient without a model is shown by the outlines; one with a model by that, until it is built anew.
   if (!has_drawn_ || patient_.rehearsal != nullptr) return;
   has_drawn_ = false;
-  if (bench_.undo.busy()) {
-    connect(&bench_.undo, &Undo::settled, this, &SegmentPanel::read_patient_again, Qt::SingleShotConnection);
+  if (context_.undo.busy()) {
+    connect(&context_.undo, &Undo::settled, this, &SegmentPanel::read_patient_again, Qt::SingleShotConnection);
   } else {
     read_patient_again();
   }
 }
 
 void SegmentPanel::read_patient_again() {
-  if (patient_.folder.empty() || bench_.work.busy()) return;
-  bench_.change(tr("Reading the structures"),
-                [folder = patient_.folder](const Progress& progress) { return load_patient(folder, progress); });
+  if (patient_.folder.empty() || context_.work.busy()) return;
+  context_.change(tr("Reading the structures"),
+                  [folder = patient_.folder](const Progress& progress) { return load_patient(folder, progress); });
 }
 
 void SegmentPanel::list_structures() {
@@ -226,7 +226,7 @@ void SegmentPanel::tell_volumes() {
   for (const EditedStructure& structure : editor_.structures()) {
     drawn.push_back({structure.name, structure.surface, structure.volume_ml});
   }
-  bench_.list_structures(drawn);
+  context_.list_structures(drawn);
 }
 
 void SegmentPanel::list_names(QMenu& menu, const std::function<void(const std::string&)>& chosen) {
@@ -268,7 +268,7 @@ void SegmentPanel::show_space() {
     const scene::Appearance look = scene::appearance_of(structure.name);
     scene.surfaces.push_back({structure.name, structure.surface, look.colour, look.opacity, look.finish, {}});
   }
-  bench_.patient_views.set_workspace_scene(std::move(scene));
+  context_.patient_views.set_workspace_scene(std::move(scene));
 }
 
 void SegmentPanel::show_state() {
@@ -298,18 +298,18 @@ void SegmentPanel::show_state() {
 void SegmentPanel::grow() {
   const EditedStructure* active = editor_.active_structure();
   if (active == nullptr) return;
-  bench_.change(tr("Growing: %1").arg(structure_label(active->name)),
-                [folder = patient_.folder, name = active->name,
-                 seeds_mm = tools_.seeds_mm()](const Progress& progress) -> Result<Patient> {
-                  auto opened = casefile::Case::open(folder);
-                  if (!opened) return failure(opened.error());
-                  auto grown = casefile::grow_structure(*opened, name, seeds_mm, progress.part(0, 0.9));
-                  if (!grown) return failure(grown.error());
-                  return load_patient(folder, progress.part(0.9, 1)).map([&](Patient patient) {
-                    patient.remarks = std::move(grown->notes);
-                    return patient;
+  context_.change(tr("Growing: %1").arg(structure_label(active->name)),
+                  [folder = patient_.folder, name = active->name,
+                   seeds_mm = tools_.seeds_mm()](const Progress& progress) -> Result<Patient> {
+                    auto opened = casefile::Case::open(folder);
+                    if (!opened) return failure(opened.error());
+                    auto grown = casefile::grow_structure(*opened, name, seeds_mm, progress.part(0, 0.9));
+                    if (!grown) return failure(grown.error());
+                    return load_patient(folder, progress.part(0.9, 1)).map([&](Patient patient) {
+                      patient.remarks = std::move(grown->notes);
+                      return patient;
+                    });
                   });
-                });
   tools_.clear_seeds();
 }
 

@@ -11,9 +11,9 @@
 #include <QStackedWidget>
 #include <QTreeWidget>
 
-#include "panels/number_slider.h"
-#include "segment/slice_tools.h"
-#include "workspaces/workspace.h"
+#include "widgets/panels/number_slider.h"
+#include "widgets/segment/slice_tools.h"
+#include "widgets/workspaces/workspace.h"
 
 namespace glisson::widgets {
 
@@ -21,9 +21,9 @@ class SegmentPanel : public QWidget {
   Q_OBJECT
 
  public:
-  static Workspace workspace(const Bench& bench);
+  static Workspace workspace(const WorkspaceContext& context);
 
-  explicit SegmentPanel(const Bench& bench, QWidget* parent = nullptr);
+  explicit SegmentPanel(const WorkspaceContext& context, QWidget* parent = nullptr);
 
   void show_patient(const Patient& patient);
   [[nodiscard]] StructureEditor& editor() { return editor_; }
@@ -54,7 +54,7 @@ class SegmentPanel : public QWidget {
   void read_patient_again();
   void filter(QAbstractButton* button, const char* what, const std::function<StructureEditor::Edit()>& edit);
 
-  Bench bench_;
+  WorkspaceContext context_;
   StructureEditor editor_;
   SliceOverlay overlay_;
   SliceTools tools_;

@@ -4,9 +4,9 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
-#include "panels/parts.h"
+#include "widgets/panels/parts.h"
 
-#include "segment/segment_panel.h"
+#include "widgets/segment/segment_panel.h"
 
 namespace glisson::widgets {
 namespace {

@@ -1,4 +1,4 @@
-#include "segment/slice_overlay.h"
+#include "widgets/segment/slice_overlay.h"
 
 #include <algorithm>
 #include <Eigen/Geometry>

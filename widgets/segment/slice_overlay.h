@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "segment/structure_editor.h"
-#include "views/linked_views.h"
+#include "widgets/segment/structure_editor.h"
+#include "widgets/views/linked_views.h"
 
 namespace glisson::widgets {
 

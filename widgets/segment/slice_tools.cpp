@@ -1,4 +1,4 @@
-#include "segment/slice_tools.h"
+#include "widgets/segment/slice_tools.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <QPointF>
 #include <vector>
 
-#include "segment/slice_overlay.h"
 #include "segmentation/edit.h"
+#include "widgets/segment/slice_overlay.h"
 
 namespace glisson::widgets {
 

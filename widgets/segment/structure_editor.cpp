@@ -1,4 +1,4 @@
-#include "segment/structure_editor.h"
+#include "widgets/segment/structure_editor.h"
 
 #include <QFutureWatcher>
 #include <QtConcurrentRun>

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "segmentation/brush.h"
-#include "session/patient.h"
-#include "session/undo.h"
+#include "widgets/session/patient.h"
+#include "widgets/session/undo.h"
 
 namespace glisson::widgets {
 

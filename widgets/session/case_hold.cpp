@@ -1,6 +1,6 @@
-#include "session/case_hold.h"
+#include "widgets/session/case_hold.h"
 
-#include "words/paths.h"
+#include "widgets/words/paths.h"
 
 namespace glisson::widgets {
 namespace {

@@ -1,4 +1,4 @@
-#include "session/live_rehearsal.h"
+#include "widgets/session/live_rehearsal.h"
 
 #include <algorithm>
 #include <cmath>

@@ -15,7 +15,7 @@
 #include <QTimer>
 
 #include "rehearsal/tool_presets.h"
-#include "session/rehearsal_track.h"
+#include "widgets/session/rehearsal_track.h"
 
 namespace glisson::widgets {
 

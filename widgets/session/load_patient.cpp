@@ -1,4 +1,4 @@
-#include "session/load_patient.h"
+#include "widgets/session/load_patient.h"
 
 #include <algorithm>
 #include <numeric>

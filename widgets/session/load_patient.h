@@ -7,7 +7,7 @@
 #include "base/result.h"
 #include "casefile/import.h"
 #include "imaging/study.h"
-#include "session/patient.h"
+#include "widgets/session/patient.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "session/open_work.h"
+#include "widgets/session/open_work.h"
 
 #include <unistd.h>
 #include <algorithm>

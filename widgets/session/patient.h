@@ -34,10 +34,10 @@ struct Patient {
   std::shared_ptr<const rehearsal::StaticRehearsal> rehearsal;
   std::shared_ptr<const rehearsal::RehearsalSetup> rehearsal_setup;  // what that was made from
   std::vector<Sentence> remarks;                                     // what the last step found worth looking at
-  casefile::Evidence evidence;                // accepted of measurements: in the rehearsal, or said why not
-  double mean_youngs_kPa = 0;                 // of the model's cells
+  casefile::Evidence evidence;                     // accepted of measurements: in the rehearsal, or said why not
+  double mean_youngs_kPa = 0;                      // of the model's cells
   std::optional<Sentence> assumed_stiffness = {};  // what was assumed of it, where it was not measured
-  bool preparing = false;                     // there is a model, and the rehearsal is still being made of it
+  bool preparing = false;                          // there is a model, and the rehearsal is still being made of it
 
   // Whether this is the patient shown before as being prepared: what is seen of it stays as it is.
   [[nodiscard]] bool completes(const Patient& before) const {

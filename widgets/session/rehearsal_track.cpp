@@ -1,4 +1,4 @@
-#include "session/rehearsal_track.h"
+#include "widgets/session/rehearsal_track.h"
 
 #include <fmt/format.h>
 #include <algorithm>

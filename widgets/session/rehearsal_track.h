@@ -6,7 +6,7 @@
 #include <QString>
 #include <vector>
 
-#include "session/rigid_tools.h"
+#include "widgets/session/rigid_tools.h"
 
 namespace glisson::widgets {
 
@@ -15,9 +15,10 @@ struct Moment {
   std::vector<PlacedTool> tools;
   double force_N = 0;  // the length of the sum of all tools' forces
   double max_displacement_mm = 0;
-  std::optional<double> atlas_off_mm = {};  // the largest over the liver's surface, where there is an atlas to compare with
-  std::vector<double> landmarks_mm;    // how far each one moves
-  mechanics::Validity validity = {};        // what these figures are worth
+  std::optional<double> atlas_off_mm =
+      {};                             // the largest over the liver's surface, where there is an atlas to compare with
+  std::vector<double> landmarks_mm;   // how far each one moves
+  mechanics::Validity validity = {};  // what these figures are worth
   // With rigid tools, the shape depends on the way to it and is kept; without, it is answered anew, to the same bit.
   std::shared_ptr<const rehearsal::SessionFrame> contact;
 };

@@ -1,4 +1,4 @@
-#include "session/rehearsal_undo.h"
+#include "widgets/session/rehearsal_undo.h"
 
 #include <QJsonArray>
 #include <QJsonObject>

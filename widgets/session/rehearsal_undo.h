@@ -7,8 +7,8 @@
 #include <QObject>
 #include <QTimer>
 
-#include "session/live_rehearsal.h"
-#include "session/undo.h"
+#include "widgets/session/live_rehearsal.h"
+#include "widgets/session/undo.h"
 
 namespace glisson::widgets {
 

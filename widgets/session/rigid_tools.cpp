@@ -1,4 +1,4 @@
-#include "session/rigid_tools.h"
+#include "widgets/session/rigid_tools.h"
 
 #include <algorithm>
 #include <Eigen/Geometry>

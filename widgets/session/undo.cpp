@@ -1,11 +1,11 @@
-#include "session/undo.h"
+#include "widgets/session/undo.h"
 
 #include <QFutureWatcher>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QtConcurrentRun>
 
-#include "words/told.h"
+#include "widgets/words/told.h"
 
 namespace glisson::widgets {
 namespace {

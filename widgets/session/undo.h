@@ -3,14 +3,15 @@
 //
 // A workspace changes a case in one of three ways and has nothing more to do for it to be undone:
 //
-//   bench.change(tr("Building the model"), loader);      // long work: recorded under its title, the patient shown anew
+//   context.change(tr("Building the model"), loader);      // long work: recorded under its title, the patient shown
+//   anew
 //
-//   bench.undo.change({GLISSON_TEXT("Brush on {0}"), {"liver"}}, {"labels/liver"}, save, [](const auto& outcome)
+//   context.undo.change({GLISSON_TEXT("Brush on {0}"), {"liver"}}, {"labels/liver"}, save, [](const auto& outcome)
 //   {...});
 //                                                         // short work on files, in order, beside the person's own
 //
-//   bench.undo.keep("rehearse/force", [this](const QJsonValue& now) { panel_->set_force(now.toDouble()); });
-//   bench.undo.value_changed({GLISSON_TEXT("Force"), {}}, "rehearse/force", 1.0, 2.0, Undo::Joins::with_same);
+//   context.undo.keep("rehearse/force", [this](const QJsonValue& now) { panel_->set_force(now.toDouble()); });
+//   context.undo.value_changed({GLISSON_TEXT("Force"), {}}, "rehearse/force", 1.0, 2.0, Undo::Joins::with_same);
 //                                                         // a small value that lives in a workspace
 //
 // keep() is called back with the value whenever it is undone or redone, and once when a case is opened in which it was

@@ -1,4 +1,4 @@
-#include "settings/settings.h"
+#include "widgets/settings/settings.h"
 
 #include <algorithm>
 #include <QSettings>
@@ -6,7 +6,7 @@
 #include <QStringList>
 
 #include "base/parallel.h"
-#include "words/paths.h"
+#include "widgets/words/paths.h"
 
 namespace glisson::widgets {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "views/grey_window.h"
+#include "widgets/views/grey_window.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "settings/settings_window.h"
+#include "widgets/settings/settings_window.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -7,11 +7,11 @@
 #include <QPushButton>
 #include <QThread>
 
-#include "settings/settings.h"
-#include "theme.h"
-#include "words/language.h"
-#include "words/number_box.h"
-#include "words/worded.h"
+#include "widgets/settings/settings.h"
+#include "widgets/theme.h"
+#include "widgets/words/language.h"
+#include "widgets/words/number_box.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

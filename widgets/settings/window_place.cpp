@@ -1,4 +1,4 @@
-#include "settings/window_place.h"
+#include "widgets/settings/window_place.h"
 
 #include <algorithm>
 #include <QEvent>

@@ -1,4 +1,4 @@
-#include "study/case_overview.h"
+#include "widgets/study/case_overview.h"
 
 #include <algorithm>
 #include <QFutureWatcher>
@@ -6,10 +6,10 @@
 #include <QtConcurrentRun>
 
 #include "casefile/model_upkeep.h"
-#include "panels/parts.h"
-#include "session/load_patient.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/panels/parts.h"
+#include "widgets/session/load_patient.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {
@@ -29,7 +29,7 @@ bool is_of_model(const std::string& id) { return id.starts_with("meshes/") || id
 
 }  // namespace
 
-CaseOverview::CaseOverview(const Bench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+CaseOverview::CaseOverview(const WorkspaceContext& context, QWidget* parent) : QWidget(parent), context_(context) {
   readers_.setMaxThreadCount(1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 14, 14, 14);
@@ -137,7 +137,7 @@ void CaseOverview::list_missing() {
   }
   if (has("volumes/anatomy") && !has("labels/liver")) {
     add_step(
-        tr("The liver is not outlined yet."), tr("Outline it in Segment"), [this] { bench_.go_to("segment"); },
+        tr("The liver is not outlined yet."), tr("Outline it in Segment"), [this] { context_.go_to("segment"); },
         "step_outline");
   }
   if (has("labels/liver") && !has("meshes/model")) {
@@ -149,7 +149,7 @@ void CaseOverview::list_missing() {
   }
   if (has("meshes/model")) {
     add_step(
-        tr("The model is there."), tr("Rehearse"), [this] { bench_.go_to("rehearse"); }, "step_rehearse");
+        tr("The model is there."), tr("Rehearse"), [this] { context_.go_to("rehearse"); }, "step_rehearse");
   }
 }
 
@@ -172,7 +172,7 @@ void CaseOverview::add_step(const QString& words, const QString& button, const s
 
 // With the stiffness that it has, where there is a model.
 void CaseOverview::recompute() {
-  bench_.change(tr("Building the model"), [folder = folder_](const Progress& progress) -> Result<Patient> {
+  context_.change(tr("Building the model"), [folder = folder_](const Progress& progress) -> Result<Patient> {
     auto opened = casefile::Case::open(folder);
     if (!opened) return failure(opened.error());
     const casefile::Upkeep upkeep{std::nullopt, casefile::stiffness_choice_of(*opened)};

@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "casefile/case.h"
-#include "workspaces/workspace.h"
+#include "widgets/workspaces/workspace.h"
 
 namespace glisson::widgets {
 
@@ -23,7 +23,7 @@ class CaseOverview : public QWidget {
   Q_OBJECT
 
  public:
-  explicit CaseOverview(const Bench& bench, QWidget* parent = nullptr);
+  explicit CaseOverview(const WorkspaceContext& context, QWidget* parent = nullptr);
   ~CaseOverview() override;
 
   // Reads the case on a worker (it compares contents) and lists it.
@@ -40,7 +40,7 @@ class CaseOverview : public QWidget {
   void add_step(const QString& words, const QString& button, const std::function<void()>& act, const char* name);
   void recompute();
 
-  Bench bench_;
+  WorkspaceContext context_;
   std::filesystem::path folder_;
   std::vector<EntryState> entries_;
   QLabel* title_ = nullptr;

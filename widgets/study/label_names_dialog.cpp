@@ -1,13 +1,13 @@
-#include "study/label_names_dialog.h"
+#include "widgets/study/label_names_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 
-#include "panels/parts.h"
 #include "segmentation/structures.h"
-#include "words/told.h"
+#include "widgets/panels/parts.h"
+#include "widgets/words/told.h"
 
 namespace glisson::widgets {
 

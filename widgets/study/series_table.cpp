@@ -1,4 +1,4 @@
-#include "study/series_table.h"
+#include "widgets/study/series_table.h"
 
 #include <algorithm>
 #include <QFutureWatcher>
@@ -9,10 +9,10 @@
 
 #include "imaging/read_series.h"
 #include "segmentation/structures.h"
-#include "views/grey_window.h"
-#include "words/grid_words.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/views/grey_window.h"
+#include "widgets/words/grid_words.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

@@ -1,16 +1,16 @@
-#include "study/study_page.h"
+#include "widgets/study/study_page.h"
 
 #include <algorithm>
 #include <QDir>
 #include <QSplitter>
 #include <QStandardPaths>
 
-#include "panels/ask_path.h"
-#include "panels/parts.h"
-#include "session/load_patient.h"
-#include "words/paths.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/panels/ask_path.h"
+#include "widgets/panels/parts.h"
+#include "widgets/session/load_patient.h"
+#include "widgets/words/paths.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {
@@ -25,8 +25,8 @@ std::vector<casefile::SeriesRole> as_labels(const imaging::Study& study) {
 
 }  // namespace
 
-Workspace StudyPage::workspace(const Bench& bench) {
-  auto* page = new StudyPage(bench);
+Workspace StudyPage::workspace(const WorkspaceContext& context) {
+  auto* page = new StudyPage(context);
   return {.id = "study",
           .name = [] { return tr("Study"); },
           .about = [] { return tr("Find images, say what each series is for, and see what the case holds."); },
@@ -35,8 +35,8 @@ Workspace StudyPage::workspace(const Bench& bench) {
           .show_patient = [page](const Patient& patient) { page->show_patient(patient); }};
 }
 
-StudyPage::StudyPage(const Bench& bench, QWidget* parent)
-    : QWidget(parent), bench_(bench), taking_in_(new TakingIn(bench, this)) {
+StudyPage::StudyPage(const WorkspaceContext& context, QWidget* parent)
+    : QWidget(parent), context_(context), taking_in_(new TakingIn(context, this)) {
   setObjectName("panel");
   setAttribute(Qt::WA_StyledBackground);
   auto* images = new QWidget;
@@ -74,7 +74,7 @@ StudyPage::StudyPage(const Bench& bench, QWidget* parent)
   keep->addWidget(add_);
   column->addLayout(keep);
 
-  overview_ = new CaseOverview(bench);
+  overview_ = new CaseOverview(context);
   auto* across = new QSplitter(Qt::Horizontal);
   across->addWidget(images);
   across->addWidget(overview_);
@@ -91,7 +91,7 @@ StudyPage::StudyPage(const Bench& bench, QWidget* parent)
           [this] { taking_in_->take(*series_->study(), series_->roles(), path_of(keep_as_->text())); });
   connect(add_, &QPushButton::clicked, this, [this] { taking_in_->take(*series_->study(), series_->roles(), case_); });
   connect(taking_in_, &TakingIn::begun, this, [this](const fs::path& folder) { importing_into_ = folder; });
-  connect(&bench_.undo, &Undo::settled, this, [this] {
+  connect(&context_.undo, &Undo::settled, this, [this] {
     if (isVisible()) overview_->show_case(case_);
   });
   worded(this, [this] { word(); });
@@ -116,13 +116,13 @@ void StudyPage::add_labels(const fs::path& file) {
 }
 
 void StudyPage::look(const fs::path& path, const std::function<void(const imaging::Study&)>& then) {
-  bench_.work.start(tr("Looking for images"), [this, path, then](const Progress& progress) -> BackgroundWork::Then {
+  context_.work.start(tr("Looking for images"), [this, path, then](const Progress& progress) -> BackgroundWork::Then {
     auto study = std::make_shared<Result<imaging::Study>>(imaging::scan(path, progress));
     return [this, path, study, then] {
       if (!*study) {
-        bench_.tell_error(study->error());
+        context_.tell_error(study->error());
       } else if ((*study)->series.empty()) {
-        bench_.tell_error(
+        context_.tell_error(
             Error{"study-no-images", GLISSON_TEXT("No images were found in {0}."), {path.string()}, {}, {}});
       } else {
         then(**study);
@@ -146,7 +146,7 @@ void StudyPage::show_patient(const Patient& patient) {
   show_state();
   if (importing_into_.empty() || importing_into_ != case_) return;
   importing_into_.clear();
-  if (patient.anatomy != nullptr && patient.structures.empty()) bench_.go_to("segment");
+  if (patient.anatomy != nullptr && patient.structures.empty()) context_.go_to("segment");
 }
 
 void StudyPage::showEvent(QShowEvent* event) {

@@ -6,9 +6,9 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "study/case_overview.h"
-#include "study/series_table.h"
-#include "study/taking_in.h"
+#include "widgets/study/case_overview.h"
+#include "widgets/study/series_table.h"
+#include "widgets/study/taking_in.h"
 
 namespace glisson::widgets {
 
@@ -16,9 +16,9 @@ class StudyPage : public QWidget {
   Q_OBJECT
 
  public:
-  static Workspace workspace(const Bench& bench);
+  static Workspace workspace(const WorkspaceContext& context);
 
-  explicit StudyPage(const Bench& bench, QWidget* parent = nullptr);
+  explicit StudyPage(const WorkspaceContext& context, QWidget* parent = nullptr);
 
   // Looks for images there, on a worker, and lists them.
   void browse(const std::filesystem::path& path);
@@ -39,7 +39,7 @@ class StudyPage : public QWidget {
   void list(const std::filesystem::path& path, const imaging::Study& study);
   void look(const std::filesystem::path& path, const std::function<void(const imaging::Study&)>& then);
 
-  Bench bench_;
+  WorkspaceContext context_;
   TakingIn* taking_in_;
   std::filesystem::path browsed_;
   std::filesystem::path case_;

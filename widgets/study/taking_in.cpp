@@ -1,14 +1,14 @@
-#include "study/taking_in.h"
+#include "widgets/study/taking_in.h"
 
 #include <algorithm>
 #include <QMessageBox>
 #include <QPushButton>
 
 #include "casefile/label_map.h"
-#include "session/load_patient.h"
-#include "study/label_names_dialog.h"
-#include "words/paths.h"
-#include "words/told.h"
+#include "widgets/session/load_patient.h"
+#include "widgets/study/label_names_dialog.h"
+#include "widgets/words/paths.h"
+#include "widgets/words/told.h"
 
 namespace glisson::widgets {
 namespace {
@@ -39,33 +39,34 @@ struct TakingIn::Asked {
   bool replaces = false;
 };
 
-TakingIn::TakingIn(const Bench& bench, QWidget* parent) : QObject(parent), bench_(bench), window_(parent) {}
+TakingIn::TakingIn(const WorkspaceContext& context, QWidget* parent)
+    : QObject(parent), context_(context), window_(parent) {}
 
 void TakingIn::take(const imaging::Study& study, std::vector<SeriesRole> roles, const fs::path& folder) {
   Asked asked{study, std::move(roles), folder, {}, {}, false};
-  bench_.work.start(tr("Looking at the labels"),
-                    [this, asked = std::move(asked)](const Progress& progress) mutable -> BackgroundWork::Then {
-                      std::size_t named = 0;
-                      for (std::size_t k = 0; k < asked.roles.size() && !progress.cancelled(); ++k) {
-                        const imaging::Series* series = series_of(asked.study, asked.roles[k]);
-                        if (asked.roles[k].role != imaging::Role::segmentation || series == nullptr) continue;
-                        if (!casefile::is_label_map(*series)) continue;
-                        const auto map = casefile::read_label_map(series->files.front());
-                        if (!map) continue;  // the import says why
-                        const bool any = std::any_of(map->parts.begin(), map->parts.end(),
-                                                     [](const auto& part) { return !part.structure.empty(); });
-                        named += any ? 1 : 0;
-                        if (!any) asked.unnamed.push_back({k, map->parts});
-                      }
-                      // Of a folder of masks those that are named are wanted; one that nobody named is then left out.
-                      constexpr std::size_t most_questions = 4;
-                      if (named > 0 && asked.unnamed.size() > most_questions) asked.unnamed.clear();
-                      if (const auto patient = casefile::Case::open(asked.folder)) {
-                        asked.doubts = casefile::doubts_of_belonging(*patient, asked.study, asked.roles);
-                        asked.replaces = casefile::would_replace_anatomy(*patient, asked.roles);
-                      }
-                      return [this, asked = std::move(asked)] { ask(asked); };
-                    });
+  context_.work.start(tr("Looking at the labels"),
+                      [this, asked = std::move(asked)](const Progress& progress) mutable -> BackgroundWork::Then {
+                        std::size_t named = 0;
+                        for (std::size_t k = 0; k < asked.roles.size() && !progress.cancelled(); ++k) {
+                          const imaging::Series* series = series_of(asked.study, asked.roles[k]);
+                          if (asked.roles[k].role != imaging::Role::segmentation || series == nullptr) continue;
+                          if (!casefile::is_label_map(*series)) continue;
+                          const auto map = casefile::read_label_map(series->files.front());
+                          if (!map) continue;  // the import says why
+                          const bool any = std::any_of(map->parts.begin(), map->parts.end(),
+                                                       [](const auto& part) { return !part.structure.empty(); });
+                          named += any ? 1 : 0;
+                          if (!any) asked.unnamed.push_back({k, map->parts});
+                        }
+                        // Of a folder of masks those that are named are wanted; one that nobody named is then left out.
+                        constexpr std::size_t most_questions = 4;
+                        if (named > 0 && asked.unnamed.size() > most_questions) asked.unnamed.clear();
+                        if (const auto patient = casefile::Case::open(asked.folder)) {
+                          asked.doubts = casefile::doubts_of_belonging(*patient, asked.study, asked.roles);
+                          asked.replaces = casefile::would_replace_anatomy(*patient, asked.roles);
+                        }
+                        return [this, asked = std::move(asked)] { ask(asked); };
+                      });
 }
 
 void TakingIn::ask(Asked asked) {
@@ -101,10 +102,10 @@ void TakingIn::ask(Asked asked) {
   const auto import = [asked = std::move(asked)](const Progress& progress) {
     return import_patient(asked.study, asked.roles, asked.folder, progress, casefile::Replacing::wanted);
   };
-  if (folder == bench_.patient().folder) {
-    bench_.change(tr("Importing"), import);
+  if (folder == context_.patient().folder) {
+    context_.change(tr("Importing"), import);
   } else {
-    bench_.open(tr("Importing"), import);
+    context_.open(tr("Importing"), import);
   }
 }
 

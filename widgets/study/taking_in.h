@@ -8,7 +8,7 @@
 
 #include "casefile/belonging.h"
 #include "imaging/study.h"
-#include "workspaces/workspace.h"
+#include "widgets/workspaces/workspace.h"
 
 namespace glisson::widgets {
 
@@ -16,7 +16,7 @@ class TakingIn : public QObject {
   Q_OBJECT
 
  public:
-  TakingIn(const Bench& bench, QWidget* parent);
+  TakingIn(const WorkspaceContext& context, QWidget* parent);
 
   // Into the case in that folder, which is made where there is none.
   void take(const imaging::Study& study, std::vector<casefile::SeriesRole> roles, const std::filesystem::path& folder);
@@ -28,7 +28,7 @@ class TakingIn : public QObject {
   struct Asked;
   void ask(Asked asked);
 
-  Bench bench_;
+  WorkspaceContext context_;
   QWidget* window_;
 };
 

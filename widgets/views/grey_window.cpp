@@ -1,4 +1,4 @@
-#include "views/grey_window.h"
+#include "widgets/views/grey_window.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "views/linked_views.h"
+#include "widgets/views/linked_views.h"
 
 #include <algorithm>
 
-#include "panels/ask_path.h"
-#include "words/worded.h"
+#include "widgets/panels/ask_path.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 

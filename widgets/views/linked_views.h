@@ -7,10 +7,10 @@
 #include <QWidget>
 #include <vector>
 
-#include "views/grey_window.h"
-#include "views/slice_view.h"
-#include "views/space_view.h"
-#include "views/view_frame.h"
+#include "widgets/views/grey_window.h"
+#include "widgets/views/slice_view.h"
+#include "widgets/views/space_view.h"
+#include "widgets/views/view_frame.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "views/map_picture.h"
+#include "widgets/views/map_picture.h"
 
 #include <algorithm>
 #include <cmath>

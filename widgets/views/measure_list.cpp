@@ -1,11 +1,11 @@
-#include "views/measure_list.h"
+#include "widgets/views/measure_list.h"
 
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QToolButton>
 
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 

@@ -4,7 +4,7 @@
 
 #include <QTableWidget>
 
-#include "views/measure_tool.h"
+#include "widgets/views/measure_tool.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "views/measure_tool.h"
+#include "widgets/views/measure_tool.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

@@ -7,8 +7,8 @@
 #include <QObject>
 #include <vector>
 
-#include "views/linked_views.h"
-#include "views/measurement.h"
+#include "widgets/views/linked_views.h"
+#include "widgets/views/measurement.h"
 
 class QKeyEvent;
 class QMouseEvent;

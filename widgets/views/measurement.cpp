@@ -1,4 +1,4 @@
-#include "views/measurement.h"
+#include "widgets/views/measurement.h"
 
 #include <algorithm>
 #include <cmath>

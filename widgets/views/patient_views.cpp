@@ -1,4 +1,4 @@
-#include "views/patient_views.h"
+#include "widgets/views/patient_views.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "scene/anatomy.h"
-#include "settings/settings.h"
-#include "words/told.h"
+#include "widgets/settings/settings.h"
+#include "widgets/words/told.h"
 
 namespace glisson::widgets {
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 
 #include "rehearsal/static_rehearsal.h"
-#include "session/patient.h"
-#include "views/linked_views.h"
-#include "views/tool_in_view.h"
+#include "widgets/session/patient.h"
+#include "widgets/views/linked_views.h"
+#include "widgets/views/tool_in_view.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "views/render_widget.h"
+#include "widgets/views/render_widget.h"
 
 #include <algorithm>
 #include <chrono>
@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "scene/painter.h"
-#include "words/told.h"
+#include "widgets/words/told.h"
 
 namespace glisson::widgets {
 namespace {

@@ -1,4 +1,4 @@
-#include "views/slice_view.h"
+#include "widgets/views/slice_view.h"
 
 #include <algorithm>
 #include <cmath>

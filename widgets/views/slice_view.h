@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "imaging/image.h"
-#include "views/render_widget.h"
+#include "widgets/views/render_widget.h"
 
 namespace glisson::widgets {
 

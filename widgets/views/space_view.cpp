@@ -1,4 +1,4 @@
-#include "views/space_view.h"
+#include "widgets/views/space_view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <QPointF>
 #include <QTimer>
 
-#include "views/render_widget.h"
+#include "widgets/views/render_widget.h"
 
 namespace glisson::widgets {
 

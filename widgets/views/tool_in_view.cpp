@@ -1,4 +1,4 @@
-#include "views/tool_in_view.h"
+#include "widgets/views/tool_in_view.h"
 
 #include <algorithm>
 

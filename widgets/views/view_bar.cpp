@@ -1,12 +1,12 @@
-#include "views/view_bar.h"
+#include "widgets/views/view_bar.h"
 
 #include <algorithm>
 #include <array>
 #include <QHBoxLayout>
 #include <QStandardItemModel>
 
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

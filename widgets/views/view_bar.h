@@ -8,8 +8,8 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "session/patient.h"
-#include "views/measure_tool.h"
+#include "widgets/session/patient.h"
+#include "widgets/views/measure_tool.h"
 
 namespace glisson::widgets {
 

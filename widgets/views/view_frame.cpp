@@ -1,10 +1,10 @@
-#include "views/view_frame.h"
+#include "widgets/views/view_frame.h"
 
 #include <QMouseEvent>
 #include <QVBoxLayout>
 
-#include "views/render_widget.h"
-#include "words/worded.h"
+#include "widgets/views/render_widget.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 

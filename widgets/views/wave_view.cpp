@@ -1,4 +1,4 @@
-#include "views/wave_view.h"
+#include "widgets/views/wave_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "views/map_picture.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/views/map_picture.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

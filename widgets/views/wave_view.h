@@ -15,8 +15,8 @@
 #include <QWidget>
 
 #include "casefile/waves.h"
-#include "words/number_box.h"
-#include "work/background_work.h"
+#include "widgets/words/number_box.h"
+#include "widgets/work/background_work.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "words/language.h"
+#include "widgets/words/language.h"
 
 #include <algorithm>
 #include <QCoreApplication>

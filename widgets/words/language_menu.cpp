@@ -1,9 +1,9 @@
-#include "words/language_menu.h"
+#include "widgets/words/language_menu.h"
 
 #include <QActionGroup>
 
-#include "words/language.h"
-#include "words/worded.h"
+#include "widgets/words/language.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 

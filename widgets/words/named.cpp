@@ -1,4 +1,4 @@
-#include "words/named.h"
+#include "widgets/words/named.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -9,7 +9,7 @@
 #include <QScrollBar>
 #include <QSlider>
 
-#include "views/render_widget.h"
+#include "widgets/views/render_widget.h"
 
 namespace glisson::widgets {
 namespace {

@@ -1,4 +1,4 @@
-#include "words/number_box.h"
+#include "widgets/words/number_box.h"
 
 #include <algorithm>
 #include <QLocale>

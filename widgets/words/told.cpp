@@ -1,4 +1,4 @@
-#include "words/told.h"
+#include "widgets/words/told.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>

@@ -1,4 +1,4 @@
-#include "words/worded.h"
+#include "widgets/words/worded.h"
 
 #include <QEvent>
 #include <utility>

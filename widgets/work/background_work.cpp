@@ -1,4 +1,4 @@
-#include "work/background_work.h"
+#include "widgets/work/background_work.h"
 
 #include <QFutureWatcher>
 #include <QtConcurrentRun>

@@ -1,4 +1,4 @@
-#include "workspaces/workspace.h"
+#include "widgets/workspaces/workspace.h"
 
 #include <QCoreApplication>
 

@@ -7,11 +7,11 @@
 #include <QString>
 #include <QWidget>
 
-#include "session/live_rehearsal.h"
-#include "session/patient.h"
-#include "session/undo.h"
-#include "views/patient_views.h"
-#include "work/background_work.h"
+#include "widgets/session/live_rehearsal.h"
+#include "widgets/session/patient.h"
+#include "widgets/session/undo.h"
+#include "widgets/views/patient_views.h"
+#include "widgets/work/background_work.h"
 
 namespace glisson::widgets {
 
@@ -35,7 +35,7 @@ struct Workspace {
 [[nodiscard]] QString model_missing(const Patient& patient);
 
 // What workspaces share; the window owns it and outlives them.
-struct Bench {
+struct WorkspaceContext {
   BackgroundWork& work;
   LinkedViews& views;
   PatientViews& patient_views;

@@ -1,9 +1,9 @@
-#include "workspaces/workspace_bar.h"
+#include "widgets/workspaces/workspace_bar.h"
 
 #include <QHBoxLayout>
 #include <QStyle>
 
-#include "words/worded.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 

@@ -8,7 +8,7 @@
 #include <QToolButton>
 #include <vector>
 
-#include "workspaces/workspace.h"
+#include "widgets/workspaces/workspace.h"
 
 namespace glisson::widgets {
 

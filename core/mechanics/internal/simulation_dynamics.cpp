@@ -11,8 +11,8 @@
 #include "mechanics/elements/body.h"
 #include "mechanics/elements/internal_forces.h"
 #include "mechanics/internal/simulation_answer.h"
-#include "mechanics/meshfree/meshfree_contact.h"
 #include "mechanics/meshfree/internal/meshfree_dynamics.h"
+#include "mechanics/meshfree/meshfree_contact.h"
 #include "mechanics/statics/displacements.h"
 #include "mechanics/statics/equilibrium.h"
 

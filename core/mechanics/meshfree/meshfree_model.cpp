@@ -7,9 +7,9 @@
 #include "mechanics/elements/boundary_potential.h"
 #include "mechanics/elements/load_vector.h"
 #include "mechanics/elements/strain.h"
+#include "mechanics/meshfree/internal/meshfree_body.h"
 #include "mechanics/meshfree/internal/reduced_potential.h"
 #include "mechanics/meshfree/internal/reduced_solver.h"
-#include "mechanics/meshfree/internal/meshfree_body.h"
 #include "mechanics/solvers/internal/newton.h"
 #include "mechanics/statics/displacements.h"
 

@@ -2,8 +2,8 @@
 // A potential energy over places as one over the handles that they follow, with the springs of what is held. Inside of
 // this room.
 
-#include "mechanics/meshfree/internal/reduced_solver.h"
 #include "mechanics/meshfree/internal/meshfree_body.h"
+#include "mechanics/meshfree/internal/reduced_solver.h"
 #include "mechanics/statics/internal/elastic_potential.h"
 
 namespace glisson::mechanics {

@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <QWidget>
 
-#include "session/live_rehearsal.h"
+#include "widgets/session/live_rehearsal.h"
 
 namespace glisson::widgets {
 

@@ -1,11 +1,11 @@
-#include "panels/landmark_table.h"
+#include "widgets/rehearse/landmark_table.h"
 
 #include <fmt/format.h>
 #include <QHeaderView>
 
-#include "theme.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/theme.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

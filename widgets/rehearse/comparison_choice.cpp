@@ -1,9 +1,9 @@
-#include "panels/comparison_choice.h"
+#include "widgets/rehearse/comparison_choice.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
 
-#include "words/worded.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 

@@ -5,7 +5,7 @@
 #include <QButtonGroup>
 #include <QWidget>
 
-#include "views/patient_views.h"
+#include "widgets/views/patient_views.h"
 
 namespace glisson::widgets {
 

@@ -1,10 +1,10 @@
-#include "panels/solving_light.h"
+#include "widgets/rehearse/solving_light.h"
 
 #include <QVBoxLayout>
 
-#include "theme.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/theme.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "panels/rehearse_panel.h"
+#include "widgets/rehearse/rehearse_panel.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -6,11 +6,11 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
-#include "panels/ask_path.h"
-#include "panels/parts.h"
-#include "words/paths.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/panels/ask_path.h"
+#include "widgets/panels/parts.h"
+#include "widgets/words/paths.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

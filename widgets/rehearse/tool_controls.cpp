@@ -1,4 +1,4 @@
-#include "panels/tool_controls.h"
+#include "widgets/rehearse/tool_controls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <QLabel>
 #include <QShortcut>
 
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {

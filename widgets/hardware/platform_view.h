@@ -11,9 +11,9 @@
 #include <QWidget>
 
 #include "hardware/plan.h"
-#include "panels/number_slider.h"
-#include "panels/platform_table.h"
-#include "plots/contour_plot.h"
+#include "widgets/hardware/platform_table.h"
+#include "widgets/panels/number_slider.h"
+#include "widgets/plots/contour_plot.h"
 
 namespace glisson::widgets {
 

@@ -6,12 +6,12 @@
 #include <QWidget>
 
 #include "casefile/evidence.h"
-#include "panels/comparison_choice.h"
-#include "panels/landmark_table.h"
-#include "panels/solving_light.h"
-#include "panels/tool_controls.h"
-#include "panels/track_controls.h"
-#include "session/live_rehearsal.h"
+#include "widgets/rehearse/comparison_choice.h"
+#include "widgets/rehearse/landmark_table.h"
+#include "widgets/rehearse/solving_light.h"
+#include "widgets/rehearse/tool_controls.h"
+#include "widgets/rehearse/track_controls.h"
+#include "widgets/session/live_rehearsal.h"
 
 namespace glisson::widgets {
 

@@ -1,13 +1,13 @@
-#include "panels/platform_table.h"
+#include "widgets/hardware/platform_table.h"
 
 #include <algorithm>
 #include <QHeaderView>
 #include <QLocale>
 #include <QSignalBlocker>
 
-#include "theme.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/theme.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 

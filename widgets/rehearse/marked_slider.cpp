@@ -1,11 +1,11 @@
-#include "panels/marked_slider.h"
+#include "widgets/rehearse/marked_slider.h"
 
 #include <cmath>
 #include <QPainter>
 #include <QStyle>
 #include <QStyleOptionSlider>
 
-#include "theme.h"
+#include "widgets/theme.h"
 
 namespace glisson::widgets {
 

@@ -8,8 +8,8 @@
 #include <QObject>
 #include <QTimer>
 
-#include "session/live_rehearsal.h"
 #include "vision/movie.h"
+#include "widgets/session/live_rehearsal.h"
 
 namespace glisson::widgets {
 

@@ -1,4 +1,4 @@
-#include "panels/platform_view.h"
+#include "widgets/hardware/platform_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +11,12 @@
 
 #include "base/files.h"
 #include "hardware/device_file.h"
-#include "panels/ask_path.h"
-#include "panels/parts.h"
-#include "panels/platform_words.h"
-#include "words/paths.h"
-#include "words/told.h"
-#include "words/worded.h"
+#include "widgets/hardware/platform_words.h"
+#include "widgets/panels/ask_path.h"
+#include "widgets/panels/parts.h"
+#include "widgets/words/paths.h"
+#include "widgets/words/told.h"
+#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 

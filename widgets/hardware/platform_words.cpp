@@ -1,11 +1,11 @@
-#include "panels/platform_words.h"
+#include "widgets/hardware/platform_words.h"
 
 #include <QLocale>
 #include <QStringList>
 
-#include "panels/platform_view.h"
-#include "theme.h"
-#include "words/told.h"
+#include "widgets/hardware/platform_view.h"
+#include "widgets/theme.h"
+#include "widgets/words/told.h"
 
 namespace glisson::widgets {
 

@@ -6,9 +6,9 @@
 #include <QPushButton>
 #include <QWidget>
 
-#include "panels/marked_slider.h"
-#include "session/live_rehearsal.h"
-#include "words/number_box.h"
+#include "widgets/rehearse/marked_slider.h"
+#include "widgets/session/live_rehearsal.h"
+#include "widgets/words/number_box.h"
 
 namespace glisson::widgets {
 

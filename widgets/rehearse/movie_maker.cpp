@@ -1,9 +1,9 @@
-#include "panels/movie_maker.h"
+#include "widgets/rehearse/movie_maker.h"
 
 #include <algorithm>
 #include <QPainter>
 
-#include "words/told.h"
+#include "widgets/words/told.h"
 
 namespace glisson::widgets {
 namespace {

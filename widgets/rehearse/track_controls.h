@@ -8,9 +8,9 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "panels/movie_maker.h"
-#include "plots/track_plot.h"
-#include "session/live_rehearsal.h"
+#include "widgets/plots/track_plot.h"
+#include "widgets/rehearse/movie_maker.h"
+#include "widgets/session/live_rehearsal.h"
 
 namespace glisson::widgets {
 
