@@ -156,7 +156,7 @@ VesselTree hepatic_trunk(const LiverBody& liver, const Segments& segments, const
     add_curve(tree, division, at(division) + 0.5 * (target - at(division)) + Vector3d(0, -4, 6), target, 0);
   }
   if (segments.volume_ml(1) > 0) {
-    const Vector3d middle = segments.centroid_mm(1);
+    const Vector3d& middle = segments.centroid_mm(1);
     const Vector3d cava = segments.on_plane(Segments::Plane::middle, middle.z() + 4, 0);
     const Vector3d way = middle - cava;
     const int entry = add_node(tree, cava + 0.6 * cava_radius * way.normalized(), -1, 1);

@@ -209,7 +209,8 @@ Result<void> take_given(const std::map<int, std::string>& given, const fs::path&
     values += fmt::format("{}{}", values.empty() ? "" : ", ", part.value);
   }
   map.named_by = {GLISSON_TEXT("Named by you."), {}};
-  for (const auto& [value, name] : given) {
+  for (const auto& each : given) {
+    const int value = each.first;
     if (std::any_of(map.parts.begin(), map.parts.end(), [&](const auto& part) { return part.value == value; }))
       continue;
     return failure(Error{"labels-no-such-value",

@@ -37,7 +37,7 @@ class FileOrFolder : public QFileDialog {
       const QStringList marked = selectedFiles();
       const bool is_folder = marked.size() == 1 && QFileInfo(marked.front()).isDir();
       folder_ = is_folder ? marked.front() : directory().absolutePath();
-      QDialog::accept();
+      done(QDialog::Accepted);
     });
     if (auto* buttons = findChild<QDialogButtonBox*>()) buttons->addButton(take, QDialogButtonBox::ActionRole);
   }
