@@ -7280,10 +7280,6 @@ figures</source>
 <context>
     <name>glisson::widgets::SolvingLight</name>
     <message>
-        <source>How far the equations are from balance; what solving and drawing took</source>
-        <translation>Wie weit die Gleichungen vom Gleichgewicht entfernt sind; wie lange Lösen und Zeichnen dauerten</translation>
-    </message>
-    <message>
         <source>○ No tool</source>
         <translation>○ Kein Instrument</translation>
     </message>
@@ -7308,10 +7304,6 @@ figures</source>
         <translation>❚❚ Eingefroren</translation>
     </message>
     <message>
-        <source>residual %1 · solved in %2 ms · drawn in %3 ms</source>
-        <translation>Residuum %1 · gelöst in %2 ms · gezeichnet in %3 ms</translation>
-    </message>
-    <message>
         <source>What is shown is from before.</source>
         <translation>Gezeigt wird der Stand davor.</translation>
     </message>
@@ -7322,6 +7314,14 @@ figures</source>
     <message>
         <source>Use less force.</source>
         <translation>Nehmen Sie weniger Kraft.</translation>
+    </message>
+    <message>
+        <source>solved in %1 ms · drawn in %2 ms</source>
+        <translation>gelöst in %1 ms · gezeichnet in %2 ms</translation>
+    </message>
+    <message>
+        <source>Residual %1: how far the equations are from balance</source>
+        <translation>Residuum %1: wie weit die Gleichungen vom Gleichgewicht entfernt sind</translation>
     </message>
 </context>
 <context>

@@ -7283,10 +7283,6 @@ supuestas</translation>
 <context>
     <name>glisson::widgets::SolvingLight</name>
     <message>
-        <source>How far the equations are from balance; what solving and drawing took</source>
-        <translation>Cuánto les falta a las ecuaciones para el equilibrio; lo que tardaron la resolución y el dibujo</translation>
-    </message>
-    <message>
         <source>○ No tool</source>
         <translation>○ Ningún instrumento</translation>
     </message>
@@ -7311,10 +7307,6 @@ supuestas</translation>
         <translation>❚❚ Congelado</translation>
     </message>
     <message>
-        <source>residual %1 · solved in %2 ms · drawn in %3 ms</source>
-        <translation>residuo %1 · resuelto en %2 ms · dibujado en %3 ms</translation>
-    </message>
-    <message>
         <source>What is shown is from before.</source>
         <translation>Se muestra el estado anterior.</translation>
     </message>
@@ -7325,6 +7317,14 @@ supuestas</translation>
     <message>
         <source>Use less force.</source>
         <translation>Use menos fuerza.</translation>
+    </message>
+    <message>
+        <source>solved in %1 ms · drawn in %2 ms</source>
+        <translation>resuelto en %1 ms · dibujado en %2 ms</translation>
+    </message>
+    <message>
+        <source>Residual %1: how far the equations are from balance</source>
+        <translation>Residuo %1: cuánto les falta a las ecuaciones para el equilibrio</translation>
     </message>
 </context>
 <context>

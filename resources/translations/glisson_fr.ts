@@ -7283,10 +7283,6 @@ supposés</translation>
 <context>
     <name>glisson::widgets::SolvingLight</name>
     <message>
-        <source>How far the equations are from balance; what solving and drawing took</source>
-        <translation>L’écart des équations à l’équilibre&#xa0;; les durées de la résolution et du dessin</translation>
-    </message>
-    <message>
         <source>○ No tool</source>
         <translation>○ Aucun instrument</translation>
     </message>
@@ -7311,10 +7307,6 @@ supposés</translation>
         <translation>❚❚ Figé</translation>
     </message>
     <message>
-        <source>residual %1 · solved in %2 ms · drawn in %3 ms</source>
-        <translation>résidu %1 · résolu en %2 ms · dessiné en %3 ms</translation>
-    </message>
-    <message>
         <source>What is shown is from before.</source>
         <translation>Ce qui est montré est l’état précédent.</translation>
     </message>
@@ -7325,6 +7317,14 @@ supposés</translation>
     <message>
         <source>Use less force.</source>
         <translation>Utilisez moins de force.</translation>
+    </message>
+    <message>
+        <source>solved in %1 ms · drawn in %2 ms</source>
+        <translation>résolu en %1 ms · dessiné en %2 ms</translation>
+    </message>
+    <message>
+        <source>Residual %1: how far the equations are from balance</source>
+        <translation>Résidu %1 : l’écart des équations à l’équilibre</translation>
     </message>
 </context>
 <context>

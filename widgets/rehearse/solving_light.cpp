@@ -25,10 +25,7 @@ SolvingLight::SolvingLight(const LiveRehearsal& rehearsal, QWidget* parent) : QW
   column->addWidget(trouble_);
   connect(&rehearsal, &LiveRehearsal::solving_changed, this, &SolvingLight::show_state);
   connect(&rehearsal, &LiveRehearsal::frame_changed, this, &SolvingLight::show_state);
-  worded(this, [this] {
-    figures_->setToolTip(tr("How far the equations are from balance; what solving and drawing took"));
-    show_state();
-  });
+  worded(this, [this] { show_state(); });
 }
 
 void SolvingLight::show_drawing_ms(double drawing_ms) {
@@ -64,11 +61,12 @@ void SolvingLight::show_state() {
   if (rehearsal_.frozen()) words += "  " + tr("❚❚ Frozen");
   sign_->setText(words);
   sign_->setStyleSheet(colour.isEmpty() ? QString() : QString("color: %1").arg(theme_colour(colour.toLatin1()).name()));
-  figures_->setText(frame ? tr("residual %1 · solved in %2 ms · drawn in %3 ms")
-                                .arg(frame->relative_residual, 0, 'e', 0)
-                                .arg(frame->answer_ms, 0, 'f', 1)
-                                .arg(drawing_ms_, 0, 'f', 0)
-                          : QString());
+  figures_->setText(
+      frame ? tr("solved in %1 ms · drawn in %2 ms").arg(frame->answer_ms, 0, 'f', 1).arg(drawing_ms_, 0, 'f', 0)
+            : QString());
+  figures_->setToolTip(
+      frame ? tr("Residual %1: how far the equations are from balance").arg(frame->relative_residual, 0, 'e', 0)
+            : QString());
   QString trouble;
   if (rehearsal_.refusal()) {
     trouble = told(*rehearsal_.refusal()) + " " + tr("What is shown is from before.");
