@@ -8,7 +8,6 @@
 #include "mended_surface.h"
 #include "one_of.h"
 #include "registration/geo.h"
-#include "shared_options.h"
 
 namespace glisson::cli {
 namespace {
@@ -75,10 +74,8 @@ Result<Outcome> run(const MatchCommand& command, const Progress& progress) {
                   fmt::format("{} points matched in {} passes ({}), {:.1f} ms; energy {:.1f}, lower bound {:.1f}\n",
                               match->source_points.size(), solution.passes.size(), words(solution.stopped),
                               solution.solve_ms, solution.energy, solution.lower_bound)};
-  for (const auto& notes : {source->notes, target->notes}) {
-    for (const std::string& note : notes) outcome.document["notes"].push_back(note);
-    outcome.text += bullet_list(notes);
-  }
+  tell_mending(*source, outcome);
+  tell_mending(*target, outcome);
   constexpr double doubtful = 0.6;
   if (match->orientation_kept < doubtful) {
     const std::string note = fmt::format(

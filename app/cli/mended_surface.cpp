@@ -1,6 +1,7 @@
 #include "mended_surface.h"
 
 #include "geometry/mesh_file.h"
+#include "shared_options.h"
 
 namespace glisson::cli {
 
@@ -14,6 +15,11 @@ Result<MendedFile> read_mended(const std::filesystem::path& file, geometry::Piec
     read.notes.push_back(file.filename().string() + ": " + remark.message());
   }
   return read;
+}
+
+void tell_mending(const MendedFile& file, Outcome& outcome) {
+  for (const std::string& note : file.notes) outcome.document["notes"].push_back(note);
+  outcome.text += bullet_list(file.notes);
 }
 
 }  // namespace glisson::cli

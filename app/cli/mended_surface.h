@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "command.h"
 #include "geometry/mend.h"
 
 namespace glisson::cli {
@@ -18,5 +19,8 @@ struct MendedFile {
 
 // Failures: those of read_surface and mended, with the file.
 Result<MendedFile> read_mended(const std::filesystem::path& file, geometry::Pieces pieces = geometry::Pieces::one);
+
+// What was done to it, among the answer's notes and in its text.
+void tell_mending(const MendedFile& file, Outcome& outcome);
 
 }  // namespace glisson::cli

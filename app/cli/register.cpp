@@ -9,7 +9,6 @@
 #include "geometry/mesh_file.h"
 #include "mended_surface.h"
 #include "one_of.h"
-#include "shared_options.h"
 
 namespace glisson::cli {
 namespace {
@@ -44,10 +43,8 @@ Result<Outcome> run(const RegisterCommand& command, const Progress& progress) {
                   fmt::format("{:.2f} mm root mean square to the target after {} iterations, {:.1f} s\n",
                               registered->rms_mm, registered->iterations, time_s)};
   outcome.document["notes"] = Json::array();
-  for (const auto& notes : {source->notes, target->notes}) {
-    for (const std::string& note : notes) outcome.document["notes"].push_back(note);
-    outcome.text += bullet_list(notes);
-  }
+  tell_mending(*source, outcome);
+  tell_mending(*target, outcome);
   return outcome;
 }
 

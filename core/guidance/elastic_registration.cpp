@@ -45,6 +45,14 @@ std::vector<Vector3d> thinned(std::vector<Vector3d> points, std::size_t most) {
   return points;
 }
 
+// Between points of the mesh, wherever they are.
+Vector3d between(const std::vector<Vector3d>& points_mm, const std::array<int, 4>& points,
+                 const Eigen::Vector4d& weights) {
+  Vector3d place = Vector3d::Zero();
+  for (int k = 0; k < 4; ++k) place += weights[k] * points_mm[static_cast<std::size_t>(points[k])];
+  return place;
+}
+
 // Places of a curve at rest in the mesh, and what of it was seen.
 struct PlacedCurve {
   std::vector<mechanics::PointInMesh> at_rest;
@@ -82,6 +90,7 @@ class ElasticFit {
   void add_hidden_tool();
   void move_pose(const Vector3d& shift_mm, const Vector3d& turn);
   [[nodiscard]] double independent_points() const;
+  [[nodiscard]] geometry::NearestPoint seen_in_scan() const;
   [[nodiscard]] double visible_share() const;
   [[nodiscard]] Eigen::Matrix<double, 3, Eigen::Dynamic> columns_at(const mechanics::PointInMesh& place) const;
 
@@ -174,9 +183,7 @@ void ElasticFit::add_curve_rows(const std::vector<Vector3d>& now_mm, std::vector
     std::vector<Vector3d> line_mm;
     for (const mechanics::PointInMesh& place : curve.at_rest) {
       const auto& cell = modes_.mesh().cells[static_cast<std::size_t>(place.cell)];
-      Vector3d at = Vector3d::Zero();
-      for (int k = 0; k < 4; ++k) at += place.barycentric[k] * now_mm[static_cast<std::size_t>(cell[k])];
-      line_mm.push_back(at);
+      line_mm.push_back(between(now_mm, cell, place.barycentric));
     }
     const geometry::NearestPoint nearest(line_mm);
     const double noise_mm = std::max(curve.seen->noise_mm, curve_error_mm);
@@ -294,11 +301,8 @@ void ElasticFit::find_farthest() {
   std::vector<std::pair<double, Vector3d>> off;
   for (const Vector3d& point : cloud_mm_) {
     const SeenSurface::Found found = surface.find(back * point);
-    Vector3d place = Vector3d::Zero();
-    for (int k = 0; k < 3; ++k) {
-      place += found.row.weights[k] * modes_.mesh().points_mm[static_cast<std::size_t>(found.row.points[k])];
-    }
-    off.emplace_back(std::hypot(found.off_mm, found.beside_mm), place);
+    off.emplace_back(std::hypot(found.off_mm, found.beside_mm),
+                     between(modes_.mesh().points_mm, found.row.points, found.row.weights));
   }
   std::sort(off.begin(), off.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   const std::size_t some = std::max<std::size_t>(1, off.size() / 20);
@@ -314,10 +318,8 @@ void ElasticFit::add_hidden_tool() {
 
 // What is seen is touched by nothing but the tools; forces elsewhere are all alike.
 void ElasticFit::choose_forces(Forces forces) {
-  std::vector<Vector3d> seen_mm;
+  const geometry::NearestPoint nearest = seen_in_scan();
   const Isometry3d back = pose_.inverse();
-  for (const Vector3d& point : cloud_mm_) seen_mm.push_back(back * point);
-  const geometry::NearestPoint nearest(seen_mm);
   scaled_modes_ = modes_.displacement_mm();
   const double seen_root = forces == Forces::anywhere ? 1.0 : std::sqrt(options_.touched_by_unseen);
   for (std::size_t k = 0; k < modes_.centers_mm().size(); ++k) {
@@ -389,11 +391,16 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> ElasticFit::columns_at(const mechanics:
   return columns;
 }
 
-double ElasticFit::visible_share() const {
+// The cloud, brought back to the scan's frame.
+geometry::NearestPoint ElasticFit::seen_in_scan() const {
   std::vector<Vector3d> seen_mm;
   const Isometry3d back = pose_.inverse();
   for (const Vector3d& point : cloud_mm_) seen_mm.push_back(back * point);
-  const geometry::NearestPoint nearest(seen_mm);
+  return geometry::NearestPoint(std::move(seen_mm));
+}
+
+double ElasticFit::visible_share() const {
+  const geometry::NearestPoint nearest = seen_in_scan();
   const std::vector<Vector3d> now_mm = displaced();
   std::size_t visible = 0;
   for (const int p : modes_.mesh_point_of()) {
@@ -415,13 +422,12 @@ ElasticPlacement ElasticFit::outcome(const std::vector<mechanics::PointInMesh>& 
   }
   placed.residual_rms_mm = rms_mm_;
   placed.visible_share = visible_share();
+  const MatrixXd covariance = fit_.covariance();
   for (const mechanics::PointInMesh& place : targets) {
     const auto& cell = modes_.mesh().cells[static_cast<std::size_t>(place.cell)];
-    Vector3d at_mm = Vector3d::Zero();
-    for (int k = 0; k < 4; ++k) at_mm += place.barycentric[k] * now_mm[static_cast<std::size_t>(cell[k])];
-    placed.target_mm.push_back(pose_ * at_mm);
+    placed.target_mm.push_back(pose_ * between(now_mm, cell, place.barycentric));
     const auto columns = columns_at(place);
-    const double posterior_mm = std::sqrt((columns * fit_.covariance * columns.transpose()).trace() / 3);
+    const double posterior_mm = std::sqrt((columns * covariance * columns.transpose()).trace() / 3);
     placed.target_sd_mm.push_back(
         std::hypot(posterior_factor * posterior_mm, elastic_share * placed.elastic_rms_mm, smallest_sd_mm));
   }
@@ -429,7 +435,7 @@ ElasticPlacement ElasticFit::outcome(const std::vector<mechanics::PointInMesh>& 
     const auto first = 6 + 3 * static_cast<Eigen::Index>(t);
     const Eigen::Index in_covariance = scaled_modes_.cols() + first;
     placed.tools.push_back({asked_tools_[t], pose_.linear() * fit_.free.segment<3>(first),
-                            std::sqrt(fit_.covariance.block<3, 3>(in_covariance, in_covariance).trace() / 3)});
+                            std::sqrt(covariance.block<3, 3>(in_covariance, in_covariance).trace() / 3)});
   }
   if (placed.visible_share < 0.05) {
     placed.why_not = GLISSON_TEXT("Less than 5 % of the organ is seen: too little to say where the rest is.");

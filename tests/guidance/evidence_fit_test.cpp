@@ -31,7 +31,7 @@ TEST(EvidenceFit, IsLeastSquaresWithThePriorThatItChose) {
   EXPECT_LT((fit.modes - slow.head(8)).norm(), 1e-8);
   EXPECT_LT((fit.free - slow.tail(3)).norm(), 1e-8);
   const MatrixXd covariance = fit.kappa * (all.transpose() * all).inverse();
-  EXPECT_LT((fit.covariance - covariance).norm(), 1e-8);
+  EXPECT_LT((fit.covariance() - covariance).norm(), 1e-8);
 }
 
 TEST(EvidenceFit, NoiseAloneAwakensNoModes) {

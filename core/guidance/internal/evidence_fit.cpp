@@ -27,7 +27,8 @@ EvidenceFit fit_by_evidence(const Eigen::MatrixXd& modes, const Eigen::MatrixXd&
   const Eigen::MatrixXd inverse_free = dense_inverse(gram_free);
   const Eigen::MatrixXd cross = free.transpose() * modes;
   const Eigen::VectorXd free_rows = free.transpose() * rows;
-  const Eigen::MatrixXd gram = modes.transpose() * modes - cross.transpose() * inverse_free * cross;
+  const Eigen::MatrixXd gram_modes = modes.transpose() * modes;
+  const Eigen::MatrixXd gram = gram_modes - cross.transpose() * inverse_free * cross;
   const Eigen::VectorXd gradient = modes.transpose() * rows - cross.transpose() * (inverse_free * free_rows);
   const double square = rows.squaredNorm() - free_rows.dot(inverse_free * free_rows);
   const SymmetricModes spectrum = symmetric_modes(gram);
@@ -51,14 +52,15 @@ EvidenceFit fit_by_evidence(const Eigen::MatrixXd& modes, const Eigen::MatrixXd&
   fit.modes = spectrum.vectors * (shrunk * along).matrix();
   fit.free = inverse_free * (free_rows - cross * fit.modes);
   const Eigen::Index q = modes.cols(), all = q + free.cols();
-  Eigen::MatrixXd precision(all, all);
-  precision.topLeftCorner(q, q) = share * (modes.transpose() * modes);
-  precision.topLeftCorner(q, q).diagonal().array() += 1 / best.variance;
-  precision.bottomLeftCorner(free.cols(), q) = share * cross;
-  precision.topRightCorner(q, free.cols()) = share * cross.transpose();
-  precision.bottomRightCorner(free.cols(), free.cols()) = share * gram_free;
-  fit.covariance = best.kappa * dense_inverse(precision);
+  fit.precision.resize(all, all);
+  fit.precision.topLeftCorner(q, q) = share * gram_modes;
+  fit.precision.topLeftCorner(q, q).diagonal().array() += 1 / best.variance;
+  fit.precision.bottomLeftCorner(free.cols(), q) = share * cross;
+  fit.precision.topRightCorner(q, free.cols()) = share * cross.transpose();
+  fit.precision.bottomRightCorner(free.cols(), free.cols()) = share * gram_free;
   return fit;
 }
+
+Eigen::MatrixXd EvidenceFit::covariance() const { return kappa * dense_inverse(precision); }
 
 }  // namespace glisson::guidance

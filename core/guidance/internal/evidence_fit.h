@@ -17,7 +17,10 @@ struct EvidenceFit {
   double log_evidence = 0;  // but for a constant of the number of rows
   Eigen::VectorXd modes;    // the amounts w
   Eigen::VectorXd free;
-  Eigen::MatrixXd covariance;  // of (w, x), the free ones last
+  Eigen::MatrixXd precision;  // of (w, x), the free ones last, but for kappa
+
+  // Inverts the precision: for the last of many fits.
+  [[nodiscard]] Eigen::MatrixXd covariance() const;
 };
 
 // `rows`, `modes` and `free` are divided by each row's stated noise.
