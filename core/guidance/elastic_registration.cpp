@@ -29,7 +29,7 @@ constexpr double tool_sd_mN = 10e3;        // of a force that is asked for
 constexpr int rounds_to_full_forces = 12;
 constexpr double pulled_mm = 6.0;  // that some of the cloud lies off the rigid organ where a tool may be at work
 constexpr double hidden_tool_radius_mm = 8.0;
-constexpr double least_trust = 0.02;  // of a point, where evidences are compared
+constexpr double min_trust = 0.02;  // of a point, where evidences are compared
 // Of the standard deviation, from tests on bodies that were not judged (docs/guidance.md): the posterior's, times; the
 // part of the elastic displacement that the model gets wrong; and what is left of a rigid organ.
 constexpr double posterior_factor = 1.5;
@@ -358,7 +358,7 @@ void ElasticFit::fit_pose_and_forces(Forces forces) {
     u_mm_ = known_mm_ + scaled_modes_ * fit_.modes + tool_columns_ * fit_.free.tail(tool_columns_.cols());
     move_pose(fit_.free.head<3>(), fit_.free.segment<3>(3));
     double weights = 0;
-    for (const SeenRow& row : seen) weights += std::log(std::sqrt(std::max(row.trust, least_trust)) / row.noise_mm);
+    for (const SeenRow& row : seen) weights += std::log(std::sqrt(std::max(row.trust, min_trust)) / row.noise_mm);
     log_evidence_ = fit_.log_evidence + share * weights;
   }
   (void)rows(coarsest_noise_mm);  // what is left, where it ended

@@ -14,11 +14,11 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int attempts = 400000;          // of triples; most are refused by their distances, in nanoseconds
-constexpr int most_poses = 4000;          // that are scored
-constexpr int refined = 12;               // of the best
-constexpr double far_mm = 20;             // beyond which a point counts as not explained
-constexpr double least_distance_mm = 25;  // of two points of a triple: nearer ones turn with the noise
+constexpr int attempts = 400000;        // of triples; most are refused by their distances, in nanoseconds
+constexpr int most_poses = 4000;        // that are scored
+constexpr int refined = 12;             // of the best
+constexpr double far_mm = 20;           // beyond which a point counts as not explained
+constexpr double min_distance_mm = 25;  // of two points of a triple: nearer ones turn with the noise
 constexpr std::size_t scored_points = 80;
 
 struct Scored {
@@ -126,7 +126,7 @@ std::vector<Scored> poses_of_triples(const Judge& judge, const SeenFrame& frame)
     for (int k = 0; k < 3 && alike; ++k) {
       const double apart_mm = (seen[k] - seen[(k + 1) % 3]).norm();
       const double rest_mm = (at_rest[k] - at_rest[(k + 1) % 3]).norm();
-      alike = apart_mm > least_distance_mm && std::abs(apart_mm - rest_mm) < 3.0 + 0.08 * apart_mm;
+      alike = apart_mm > min_distance_mm && std::abs(apart_mm - rest_mm) < 3.0 + 0.08 * apart_mm;
     }
     if (!alike) continue;
     if (const auto pose = registration::align_points(at_rest, seen)) poses.push_back({judge.score(*pose), *pose});
