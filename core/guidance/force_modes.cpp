@@ -6,7 +6,7 @@
 
 #include "base/units.h"
 #include "mechanics/elements/body.h"
-#include "mechanics/elements/stiffness_matrix.h"
+#include "mechanics/potentials/stiffness_matrix.h"
 #include "mechanics/solvers/cholesky_factor.h"
 
 namespace glisson::guidance {

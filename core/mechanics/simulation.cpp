@@ -6,9 +6,9 @@
 
 #include "base/stopwatch.h"
 #include "mechanics/elements/body.h"
-#include "mechanics/elements/internal_forces.h"
 #include "mechanics/internal/simulation_answer.h"
 #include "mechanics/meshfree/meshfree_model.h"
+#include "mechanics/potentials/elastic.h"
 #include "mechanics/statics/data_driven.h"
 #include "mechanics/statics/displacements.h"
 #include "mechanics/statics/equilibrium.h"
@@ -22,14 +22,10 @@ bool has_friction(const Scenario& scenario);
 Result<void> check_tools(const Scenario& scenario);
 Result<void> check_anisotropy(const Scenario& scenario, const SimulationOptions& options);
 Result<void> check_walls(const Scenario& scenario, const SimulationOptions& options);
-Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                 const Scenario& scenario, const Places& places, const Progress& progress);
-Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                 const Scenario& scenario, const Places& places, const Progress& progress);
-Result<Answer> meshfree_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                    const Scenario& scenario, const Places& places, const Progress& progress);
-Result<Answer> equilibrium_from_data(const geometry::TetMesh& mesh, const MaterialData& data, const Scenario& scenario,
-                                     const Places& places, const Progress& progress);
+Result<Answer> answer_to(const Question& question, const OpenedBody& body, const SimulationOptions& options,
+                         const Progress& progress);
+Result<Answer> linear_equilibrium(const Question& question, const Progress& progress);
+Result<Answer> equilibrium_from_data(const Question& question, const MaterialData& data, const Progress& progress);
 std::string names_of(const geometry::Fields& fields);
 void set_result_fields(const StaticResult& result, std::vector<double> youngs_kPa, std::vector<double> von_mises_kPa,
                        geometry::TetMesh& mesh);
@@ -53,24 +49,7 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   auto places = locate_landmarks(mesh, scenario.landmarks, options.landmark_tolerance_mm);
   if (!places) return failure(std::move(places.error()));
 
-  const bool linear = is_linear(scenario) && !has_friction(scenario), touched = !scenario.tools.empty();
-  const auto compute = scenario.motion     ? (meshfree ? end_of_meshfree_motion : end_of_motion)
-                       : meshfree          ? (touched ? meshfree_contact_equilibrium : meshfree_equilibrium)
-                       : touched && linear ? small_contact_equilibrium
-                       : touched           ? large_contact_equilibrium
-                       : linear            ? small_equilibrium
-                                           : large_equilibrium;
-  const bool apart = scenario.cut_walls == Scenario::Walls::apart;
-  auto answer = options.data ? equilibrium_from_data(mesh, *options.data, scenario, *places, progress)
-                : apart && linear
-                    ? small_equilibrium_of_walls(mesh, *youngs_kPa, scenario, *places, body->walls, progress)
-                    : compute(mesh, *youngs_kPa, scenario, *places, progress);
-  // Walls that nothing presses together need no more than that.
-  if (answer && apart && !linear &&
-      opening_of(*body, answer->result.displacement_mm).largest_overlap_mm >
-          ContactOptions().penetration_tolerance_mm) {
-    answer = large_equilibrium_of_walls(mesh, *youngs_kPa, scenario, *places, body->walls, progress);
-  }
+  auto answer = answer_to({mesh, *youngs_kPa, scenario, *places}, *body, options, progress);
   if (!answer) return failure(std::move(answer.error()));
   progress.report(1.0, GLISSON_TEXT("Solved"));
 
@@ -85,7 +64,8 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   simulation.result = std::move(answer->result);
   if (!scenario.cuts.empty()) {
     simulation.cut = opening_of(*body, simulation.result.displacement_mm);
-    if (apart && simulation.contact) simulation.cut->largest_overlap_mm = simulation.contact->overlap_mm;
+    if (scenario.cut_walls == Scenario::Walls::apart && simulation.contact)
+      simulation.cut->largest_overlap_mm = simulation.contact->overlap_mm;
     if (simulation.cut->largest_overlap_mm > 0.5) {
       simulation.result.notes.push_back(
           fmt::format("The walls of the cuts pass through each other by up to {:.1f} mm. \"cut_walls\": \"apart\" "
@@ -174,10 +154,11 @@ bool may_have_grain(const Scenario& scenario) {
   return scenario.engine == Engine::fem && !scenario.motion && is_linear(scenario);
 }
 
-Result<MaterialBody> material_body(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                   const Scenario& scenario) {
+Result<MaterialBody> material_body(const Question& question) {
+  const Scenario& scenario = question.scenario;
   const Stopwatch watch;
-  auto body = prepare_body(mesh, std::move(youngs_kPa), scenario.supports, options_of(scenario), Holding::required);
+  auto body =
+      prepare_body(question.mesh, question.youngs_kPa, scenario.supports, options_of(scenario), Holding::required);
   if (!body) return failure(std::move(body.error()));
   std::vector<Material> materials = materials_of(*body, scenario.material, scenario.strain_stiffening);
   return MaterialBody{std::move(*body), std::move(materials), watch.seconds()};
@@ -249,44 +230,48 @@ std::string names_of(const geometry::Fields& fields) {
   return names.empty() ? "none" : names;
 }
 
-Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                 const Scenario& scenario, const Places& places, const Progress& progress) {
-  const auto model = StaticModel::create(mesh, std::move(youngs_kPa), scenario.supports, options_of(scenario),
-                                         progress.part(0.0, 0.9));
+// A body whose forces answer linearly keeps its factor; all others go to the minimum of their potential energy, or step
+// in time.
+Result<Answer> answer_to(const Question& question, const OpenedBody& body, const SimulationOptions& options,
+                         const Progress& progress) {
+  const Scenario& scenario = question.scenario;
+  const bool meshfree = scenario.engine == Engine::meshfree;
+  if (options.data) return equilibrium_from_data(question, *options.data, progress);
+  if (scenario.motion && meshfree) return end_of_meshfree_motion(question, progress);
+  if (scenario.motion) return end_of_motion(question, progress);
+  if (meshfree) return meshfree_equilibrium(question, progress);
+
+  const Question with_walls{question.mesh, question.youngs_kPa, scenario, question.places, body.walls};
+  const bool apart = scenario.cut_walls == Scenario::Walls::apart;
+  if (is_linear(scenario) && !has_friction(scenario)) {
+    if (apart) return linear_contact_equilibrium(with_walls, progress);
+    return scenario.tools.empty() ? linear_equilibrium(question, progress)
+                                  : linear_contact_equilibrium(question, progress);
+  }
+  auto answer = nonlinear_equilibrium(question, progress);
+  // Walls that nothing presses together need no more than that.
+  if (!answer || !apart ||
+      opening_of(body, answer->result.displacement_mm).largest_overlap_mm <=
+          ContactOptions().penetration_tolerance_mm) {
+    return answer;
+  }
+  return nonlinear_equilibrium(with_walls, progress);
+}
+
+Result<Answer> linear_equilibrium(const Question& question, const Progress& progress) {
+  const auto model = StaticModel::create(question.mesh, question.youngs_kPa, question.scenario.supports,
+                                         options_of(question.scenario), progress.part(0.0, 0.9));
   if (!model) return failure(model.error());
   progress.report(0.9, GLISSON_TEXT("Solving"));
-  auto result = model->solve(scenario.loads);
+  auto result = model->solve(question.scenario.loads);
   if (!result) return failure(std::move(result.error()));
-  auto landmarks_mm = model->displacement_at(*result, places);
+  auto landmarks_mm = model->displacement_at(*result, question.places);
   auto von_mises_kPa = model->von_mises_kPa(*result);
   return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}, {}, {}};
 }
 
-Result<Answer> large_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                 const Scenario& scenario, const Places& places, const Progress& progress) {
-  const auto prepared = material_body(mesh, std::move(youngs_kPa), scenario);
-  if (!prepared) return failure(prepared.error());
-  auto result = find_equilibrium(prepared->body, prepared->materials, scenario.loads, {}, progress);
-  if (!result) return failure(std::move(result.error()));
-  return answer_of(*prepared, std::move(*result), places);
-}
-
-// NOLINTNEXTLINE(performance-unnecessary-value-param): one signature for all engines
-Result<Answer> meshfree_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                    const Scenario& scenario, const Places& places, const Progress& progress) {
-  const auto model =
-      MeshfreeModel::create(mesh, youngs_kPa, scenario.supports, {scenario.material, scenario.strain_stiffening},
-                            options_of(scenario), scenario.meshfree, scenario.cuts, progress.part(0.0, 0.8));
-  if (!model) return failure(model.error());
-  auto result = model->solve(scenario.loads, {}, progress.part(0.8, 1.0));
-  if (!result) return failure(std::move(result.error()));
-  auto landmarks_mm = model->displacement_at(*result, places);
-  auto von_mises_kPa = model->von_mises_kPa(*result);
-  return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}, {}, {}};
-}
-
-Result<Answer> equilibrium_from_data(const geometry::TetMesh& mesh, const MaterialData& data, const Scenario& scenario,
-                                     const Places& places, const Progress& progress) {
+Result<Answer> equilibrium_from_data(const Question& question, const MaterialData& data, const Progress& progress) {
+  const Scenario& scenario = question.scenario;
   if (scenario.engine != Engine::fem || scenario.motion || scenario.capsule || has_ligaments(scenario) ||
       !scenario.tools.empty()) {
     return failure(
@@ -294,15 +279,14 @@ Result<Answer> equilibrium_from_data(const geometry::TetMesh& mesh, const Materi
         GLISSON_TEXT("Straight from data there are equilibria by finite elements: without a motion, a capsule, "
                      "ligaments, tools or the meshfree engine."));
   }
-  auto found =
-      find_equilibrium_from_data(mesh, data, scenario.supports, scenario.loads, scenario.density_kg_mm3, {}, progress);
+  auto found = find_equilibrium_from_data(question.mesh, data, scenario.supports, scenario.loads,
+                                          scenario.density_kg_mm3, {}, progress);
   if (!found) return failure(std::move(found.error()));
   StaticOptions options = options_of(scenario);
   options.order = ElementOrder::quadratic;
-  const auto body = prepare_body(mesh, std::vector<double>(mesh.cells.size(), data.slope_kPa()), scenario.supports,
-                                 options, Holding::required);
+  const auto body = prepare_body(question.mesh, question.youngs_kPa, scenario.supports, options, Holding::required);
   if (!body) return failure(body.error());
-  auto landmarks_mm = displacement_at(*body, found->result, places);
+  auto landmarks_mm = displacement_at(*body, found->result, question.places);
   return Answer{std::move(found->result), std::move(landmarks_mm), std::move(found->von_mises_kPa), {}, {}, {}};
 }
 

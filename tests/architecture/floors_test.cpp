@@ -30,7 +30,8 @@ const std::map<std::string, int> floor_of = {
 
 // Rooms with folders inside: a folder includes only those that stand before it. What lies in no folder comes last.
 const std::map<std::string, std::vector<std::string>> folders_of = {
-    {"mechanics", {"materials", "scenario", "elements", "solvers", "statics", "contact", "dynamics", "meshfree", ""}},
+    {"mechanics",
+     {"materials", "scenario", "elements", "solvers", "potentials", "statics", "contact", "dynamics", "meshfree", ""}},
     {"closedloop", {"experiment", "inference", "palpation", "material", "hardware", ""}},
 };
 

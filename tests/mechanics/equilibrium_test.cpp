@@ -1,4 +1,4 @@
-// Large deformation: energies, forces and tangents of whole bodies, and equilibria whose answers are known.
+// Large deformation: bodies that turn, and equilibria whose answers are known.
 
 #include "mechanics/statics/equilibrium.h"
 
@@ -15,7 +15,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using testing::HasSubstr;
 
-constexpr MaterialLaw all_laws[] = {MaterialLaw::linear, MaterialLaw::corotational, MaterialLaw::neo_hookean};
 constexpr MaterialLaw large_laws[] = {MaterialLaw::corotational, MaterialLaw::neo_hookean};
 
 StaticOptions with(double poisson_ratio, ElementOrder order) {
@@ -48,36 +47,6 @@ VectorXd force_on_end(const Body& body, double length_mm, const Vector3d& force_
     if (at_end(face)) add_traction(face, force_mN / area_mm2, nodal_mN);
   }
   return nodal_mN;
-}
-
-VectorXd wavy(const Body& body, double amount_mm) {
-  VectorXd u(3 * body.layout.nodes());
-  for (Eigen::Index i = 0; i < u.size(); ++i) u[i] = amount_mm * std::sin(1.3 * double(i) + 0.4);
-  return u;
-}
-
-TEST(LargeDeformation, ForceIsTheSlopeOfEnergyAndTangentTheSlopeOfForceOnWholeBodies) {
-  for (const ElementOrder order : {ElementOrder::linear, ElementOrder::quadratic}) {
-    auto mesh = beam(3, 2, 2, {6, 4, 4});
-    test::disturb_inner_points(mesh, 0.2);
-    const Body body = body_of(mesh, 6, 0.4, order);
-    const VectorXd u = wavy(body, 0.1), direction = wavy(body, 1.0).reverse();
-    for (const MaterialLaw law : all_laws) {
-      const auto materials = materials_of(body, law);
-      const double step = 1e-5;
-      const VectorXd force = internal_force_mN(body, materials, u);
-      const double slope = (strain_energy_uJ(body, materials, u + step * direction) -
-                            strain_energy_uJ(body, materials, u - step * direction)) /
-                           (2 * step);
-      EXPECT_NEAR(slope, force.dot(direction), 1e-6 * std::abs(slope));
-      const VectorXd change = (internal_force_mN(body, materials, u + step * direction) -
-                               internal_force_mN(body, materials, u - step * direction)) /
-                              (2 * step);
-      const Eigen::SparseMatrix<double> lower = tangent_stiffness(body, materials, u, Tangent::exact);
-      const VectorXd product = lower.selfadjointView<Eigen::Lower>() * direction;
-      EXPECT_LT((product - change).norm(), 1e-6 * change.norm());
-    }
-  }
 }
 
 TEST(LargeDeformation, ABodyTurnedAndMovedResistsNothing) {

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "mechanics/bodies.h"
-#include "mechanics/elements/stiffness_matrix.h"
 #include "mechanics/meshfree/compliance_distance.h"
 #include "mechanics/meshfree/internal/meshfree_body.h"
+#include "mechanics/potentials/stiffness_matrix.h"
 
 namespace glisson::mechanics {
 namespace {

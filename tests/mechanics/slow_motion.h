@@ -5,8 +5,8 @@
 #include <Eigen/SparseCholesky>
 
 #include "mechanics/dynamics/implicit_euler.h"
-#include "mechanics/elements/internal_forces.h"
 #include "mechanics/elements/shape_functions.h"
+#include "mechanics/potentials/elastic.h"
 
 namespace glisson::mechanics::test {
 

@@ -3,8 +3,10 @@
 #include <utility>
 
 #include "base/stopwatch.h"
-#include "mechanics/dynamics/internal/incremental_potential.h"
+#include "mechanics/contact/internal/augmented_lagrangian.h"
+#include "mechanics/dynamics/internal/implicit_step.h"
 #include "mechanics/elements/strain.h"
+#include "mechanics/potentials/elastic.h"
 #include "mechanics/solvers/internal/newton.h"
 
 namespace glisson::mechanics {
@@ -27,29 +29,45 @@ Result<NewtonImplicitEuler> NewtonImplicitEuler::create(Body body, std::vector<M
 }
 
 Result<StepReport> NewtonImplicitEuler::step(const Progress& progress) {
-  return step(loads_, [&](const Potential& potential, double scale_mN, const VectorXd& from_mm) {
-    return minimise(potential, body_.resolved.fixed, scale_mN, from_mm,
-                    {options_.relative_tolerance, options_.max_iterations, body_.options.memory_limit_bytes}, progress);
-  });
+  const Stopwatch watch;
+  const ImplicitStep step(body_, materials_, loads_, options_, mass_kg_, u_mm_, v_mm_s_);
+  const auto found =
+      minimise(step.potential(), body_.resolved.fixed, step.scale_mN(), u_mm_,
+               {options_.relative_tolerance, options_.max_iterations, body_.options.memory_limit_bytes}, progress);
+  if (!found) return failure(found.error());
+  StepReport report = moved_to(found->u_mm, {found->converged, found->relative_residual, found->steps});
+  report.step_ms = 1e3 * watch.seconds();
+  return report;
 }
 
-Result<StepReport> NewtonImplicitEuler::step(const AppliedLoads& loads, const Settle& settle) {
+Result<StepReport> NewtonImplicitEuler::step(const AppliedLoads& loads, const RestUnder& rest_under,
+                                             const Progress& progress) {
   const Stopwatch watch;
-  const IncrementalPotential potential(body_, materials_, loads, options_, mass_kg_, u_mm_, v_mm_s_);
-  auto descent = settle(potential, potential.scale_mN(), u_mm_);
-  if (!descent) return failure(std::move(descent.error()));
-  StepReport report;
-  report.converged = descent->converged && descent->u_mm.allFinite();
-  report.relative_residual = descent->relative_residual;
-  report.iterations = descent->steps;
+  const ImplicitStep step(body_, materials_, loads, options_, mass_kg_, u_mm_, v_mm_s_);
+  Minimum minimum{u_mm_};
+  const auto rested =
+      rest_under({step.potential(),
+                  step.scale_mN(),
+                  NodalUnknowns(body_),
+                  minimum,
+                  {options_.relative_tolerance, options_.max_iterations, body_.options.memory_limit_bytes},
+                  progress});
+  if (!rested) return failure(rested.error());
+  StepReport report = moved_to(minimum.x_mm, {*rested, minimum.relative_residual, minimum.newton_steps});
+  report.step_ms = 1e3 * watch.seconds();
+  return report;
+}
+
+// With what the body is after it.
+StepReport NewtonImplicitEuler::moved_to(const VectorXd& u_mm, StepReport report) {
+  report.converged = report.converged && u_mm.allFinite();
   if (report.converged) {
-    v_mm_s_ = (descent->u_mm - u_mm_) / options_.step_s;
-    u_mm_ = std::move(descent->u_mm);
+    v_mm_s_ = (u_mm - u_mm_) / options_.step_s;
+    u_mm_ = u_mm;
   }
   report.inverted_cells = strain_range(body_.mesh, body_.layout, u_mm_, StrainMeasure::stretch).inverted_cells;
   report.strain_energy_uJ = strain_energy_uJ(body_, materials_, u_mm_);
   report.kinetic_energy_uJ = 0.5 * v_mm_s_.dot(mass_kg_ * v_mm_s_);
-  report.step_ms = 1e3 * watch.seconds();
   return report;
 }
 

@@ -6,7 +6,7 @@
 // A step h from u_n, v_n is the minimum of an energy (e.g. Gast et al. 2015, Optimization Integrator for Large Time
 // Steps):
 //   E(u) - f.u + |u - u_n - h v_n|^2_M / (2 h^2) + alpha |u - u_n|^2_M / (2 h) + beta |u - u_n|^2_K / (2 h),
-// E with the surroundings (boundary_potential.h), M lumped at the nodes, K the positive part of the tangent at u_n;
+// E with what is around the body (total_potential.h), M lumped at the nodes, K the positive part of the tangent at u_n;
 // then v = (u - u_n) / h.
 //
 // Lengths mm, velocities mm/s, forces mN; values of nodes are 3 a node, in the order of NodeLayout.
@@ -25,8 +25,7 @@
 
 namespace glisson::mechanics {
 
-class Potential;
-struct NewtonResult;
+struct BodyProblem;
 
 class NewtonImplicitEuler {
  public:
@@ -39,11 +38,10 @@ class NewtonImplicitEuler {
   // moves nothing. Failures: "too-large", "factorisation-failed", "cancelled".
   Result<StepReport> step(const Progress& progress = {});
 
-  // The same where more stands in the body's way: `settle` finds the minimum of the step with it, from where the body
-  // is. `scale_mN` is what residuals of the step alone are measured by.
-  using Settle =
-      std::function<Result<NewtonResult>(const Potential& step, double scale_mN, const Eigen::VectorXd& from_mm)>;
-  Result<StepReport> step(const AppliedLoads& loads, const Settle& settle);
+  // The same where tools press: `rest_under` brings the body to the step's minimum with them
+  // (augmented_lagrangian.h). Failures: those of `rest_under`.
+  using RestUnder = std::function<Result<bool>(const BodyProblem& problem)>;
+  Result<StepReport> step(const AppliedLoads& loads, const RestUnder& rest_under, const Progress& progress = {});
 
   void set_velocity(const Eigen::VectorXd& velocity_mm_s);
   [[nodiscard]] const Eigen::VectorXd& displacement_mm() const { return u_mm_; }
@@ -52,6 +50,7 @@ class NewtonImplicitEuler {
 
  private:
   NewtonImplicitEuler() = default;
+  [[nodiscard]] StepReport moved_to(const Eigen::VectorXd& u_mm, StepReport report);
 
   Body body_;
   std::vector<Material> materials_;

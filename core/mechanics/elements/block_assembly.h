@@ -64,16 +64,12 @@ class BlockSink {
 
 void add_foundation(const BoundaryFace& face, const FoundationFace& spring, ElementOrder order, const BlockSink& sink);
 
-// The lower triangle of the sum over cells, and of what `add_more(BlockSink)` adds to it. `column_of_cell(cell, b)`
-// gives a function of a: the 3x3 block of the cell's local nodes a (row) and b (column), integrated over the cell. The
-// result does not depend on the number of threads: each column is summed by one thread, in the order of the cells.
-template <typename ColumnOfCell, typename AddMore>
-Eigen::SparseMatrix<double> assemble_blocks(const NodeLayout& layout, const ColumnOfCell& column_of_cell,
-                                            const AddMore& add_more) {
-  const Lists cells_of_node = cells_of_nodes(layout);
-  const BlockPattern pattern = pattern_of(layout, cells_of_node);
-  Eigen::SparseMatrix<double> matrix = empty_matrix(pattern, layout.nodes());
-  double* values = matrix.valuePtr();
+// Adds a sum over cells to the values of a matrix with that pattern. `column_of_cell(cell, b)` gives a function of a:
+// the 3x3 block of the cell's local nodes a (row) and b (column), integrated over the cell. The result does not depend
+// on the number of threads: each column is summed by one thread, in the order of the cells.
+template <typename ColumnOfCell>
+void add_columns(const NodeLayout& layout, const Lists& cells_of_node, const BlockPattern& pattern,
+                 const ColumnOfCell& column_of_cell, double* values) {
   const auto add_column = [&](int j) {
     for (const int* cell = cells_of_node.begin(j); cell != cells_of_node.end(j); ++cell) {
       const auto& nodes = layout.cells[*cell];
@@ -92,18 +88,20 @@ Eigen::SparseMatrix<double> assemble_blocks(const NodeLayout& layout, const Colu
   parallel_for(static_cast<std::size_t>(layout.nodes()), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t j = begin; j < end; ++j) add_column(static_cast<int>(j));
   });
-  add_more(BlockSink(pattern, values));
-  return matrix;
 }
 
-// With the springs of foundations.
+// The lower triangle of the sum over cells, with the springs of foundations.
 template <typename ColumnOfCell>
 Eigen::SparseMatrix<double> assemble_blocks(const NodeLayout& layout, const std::vector<BoundaryFace>& boundary,
                                             const std::vector<FoundationFace>& foundations,
                                             const ColumnOfCell& column_of_cell) {
-  return assemble_blocks(layout, column_of_cell, [&](const BlockSink& sink) {
-    for (const FoundationFace& spring : foundations) add_foundation(boundary[spring.face], spring, layout.order, sink);
-  });
+  const Lists cells_of_node = cells_of_nodes(layout);
+  const BlockPattern pattern = pattern_of(layout, cells_of_node);
+  Eigen::SparseMatrix<double> matrix = empty_matrix(pattern, layout.nodes());
+  add_columns(layout, cells_of_node, pattern, column_of_cell, matrix.valuePtr());
+  const BlockSink sink(pattern, matrix.valuePtr());
+  for (const FoundationFace& spring : foundations) add_foundation(boundary[spring.face], spring, layout.order, sink);
+  return matrix;
 }
 
 }  // namespace glisson::mechanics

@@ -18,7 +18,7 @@ Result<Eigen::VectorXd> load_vector(const geometry::TetMesh& mesh, const NodeLay
                                     const std::vector<BoundaryFace>& boundary, double density_kg_mm3,
                                     const Loads& loads);
 
-// The same, apart: what stays as it is, and the pressure of the gas that follows the surface (boundary_potential.h).
+// The same, apart: what stays as it is, and the pressure of the gas that follows the surface (follower_pressure.h).
 struct AppliedLoads {
   Eigen::VectorXd dead_mN;
   double follower_pressure_kPa = 0;

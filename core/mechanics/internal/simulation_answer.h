@@ -6,6 +6,7 @@
 
 #include "mechanics/elements/body.h"
 #include "mechanics/materials/material.h"
+#include "mechanics/scenario/cut.h"
 #include "mechanics/simulation.h"
 #include "mechanics/statics/static_model.h"
 
@@ -21,6 +22,15 @@ struct Answer {
 };
 using Places = std::vector<PointInMesh>;
 
+// A scenario on a mesh that is open along its cuts. What is named must outlive it.
+struct Question {
+  const geometry::TetMesh& mesh;
+  const std::vector<double>& youngs_kPa;  // one a cell
+  const Scenario& scenario;
+  const Places& places;                      // of the landmarks
+  std::vector<OpenedBody::Wall> walls = {};  // of cuts, to be kept apart
+};
+
 [[nodiscard]] bool has_ligaments(const Scenario& scenario);
 [[nodiscard]] StaticOptions options_of(const Scenario& scenario);
 
@@ -30,34 +40,23 @@ struct MaterialBody {
   std::vector<Material> materials;
   double setup_s = 0;
 };
-Result<MaterialBody> material_body(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                   const Scenario& scenario);
+Result<MaterialBody> material_body(const Question& question);
 [[nodiscard]] Answer answer_of(const MaterialBody& prepared, StaticResult result, const Places& places);
 
 // All tools' ways gone to a part. And the radius of the thinnest rod of any, 10 at most.
 [[nodiscard]] std::vector<ContactTool> tools_at(const std::vector<ScenarioTool>& tools, double part);
 [[nodiscard]] double thinnest_rod_mm(const std::vector<ScenarioTool>& tools);
 
-// With the scenario's tools.
-Result<Answer> small_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                         const Scenario& scenario, const Places& places, const Progress& progress);
-Result<Answer> large_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                         const Scenario& scenario, const Places& places, const Progress& progress);
-Result<Answer> meshfree_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                            const Scenario& scenario, const Places& places, const Progress& progress);
-
-// The same by finite elements, tools or none, with the walls of the scenario's cuts kept apart.
-Result<Answer> small_equilibrium_of_walls(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                          const Scenario& scenario, const Places& places,
-                                          const std::vector<OpenedBody::Wall>& walls, const Progress& progress);
-Result<Answer> large_equilibrium_of_walls(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                          const Scenario& scenario, const Places& places,
-                                          const std::vector<OpenedBody::Wall>& walls, const Progress& progress);
+// By finite elements and the kept factor, with the scenario's tools and the walls. Material, supports and tools must be
+// such that forces answer linearly.
+Result<Answer> linear_contact_equilibrium(const Question& question, const Progress& progress);
+// At large deformation, of any material: the minimum of the potential energy, with tools and walls or without.
+Result<Answer> nonlinear_equilibrium(const Question& question, const Progress& progress);
+// The same over the handles of the meshfree engine, of linear materials too; without walls.
+Result<Answer> meshfree_equilibrium(const Question& question, const Progress& progress);
 
 // From rest, under loads that are there from the first moment.
-Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa, const Scenario& scenario,
-                             const Places& places, const Progress& progress);
-Result<Answer> end_of_meshfree_motion(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                      const Scenario& scenario, const Places& places, const Progress& progress);
+Result<Answer> end_of_motion(const Question& question, const Progress& progress);
+Result<Answer> end_of_meshfree_motion(const Question& question, const Progress& progress);
 
 }  // namespace glisson::mechanics

@@ -1,4 +1,4 @@
-// A scenario's equilibrium with tools in contact, at small and at large deformation.
+// A scenario's equilibrium: with tools in contact by the kept factor, and at large deformation with and without them.
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -7,10 +7,10 @@
 #include "base/stopwatch.h"
 #include "mechanics/contact/contact.h"
 #include "mechanics/contact/large_contact.h"
-#include "mechanics/elements/internal_forces.h"
 #include "mechanics/internal/simulation_answer.h"
 #include "mechanics/meshfree/internal/meshfree_body.h"
 #include "mechanics/meshfree/meshfree_contact.h"
+#include "mechanics/potentials/elastic.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -20,16 +20,10 @@ std::vector<std::vector<ContactTool>> stations_of(const std::vector<ScenarioTool
 
 }  // namespace
 
-Result<Answer> small_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                         const Scenario& scenario, const Places& places, const Progress& progress) {
-  return small_equilibrium_of_walls(mesh, std::move(youngs_kPa), scenario, places, {}, progress);
-}
-
-Result<Answer> small_equilibrium_of_walls(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                          const Scenario& scenario, const Places& places,
-                                          const std::vector<OpenedBody::Wall>& walls, const Progress& progress) {
-  auto model = StaticModel::create(mesh, std::move(youngs_kPa), scenario.supports, options_of(scenario),
-                                   progress.part(0.0, 0.5), points_on(walls));
+Result<Answer> linear_contact_equilibrium(const Question& question, const Progress& progress) {
+  const auto& [mesh, youngs_kPa, scenario, places, walls] = question;
+  auto model = StaticModel::create(mesh, youngs_kPa, scenario.supports, options_of(scenario), progress.part(0.0, 0.5),
+                                   points_on(walls));
   if (!model) return failure(std::move(model.error()));
   const Stopwatch watch;
   const auto body = ContactBody::create(std::move(*model), scenario.loads, places);
@@ -63,47 +57,55 @@ Result<Answer> small_equilibrium_of_walls(const geometry::TetMesh& mesh, std::ve
                 state.report};
 }
 
-Result<Answer> large_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                         const Scenario& scenario, const Places& places, const Progress& progress) {
-  return large_equilibrium_of_walls(mesh, std::move(youngs_kPa), scenario, places, {}, progress);
-}
-
-Result<Answer> large_equilibrium_of_walls(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                          const Scenario& scenario, const Places& places,
-                                          const std::vector<OpenedBody::Wall>& walls, const Progress& progress) {
-  const auto prepared = material_body(mesh, std::move(youngs_kPa), scenario);
+Result<Answer> nonlinear_equilibrium(const Question& question, const Progress& progress) {
+  const Scenario& scenario = question.scenario;
+  const auto prepared = material_body(question);
   if (!prepared) return failure(prepared.error());
   const Body& body = prepared->body;
   const std::vector<Material>& materials = prepared->materials;
   const auto loads = applied_loads(body, scenario.loads, gas_on(materials));
   if (!loads) return failure(loads.error());
+  if (scenario.tools.empty() && question.walls.empty()) {
+    auto result = find_equilibrium(body, materials, *loads, {}, progress);
+    if (!result) return failure(std::move(result.error()));
+    return answer_of(*prepared, std::move(*result), question.places);
+  }
   constexpr int fewest_stations_of_walls = 4;
-  const auto stations = stations_of(scenario.tools, walls.empty() ? 1 : fewest_stations_of_walls);
-  auto contact = find_equilibrium_in_contact(body, materials, *loads, stations, {}, progress, walls);
+  const auto stations = stations_of(scenario.tools, question.walls.empty() ? 1 : fewest_stations_of_walls);
+  auto contact = find_equilibrium_in_contact(body, materials, *loads, stations, {}, progress, question.walls);
   if (!contact) return failure(std::move(contact.error()));
-  Answer answer = answer_of(*prepared, std::move(contact->result), places);
+  Answer answer = answer_of(*prepared, std::move(contact->result), question.places);
   answer.tools = std::move(contact->tools);
   answer.contact = contact->report;
   return answer;
 }
 
-// NOLINTNEXTLINE(performance-unnecessary-value-param): one signature for all engines
-Result<Answer> meshfree_contact_equilibrium(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                            const Scenario& scenario, const Places& places, const Progress& progress) {
-  const auto model =
-      MeshfreeModel::create(mesh, youngs_kPa, scenario.supports, {scenario.material, scenario.strain_stiffening},
-                            options_of(scenario), scenario.meshfree, scenario.cuts, progress.part(0.0, 0.5));
+Result<Answer> meshfree_equilibrium(const Question& question, const Progress& progress) {
+  const Scenario& scenario = question.scenario;
+  const auto model = MeshfreeModel::create(question.mesh, question.youngs_kPa, scenario.supports,
+                                           {scenario.material, scenario.strain_stiffening}, options_of(scenario),
+                                           scenario.meshfree, scenario.cuts, progress.part(0.0, 0.7));
   if (!model) return failure(model.error());
-  const MeshfreeBody& frames = model->body();
-  const auto loads = applied_loads(frames.body, scenario.loads, gas_on(frames.materials));
-  if (!loads) return failure(loads.error());
-  auto contact = find_equilibrium_in_contact(*model, *loads, stations_of(scenario.tools), {}, progress.part(0.5, 1.0));
-  if (!contact) return failure(std::move(contact.error()));
-  contact->result.setup_s = model->cost().setup_s;
-  auto landmarks_mm = model->displacement_at(contact->result, places);
-  auto von_mises_kPa = model->von_mises_kPa(contact->result);
-  return Answer{std::move(contact->result), std::move(landmarks_mm), std::move(von_mises_kPa), {},
-                std::move(contact->tools),  contact->report};
+  Answer answer;
+  if (scenario.tools.empty()) {
+    auto result = model->solve(scenario.loads, {}, progress.part(0.7, 1.0));
+    if (!result) return failure(std::move(result.error()));
+    answer.result = std::move(*result);
+  } else {
+    const MeshfreeBody& handles = model->body();
+    const auto loads = applied_loads(handles.body, scenario.loads, gas_on(handles.materials));
+    if (!loads) return failure(loads.error());
+    auto contact =
+        find_equilibrium_in_contact(*model, *loads, stations_of(scenario.tools), {}, progress.part(0.7, 1.0));
+    if (!contact) return failure(std::move(contact.error()));
+    answer.result = std::move(contact->result);
+    answer.result.setup_s = model->cost().setup_s;
+    answer.tools = std::move(contact->tools);
+    answer.contact = contact->report;
+  }
+  answer.landmark_displacements_mm = model->displacement_at(answer.result, question.places);
+  answer.von_mises_kPa = model->von_mises_kPa(answer.result);
+  return answer;
 }
 
 // All tools go together, in steps in which none passes the surface by.

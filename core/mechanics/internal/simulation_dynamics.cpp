@@ -9,10 +9,10 @@
 #include "mechanics/contact/internal/augmented_lagrangian.h"
 #include "mechanics/dynamics/newton_implicit_euler.h"
 #include "mechanics/elements/body.h"
-#include "mechanics/elements/internal_forces.h"
 #include "mechanics/internal/simulation_answer.h"
 #include "mechanics/meshfree/internal/meshfree_dynamics.h"
 #include "mechanics/meshfree/meshfree_contact.h"
+#include "mechanics/potentials/elastic.h"
 #include "mechanics/statics/displacements.h"
 #include "mechanics/statics/equilibrium.h"
 
@@ -48,19 +48,15 @@ Result<Answer> follow(const Mover& mover, const Body& body, const std::vector<Ma
                       const AppliedLoads& loads, const Scenario& scenario, double setup_s, const Places& places,
                       const Progress& progress);
 DynamicsOptions options_of(const Motion& motion);
-Result<NewtonResult> touched_step(const NewtonImplicitEuler& motion, AugmentedLagrangian& lagrangian,
-                                  const std::vector<ContactTool>& tools, const Potential& step, double scale_mN,
-                                  const Eigen::VectorXd& from_mm, const DynamicsOptions& options,
-                                  const Progress& progress);
 
 }  // namespace
 
-Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa, const Scenario& scenario,
-                             const Places& places, const Progress& progress) {
+Result<Answer> end_of_motion(const Question& question, const Progress& progress) {
+  const Scenario& scenario = question.scenario;
   const Stopwatch setting_up;
   StaticOptions options = options_of(scenario);
   options.order = ElementOrder::linear;  // the cells that both movers move
-  const auto body = prepare_body(mesh, std::move(youngs_kPa), scenario.supports, options, Holding::optional);
+  const auto body = prepare_body(question.mesh, question.youngs_kPa, scenario.supports, options, Holding::optional);
   if (!body) return failure(body.error());
   const std::vector<Material> materials = materials_of(*body, scenario.material, scenario.strain_stiffening);
   const auto loads = applied_loads(*body, scenario.loads, gas_on(materials));
@@ -84,10 +80,9 @@ Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> 
     lagrangian = std::move(*placed);
     mover = {[&]() -> Result<StepReport> {
                tools = tools_at(scenario.tools, double(++done) / scenario.motion->steps);
-               return newton->step(lagrangian->with_pulls(*loads, tools), [&](const Potential& step, double scale_mN,
-                                                                              const Eigen::VectorXd& from_mm) {
-                 return touched_step(*newton, *lagrangian, tools, step, scale_mN, from_mm, motion_options, progress);
-               });
+               return newton->step(
+                   lagrangian->with_pulls(*loads, tools),
+                   [&](const BodyProblem& problem) { return lagrangian->equilibrate(tools, problem); }, progress);
              },
              [&] { return newton->displacement_mm(); },
              [&] { return newton->velocity_mm_s(); },
@@ -118,15 +113,15 @@ Result<Answer> end_of_motion(const geometry::TetMesh& mesh, std::vector<double> 
              {},
              {}};
   }
-  return follow(mover, *body, materials, *loads, scenario, setting_up.seconds(), places, progress);
+  return follow(mover, *body, materials, *loads, scenario, setting_up.seconds(), question.places, progress);
 }
 
-Result<Answer> end_of_meshfree_motion(const geometry::TetMesh& mesh, std::vector<double> youngs_kPa,
-                                      const Scenario& scenario, const Places& places, const Progress& progress) {
+Result<Answer> end_of_meshfree_motion(const Question& question, const Progress& progress) {
+  const Scenario& scenario = question.scenario;
   const Stopwatch setting_up;
-  auto frames =
-      prepare_meshfree_body(mesh, youngs_kPa, scenario.supports, {scenario.material, scenario.strain_stiffening},
-                            options_of(scenario), scenario.meshfree, scenario.cuts, Holding::optional, progress);
+  auto frames = prepare_meshfree_body(question.mesh, question.youngs_kPa, scenario.supports,
+                                      {scenario.material, scenario.strain_stiffening}, options_of(scenario),
+                                      scenario.meshfree, scenario.cuts, Holding::optional, progress);
   if (!frames) return failure(std::move(frames.error()));
   const std::vector<Material> materials = frames->materials;
   const auto loads = applied_loads(frames->body, scenario.loads, gas_on(materials));
@@ -157,7 +152,7 @@ Result<Answer> end_of_meshfree_motion(const geometry::TetMesh& mesh, std::vector
     };
     press(mover, *lagrangian, tools, *loads);
   }
-  return follow(mover, moving->body(), materials, *loads, scenario, setting_up.seconds(), places, progress);
+  return follow(mover, moving->body(), materials, *loads, scenario, setting_up.seconds(), question.places, progress);
 }
 
 namespace {
@@ -175,25 +170,6 @@ void press(Mover& mover, const AugmentedLagrangian& lagrangian, const std::vecto
     return (lagrangian.force_mN() + lagrangian.with_pulls({none}, tools).dead_mN).eval();
   };
   mover.contacts = [&] { return std::pair(lagrangian.contacts(tools), lagrangian.report()); };
-}
-
-// One step with what the tools add to it.
-Result<NewtonResult> touched_step(const NewtonImplicitEuler& motion, AugmentedLagrangian& lagrangian,
-                                  const std::vector<ContactTool>& tools, const Potential& step, double scale_mN,
-                                  const Eigen::VectorXd& from_mm, const DynamicsOptions& options,
-                                  const Progress& progress) {
-  int newton_steps = 0;
-  const auto settle = [&](const Potential& with_tools, double scale_of_all_mN, const Eigen::VectorXd& start_mm) {
-    auto descent = minimise(
-        with_tools, motion.body().resolved.fixed, scale_of_all_mN, start_mm,
-        {options.relative_tolerance, options.max_iterations, motion.body().options.memory_limit_bytes}, progress);
-    if (descent) newton_steps += descent->steps;
-    return descent;
-  };
-  GLISSON_ASSERT(from_mm.size() == lagrangian.displacement_mm().size());
-  const auto rested = lagrangian.equilibrate(tools, {step, scale_mN, settle});
-  if (!rested) return failure(rested.error());
-  return NewtonResult{lagrangian.displacement_mm(), lagrangian.report().relative_residual, newton_steps, *rested};
 }
 
 Result<void> check_speed(const Scenario& scenario) {

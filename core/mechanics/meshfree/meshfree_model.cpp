@@ -4,13 +4,11 @@
 #include <cmath>
 
 #include "base/stopwatch.h"
-#include "mechanics/elements/boundary_potential.h"
 #include "mechanics/elements/load_vector.h"
 #include "mechanics/elements/strain.h"
 #include "mechanics/meshfree/internal/meshfree_body.h"
 #include "mechanics/meshfree/internal/reduced_potential.h"
 #include "mechanics/meshfree/internal/reduced_solver.h"
-#include "mechanics/solvers/internal/newton.h"
 #include "mechanics/statics/displacements.h"
 
 namespace glisson::mechanics {
@@ -26,14 +24,6 @@ namespace {
 // Conjugate gradients go this far where they go without a factor; 200, the dissertation's limit, is for steps in time.
 constexpr int most_iterations = 5000;
 
-struct CarriedLoad {
-  Eigen::VectorXd q_mm;
-  double share = 0;
-  double relative_residual = 0;
-  int steps = 0;
-};
-Result<CarriedLoad> carry(const MeshfreeBody& handles, const AppliedLoads& loads, const NewtonOptions& options,
-                          const Progress& progress);
 StaticResult result_of(const MeshfreeBody& handles, const Eigen::VectorXd& q_mm, const AppliedLoads& loads);
 
 }  // namespace
@@ -82,10 +72,10 @@ Result<StaticResult> MeshfreeModel::solve(const AppliedLoads& loads, const Newto
         "The relative residual {:.1e} is {} the tolerance {:.1e} after {} conjugate gradients.",
         solution.relative_residual, solution.converged ? "within" : "above", tolerance, solution.iterations);
   } else {
-    const auto carried = carry(handles, loads, options, progress);
+    const auto carried = carry_load(HandleUnknowns(handles), handles.body, handles.materials, loads, options, progress);
     if (!carried) return failure(carried.error());
     const double share = carried->share;
-    result = result_of(handles, carried->q_mm, {share * loads.dead_mN, share * loads.follower_pressure_kPa});
+    result = result_of(handles, carried->x_mm, share_of(loads, share));
     result.status = share == 1.0 ? SolveStatus::converged : SolveStatus::not_converged;
     result.relative_residual = carried->relative_residual;
     result.iterations = carried->steps;
@@ -122,35 +112,6 @@ MeshfreeModel::Cost MeshfreeModel::cost() const {
 }
 
 namespace {
-
-// All of the load at once, or in smaller parts where that does not converge (as in equilibrium.cpp).
-Result<CarriedLoad> carry(const MeshfreeBody& handles, const AppliedLoads& loads, const NewtonOptions& options,
-                          const Progress& progress) {
-  const MinimiseOptions descent_options{options.relative_tolerance, options.max_steps,
-                                        handles.body.options.memory_limit_bytes};
-  const std::vector<std::uint8_t> nothing_held(static_cast<std::size_t>(handles.basis->unknowns()), 0);
-  CarriedLoad carried;
-  carried.q_mm.setZero(handles.basis->unknowns());
-  double part = 1.0;
-  for (int halvings = 0; carried.share < 1.0 && halvings <= options.max_halvings;) {
-    progress.report(carried.share, GLISSON_TEXT("Looking for the equilibrium"));
-    const double next = std::min(1.0, carried.share + part);
-    const ElasticPotential of_places(handles.body, handles.materials, loads, next);
-    const ReducedPotential balance(handles, of_places);
-    auto descent = minimise(balance, nothing_held, balance.scale_mN(), carried.q_mm, descent_options, progress);
-    if (!descent) return failure(std::move(descent.error()));
-    carried.steps += descent->steps;
-    carried.relative_residual = descent->relative_residual;
-    if (descent->converged) {
-      carried.q_mm = std::move(descent->u_mm);
-      carried.share = next;
-    } else {
-      part *= 0.5;
-      ++halvings;
-    }
-  }
-  return carried;
-}
 
 StaticResult result_of(const MeshfreeBody& handles, const Eigen::VectorXd& q_mm, const AppliedLoads& loads) {
   const Eigen::VectorXd u_mm = handles.basis->displacement(q_mm);

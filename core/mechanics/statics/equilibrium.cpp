@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "base/stopwatch.h"
-#include "mechanics/elements/boundary_potential.h"
 #include "mechanics/elements/strain.h"
-#include "mechanics/solvers/internal/newton.h"
+#include "mechanics/potentials/ligament.h"
 #include "mechanics/statics/displacements.h"
-#include "mechanics/statics/internal/elastic_potential.h"
+#include "mechanics/statics/internal/unknowns.h"
 #include "mechanics/statics/validity.h"
 
 namespace glisson::mechanics {
+
 Result<StaticResult> find_equilibrium(const Body& body, const std::vector<Material>& materials, const Loads& loads,
                                       const NewtonOptions& options, const Progress& progress) {
   return applied_loads(body, loads, gas_on(materials)).and_then([&](const AppliedLoads& applied) {
@@ -30,43 +30,56 @@ Result<StaticResult> find_equilibrium(const Body& body, const std::vector<Materi
                                       const Progress& progress) {
   GLISSON_ASSERT(materials.size() == body.mesh.cells.size() && loads.dead_mN.size() == 3 * body.layout.nodes());
   const Stopwatch watch;
-  const MinimiseOptions descent_options{options.relative_tolerance, options.max_steps, body.options.memory_limit_bytes};
-  Eigen::VectorXd u_mm = Eigen::VectorXd::Zero(loads.dead_mN.size());
-  double carried = 0.0, part = 1.0, relative_residual = 0.0;
-  int steps = 0, halvings = 0;
-  while (carried < 1.0 && halvings <= options.max_halvings) {
-    progress.report(carried, GLISSON_TEXT("Looking for the equilibrium"));
-    const double next = std::min(1.0, carried + part);
-    const ElasticPotential balance(body, materials, loads, next);
-    auto descent = minimise(balance, body.resolved.fixed, balance.scale_mN(), u_mm, descent_options, progress);
-    if (!descent) return failure(std::move(descent.error()));
-    steps += descent->steps;
-    relative_residual = descent->relative_residual;
-    if (descent->converged) {
-      u_mm = std::move(descent->u_mm);
-      carried = next;
+  const auto carried = carry_load(NodalUnknowns(body), body, materials, loads, options, progress);
+  if (!carried) return failure(carried.error());
+  StaticResult result = state_of(body, materials, carried->x_mm, share_of(loads, carried->share),
+                                 Eigen::VectorXd::Zero(carried->x_mm.size()));
+  const bool whole = carried->share == 1.0;
+  result.status = whole ? SolveStatus::converged : SolveStatus::not_converged;
+  result.relative_residual = carried->relative_residual;
+  result.iterations = carried->steps;
+  result.why_stopped =
+      whole ? fmt::format("The relative residual {:.1e} is within the tolerance {:.1e}.", carried->relative_residual,
+                          options.relative_tolerance)
+            : fmt::format(
+                  "Beyond {:.1f} % of the load no equilibrium was found within {} Newton steps: the relative "
+                  "residual stayed at {:.1e}, above the tolerance {:.1e}.",
+                  100.0 * carried->share, options.max_steps, carried->relative_residual, options.relative_tolerance);
+  result.step_ms = 1e3 * watch.seconds();
+  return result;
+}
+
+Result<CarriedLoad> carry_load(const Unknowns& unknowns, const Body& body, const std::vector<Material>& materials,
+                               const AppliedLoads& loads, const NewtonOptions& options, const Progress& progress) {
+  const MinimiseOptions newton{options.relative_tolerance, options.max_steps, body.options.memory_limit_bytes};
+  const Eigen::VectorXd rest_mm = Eigen::VectorXd::Zero(loads.dead_mN.size());
+  CarriedLoad carried{unknowns.at_rest()};
+  double part = 1.0;
+  for (int halvings = 0; carried.share < 1.0 && halvings <= options.max_halvings;) {
+    progress.report(carried.share, GLISSON_TEXT("Looking for the equilibrium"));
+    const double next = std::min(1.0, carried.share + part);
+    const AppliedLoads now = share_of(loads, next);
+    // At rest ligaments and capsule pull at nothing: what is left is the load.
+    const double scale_mN = unknowns.size_mN(force_mN(boundary_and_loads(body, now), rest_mm));
+    const TotalPotential potential(body, static_potentials(body, materials, now));
+    auto found = unknowns.minimum_of(potential, scale_mN, carried.x_mm, newton, progress);
+    if (!found) return failure(std::move(found.error()));
+    carried.steps += found->steps;
+    carried.relative_residual = found->relative_residual;
+    if (found->converged) {
+      carried.x_mm = std::move(found->u_mm);
+      carried.share = next;
     } else {
       part *= 0.5;
       ++halvings;
     }
   }
   progress.report(1.0, GLISSON_TEXT("Solved"));
+  return carried;
+}
 
-  StaticResult result =
-      state_of(body, materials, u_mm, {carried * loads.dead_mN, carried * loads.follower_pressure_kPa},
-               Eigen::VectorXd::Zero(u_mm.size()));
-  result.status = carried == 1.0 ? SolveStatus::converged : SolveStatus::not_converged;
-  result.relative_residual = relative_residual;
-  result.iterations = steps;
-  result.why_stopped =
-      carried == 1.0 ? fmt::format("The relative residual {:.1e} is within the tolerance {:.1e}.", relative_residual,
-                                   options.relative_tolerance)
-                     : fmt::format(
-                           "Beyond {:.1f} % of the load no equilibrium was found within {} Newton steps: the relative "
-                           "residual stayed at {:.1e}, above the tolerance {:.1e}.",
-                           100.0 * carried, options.max_steps, relative_residual, options.relative_tolerance);
-  result.step_ms = 1e3 * watch.seconds();
-  return result;
+AppliedLoads share_of(const AppliedLoads& loads, double share) {
+  return {share * loads.dead_mN, share * loads.follower_pressure_kPa};
 }
 
 Gas gas_on(const std::vector<Material>& materials) {
@@ -77,17 +90,19 @@ StaticResult state_of(const Body& body, const std::vector<Material>& materials, 
                       const AppliedLoads& loads, const Eigen::VectorXd& damping_mN) {
   StaticResult result;
   set_displacements(body, u_mm, result);
-  const Eigen::VectorXd around_mN = boundary_force_mN(body, loads.follower_pressure_kPa, u_mm);
-  const Eigen::VectorXd gas_mN = around_mN - boundary_force_mN(body, 0.0, u_mm);
-  const Eigen::VectorXd foundations_mN = foundation_force_mN(body, u_mm);
+  const Potentials around = boundary_potentials(body, loads.follower_pressure_kPa);
+  const Eigen::VectorXd around_mN = force_mN(around, u_mm);
+  const Eigen::VectorXd gas_mN = around_mN - force_mN(boundary_potentials(body, 0.0), u_mm);
+  Eigen::VectorXd ligaments_mN = Eigen::VectorXd::Zero(u_mm.size());
+  LigamentPotential(body).add_force(u_mm, ligaments_mN);
   const Eigen::VectorXd unbalanced_mN =
       loads.dead_mN + damping_mN + around_mN - internal_force_mN(body, materials, u_mm);
   result.applied_force_mN = sum_of(loads.dead_mN) + sum_of(gas_mN);
   result.fixed_reaction_mN = -sum_of(unbalanced_mN - free_values(body.resolved.fixed, unbalanced_mN));
-  result.foundation_reaction_mN = sum_of(foundations_mN);
-  result.ligament_reaction_mN = sum_of(ligament_force_mN(body, u_mm));
+  result.foundation_reaction_mN = sum_of(foundation_force_mN(body, u_mm));
+  result.ligament_reaction_mN = sum_of(ligaments_mN);
   result.strain_energy_uJ = strain_energy_uJ(body, materials, u_mm);
-  result.foundation_energy_uJ = boundary_energy_uJ(body, loads.follower_pressure_kPa, u_mm);
+  result.foundation_energy_uJ = energy_uJ(around, u_mm);
   result.external_work_uJ = u_mm.dot(loads.dead_mN);
   const StrainMeasure measure =
       std::holds_alternative<SmallStrain>(materials.front()) ? StrainMeasure::small : StrainMeasure::stretch;

@@ -8,8 +8,8 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "mechanics/elements/body.h"
-#include "mechanics/elements/internal_forces.h"
 #include "mechanics/elements/load_vector.h"
+#include "mechanics/potentials/elastic.h"
 #include "mechanics/statics/static_result.h"
 
 namespace glisson::mechanics {

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "mechanics/elements/shape_functions.h"
-#include "mechanics/elements/stiffness_matrix.h"
+#include "mechanics/potentials/stiffness_matrix.h"
 
 namespace glisson::closedloop {
 namespace {

@@ -5,6 +5,10 @@
 #include <Eigen/Geometry>
 #include <limits>
 
+#include "mechanics/contact/internal/cut_contact_potential.h"
+#include "mechanics/contact/internal/grasp_potential.h"
+#include "mechanics/contact/internal/tool_contact_potential.h"
+
 namespace glisson::mechanics {
 namespace {
 
@@ -14,124 +18,6 @@ using Eigen::VectorXd;
 
 // A penetration that nobody can see: where all forces are smaller than it makes, there is nothing left to solve.
 constexpr double hair_mm = 1e-3;
-
-// How far a held patch is from where it should be.
-Vector3d off_mm(const PrescribedPatch& patch, const VectorXd& u_mm);
-
-// A body with the springs of the bearings and of what jaws hold.
-class BearingBody : public Potential {
- public:
-  BearingBody(const Potential& alone, const std::vector<ContactConstraint>& constraints,
-              const std::vector<PrescribedPatch>& patches, const std::vector<CutContact>& cut_contacts,
-              double stiffness_mN_mm)
-      : alone_(alone), constraints_(constraints), patches_(patches), cut_contacts_(cut_contacts), k_(stiffness_mN_mm) {}
-
-  [[nodiscard]] double energy_uJ(const VectorXd& u_mm) const override {
-    double sum = alone_.energy_uJ(u_mm);
-    for (const ContactConstraint& constraint : constraints_) {
-      const double force = force_of(constraint, gap_of(constraint, u_mm));
-      sum += (force * force - constraint.force_mN * constraint.force_mN) / (2 * k_) +
-             drag_of(constraint, k_, u_mm).energy_uJ;
-    }
-    for (const PrescribedPatch& patch : patches_) {
-      sum += (force_of(patch, u_mm).squaredNorm() - patch.force_mN.squaredNorm()) / (2 * k_);
-    }
-    for (const CutContact& cut_contact : cut_contacts_) {
-      const double force = force_of(cut_contact, u_mm);
-      sum += (force * force - cut_contact.force_mN * cut_contact.force_mN) / (2 * k_);
-    }
-    return sum;
-  }
-  [[nodiscard]] VectorXd force_mN(const VectorXd& u_mm) const override {
-    return alone_.force_mN(u_mm) + tools_force_mN(u_mm);
-  }
-  [[nodiscard]] Eigen::SparseMatrix<double> tangent(const VectorXd& u_mm, Tangent which) const override {
-    std::vector<Eigen::Triplet<double>> entries;
-    const auto add = [&](int a, int b, const Matrix3d& block) {
-      for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-          if (3 * a + i >= 3 * b + j) entries.emplace_back(3 * a + i, 3 * b + j, block(i, j));
-        }
-      }
-    };
-    for (const ContactConstraint& constraint : constraints_) {
-      const Gap gap = gap_of(constraint, u_mm);
-      const double force = force_of(constraint, gap);
-      if (force == 0 && constraint.most_drag_mN == 0) continue;
-      Matrix3d block = drag_of(constraint, k_, u_mm).stiffness;
-      if (force > 0) block += k_ * gap.normal * gap.normal.transpose();
-      if (force > 0 && which == Tangent::exact) block -= force * gap.bend;
-      for (int a = 0; a < 3; ++a) {
-        for (int b = 0; b < 3; ++b) {
-          add(constraint.nodes[a], constraint.nodes[b],
-              constraint.place.weights[a] * constraint.place.weights[b] * block);
-        }
-      }
-    }
-    for (const PrescribedPatch& patch : patches_) {
-      for (std::size_t a = 0; a < patch.nodes.size(); ++a) {
-        for (std::size_t b = 0; b < patch.nodes.size(); ++b) {
-          add(patch.nodes[a], patch.nodes[b], k_ * patch.weights[a] * patch.weights[b] * Matrix3d::Identity());
-        }
-      }
-    }
-    for (const CutContact& cut_contact : cut_contacts_) {
-      if (force_of(cut_contact, u_mm) == 0) continue;
-      const Matrix3d block = k_ * cut_contact.normal * cut_contact.normal.transpose();
-      for (const auto& [a, a_share] : cut_contact.shares()) {
-        for (const auto& [b, b_share] : cut_contact.shares()) add(a, b, a_share * b_share * block);
-      }
-    }
-    Eigen::SparseMatrix<double> springs(u_mm.size(), u_mm.size());
-    springs.setFromTriplets(entries.begin(), entries.end());
-    return alone_.tangent(u_mm, which) + springs;
-  }
-  [[nodiscard]] double energy_scale_uJ(const VectorXd& u_mm) const override {
-    double scale = alone_.energy_scale_uJ(u_mm);
-    for (const ContactConstraint& constraint : constraints_) {
-      scale += (constraint.force_mN * constraint.force_mN + constraint.drag_mN.squaredNorm()) / k_;
-    }
-    for (const PrescribedPatch& patch : patches_) scale += patch.force_mN.squaredNorm() / k_;
-    for (const CutContact& cut_contact : cut_contacts_) scale += cut_contact.force_mN * cut_contact.force_mN / k_;
-    return scale;
-  }
-
-  [[nodiscard]] double force_of(const ContactConstraint& constraint, const Gap& gap) const {
-    return std::max(0.0, constraint.force_mN - k_ * gap.mm);
-  }
-  [[nodiscard]] double force_of(const CutContact& cut_contact, const VectorXd& u_mm) const {
-    return std::max(0.0, cut_contact.force_mN - k_ * cut_contact.gap_mm(u_mm));
-  }
-  [[nodiscard]] Vector3d force_of(const PrescribedPatch& patch, const VectorXd& u_mm) const {
-    return patch.force_mN - k_ * off_mm(patch, u_mm);
-  }
-  [[nodiscard]] VectorXd tools_force_mN(const VectorXd& u_mm) const {
-    VectorXd sum = VectorXd::Zero(u_mm.size());
-    for (const ContactConstraint& constraint : constraints_) {
-      const Gap gap = gap_of(constraint, u_mm);
-      const Vector3d force = force_of(constraint, gap) * gap.normal + drag_of(constraint, k_, u_mm).force_mN;
-      for (int i = 0; i < 3; ++i) sum.segment<3>(3 * constraint.nodes[i]) += constraint.place.weights[i] * force;
-    }
-    for (const PrescribedPatch& patch : patches_) {
-      const Vector3d force = force_of(patch, u_mm);
-      for (std::size_t i = 0; i < patch.nodes.size(); ++i) {
-        sum.segment<3>(3 * patch.nodes[i]) += patch.weights[i] * force;
-      }
-    }
-    for (const CutContact& cut_contact : cut_contacts_) {
-      const Vector3d force = force_of(cut_contact, u_mm) * cut_contact.normal;
-      for (const auto& [node, share] : cut_contact.shares()) sum.segment<3>(3 * node) += share * force;
-    }
-    return sum;
-  }
-
- private:
-  const Potential& alone_;
-  const std::vector<ContactConstraint>& constraints_;
-  const std::vector<PrescribedPatch>& patches_;
-  const std::vector<CutContact>& cut_contacts_;
-  double k_;
-};
 
 }  // namespace
 
@@ -163,7 +49,7 @@ Result<AugmentedLagrangian> AugmentedLagrangian::create(const Body& body, const 
     if (std::holds_alternative<Vector3d>(grasp.drawn)) {
       PrescribedPatch patch{t, {}, gripped->weights};
       for (const int point : gripped->points) patch.nodes.push_back(lagrangian.node_of_point_[point]);
-      patch.from_mm = off_mm(patch, lagrangian.u_mm_);
+      patch.from_mm = patch.off_mm(lagrangian.u_mm_);
       lagrangian.patches_.push_back(std::move(patch));
     }
     lagrangian.grips_.push_back(std::move(*gripped));
@@ -271,20 +157,26 @@ Result<bool> AugmentedLagrangian::rest_at_advances(const std::vector<ContactTool
     walls_.find(u_mm_, round == 0                   ? CutSelfContact::Search::anew
                        : round < rounds_that_wander ? CutSelfContact::Search::again
                                                     : CutSelfContact::Search::more);
-    const BearingBody potential(problem.alone, constraints_, patches_, walls_.cut_contacts(), k_mN_mm_);
+    const Potentials contact = {std::make_shared<ToolContactPotential>(constraints_, k_mN_mm_),
+                                std::make_shared<GraspPotential>(patches_, k_mN_mm_),
+                                std::make_shared<CutContactPotential>(walls_.cut_contacts(), k_mN_mm_)};
     const double scale_mN = problem.scale_mN +
-                            free_values(body_->resolved.fixed, potential.tools_force_mN(u_mm_)).norm() +
+                            free_values(body_->resolved.fixed, mechanics::force_mN(contact, u_mm_)).norm() +
                             k_mN_mm_ * hair_mm;
-    auto descent = problem.settle(potential, scale_mN, u_mm_);
-    if (!descent) return failure(std::move(descent.error()));
-    report_.rounds += descent->steps;
-    report_.relative_residual = descent->relative_residual;
-    report_.movement_mm = (surface_mm(descent->u_mm) - surface_mm(u_mm_)).cwiseAbs().maxCoeff();
-    u_mm_ = std::move(descent->u_mm);
-    if (!descent->converged) return false;
+    auto found = problem.unknowns.minimum_of(problem.alone.with(contact), scale_mN, problem.minimum.x_mm,
+                                             problem.options, problem.progress);
+    if (!found) return failure(std::move(found.error()));
+    report_.rounds += found->steps;
+    report_.relative_residual = problem.minimum.relative_residual = found->relative_residual;
+    problem.minimum.newton_steps += found->steps;
+    problem.minimum.x_mm = std::move(found->u_mm);
+    const VectorXd moved_mm = problem.unknowns.displacement_mm(problem.minimum.x_mm);
+    report_.movement_mm = (surface_mm(moved_mm) - surface_mm(u_mm_)).cwiseAbs().maxCoeff();
+    u_mm_ = moved_mm;
+    if (!found->converged) return false;
     double all_mN = 0, changed_mN = 0, farthest_off_mm = 0;
     for (ContactConstraint& constraint : constraints_) {
-      const double force_mN = potential.force_of(constraint, gap_of(constraint, u_mm_));
+      const double force_mN = normal_force_mN(constraint, k_mN_mm_, gap_of(constraint, u_mm_));
       changed_mN += std::abs(force_mN - constraint.force_mN);
       all_mN += force_mN;
       constraint.force_mN = force_mN;
@@ -295,14 +187,14 @@ Result<bool> AugmentedLagrangian::rest_at_advances(const std::vector<ContactTool
       if (force_mN == 0) restart_friction(constraint, tools);  // it has lost the tool, or not met it yet
     }
     for (PrescribedPatch& patch : patches_) {
-      const Vector3d force_mN = potential.force_of(patch, u_mm_);
+      const Vector3d force_mN = patch.pull_mN(k_mN_mm_, u_mm_);
       changed_mN += (force_mN - patch.force_mN).norm();
       all_mN += force_mN.norm();
       patch.force_mN = force_mN;
-      farthest_off_mm = std::max(farthest_off_mm, off_mm(patch, u_mm_).norm());
+      farthest_off_mm = std::max(farthest_off_mm, patch.off_mm(u_mm_).norm());
     }
     for (CutContact& cut_contact : walls_.cut_contacts()) {
-      const double force_mN = potential.force_of(cut_contact, u_mm_);
+      const double force_mN = normal_force_mN(cut_contact, k_mN_mm_, u_mm_);
       changed_mN += std::abs(force_mN - cut_contact.force_mN);
       all_mN += force_mN;
       cut_contact.force_mN = force_mN;
@@ -419,15 +311,4 @@ std::vector<ToolContact> AugmentedLagrangian::contacts(const std::vector<Contact
   return contacts;
 }
 
-namespace {
-
-Vector3d off_mm(const PrescribedPatch& patch, const VectorXd& u_mm) {
-  Vector3d mean_mm = Vector3d::Zero();
-  for (std::size_t i = 0; i < patch.nodes.size(); ++i) {
-    mean_mm += patch.weights[i] * u_mm.segment<3>(3 * patch.nodes[i]);
-  }
-  return mean_mm - patch.wanted_mm;
-}
-
-}  // namespace
 }  // namespace glisson::mechanics

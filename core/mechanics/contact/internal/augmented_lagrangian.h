@@ -1,36 +1,33 @@
 #pragma once
 // Tools that press on a body whose rest, or whose step in time, is the minimum of a potential energy (newton.h):
-// large_contact.h says how. What the tools do is added to the potential energy over the body's nodes; who gives it says
-// how its minimum is found. Inside of this room.
-
-#include <functional>
+// large_contact.h says how. What the tools do is three terms more of the body's potential energy. Inside of this room.
 
 #include "mechanics/contact/contact.h"
 #include "mechanics/contact/internal/contact_candidates.h"
 #include "mechanics/contact/internal/contact_constraint.h"
 #include "mechanics/contact/internal/cut_self_contact.h"
+#include "mechanics/contact/internal/grasp_potential.h"
 #include "mechanics/elements/load_vector.h"
-#include "mechanics/solvers/internal/newton.h"
+#include "mechanics/statics/internal/unknowns.h"
 
 namespace glisson::mechanics {
 
-// Jaws that hold the mean of some nodes, by weight, at a displacement, and the force that they are known to need.
-struct PrescribedPatch {
-  std::size_t tool;
-  std::vector<int> nodes;
-  std::vector<double> weights;
-  Eigen::Vector3d from_mm{0, 0, 0};  // where the mean was when they closed
-  Eigen::Vector3d wanted_mm{0, 0, 0};
-  Eigen::Vector3d force_mN{0, 0, 0};
+// Where a minimum was found last, and what it took all together.
+struct Minimum {
+  Eigen::VectorXd x_mm;  // unknowns
+  int newton_steps = 0;
+  double relative_residual = 0;
 };
 
-// What all but the tools makes of the body, how large its forces are, and how its minimum with the tools is found, from
-// a displacement.
+// What all but the tools makes of the body and how large its forces are, over what it is solved, and where the search
+// begins; `minimum` is moved on.
 struct BodyProblem {
-  const Potential& alone;
+  const TotalPotential& alone;
   double scale_mN;
-  std::function<Result<NewtonResult>(const Potential& with_tools, double scale_mN, const Eigen::VectorXd& from_mm)>
-      settle;
+  const Unknowns& unknowns;
+  Minimum& minimum;
+  MinimiseOptions options;
+  Progress progress;
 };
 
 // Moved on from station to station.

@@ -7,7 +7,8 @@
 
 #include "base/stopwatch.h"
 #include "geometry/nearest.h"
-#include "mechanics/elements/stiffness_matrix.h"
+#include "mechanics/potentials/stiffness_matrix.h"
+#include "mechanics/potentials/total_potential.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -62,7 +63,8 @@ Eigen::VectorXd MeshfreeBody::holding_force_mN(const Eigen::VectorXd& u_mm) cons
 }
 
 ReducedOperator MeshfreeBody::tangent(const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa) const {
-  Eigen::SparseMatrix<double> lower = tangent_stiffness(body, materials, u_mm, which, pressure_kPa);
+  const TotalPotential potential(body, elastic_potentials(body, materials, pressure_kPa));
+  Eigen::SparseMatrix<double> lower = potential.tangent(u_mm, which);
   add_springs(hold, lower);
   return over_handles(lower);
 }

@@ -13,9 +13,9 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "mechanics/elements/body.h"
-#include "mechanics/elements/internal_forces.h"
 #include "mechanics/meshfree/internal/reduced_operator.h"
 #include "mechanics/meshfree/meshfree_nodes.h"
+#include "mechanics/potentials/elastic.h"
 
 namespace glisson::mechanics {
 

@@ -5,8 +5,7 @@
 
 #include "base/stopwatch.h"
 #include "mechanics/contact/internal/augmented_lagrangian.h"
-#include "mechanics/dynamics/internal/incremental_potential.h"
-#include "mechanics/elements/boundary_potential.h"
+#include "mechanics/dynamics/internal/implicit_step.h"
 #include "mechanics/elements/internal/mass_matrix.h"
 #include "mechanics/elements/strain.h"
 #include "mechanics/meshfree/internal/reduced_potential.h"
@@ -46,7 +45,7 @@ struct MeshfreeMotion::Impl {
   [[nodiscard]] Eigen::VectorXd force_mN(double follower_pressure_kPa) const {
     if (is_linear()) return -(stiffness * q_mm);
     const Eigen::VectorXd u_mm = handles.basis->displacement(q_mm);
-    return handles.basis->reduce(boundary_force_mN(handles.body, follower_pressure_kPa, u_mm) +
+    return handles.basis->reduce(mechanics::force_mN(boundary_potentials(handles.body, follower_pressure_kPa), u_mm) +
                                  handles.holding_force_mN(u_mm) -
                                  internal_force_mN(handles.body, handles.materials, u_mm));
   }
@@ -98,35 +97,30 @@ StepReport MeshfreeMotion::step(const AppliedLoads& loads) {
   return parts.described(report, watch);
 }
 
-Result<StepReport> MeshfreeMotion::step(const AppliedLoads& loads, const RestUnder& equilibrate,
+Result<StepReport> MeshfreeMotion::step(const AppliedLoads& loads, const RestUnder& rest_under,
                                         const Progress& progress) {
   const Stopwatch watch;
   Impl& parts = *impl_;
   const Body& body = parts.handles.body;
   const Eigen::SparseMatrix<double> mass_kg = consistent_mass_kg(body);
-  const IncrementalPotential alone(body, parts.handles.materials, loads, parts.options, mass_kg, displacement_mm(),
-                                   velocity_mm_s());
-  Eigen::VectorXd q_mm = parts.q_mm;
-  const std::vector<std::uint8_t> nothing_held(static_cast<std::size_t>(q_mm.size()), 0);
-  StepReport report;
-  // The handles go to the minimum, and the places with them.
-  const auto settle = [&](const Potential& of_places, double scale_mN, const Eigen::VectorXd&) -> Result<NewtonResult> {
-    auto descent = minimise(
-        ReducedPotential(parts.handles, of_places), nothing_held, scale_mN, q_mm,
-        {parts.options.relative_tolerance, newton_steps_of_a_round, body.options.memory_limit_bytes}, progress);
-    if (!descent) return descent;
-    report.iterations += descent->steps;
-    report.relative_residual = descent->relative_residual;
-    q_mm = descent->u_mm;
-    descent->u_mm = parts.handles.basis->displacement(q_mm);
-    return descent;
-  };
-  const Result<bool> rested = equilibrate({alone, alone.scale_mN(), settle});
+  const ImplicitStep step(body, parts.handles.materials, loads, parts.options, mass_kg, displacement_mm(),
+                          velocity_mm_s());
+  Minimum minimum{parts.q_mm};
+  const Result<bool> rested =
+      rest_under({step.potential(),
+                  step.scale_mN(),
+                  HandleUnknowns(parts.handles),
+                  minimum,
+                  {parts.options.relative_tolerance, newton_steps_of_a_round, body.options.memory_limit_bytes},
+                  progress});
   if (!rested) return failure(rested.error());
-  report.converged = *rested && q_mm.allFinite();
+  StepReport report;
+  report.iterations = minimum.newton_steps;
+  report.relative_residual = minimum.relative_residual;
+  report.converged = *rested && minimum.x_mm.allFinite();
   if (report.converged) {
-    parts.v_mm_s = (q_mm - parts.q_mm) / parts.options.step_s;
-    parts.q_mm = std::move(q_mm);
+    parts.v_mm_s = (minimum.x_mm - parts.q_mm) / parts.options.step_s;
+    parts.q_mm = std::move(minimum.x_mm);
   }
   return parts.described(report, watch);
 }

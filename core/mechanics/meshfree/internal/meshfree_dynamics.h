@@ -2,7 +2,7 @@
 // The meshfree engine in motion: implicit Euler over handles (eq. 4.3 of the dissertation; implicit_euler.h says how),
 // conjugate gradients in double precision (eqs. 4.7-4.10). With law linear, mass, stiffness and damping are constant: A
 // is assembled and factorised once, offline, and steps need one or two iterations. With the others the stiffness is
-// assembled anew each step (warped, see internal_forces.h), and the factor of an older step serves until it costs
+// assembled anew each step (warped, see objective.h), and the factor of an older step serves until it costs
 // more than 30 iterations.
 
 #include <functional>
@@ -32,7 +32,7 @@ class MeshfreeMotion {
   // The report's `iterations` are Newton steps. Failures: "too-large", "factorisation-failed", "cancelled", those of
   // `rest_under`.
   using RestUnder = std::function<Result<bool>(const BodyProblem& problem)>;
-  Result<StepReport> step(const AppliedLoads& loads, const RestUnder& equilibrate, const Progress& progress = {});
+  Result<StepReport> step(const AppliedLoads& loads, const RestUnder& rest_under, const Progress& progress = {});
 
   // Of the places, 3 each.
   [[nodiscard]] Eigen::VectorXd displacement_mm() const;

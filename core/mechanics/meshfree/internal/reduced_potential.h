@@ -1,16 +1,17 @@
 #pragma once
-// A potential energy over places as one over the handles that they follow, with the springs of what is held. Inside of
+// A potential energy over places as one over the handles that they follow, with the springs of what is fixed. Inside of
 // this room.
 
 #include "mechanics/meshfree/internal/meshfree_body.h"
 #include "mechanics/meshfree/internal/reduced_solver.h"
-#include "mechanics/statics/internal/elastic_potential.h"
+#include "mechanics/statics/internal/unknowns.h"
 
 namespace glisson::mechanics {
 
-class ReducedPotential : public Potential {
+class ReducedPotential : public Objective {
  public:
-  ReducedPotential(const MeshfreeBody& handles, const Potential& of_places)
+  // Both must outlive it.
+  ReducedPotential(const MeshfreeBody& handles, const Objective& of_places)
       : handles_(handles), of_places_(of_places) {}
 
   [[nodiscard]] double energy_uJ(const Eigen::VectorXd& q_mm) const override {
@@ -28,12 +29,33 @@ class ReducedPotential : public Potential {
   [[nodiscard]] double energy_scale_uJ(const Eigen::VectorXd& q_mm) const override {
     return of_places_.energy_scale_uJ(handles_.basis->displacement(q_mm));
   }
-  // What the loads are over handles: at rest nothing else pushes but the gas.
-  [[nodiscard]] double scale_mN() const { return force_mN(Eigen::VectorXd::Zero(handles_.basis->unknowns())).norm(); }
 
  private:
   const MeshfreeBody& handles_;
-  const Potential& of_places_;
+  const Objective& of_places_;
+};
+
+// The handles of a body, which must outlive it. None is fixed: springs are.
+class HandleUnknowns : public Unknowns {
+ public:
+  explicit HandleUnknowns(const MeshfreeBody& handles) : handles_(handles) {}
+
+  [[nodiscard]] Eigen::VectorXd at_rest() const override { return Eigen::VectorXd::Zero(handles_.basis->unknowns()); }
+  [[nodiscard]] Eigen::VectorXd displacement_mm(const Eigen::VectorXd& x_mm) const override {
+    return handles_.basis->displacement(x_mm);
+  }
+  [[nodiscard]] double size_mN(const Eigen::VectorXd& force_mN) const override {
+    return handles_.basis->reduce(force_mN).norm();
+  }
+  [[nodiscard]] Result<NewtonResult> minimum_of(const TotalPotential& potential, double scale_mN,
+                                                const Eigen::VectorXd& start_mm, const MinimiseOptions& options,
+                                                const Progress& progress) const override {
+    const std::vector<std::uint8_t> none_fixed(static_cast<std::size_t>(start_mm.size()), 0);
+    return minimise(ReducedPotential(handles_, potential), none_fixed, scale_mN, start_mm, options, progress);
+  }
+
+ private:
+  const MeshfreeBody& handles_;
 };
 
 }  // namespace glisson::mechanics

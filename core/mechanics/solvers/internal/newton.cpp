@@ -8,12 +8,12 @@
 namespace glisson::mechanics {
 namespace {
 
-Result<Eigen::VectorXd> newton_direction(const Potential& potential, const std::vector<std::uint8_t>& fixed,
+Result<Eigen::VectorXd> newton_direction(const Objective& objective, const std::vector<std::uint8_t>& fixed,
                                          const Eigen::VectorXd& u_mm, const Eigen::VectorXd& residual_mN,
                                          std::uint64_t memory_limit_bytes, const Progress& progress,
                                          std::shared_ptr<const EliminationOrder>& order) {
   const auto along = [&](Tangent which) {
-    return ConstrainedSystem::create(potential.tangent(u_mm, which), fixed, memory_limit_bytes, Progress{}, order);
+    return ConstrainedSystem::create(objective.tangent(u_mm, which), fixed, memory_limit_bytes, Progress{}, order);
   };
   if (progress.cancelled()) return cancelled();
   auto system = along(Tangent::exact);
@@ -26,7 +26,7 @@ Result<Eigen::VectorXd> newton_direction(const Potential& potential, const std::
 
 }  // namespace
 
-Result<NewtonResult> minimise(const Potential& potential, const std::vector<std::uint8_t>& fixed, double scale_mN,
+Result<NewtonResult> minimise(const Objective& objective, const std::vector<std::uint8_t>& fixed, double scale_mN,
                               const Eigen::VectorXd& start_mm, const MinimiseOptions& options,
                               const Progress& progress) {
   NewtonResult descent{start_mm};
@@ -34,8 +34,8 @@ Result<NewtonResult> minimise(const Potential& potential, const std::vector<std:
     descent.converged = true;
     return descent;
   }
-  const auto residual_at = [&](const Eigen::VectorXd& u_mm) { return free_values(fixed, potential.force_mN(u_mm)); };
-  double energy_uJ = potential.energy_uJ(descent.u_mm);
+  const auto residual_at = [&](const Eigen::VectorXd& u_mm) { return free_values(fixed, objective.force_mN(u_mm)); };
+  double energy_uJ = objective.energy_uJ(descent.u_mm);
   Eigen::VectorXd residual_mN = residual_at(descent.u_mm);
   std::shared_ptr<const EliminationOrder> order;  // of all tangents
   for (;; ++descent.steps) {
@@ -45,18 +45,18 @@ Result<NewtonResult> minimise(const Potential& potential, const std::vector<std:
 
     if (progress.cancelled()) return cancelled();
     const auto direction =
-        newton_direction(potential, fixed, descent.u_mm, residual_mN, options.memory_limit_bytes, progress, order);
+        newton_direction(objective, fixed, descent.u_mm, residual_mN, options.memory_limit_bytes, progress, order);
     if (!direction) return failure(direction.error());
     const double slope_uJ = residual_mN.dot(*direction);
 
     // Backtracking until the energy falls by a little of what its slope promises (Armijo). Near the end the fall drowns
     // in rounding, about 1e-14 of the energies that it is the difference of; there the residual decides.
     constexpr double promised = 1e-4;
-    const double rounding_uJ = 1e-13 * (std::abs(energy_uJ) + potential.energy_scale_uJ(descent.u_mm));
+    const double rounding_uJ = 1e-13 * (std::abs(energy_uJ) + objective.energy_scale_uJ(descent.u_mm));
     bool stepped = false;
     for (double length = 1.0; length > 1e-8 && !stepped; length *= 0.5) {
       const Eigen::VectorXd trial_mm = descent.u_mm + length * *direction;
-      const double trial_uJ = potential.energy_uJ(trial_mm);
+      const double trial_uJ = objective.energy_uJ(trial_mm);
       if (!(trial_uJ <= energy_uJ - promised * length * slope_uJ + rounding_uJ)) continue;
       Eigen::VectorXd trial_residual_mN = residual_at(trial_mm);
       if (promised * slope_uJ < rounding_uJ && trial_residual_mN.norm() >= residual_mN.norm()) continue;

@@ -8,20 +8,9 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "mechanics/elements/internal_forces.h"
+#include "mechanics/solvers/objective.h"
 
 namespace glisson::mechanics {
-
-// What is to be minimised, as a function of the displacement (mm, 3 a node).
-class Potential {
- public:
-  virtual ~Potential() = default;
-  [[nodiscard]] virtual double energy_uJ(const Eigen::VectorXd& u_mm) const = 0;          // the loads' work taken off
-  [[nodiscard]] virtual Eigen::VectorXd force_mN(const Eigen::VectorXd& u_mm) const = 0;  // minus its slope
-  [[nodiscard]] virtual Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& u_mm, Tangent which) const = 0;
-  // The size of the terms that the energy is the difference of, which its rounding is measured by.
-  [[nodiscard]] virtual double energy_scale_uJ(const Eigen::VectorXd& u_mm) const = 0;
-};
 
 struct NewtonResult {
   Eigen::VectorXd u_mm;
@@ -37,7 +26,7 @@ struct MinimiseOptions {
   int max_steps = 40;
   std::uint64_t memory_limit_bytes = 0;
 };
-Result<NewtonResult> minimise(const Potential& potential, const std::vector<std::uint8_t>& fixed, double scale_mN,
+Result<NewtonResult> minimise(const Objective& objective, const std::vector<std::uint8_t>& fixed, double scale_mN,
                               const Eigen::VectorXd& start_mm, const MinimiseOptions& options,
                               const Progress& progress);
 

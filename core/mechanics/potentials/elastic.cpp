@@ -1,11 +1,9 @@
-#include "mechanics/elements/internal_forces.h"
+#include "mechanics/potentials/elastic.h"
 
 #include <Eigen/LU>
 #include <numeric>
 
 #include "base/parallel.h"
-#include "mechanics/elements/block_assembly.h"
-#include "mechanics/elements/boundary_potential.h"
 #include "mechanics/elements/quadrature.h"
 #include "mechanics/elements/shape_functions.h"
 #include "mechanics/elements/strain.h"
@@ -111,24 +109,23 @@ Eigen::VectorXd internal_force_mN(const Body& body, const std::vector<Material>&
   return force_mN;
 }
 
-Eigen::SparseMatrix<double> tangent_stiffness(const Body& body, const std::vector<Material>& materials,
-                                              const Eigen::VectorXd& u_mm, Tangent which, double pressure_kPa) {
-  const Sampling sampling(body.options.order);
-  std::vector<Matrix9d> tangents(body.layout.cells.size() * sampling.points());
-  visit_samples(body, sampling, u_mm,
+void ElasticPotential::add_tangent(const Eigen::VectorXd& u_mm, Tangent which, TangentSum& sum) const {
+  const Sampling sampling(body_.options.order);
+  std::vector<Matrix9d> tangents(body_.layout.cells.size() * sampling.points());
+  visit_samples(body_, sampling, u_mm,
                 [&](std::size_t c, std::size_t q, const TetGradients&, const Eigen::Matrix3d& f, double volume_mm3) {
                   Matrix9d& tangent = tangents[c * sampling.points() + q];
                   if (which == Tangent::warped) {
-                    tangent = volume_mm3 * warped_stiffness_kPa(body.materials[c], f);
+                    tangent = volume_mm3 * warped_stiffness_kPa(body_.materials[c], f);
                     return;
                   }
-                  tangent = volume_mm3 * tangent_kPa(materials[c], f);
+                  tangent = volume_mm3 * tangent_kPa(materials_[c], f);
                   if (which == Tangent::positive) tangent = positive_part(tangent);
                 });
 
   const auto column_of_cell = [&](std::size_t cell, int b) {
     // Moving node b by e changes F by e g_b^T: the stress follows by these 9x3, and the force on a by its g_a.
-    const CellGeometry shape = cell_geometry(body.mesh, cell);
+    const CellGeometry shape = cell_geometry(body_.mesh, cell);
     std::array<TetGradients, 4> gradients;
     std::array<Eigen::Matrix<double, 9, 3>, 4> stress_by_b;
     for (std::size_t q = 0; q < sampling.points(); ++q) {
@@ -145,8 +142,7 @@ Eigen::SparseMatrix<double> tangent_stiffness(const Body& body, const std::vecto
       return block;
     };
   };
-  return assemble_blocks(body.layout, column_of_cell,
-                         [&](const BlockSink& sink) { add_boundary_tangent(body, pressure_kPa, u_mm, which, sink); });
+  sum.add_cells(column_of_cell);
 }
 
 std::vector<double> von_mises_of_cells(const Body& body, const std::vector<Material>& materials,

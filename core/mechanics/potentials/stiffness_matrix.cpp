@@ -1,9 +1,8 @@
-#include "mechanics/elements/stiffness_matrix.h"
+#include "mechanics/potentials/stiffness_matrix.h"
 
-#include "mechanics/elements/block_assembly.h"
-#include "mechanics/elements/boundary_potential.h"
 #include "mechanics/elements/quadrature.h"
 #include "mechanics/elements/shape_functions.h"
+#include "mechanics/potentials/total_potential.h"
 
 namespace glisson::mechanics {
 
@@ -49,10 +48,11 @@ Eigen::SparseMatrix<double> assemble_stiffness(const Body& body) {
       return (volume_mm3 * block).eval();
     };
   };
-  return assemble_blocks(layout, column_of_cell, [&](const BlockSink& sink) {
-    const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(layout.nodes()));
-    add_boundary_tangent(body, 0.0, at_rest, Tangent::exact, sink);
-  });
+  TangentSum sum(layout);
+  sum.add_cells(column_of_cell);
+  const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(layout.nodes()));
+  for (const auto& term : boundary_potentials(body, 0.0)) term->add_tangent(at_rest, Tangent::exact, sum);
+  return sum.take();
 }
 
 }  // namespace glisson::mechanics

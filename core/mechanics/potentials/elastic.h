@@ -1,13 +1,13 @@
 #pragma once
 // Energy, forces and stiffness of a body at large deformation: its material's functions of F, integrated over the
-// cells (one point in a linear cell, four in a quadratic one). What is around it is not in here, except where said.
+// cells (one point in a linear cell, four in a quadratic one).
 // `u_mm` has 3 values a node; forces are in mN, 3 a node.
 
-#include <Eigen/SparseCore>
 #include <vector>
 
 #include "mechanics/elements/body.h"
 #include "mechanics/materials/material.h"
+#include "mechanics/potentials/potential.h"
 #include "mechanics/scenario/scenario.h"
 
 namespace glisson::mechanics {
@@ -24,16 +24,23 @@ namespace glisson::mechanics {
 [[nodiscard]] Eigen::VectorXd internal_force_mN(const Body& body, const std::vector<Material>& materials,
                                                 const Eigen::VectorXd& u_mm);
 
-// `exact` is the slope of the force, and may not be positive definite; `positive` drops the negative curvature of
-// each material point, which leaves a direction of descent (Teran et al. 2005, Robust Quasistatic Finite Elements).
-// `warped` is the small-strain stiffness turned with each point, R C R^T, as in corotational.h: it leaves out what
-// stress adds, which a step in time that is solved once would take for a brake on turning.
-enum class Tangent { exact, positive, warped };
+// The same as a term of the potential energy. The body and its materials must outlive it.
+class ElasticPotential : public Potential {
+ public:
+  ElasticPotential(const Body& body, const std::vector<Material>& materials) : body_(body), materials_(materials) {}
 
-// Lower triangle (mN/mm), with what is around the body (boundary_potential.h): the gas at `pressure_kPa`.
-[[nodiscard]] Eigen::SparseMatrix<double> tangent_stiffness(const Body& body, const std::vector<Material>& materials,
-                                                            const Eigen::VectorXd& u_mm, Tangent which,
-                                                            double pressure_kPa = 0);
+  [[nodiscard]] double energy_uJ(const Eigen::VectorXd& u_mm) const override {
+    return strain_energy_uJ(body_, materials_, u_mm);
+  }
+  void add_force(const Eigen::VectorXd& u_mm, Eigen::VectorXd& force_mN) const override {
+    force_mN -= internal_force_mN(body_, materials_, u_mm);
+  }
+  void add_tangent(const Eigen::VectorXd& u_mm, Tangent which, TangentSum& sum) const override;
+
+ private:
+  const Body& body_;
+  const std::vector<Material>& materials_;
+};
 
 // Von Mises' equivalent of Cauchy's stress P F^T / J (kPa) at each cell's centroid.
 [[nodiscard]] std::vector<double> von_mises_of_cells(const Body& body, const std::vector<Material>& materials,

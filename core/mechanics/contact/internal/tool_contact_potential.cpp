@@ -1,0 +1,58 @@
+#include "mechanics/contact/internal/tool_contact_potential.h"
+
+#include <algorithm>
+
+namespace glisson::mechanics {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+double ToolContactPotential::energy_uJ(const VectorXd& u_mm) const {
+  double sum_uJ = 0;
+  for (const ContactConstraint& constraint : constraints_) {
+    const double force = normal_force_mN(constraint, k_, gap_of(constraint, u_mm));
+    sum_uJ += (force * force - constraint.force_mN * constraint.force_mN) / (2 * k_) +
+              drag_of(constraint, k_, u_mm).energy_uJ;
+  }
+  return sum_uJ;
+}
+
+void ToolContactPotential::add_force(const VectorXd& u_mm, VectorXd& force_mN) const {
+  for (const ContactConstraint& constraint : constraints_) {
+    const Gap gap = gap_of(constraint, u_mm);
+    const Vector3d force = normal_force_mN(constraint, k_, gap) * gap.normal + drag_of(constraint, k_, u_mm).force_mN;
+    for (int i = 0; i < 3; ++i) force_mN.segment<3>(3 * constraint.nodes[i]) += constraint.place.weights[i] * force;
+  }
+}
+
+void ToolContactPotential::add_tangent(const VectorXd& u_mm, Tangent which, TangentSum& sum) const {
+  for (const ContactConstraint& constraint : constraints_) {
+    const Gap gap = gap_of(constraint, u_mm);
+    const double force = normal_force_mN(constraint, k_, gap);
+    if (force == 0 && constraint.most_drag_mN == 0) continue;
+    Matrix3d block = drag_of(constraint, k_, u_mm).stiffness;
+    if (force > 0) block += k_ * gap.normal * gap.normal.transpose();
+    if (force > 0 && which == Tangent::exact) block -= force * gap.bend;
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) {
+        sum.add(constraint.nodes[a], constraint.nodes[b],
+                constraint.place.weights[a] * constraint.place.weights[b] * block);
+      }
+    }
+  }
+}
+
+double ToolContactPotential::scale_uJ(const VectorXd& /*u_mm*/) const {
+  double scale_uJ = 0;
+  for (const ContactConstraint& constraint : constraints_) {
+    scale_uJ += (constraint.force_mN * constraint.force_mN + constraint.drag_mN.squaredNorm()) / k_;
+  }
+  return scale_uJ;
+}
+
+double normal_force_mN(const ContactConstraint& constraint, double k_mN_mm, const Gap& gap) {
+  return std::max(0.0, constraint.force_mN - k_mN_mm * gap.mm);
+}
+
+}  // namespace glisson::mechanics

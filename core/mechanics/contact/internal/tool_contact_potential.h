@@ -1,0 +1,31 @@
+#pragma once
+// Places of the surface that rods of tools press on: (max(0, p - k g)^2 - p^2) / (2 k) and the drag of friction, as
+// large_contact.h says. Inside of this room.
+
+#include <vector>
+
+#include "mechanics/contact/internal/contact_constraint.h"
+#include "mechanics/potentials/potential.h"
+
+namespace glisson::mechanics {
+
+class ToolContactPotential : public Potential {
+ public:
+  // The constraints must outlive it.
+  ToolContactPotential(const std::vector<ContactConstraint>& constraints, double k_mN_mm)
+      : constraints_(constraints), k_(k_mN_mm) {}
+
+  [[nodiscard]] double energy_uJ(const Eigen::VectorXd& u_mm) const override;
+  void add_force(const Eigen::VectorXd& u_mm, Eigen::VectorXd& force_mN) const override;
+  void add_tangent(const Eigen::VectorXd& u_mm, Tangent which, TangentSum& sum) const override;
+  [[nodiscard]] double scale_uJ(const Eigen::VectorXd& u_mm) const override;
+
+ private:
+  const std::vector<ContactConstraint>& constraints_;
+  double k_;
+};
+
+// What one of them presses with along its normal.
+[[nodiscard]] double normal_force_mN(const ContactConstraint& constraint, double k_mN_mm, const Gap& gap);
+
+}  // namespace glisson::mechanics
