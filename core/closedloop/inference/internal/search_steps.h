@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "closedloop/inference/diagnosis.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "closedloop/inference/diagnosis_options.h"
 #include "closedloop/inference/evidence.h"
 
 namespace glisson::closedloop {
@@ -53,6 +55,8 @@ class Search {
   [[nodiscard]] const CrossValidationFolds& folds() const { return folds_; }
   [[nodiscard]] const Whitening& whitening() const { return whitening_; }
   [[nodiscard]] double correlation() const { return correlation_; }
+  [[nodiscard]] const ForwardModel& model() const { return model_; }
+  [[nodiscard]] const DiagnosisOptions& options() const { return options_; }
 
  private:
   Result<Candidate> forward(Candidate current, std::vector<Candidate>* singles);
