@@ -43,7 +43,7 @@ std::string kind_of(const Experiment& experiment) {
   return experiment.setup.index() == 0 ? "palpation" : experiment.setup.index() == 1 ? "material" : "platform";
 }
 
-std::string report_text(const Explanation& explanation, const Observations& observations) {
+Json report_json(const Explanation& explanation, const Observations& observations) {
   const Names named(observations);
   Json json{{"verdict", name_of(explanation.verdict)}, {"unit", observations.unit}};
   json["before"] = json_of(explanation.before, observations);
@@ -89,7 +89,7 @@ std::string report_text(const Explanation& explanation, const Observations& obse
     json["next_measurement"] = explanation.next->sentence + " It would tell what was found from: " + rivals + ".";
   }
   json["notes"] = explanation.notes;
-  return json.dump(2) + "\n";
+  return null_where_not_finite(std::move(json));
 }
 
 std::string model_text(const Explanation& explanation, const ForwardModel& model, const Experiment& experiment) {

@@ -234,7 +234,7 @@ TEST(Explanation, ItsReportIsTheContractsAndItsModelPredictsWhatWasFitted) {
   const Experiment experiment{"e.json", "creep", material};
   const auto model = material_model(material).value();
   const Explanation e = diagnose(*model).value();
-  const Json report = parse_json(report_text(e, model->observations())).value();
+  const Json report = report_json(e, model->observations());
   EXPECT_EQ(report["verdict"], "explained");
   EXPECT_EQ(report["unit"], "kPa");
   for (const char* key : {"before", "after", "effects", "ranking", "next_measurement"})
