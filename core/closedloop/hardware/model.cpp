@@ -90,28 +90,22 @@ void PlatformModel::observe(const PlatformTrial& trial) {
                                 : trial.load.size() > 0    ? trial.load
                                                            : trial.power_W;
   const Eigen::Index first = all.rows();
-  const Eigen::Index rows = first + trial.time_s.size() * static_cast<Eigen::Index>(seen.size());
-  all.measured.conservativeResize(rows);
-  all.noise.conservativeResize(rows);
-  all.time_s.conservativeResize(rows);
-  all.load.conservativeResize(rows);
-  all.conditions.conservativeResize(rows, 2);
-  Eigen::Index row = first;
+  std::vector<Observation> rows;
   for (Eigen::Index i = 0; i < trial.time_s.size(); ++i) {
     for (const std::size_t quantity : seen) {
-      all.measured[row] = measured(trial, quantity)[i];
-      all.noise[row] = *noises[quantity];
-      all.time_s[row] = trial.time_s[i] - trial.time_s[0];
-      all.load[row] = load.size() > 0 ? load[i] : 0;
-      all.conditions(row, 0) = charge[i];
-      all.conditions(row, 1) = std::log1p(all.time_s[row]);
-      all.trial.push_back(all.trial_count());
-      all.sample.push_back(static_cast<int>(i));
-      all.direction.push_back(static_cast<int>(quantity));
-      all.point.push_back(static_cast<int>(row));
-      ++row;
+      const double time_s = trial.time_s[i] - trial.time_s[0];
+      rows.push_back({.measured = measured(trial, quantity)[i],
+                      .noise = *noises[quantity],
+                      .trial = all.trial_count(),
+                      .sample = static_cast<int>(i),
+                      .direction = static_cast<int>(quantity),
+                      .point = static_cast<int>(first) + static_cast<int>(rows.size()),
+                      .time_s = time_s,
+                      .load = load.size() > 0 ? load[i] : 0,
+                      .conditions = {charge[i], std::log1p(time_s)}});
     }
   }
+  all.add(rows);
   blur_the_end(trial, seen, first);
   all.trials.push_back(trial.id);
 }
