@@ -92,11 +92,11 @@ Result<Explanation> Diagnosis::run() {
   append(notes, std::move(found->notes));
   if (!search_.folds().any())
     notes.emplace_back("There is only one trial, so nothing could be predicted that was not fitted.");
-  auto next = next_measurement(search_.model(), named.fit.settings, found->rivals);
+  auto next = next_measurement(search_.model(), named.fit.settings, found->rivals, options_);
   progress_.report(1, GLISSON_TEXT("done"));
 
   const auto if_left_out = [&](const Eigen::VectorXd& trials) {
-    return search_.folds().any() ? std::optional(held_out_error(all_, trials)) : std::nullopt;
+    return search_.folds().any() ? std::optional(held_out_error(all_, trials, options_.evidence)) : std::nullopt;
   };
   return Explanation{
       .verdict = verdict,
@@ -112,7 +112,8 @@ Result<Explanation> Diagnosis::run() {
       .evidence_over_smooth = left.evidence_over_smooth,
       .smooth_correction = smooth ? std::optional(smooth->smooth) : std::nullopt,
       .held_out_corrected =
-          smooth ? std::optional(held_out_error(all_, named.left_out.predicted + smooth->held_out)) : std::nullopt,
+          smooth ? std::optional(held_out_error(all_, named.left_out.predicted + smooth->held_out, options_.evidence))
+                 : std::nullopt,
       .next = std::move(next),
       .notes = std::move(notes),
       .predicted_before = declared.fit.predicted,
@@ -149,10 +150,10 @@ Remainder Diagnosis::remainder(const Choice& choice) const {
 
 // An explanation that does not reach the noise is named only where it predicts trials left out much better.
 const Candidate& Diagnosis::worth_naming(const Choice& choice, Verdict verdict) const {
-  constexpr double worth_naming = 0.8;
   const Candidate& chosen = choice.found.chosen;
-  const bool too_little = verdict == Verdict::unexplained && search_.folds().any() &&
-                          std::sqrt(chosen.left_out.chi2) > worth_naming * std::sqrt(choice.declared.left_out.chi2);
+  const bool too_little =
+      verdict == Verdict::unexplained && search_.folds().any() &&
+      std::sqrt(chosen.left_out.chi2) > options_.worth_naming * std::sqrt(choice.declared.left_out.chi2);
   return too_little ? choice.declared : chosen;
 }
 
@@ -161,23 +162,25 @@ const Candidate& Diagnosis::worth_naming(const Choice& choice, Verdict verdict) 
 double Diagnosis::mesh_error_share(const Candidate& named) const {
   const Eigen::VectorXd& expected = search_.systematic().expected;
   if (expected.size() == 0) return 0;
-  return share_of(expected, all_.measured - named.fit.predicted, all_.noise, all_rows(all_));
+  return share_of(expected, all_.measured - named.fit.predicted, all_.noise, all_rows(all_), options_.evidence);
 }
 
 // Nothing for a single trial. Trials left out know no more of the mesh's error than the others show.
 Result<std::optional<HeldOut>> Diagnosis::held_out(const Candidate& named, double mesh_error_share) const {
   if (!search_.folds().any()) return std::nullopt;
-  const auto refitted = leave_out_with_refits(search_.model(), named.fit, search_.folds(), progress_);
+  const auto refitted =
+      leave_out_with_refits(search_.model(), named.fit, search_.folds(), options_.evidence, progress_);
   if (!refitted && progress_.cancelled()) return failure(refitted.error());
   Eigen::VectorXd predicted = refitted ? refitted->predicted : named.left_out.predicted;
   if (mesh_error_share != 0) {
     const Eigen::VectorXd& expected = search_.systematic().expected;
     for (const CrossValidationFolds::Fold& fold : search_.folds().trials()) {
-      const double share = share_of(expected, all_.measured - named.fit.predicted, all_.noise, fold.kept.rows());
+      const double share =
+          share_of(expected, all_.measured - named.fit.predicted, all_.noise, fold.kept.rows(), options_.evidence);
       for (const Eigen::Index row : fold.left_out.rows()) predicted[row] += share * expected[row];
     }
   }
-  return held_out_error(all_, predicted);
+  return held_out_error(all_, predicted, options_.evidence);
 }
 
 std::vector<std::string> Diagnosis::notes_on_verdict(const Choice& choice, const Remainder& left) const {

@@ -3,9 +3,8 @@
 namespace glisson::closedloop {
 
 bool reaches_noise(const Remainder& left, const DiagnosisOptions& options) {
-  constexpr double noise_uncertainty = 0.05;
   const double excess =
-      left.effects == 0 ? noise_uncertainty : options.near_noise_excess / static_cast<double>(left.effects);
+      left.effects == 0 ? options.noise_uncertainty : options.near_noise_excess / static_cast<double>(left.effects);
   return left.leaves_nothing || left.rms_in_noise <= 1 + excess;
 }
 

@@ -85,7 +85,7 @@ std::vector<Suspect> ranking(const Search& search, const Candidate& declared, co
 
 // For two models with normal noise the expected log Bayes factor is half the square of their distance.
 std::optional<NextMeasurement> next_measurement(const ForwardModel& model, const Settings& chosen,
-                                                const std::vector<Rival>& rivals) {
+                                                const std::vector<Rival>& rivals, const DiagnosisOptions& options) {
   if (rivals.empty()) return std::nullopt;
   const std::vector<std::string> sentences = model.further_trials();
   NextMeasurement next;
@@ -98,8 +98,7 @@ std::optional<NextMeasurement> next_measurement(const ForwardModel& model, const
       const auto otherwise = model.predict_further(trial, rival.settings);
       if (!otherwise || !otherwise->allFinite()) continue;
       const double separation = (*expected - *otherwise).norm();
-      constexpr double clear = 4;
-      if (separation < clear) continue;
+      if (separation < options.clear_separation) continue;
       least = std::min(least, separation);
       if (std::count(separated.begin(), separated.end(), rival.kind) == 0) separated.push_back(rival.kind);
     }
@@ -112,16 +111,16 @@ std::optional<NextMeasurement> next_measurement(const ForwardModel& model, const
 
 namespace {
 
-std::vector<std::string> hardly_told_apart(const Settings& settings, const Eigen::MatrixXd& covariance);
+std::vector<std::string> hardly_told_apart(const Settings& settings, const Eigen::MatrixXd& covariance,
+                                           double inseparable);
 
 // Value, standard deviation and interval: from the noise, or, where trials are many and scatter more, from them.
 FoundParameter found_parameter(const Parameter& parameter, double value, double std,
-                               const Eigen::MatrixXd::ConstRowXpr& samples, int trials) {
-  constexpr int enough_trials = 4;  // for resampling to say something
+                               const Eigen::MatrixXd::ConstRowXpr& samples, bool enough_trials) {
   FoundParameter found{parameter, value, std, value - 1.96 * std, value + 1.96 * std, true};
   const double mean = samples.mean();
   const double resampled = std::sqrt((samples.array() - mean).square().mean());
-  if (trials >= enough_trials && resampled > std) {
+  if (enough_trials && resampled > std) {
     found.std = resampled;
     std::vector<double> sorted(samples.begin(), samples.end());
     std::sort(sorted.begin(), sorted.end());
@@ -133,8 +132,7 @@ FoundParameter found_parameter(const Parameter& parameter, double value, double 
   return found;
 }
 
-bool at_end_of_range(const Parameter& parameter, double value) {
-  constexpr double close = 1e-3;
+bool at_end_of_range(const Parameter& parameter, double value, double close) {
   const double margin = close * (parameter.upper - parameter.lower);
   return value > parameter.upper - margin ||
          (parameter.scale == Scale::logarithmic ? value < (1 + close) * parameter.lower
@@ -147,34 +145,37 @@ FoundParameters found_parameters(const Search& search, const Candidate& chosen) 
   found.of_setting.resize(settings.size());
   if (parameter_count(settings) == 0) return found;
   const ForwardModel& model = search.model();
+  const DiagnosisOptions& options = search.options();
   const ParameterRanges ranges = ranges_of(model, settings);
   const double excess = std::max(1.0, chosen.fit.chi2 / double(chosen.fit.white.size())) * search.correlation();
   const Eigen::MatrixXd covariance_of_noise =
       covariance(search.whitening().whiten(chosen.fit.derivatives) / std::sqrt(excess), ranges.prior_width);
-  const Eigen::MatrixXd samples = bootstrapped_parameters(model, chosen.fit, search.whitening());
+  const Eigen::MatrixXd samples = bootstrapped_parameters(model, chosen.fit, search.whitening(), options.evidence);
   const Eigen::VectorXd values = values_of(settings);
   Eigen::Index at = 0;
   for (std::size_t i = 0; i < settings.size(); ++i) {
     for (const Parameter& parameter : effect_of(model, settings[i])->parameters) {
-      FoundParameter one = found_parameter(parameter, values[at], std::sqrt(covariance_of_noise(at, at)),
-                                           samples.row(at), model.observations().trial_count());
-      one.determined = one.std < 0.5 * ranges.prior_width[at];
+      FoundParameter one =
+          found_parameter(parameter, values[at], std::sqrt(covariance_of_noise(at, at)), samples.row(at),
+                          model.observations().trial_count() >= options.trials_to_resample);
+      one.determined = one.std < options.undetermined * ranges.prior_width[at];
       if (!one.determined)
         found.notes.push_back(fmt::format("These data do not determine {} of {}.", parameter.name, settings[i].kind));
-      if (at_end_of_range(parameter, one.value))
+      if (at_end_of_range(parameter, one.value, options.told_at_end_of_range))
         found.notes.push_back(fmt::format("{} of {} ended at the limit of its range ({:.3g}).", parameter.name,
                                           settings[i].kind, one.value));
       found.of_setting[i].push_back(std::move(one));
       ++at;
     }
   }
-  for (std::string& note : hardly_told_apart(settings, covariance_of_noise)) found.notes.push_back(std::move(note));
+  for (std::string& note : hardly_told_apart(settings, covariance_of_noise, options.inseparable))
+    found.notes.push_back(std::move(note));
   return found;
 }
 
 // A sentence for each two effects of which one's size stands for the other's.
-std::vector<std::string> hardly_told_apart(const Settings& settings, const Eigen::MatrixXd& covariance) {
-  constexpr double strongly = 0.95;
+std::vector<std::string> hardly_told_apart(const Settings& settings, const Eigen::MatrixXd& covariance,
+                                           double inseparable) {
   std::vector<std::size_t> setting_of_parameter;
   for (std::size_t i = 0; i < settings.size(); ++i)
     setting_of_parameter.insert(setting_of_parameter.end(), static_cast<std::size_t>(settings[i].parameters.size()), i);
@@ -185,7 +186,7 @@ std::vector<std::string> hardly_told_apart(const Settings& settings, const Eigen
       const std::size_t one = setting_of_parameter[static_cast<std::size_t>(b)];
       const std::size_t other = setting_of_parameter[static_cast<std::size_t>(a)];
       const double correlation = covariance(a, b) / std::sqrt(covariance(a, a) * covariance(b, b));
-      if (one != other && std::abs(correlation) > strongly && said.insert({one, other}).second)
+      if (one != other && std::abs(correlation) > inseparable && said.insert({one, other}).second)
         notes.push_back(fmt::format("{} and {} can hardly be told apart in size (correlation {:.2f}).",
                                     settings[one].kind, settings[other].kind, correlation));
     }

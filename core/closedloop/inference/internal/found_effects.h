@@ -35,6 +35,7 @@ Result<FoundEffects> found_effects(const Search& search, const Candidate& declar
 
 // The trial for which the leading rival is expected to differ most from what was chosen; nothing where none would tell.
 [[nodiscard]] std::optional<NextMeasurement> next_measurement(const ForwardModel& model, const Settings& chosen,
-                                                              const std::vector<Rival>& rivals);
+                                                              const std::vector<Rival>& rivals,
+                                                              const DiagnosisOptions& options);
 
 }  // namespace glisson::closedloop

@@ -16,13 +16,12 @@ bool takes_the_place(const Search& search, const Candidate& other, const Candida
 
 Result<Swapped> with_swaps(const Search& search, const Candidate& declared, Candidate chosen,
                            const std::vector<Candidate>& singles) {
-  constexpr int most_rounds = 3;
   // An explanation that leaves most of the error is none, and which of its effects could be another does not matter.
-  if (search.excess(chosen) > 0.5 * search.excess(declared)) {
+  if (search.excess(chosen) > search.options().search.excess_worth_swaps * search.excess(declared)) {
     std::vector<Others> none(chosen.fit.settings.size());
     return Swapped{std::move(chosen), std::move(none)};
   }
-  for (int round = 0; round < most_rounds; ++round) {
+  for (std::size_t round = 0; round < search.options().search.swap_rounds; ++round) {
     std::vector<Others> in_place;
     bool swapped = false;
     for (std::size_t which = 0; which < chosen.fit.settings.size() && !swapped; ++which) {
@@ -80,15 +79,14 @@ bool comes_before(const ForwardModel& model, const std::string& kind, const std:
 }
 
 bool takes_the_place(const Search& search, const Candidate& other, const Candidate& chosen, std::size_t which) {
-  constexpr double clearly = 2;
-  constexpr double about_as_well = 1.1;  // on trials left out
+  const double clearly = search.options().search.swap_bic;
   const double alike_bic = search.options().alike_bic;
   const double gain = search.bic_of(chosen) - search.bic_of(other);
   const auto more = parameter_count(other.fit.settings) - parameter_count(chosen.fit.settings);
   // Of two that the data cannot tell apart, the one of fewer numbers leads.
   if (more < 0 && gain > -alike_bic)
     return (search.leaves_nothing(other) || !search.leaves_nothing(chosen)) &&
-           other.left_out.chi2 <= about_as_well * chosen.left_out.chi2;
+           other.left_out.chi2 <= search.options().search.about_as_well_left_out * chosen.left_out.chi2;
   // Of as many numbers, the one that the catalogue names first: it begins with the plainest causes.
   if (more == 0 && gain > -clearly && comes_before(search.model(), other.kind, chosen.fit.settings[which].kind) &&
       search.leaves_nothing(other) == search.leaves_nothing(chosen))
