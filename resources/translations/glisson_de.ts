@@ -7488,7 +7488,7 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
 </context>
 <context>
-    <name>glisson::widgets::SuspectsTable</name>
+    <name>glisson::widgets::CandidatesTable</name>
     <message>
         <source>Suspect, each by itself</source>
         <translation>Verdacht, jeder für sich</translation>

@@ -7491,7 +7491,7 @@ Módulo de Young %2 kPa (supuesto)</translation>
     </message>
 </context>
 <context>
-    <name>glisson::widgets::SuspectsTable</name>
+    <name>glisson::widgets::CandidatesTable</name>
     <message>
         <source>Suspect, each by itself</source>
         <translation>Sospechoso, cada uno por sí solo</translation>

@@ -7491,7 +7491,7 @@ Module de Young %2 kPa (supposé)</translation>
     </message>
 </context>
 <context>
-    <name>glisson::widgets::SuspectsTable</name>
+    <name>glisson::widgets::CandidatesTable</name>
     <message>
         <source>Suspect, each by itself</source>
         <translation>Suspect, chacun seul</translation>

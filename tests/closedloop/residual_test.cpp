@@ -41,7 +41,8 @@ TEST(Residual, NoiseIsCalledNoise) {
   const Observations all = pad(3, 3, 6);
   int alarms = 0;
   for (unsigned seed = 0; seed < 300; ++seed) {
-    alarms += judge(all, white_noise(all.rows(), seed), Eigen::VectorXd::Zero(all.rows())).is_noise ? 0 : 1;
+    alarms +=
+        residual_diagnostics(all, white_noise(all.rows(), seed), Eigen::VectorXd::Zero(all.rows())).is_noise ? 0 : 1;
   }
   EXPECT_LE(alarms, 2);  // one in a thousand is expected
 }
@@ -50,8 +51,9 @@ TEST(Residual, StructureFarBelowTheNoiseOfAPointIsFound) {
   const Observations all = pad(3, 3, 6);
   const Eigen::VectorXd noise = white_noise(all.rows(), 7);
   const auto said = [&](const Eigen::VectorXd& structure) {
-    const Judgement judgement = judge(all, noise + structure, Eigen::VectorXd::Zero(all.rows()));
-    return judgement.is_noise ? "noise" : judgement.shape().front();
+    const ResidualDiagnostics diagnostics =
+        residual_diagnostics(all, noise + structure, Eigen::VectorXd::Zero(all.rows()));
+    return diagnostics.is_noise ? "noise" : diagnostics.shape().front();
   };
   EXPECT_EQ(said(0.3 * (all.load.array() - 2).matrix()), "it changes with the load");
   // A bump: neither trend nor mean, but neighbours agree.

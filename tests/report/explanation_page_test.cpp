@@ -26,7 +26,7 @@ closedloop::Observations two_markers() {
   return all;
 }
 
-TEST(ExplanationPage, SaysTheVerdictTheSuspectsAndWhatToMeasureNext) {
+TEST(ExplanationPage, SaysTheVerdictTheCandidatesAndWhatToMeasureNext) {
   const TemporaryFolder folder;
   closedloop::Explanation e;
   e.verdict = closedloop::Verdict::explained;

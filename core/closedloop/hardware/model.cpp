@@ -28,7 +28,7 @@ class PlatformModel : public ForwardModel {
  private:
   [[nodiscard]] Eigen::VectorXd predicted_by(const PlatformBehaviour& behaviour, Hold hold) const;
   [[nodiscard]] Result<PlatformBehaviour> behaviour(const Settings& settings) const;
-  [[nodiscard]] bool judged(const PlatformTrial& trial, std::size_t quantity) const;
+  [[nodiscard]] bool is_compared(const PlatformTrial& trial, std::size_t quantity) const;
   void observe(const PlatformTrial& trial);
   void blur_the_end(const PlatformTrial& trial, const std::vector<std::size_t>& seen, Eigen::Index first);
 
@@ -71,8 +71,8 @@ PlatformModel::PlatformModel(Platform platform)
   for (const PlatformTrial& trial : platform_.trials) observe(trial);
 }
 
-// A quantity is judged where it was recorded, its noise is known and the declared model predicts it.
-bool PlatformModel::judged(const PlatformTrial& trial, std::size_t quantity) const {
+// A quantity is compared where it was recorded, its noise is known and the declared model predicts it.
+bool PlatformModel::is_compared(const PlatformTrial& trial, std::size_t quantity) const {
   const std::array noises{platform_.noise_V, platform_.noise_C, platform_.noise_W};
   if (!noises[quantity] || measured(trial, quantity).size() == 0) return false;
   return in_order(readings(declared_behaviour(platform_), platform_, trial))[quantity].size() > 0;
@@ -83,7 +83,7 @@ void PlatformModel::observe(const PlatformTrial& trial) {
   const std::array noises{platform_.noise_V, platform_.noise_C, platform_.noise_W};
   std::vector<std::size_t> seen;
   for (std::size_t quantity = 0; quantity < quantities; ++quantity) {
-    if (judged(trial, quantity)) seen.push_back(quantity);
+    if (is_compared(trial, quantity)) seen.push_back(quantity);
   }
   const Eigen::VectorXd charge = charge_drawn_Ah(trial);
   const Eigen::VectorXd& load = trial.current_A.size() > 0 ? trial.current_A

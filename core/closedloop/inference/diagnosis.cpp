@@ -41,7 +41,7 @@ class Diagnosis {
   Search search_;
 };
 
-std::vector<std::string> notes_on_ranking(const std::vector<Suspect>& ranking);
+std::vector<std::string> notes_on_ranking(const std::vector<RankedCandidate>& ranking);
 
 void append(std::vector<std::string>& notes, std::vector<std::string> more) {
   notes.insert(notes.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
@@ -80,7 +80,7 @@ Result<Explanation> Diagnosis::run() {
   auto found = found_effects(search_, declared, named, choice->found.in_place,
                              *left_out ? std::optional((*left_out)->rms) : std::nullopt, after.rms);
   if (!found) return failure(std::move(found.error()));
-  std::vector<Suspect> alone = ranking(search_, declared, choice->singles);
+  std::vector<RankedCandidate> alone = ranking(search_, declared, choice->singles);
 
   std::vector<std::string> notes = notes_on_ranking(alone);
   append(notes, notes_on_verdict(*choice, left));
@@ -104,8 +104,8 @@ Result<Explanation> Diagnosis::run() {
       .after = after,
       .held_out = *left_out,
       .held_out_before = if_left_out(declared.fit.predicted),
-      .judgement_before = judge(all_, declared.fit.white, declared.fit.predicted),
-      .judgement_after = judge(all_, named.fit.white, named.fit.predicted),
+      .residual_before = residual_diagnostics(all_, declared.fit.white, declared.fit.predicted),
+      .residual_after = residual_diagnostics(all_, named.fit.white, named.fit.predicted),
       .effects = std::move(found->effects),
       .settings = named.fit.settings,
       .ranking = std::move(alone),
@@ -186,7 +186,7 @@ Result<std::optional<HeldOut>> Diagnosis::held_out(const Candidate& named, doubl
 std::vector<std::string> Diagnosis::notes_on_verdict(const Choice& choice, const Remainder& left) const {
   const Candidate& chosen = choice.found.chosen;
   if (left.effects == 0 && reaches_noise(left, options_) &&
-      !judge(all_, chosen.fit.white, chosen.fit.predicted).is_noise) {
+      !residual_diagnostics(all_, chosen.fit.white, chosen.fit.predicted).is_noise) {
     // Rows that are not quite random may still be as small as the noise.
     const bool small = reaches_noise({0, false, left.rms_in_noise, {}}, options_);
     return {small ? "The residual is not quite random, but no larger than the noise can be trusted to be."
@@ -200,10 +200,10 @@ std::vector<std::string> Diagnosis::notes_on_verdict(const Choice& choice, const
       *left.evidence_over_smooth)};
 }
 
-std::vector<std::string> notes_on_ranking(const std::vector<Suspect>& ranking) {
+std::vector<std::string> notes_on_ranking(const std::vector<RankedCandidate>& ranking) {
   std::vector<std::string> notes;
-  for (const Suspect& suspect : ranking)
-    if (suspect.failed) notes.push_back(fmt::format("{} was left out: {}", suspect.kind, suspect.removed));
+  for (const RankedCandidate& candidate : ranking)
+    if (candidate.failed) notes.push_back(fmt::format("{} was left out: {}", candidate.kind, candidate.removed));
   return notes;
 }
 

@@ -52,32 +52,34 @@ Result<FoundEffects> found_effects(const Search& search, const Candidate& declar
   return found;
 }
 
-std::vector<Suspect> ranking(const Search& search, const Candidate& declared, const std::vector<Candidate>& singles) {
+std::vector<RankedCandidate> ranking(const Search& search, const Candidate& declared,
+                                     const std::vector<Candidate>& singles) {
   const Observations& all = search.model().observations();
-  std::vector<Suspect> ranking;
+  std::vector<RankedCandidate> ranking;
   for (const Candidate& single : singles) {
-    Suspect suspect{single.kind, single.form, single.fit.settings, 0, {}, 0, {}, single.removed, single.failed};
+    RankedCandidate candidate{single.kind, single.form,    single.fit.settings, 0, {}, 0,
+                              {},          single.removed, single.failed};
     if (single.fitted()) {
-      suspect.rms = error_figures(all, single.fit.predicted).rms;
-      suspect.delta_bic = search.bic_of(single) - search.bic_of(declared);
-      if (search.folds().any()) suspect.held_out_rms = error_figures(all, single.left_out.predicted).rms;
+      candidate.rms = error_figures(all, single.fit.predicted).rms;
+      candidate.delta_bic = search.bic_of(single) - search.bic_of(declared);
+      if (search.folds().any()) candidate.held_out_rms = error_figures(all, single.left_out.predicted).rms;
     }
     const auto same =
         std::find_if(ranking.begin(), ranking.end(), [&](const auto& s) { return s.kind == single.kind; });
     if (same == ranking.end()) {
-      ranking.push_back(std::move(suspect));
-    } else if (suspect.removed.empty() && (!same->removed.empty() || suspect.delta_bic < same->delta_bic)) {
-      *same = std::move(suspect);
+      ranking.push_back(std::move(candidate));
+    } else if (candidate.removed.empty() && (!same->removed.empty() || candidate.delta_bic < same->delta_bic)) {
+      *same = std::move(candidate);
     }
   }
-  std::stable_sort(ranking.begin(), ranking.end(), [](const Suspect& a, const Suspect& b) {
+  std::stable_sort(ranking.begin(), ranking.end(), [](const RankedCandidate& a, const RankedCandidate& b) {
     return std::pair(!a.removed.empty(), a.delta_bic) < std::pair(!b.removed.empty(), b.delta_bic);
   });
-  for (Suspect& suspect : ranking) {
-    for (const Suspect& other : ranking) {
-      if (&other != &suspect && suspect.removed.empty() && other.removed.empty() &&
-          std::abs(other.delta_bic - suspect.delta_bic) < search.options().alike_bic)
-        suspect.alike.push_back(other.kind);
+  for (RankedCandidate& candidate : ranking) {
+    for (const RankedCandidate& other : ranking) {
+      if (&other != &candidate && candidate.removed.empty() && other.removed.empty() &&
+          std::abs(other.delta_bic - candidate.delta_bic) < search.options().alike_bic)
+        candidate.alike.push_back(other.kind);
     }
   }
   return ranking;

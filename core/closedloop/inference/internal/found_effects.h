@@ -30,8 +30,8 @@ Result<FoundEffects> found_effects(const Search& search, const Candidate& declar
                                    const std::optional<double>& held_out_rms, double rms);
 
 // Of each kind its best form alone, against the declared model; the best first, what was left out last.
-[[nodiscard]] std::vector<Suspect> ranking(const Search& search, const Candidate& declared,
-                                           const std::vector<Candidate>& singles);
+[[nodiscard]] std::vector<RankedCandidate> ranking(const Search& search, const Candidate& declared,
+                                                   const std::vector<Candidate>& singles);
 
 // The trial for which the leading rival is expected to differ most from what was chosen; nothing where none would tell.
 [[nodiscard]] std::optional<NextMeasurement> next_measurement(const ForwardModel& model, const Settings& chosen,

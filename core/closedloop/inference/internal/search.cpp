@@ -48,7 +48,7 @@ double Search::cost_of_choice(const Candidate& candidate) const {
   return 2 * (std::lgamma(forms + 1) - std::lgamma(chosen + 1) - std::lgamma(forms - chosen + 1));
 }
 
-Candidate Search::judged(Fit fit) const {
+Candidate Search::evaluated(Fit fit) const {
   LeftOut left_out = leave_out(model_, fit, folds_);
   if (model_.predicts_quickly() && left_out.chi2 > options_.search.beyond_first_order * fit.chi2) {
     if (auto refitted = leave_out_with_refits(model_, fit, folds_, options_.evidence, progress_))
@@ -60,7 +60,7 @@ Candidate Search::judged(Fit fit) const {
 Result<Candidate> Search::declared() const {
   auto fit = without_fitting(model_, {}, whitening_);
   if (!fit) return failure(std::move(fit.error()));
-  return judged(std::move(*fit));
+  return evaluated(std::move(*fit));
 }
 
 std::vector<const Effect*> Search::additions(const Settings& active) const {
@@ -116,7 +116,7 @@ Candidate Search::fit_from(const Attempt& attempt) const {
       best = std::move(*fitted);
     }
   }
-  Candidate candidate = best ? judged(std::move(*best)) : Candidate{};
+  Candidate candidate = best ? evaluated(std::move(*best)) : Candidate{};
   if (!best) {
     candidate.removed = problem.empty() ? "there is nowhere to begin" : problem;
     candidate.failed = true;
@@ -141,7 +141,7 @@ void Search::finish_near_the_best(std::vector<Candidate>& candidates, double chi
 void Search::finish(Candidate& candidate) const {
   auto finished = fit(model_, candidate.fit.settings, whitening_, {}, progress_);
   if (!finished) return;
-  Candidate better = judged(std::move(*finished));
+  Candidate better = evaluated(std::move(*finished));
   better.kind = candidate.kind;
   better.form = candidate.form;
   candidate = std::move(better);
@@ -243,7 +243,7 @@ double Search::excess(const Candidate& candidate) const {
 }
 
 bool Search::leaves_nothing(const Candidate& candidate) const {
-  return judge(model_.observations(), candidate.fit.white, candidate.fit.predicted).is_noise ||
+  return residual_diagnostics(model_.observations(), candidate.fit.white, candidate.fit.predicted).is_noise ||
          excess(candidate) <= indistinct();
 }
 
@@ -342,7 +342,7 @@ Result<Candidate> Search::without(const Candidate& chosen, std::size_t which) co
   settings.erase(settings.begin() + static_cast<std::ptrdiff_t>(which));
   auto fitted = fit(model_, settings, whitening_, {}, progress_);
   if (!fitted) return failure(std::move(fitted.error()));
-  return judged(std::move(*fitted));
+  return evaluated(std::move(*fitted));
 }
 
 // Effects that do not pay any more, now that others are there, leave. Where what is left repeats itself from row to

@@ -1,5 +1,5 @@
 #pragma once
-// The search for effects: candidates fitted, judged by evidence, and let in or sent away. diagnosis.cpp tells its
+// The search for effects: candidates fitted, weighed by evidence, and let in or sent away. diagnosis.cpp tells its
 // outcome.
 
 #include <string>
@@ -77,7 +77,7 @@ class Search {
   [[nodiscard]] Candidate fit_from(const Attempt& attempt) const;
   void finish(Candidate& candidate) const;
   void finish_near_the_best(std::vector<Candidate>& candidates, double chi2_without) const;
-  [[nodiscard]] Candidate judged(Fit fit) const;
+  [[nodiscard]] Candidate evaluated(Fit fit) const;
   [[nodiscard]] double plain_square(const Eigen::VectorXd& predicted) const;
   [[nodiscard]] bool shows(const Candidate& candidate, const Candidate& current) const;
   [[nodiscard]] bool predicts_better(const Candidate& candidate, const Candidate& current) const;
