@@ -1,2320 +1,2320 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
-<TS version="2.1" language="de" sourcelanguage="en">
+<TS version="2.1" language="es" sourcelanguage="en">
 <context>
     <name>AskPath</name>
     <message>
         <source>Take this folder</source>
-        <translation>Diesen Ordner nehmen</translation>
+        <translation>Tomar esta carpeta</translation>
     </message>
 </context>
 <context>
     <name>Workspace</name>
     <message>
         <source>Needs a model of the liver: build it first.</source>
-        <translation>Braucht ein Modell der Leber: Erstellen Sie es zuerst.</translation>
+        <translation>Necesita un modelo del hígado: constrúyalo primero.</translation>
     </message>
     <message>
         <source>The model is being prepared.</source>
-        <translation>Das Modell wird vorbereitet.</translation>
+        <translation>El modelo se está preparando.</translation>
     </message>
 </context>
 <context>
     <name>effects</name>
     <message>
         <source>Stiffer or softer throughout</source>
-        <translation>Überall steifer oder weicher</translation>
+        <translation>Más rígido o más blando en todo</translation>
     </message>
     <message>
         <source>Stiffens as it deforms</source>
-        <translation>Versteift sich bei Verformung</translation>
+        <translation>Se endurece al deformarse</translation>
     </message>
     <message>
         <source>The support gives way</source>
-        <translation>Die Lagerung gibt nach</translation>
+        <translation>El apoyo cede</translation>
     </message>
     <message>
         <source>A hidden stiffer region</source>
-        <translation>Ein verborgener steiferer Bereich</translation>
+        <translation>Una región más rígida oculta</translation>
     </message>
     <message>
         <source>Creeps under load</source>
-        <translation>Kriecht unter Last</translation>
+        <translation>Fluye bajo carga</translation>
     </message>
     <message>
         <source>The force sensor is off</source>
-        <translation>Der Kraftsensor misst falsch</translation>
+        <translation>El sensor de fuerza se desvía</translation>
     </message>
     <message>
         <source>Camera and specimen misaligned</source>
-        <translation>Kamera und Prüfkörper verschoben</translation>
+        <translation>Cámara y muestra desalineadas</translation>
     </message>
     <message>
         <source>Stiffer along one direction</source>
-        <translation>Steifer in einer Richtung</translation>
+        <translation>Más rígido en una dirección</translation>
     </message>
     <message>
         <source>A stiff capsule around it</source>
-        <translation>Eine steife Kapsel darum</translation>
+        <translation>Una cápsula rígida alrededor</translation>
     </message>
     <message>
         <source>Already loaded at the start</source>
-        <translation>Schon zu Beginn belastet</translation>
+        <translation>Ya cargado al principio</translation>
     </message>
     <message>
         <source>Softer once it was stretched</source>
-        <translation>Weicher, nachdem es gedehnt wurde</translation>
+        <translation>Más blando tras haberse estirado</translation>
     </message>
     <message>
         <source>Loading and unloading differ</source>
-        <translation>Be- und Entlastung unterscheiden sich</translation>
+        <translation>La carga y la descarga difieren</translation>
     </message>
     <message>
         <source>Tension and compression differ</source>
-        <translation>Zug und Druck unterscheiden sich</translation>
+        <translation>La tracción y la compresión difieren</translation>
     </message>
     <message>
         <source>The battery&apos;s own resistance</source>
-        <translation>Der Widerstand des Akkus selbst</translation>
+        <translation>La resistencia propia de la batería</translation>
     </message>
     <message>
         <source>Less charge when emptied fast</source>
-        <translation>Weniger Ladung bei schneller Entladung</translation>
+        <translation>Menos carga si se vacía rápido</translation>
     </message>
     <message>
         <source>It warms itself</source>
-        <translation>Es erwärmt sich selbst</translation>
+        <translation>Se calienta a sí mismo</translation>
     </message>
     <message>
         <source>Voltage falls as it empties</source>
-        <translation>Spannung fällt beim Entladen</translation>
+        <translation>La tensión cae al vaciarse</translation>
     </message>
     <message>
         <source>Power drawn at rest</source>
-        <translation>Leistung im Leerlauf</translation>
+        <translation>Potencia en reposo</translation>
     </message>
     <message>
         <source>Power drawn by the work</source>
-        <translation>Leistung durch die Arbeit</translation>
+        <translation>Potencia debida al trabajo</translation>
     </message>
     <message>
         <source>Slows down when hot</source>
-        <translation>Wird heiß langsamer</translation>
+        <translation>Se ralentiza al calentarse</translation>
     </message>
     <message>
         <source>Sheds heat better or worse</source>
-        <translation>Gibt Wärme besser oder schlechter ab</translation>
+        <translation>Disipa el calor mejor o peor</translation>
     </message>
     <message>
         <source>Takes time to warm up</source>
-        <translation>Braucht Zeit zum Warmwerden</translation>
+        <translation>Tarda en calentarse</translation>
     </message>
     <message>
         <source>Power lost in the supply</source>
-        <translation>Verlust in der Versorgung</translation>
+        <translation>Pérdidas en la alimentación</translation>
     </message>
     <message>
         <source>A smooth correction, no cause</source>
-        <translation>Eine glatte Korrektur, keine Ursache</translation>
+        <translation>Una corrección suave, no una causa</translation>
     </message>
 </context>
 <context>
     <name>errors</name>
     <message>
         <source>There is no column &quot;{0}&quot;.</source>
-        <translation>Es gibt keine Spalte „{0}“.</translation>
+        <translation>No hay ninguna columna «{0}».</translation>
     </message>
     <message>
         <source>The columns are {1}.</source>
-        <translation>Die Spalten sind {1}.</translation>
+        <translation>Las columnas son {1}.</translation>
     </message>
     <message>
         <source>{0} has too many columns.</source>
-        <translation>{0} hat zu viele Spalten.</translation>
+        <translation>{0} tiene demasiadas columnas.</translation>
     </message>
     <message>
         <source>{0} holds no rows of numbers.</source>
-        <translation>{0} enthält keine Zeilen mit Zahlen.</translation>
+        <translation>{0} no contiene ninguna fila de números.</translation>
     </message>
     <message>
         <source>The file {0} cannot be read.</source>
-        <translation>Die Datei {0} kann nicht gelesen werden.</translation>
+        <translation>No se puede leer el archivo {0}.</translation>
     </message>
     <message>
         <source>Check that it exists and that you may read it.</source>
-        <translation>Prüfen Sie, ob sie vorhanden ist und Sie sie lesen dürfen.</translation>
+        <translation>Compruebe que existe y que tiene permiso para leerlo.</translation>
     </message>
     <message>
         <source>{0} cannot be written: {1}.</source>
-        <translation>{0} kann nicht geschrieben werden: {1}.</translation>
+        <translation>No se puede escribir {0}: {1}.</translation>
     </message>
     <message>
         <source>Check the folder, your rights there and the free space.</source>
-        <translation>Prüfen Sie den Ordner, Ihre Rechte dort und den freien Speicherplatz.</translation>
+        <translation>Compruebe la carpeta, sus permisos en ella y el espacio libre.</translation>
     </message>
     <message>
         <source>The file {0} has {1} bytes; at most {2} are read.</source>
-        <translation>Die Datei {0} hat {1} Bytes; höchstens {2} werden gelesen.</translation>
+        <translation>El archivo {0} tiene {1} bytes; se leen como máximo {2}.</translation>
     </message>
     <message>
         <source>The files that ship with Glisson were not found.</source>
-        <translation>Die mit Glisson gelieferten Dateien wurden nicht gefunden.</translation>
+        <translation>No se han encontrado los archivos que acompañan a Glisson.</translation>
     </message>
     <message>
         <source>Set GLISSON_RESOURCES to the folder named resources.</source>
-        <translation>Setzen Sie GLISSON_RESOURCES auf den Ordner namens resources.</translation>
+        <translation>Asigne a GLISSON_RESOURCES la ruta de la carpeta resources.</translation>
     </message>
     <message>
         <source>{0} is nested too deep to be one of our files.</source>
-        <translation>{0} ist zu tief verschachtelt, um eine unserer Dateien zu sein.</translation>
+        <translation>{0} está anidado a demasiada profundidad para ser uno de nuestros archivos.</translation>
     </message>
     <message>
         <source>{0} is not valid JSON at line {1}.</source>
-        <translation>{0} ist in Zeile {1} kein gültiges JSON.</translation>
+        <translation>{0} no es JSON válido en la línea {1}.</translation>
     </message>
     <message>
         <source>Look for a missing comma, quote or bracket there.</source>
-        <translation>Suchen Sie dort nach einem fehlenden Komma, Anführungszeichen oder einer fehlenden Klammer.</translation>
+        <translation>Busque ahí una coma, unas comillas o un corchete que falte.</translation>
     </message>
     <message>
         <source>{0} holds a number too large for a computer&apos;s arithmetic.</source>
-        <translation>{0} enthält eine Zahl, die zu groß für die Rechnung eines Computers ist.</translation>
+        <translation>{0} contiene un número demasiado grande para la aritmética de un ordenador.</translation>
     </message>
     <message>
         <source>{0} should be an object in braces.</source>
-        <translation>{0} muss ein Objekt in geschweiften Klammern sein.</translation>
+        <translation>{0} debe ser un objeto entre llaves.</translation>
     </message>
     <message>
         <source>{0} has a key that is not known: &quot;{1}&quot;.</source>
-        <translation>{0} hat einen unbekannten Schlüssel: „{1}“.</translation>
+        <translation>{0} tiene una clave desconocida: «{1}».</translation>
     </message>
     <message>
         <source>Did you mean &quot;{2}&quot;?</source>
-        <translation>Meinten Sie „{2}“?</translation>
+        <translation>¿Quería decir «{2}»?</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
+        <translation>Cancelado.</translation>
     </message>
     <message>
         <source>{0} is there already.</source>
-        <translation>{0} ist schon vorhanden.</translation>
+        <translation>{0} ya existe.</translation>
     </message>
     <message>
         <source>Choose another name, or remove it first.</source>
-        <translation>Wählen Sie einen anderen Namen, oder entfernen Sie es zuerst.</translation>
+        <translation>Elija otro nombre o elimínelo antes.</translation>
     </message>
     <message>
         <source>The folder {0} cannot be made: {1}.</source>
-        <translation>Der Ordner {0} kann nicht angelegt werden: {1}.</translation>
+        <translation>No se puede crear la carpeta {0}: {1}.</translation>
     </message>
     <message>
         <source>it holds no case.json</source>
-        <translation>er enthält keine case.json</translation>
+        <translation>no contiene case.json</translation>
     </message>
     <message>
         <source>case.json does not say &quot;format&quot;: &quot;glisson-case/1&quot;</source>
-        <translation>case.json sagt nicht &quot;format&quot;: &quot;glisson-case/1&quot;</translation>
+        <translation>case.json no indica &quot;format&quot;: &quot;glisson-case/1&quot;</translation>
     </message>
     <message>
         <source>The case {0} has no {1} yet.</source>
-        <translation>Der Fall {0} hat noch kein {1}.</translation>
+        <translation>El caso {0} no tiene todavía {1}.</translation>
     </message>
     <message>
         <source>Import a study first (glisson-cli import).</source>
-        <translation>Importieren Sie zuerst eine Studie (glisson-cli import).</translation>
+        <translation>Importe antes un estudio (glisson-cli import).</translation>
     </message>
     <message>
         <source>Segment it first (glisson-cli segment).</source>
-        <translation>Segmentieren Sie es zuerst (glisson-cli segment).</translation>
+        <translation>Segméntelo antes (glisson-cli segment).</translation>
     </message>
     <message>
         <source>Mesh the liver first (glisson-cli mesh).</source>
-        <translation>Vernetzen Sie zuerst die Leber (glisson-cli mesh).</translation>
+        <translation>Malle antes el hígado (glisson-cli mesh).</translation>
     </message>
     <message>
         <source>{0} cannot be put in its place: {1}.</source>
-        <translation>{0} kann nicht an seinen Platz gebracht werden: {1}.</translation>
+        <translation>No se puede poner {0} en su lugar: {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: {1}.</source>
-        <translation>{0} ist beschädigt: {1}.</translation>
+        <translation>{0} está dañado: {1}.</translation>
     </message>
     <message>
         <source>{0} is not a Glisson case: {1}.</source>
-        <translation>{0} ist kein Glisson-Fall: {1}.</translation>
+        <translation>{0} no es un caso de Glisson: {1}.</translation>
     </message>
     <message>
         <source>Make one with: glisson-cli import STUDY --case NAME.glisson</source>
-        <translation>Legen Sie einen an mit: glisson-cli import STUDIE --case NAME.glisson</translation>
+        <translation>Cree uno con: glisson-cli import ESTUDIO --case NOMBRE.glisson</translation>
     </message>
     <message>
         <source>{0} holds nothing that could be written as {1}.</source>
-        <translation>{0} enthält nichts, was als {1} geschrieben werden könnte.</translation>
+        <translation>{0} no contiene nada que pueda escribirse como {1}.</translation>
     </message>
     <message>
         <source>Run the stage that makes it first.</source>
-        <translation>Führen Sie zuerst den Schritt aus, der es erzeugt.</translation>
+        <translation>Ejecute antes el paso que lo genera.</translation>
     </message>
     <message>
         <source>Writing</source>
-        <translation>Schreiben</translation>
+        <translation>Escribiendo</translation>
     </message>
     <message>
         <source>SIMULATED from a real patient&apos;s anatomy, not measured</source>
-        <translation>SIMULIERT nach der Anatomie eines wirklichen Patienten, nicht gemessen</translation>
+        <translation>SIMULADO a partir de la anatomía de un paciente real, no medido</translation>
     </message>
     <message>
         <source>The study has no series {0}.</source>
-        <translation>Die Studie hat keine Serie {0}.</translation>
+        <translation>El estudio no tiene la serie {0}.</translation>
     </message>
     <message>
         <source>glisson-cli scan lists them.</source>
-        <translation>glisson-cli scan führt sie auf.</translation>
+        <translation>glisson-cli scan las enumera.</translation>
     </message>
     <message>
         <source>{0} series could be the {1}:{2}</source>
-        <translation>{0} Serien kommen als {1} infrage:{2}</translation>
+        <translation>{0} series podrían ser {1}:{2}</translation>
     </message>
     <message>
         <source>Name one with {3} UID.</source>
-        <translation>Nennen Sie eine mit {3} UID.</translation>
+        <translation>Indique una con {3} UID.</translation>
     </message>
     <message>
         <source>No series is recognised as the anatomy.{0}</source>
-        <translation>Keine Serie ist als Anatomie erkannt.{0}</translation>
+        <translation>No se reconoce ninguna serie como anatomía.{0}</translation>
     </message>
     <message>
         <source>glisson-cli scan says what is there, and what was skipped.</source>
-        <translation>glisson-cli scan sagt, was da ist und was übergangen wurde.</translation>
+        <translation>glisson-cli scan indica qué hay y qué se ha omitido.</translation>
     </message>
     <message>
         <source>Name one with --anatomy UID.</source>
-        <translation>Nennen Sie eine mit --anatomy UID.</translation>
+        <translation>Indique una con --anatomy UID.</translation>
     </message>
     <message>
         <source>Reading the structures</source>
-        <translation>Strukturen werden gelesen</translation>
+        <translation>Leyendo las estructuras</translation>
     </message>
     <message>
         <source>Saving the mesh</source>
-        <translation>Netz wird gespeichert</translation>
+        <translation>Guardando la malla</translation>
     </message>
     <message>
         <source>Reading the mesh</source>
-        <translation>Netz wird gelesen</translation>
+        <translation>Leyendo la malla</translation>
     </message>
     <message>
         <source>Stiffness of each cell from the MRE map</source>
-        <translation>Steifigkeit jeder Zelle aus der MRE-Karte</translation>
+        <translation>Rigidez de cada celda a partir del mapa de ERM</translation>
     </message>
     <message>
         <source>A Young&apos;s modulus of {0} kPa is not possible.</source>
-        <translation>Ein Elastizitätsmodul von {0} kPa ist nicht möglich.</translation>
+        <translation>Un módulo de Young de {0} kPa no es posible.</translation>
     </message>
     <message>
         <source>Saving the model</source>
-        <translation>Modell wird gespeichert</translation>
+        <translation>Guardando el modelo</translation>
     </message>
     <message>
         <source>Give the mesh its stiffness first (glisson-cli stiffness).</source>
-        <translation>Geben Sie dem Netz zuerst seine Steifigkeit (glisson-cli stiffness).</translation>
+        <translation>Dé antes a la malla su rigidez (glisson-cli stiffness).</translation>
     </message>
     <message>
         <source>The model of {0} has no stiffness.</source>
-        <translation>Das Modell von {0} hat keine Steifigkeit.</translation>
+        <translation>El modelo de {0} no tiene rigidez.</translation>
     </message>
     <message>
         <source>Run glisson-cli stiffness again.</source>
-        <translation>Führen Sie glisson-cli stiffness erneut aus.</translation>
+        <translation>Ejecute de nuevo glisson-cli stiffness.</translation>
     </message>
     <message>
         <source>Import a study with MR elastography, or choose --uniform-kPa or --atlas.</source>
-        <translation>Importieren Sie eine Studie mit MR-Elastographie, oder wählen Sie --uniform-kPa oder --atlas.</translation>
+        <translation>Importe un estudio con elastografía por RM o elija --uniform-kPa o --atlas.</translation>
     </message>
     <message>
         <source>{0} does not hold a simulation&apos;s result: {1}.</source>
-        <translation>{0} enthält kein Ergebnis einer Simulation: {1}.</translation>
+        <translation>{0} no contiene el resultado de una simulación: {1}.</translation>
     </message>
     <message>
         <source>Make one with glisson-cli simulate --out DIR.</source>
-        <translation>Erzeugen Sie eines mit glisson-cli simulate --out ORDNER.</translation>
+        <translation>Genere uno con glisson-cli simulate --out CARPETA.</translation>
     </message>
     <message>
         <source>result.vtu is missing</source>
-        <translation>result.vtu fehlt</translation>
+        <translation>falta result.vtu</translation>
     </message>
     <message>
         <source>result.json does not say &quot;format&quot;: &quot;glisson-result/1&quot;</source>
-        <translation>result.json sagt nicht &quot;format&quot;: &quot;glisson-result/1&quot;</translation>
+        <translation>result.json no indica &quot;format&quot;: &quot;glisson-result/1&quot;</translation>
     </message>
     <message>
         <source>the computation did not converge</source>
-        <translation>die Rechnung ist nicht konvergiert</translation>
+        <translation>el cálculo no ha convergido</translation>
     </message>
     <message>
         <source>The growing left {0} out; it was added to the liver.</source>
-        <translation>{0} wurde beim Wachsen ausgelassen und der Leber hinzugefügt.</translation>
+        <translation>El crecimiento dejó fuera {0}; se ha añadido al hígado.</translation>
     </message>
     <message>
         <source>Reading the labels</source>
-        <translation>Segmentierung wird gelesen</translation>
+        <translation>Leyendo la segmentación</translation>
     </message>
     <message>
         <source>No voxel of label {0} in {1} lies inside the anatomy.</source>
-        <translation>Kein Voxel des Labels {0} in {1} liegt innerhalb der Anatomie.</translation>
+        <translation>Ningún vóxel de la etiqueta {0} de {1} está dentro de la anatomía.</translation>
     </message>
     <message>
         <source>Check that both belong to the same patient and frame of reference.</source>
-        <translation>Prüfen Sie, ob beide zum selben Patienten und Bezugssystem gehören.</translation>
+        <translation>Compruebe que ambos pertenecen al mismo paciente y al mismo marco de referencia.</translation>
     </message>
     <message>
         <source>{0} has no labelled voxel.</source>
-        <translation>{0} hat kein markiertes Voxel.</translation>
+        <translation>{0} no tiene ningún vóxel etiquetado.</translation>
     </message>
     <message>
         <source>{0} has no label {2}; it holds {1}.</source>
-        <translation>{0} hat kein Label {2}; enthalten ist {1}.</translation>
+        <translation>{0} no tiene la etiqueta {2}; contiene {1}.</translation>
     </message>
     <message>
         <source>{0} holds several labels: {1}.</source>
-        <translation>{0} enthält mehrere Labels: {1}.</translation>
+        <translation>{0} contiene varias etiquetas: {1}.</translation>
     </message>
     <message>
         <source>Choose one with --label-value.</source>
-        <translation>Wählen Sie eines mit --label-value.</translation>
+        <translation>Elija una con --label-value.</translation>
     </message>
     <message>
         <source>The magnitude images do not lie on the grid of the waves.</source>
-        <translation>Die Magnitudenbilder liegen nicht auf dem Gitter der Wellen.</translation>
+        <translation>Las imágenes de magnitud no están en la cuadrícula de las ondas.</translation>
     </message>
     <message>
         <source>{0} holds no wave or phase images.</source>
-        <translation>{0} enthält keine Wellen- oder Phasenbilder.</translation>
+        <translation>{0} no contiene imágenes de ondas ni de fase.</translation>
     </message>
     <message>
         <source>Import the phase series of an elastography scan (glisson-cli import --phase).</source>
-        <translation>Importieren Sie die Phasenserie einer Elastographie (glisson-cli import --phase).</translation>
+        <translation>Importe la serie de fase de una elastografía (glisson-cli import --phase).</translation>
     </message>
     <message>
         <source>Reading the waves</source>
-        <translation>Wellen werden gelesen</translation>
+        <translation>Leyendo las ondas</translation>
     </message>
     <message>
         <source>Saving the maps</source>
-        <translation>Karten werden gespeichert</translation>
+        <translation>Guardando los mapas</translation>
     </message>
     <message>
         <source>{0} is not an experiment of the format &quot;glisson-experiment/1&quot;.</source>
-        <translation>{0} ist kein Experiment im Format &quot;glisson-experiment/1&quot;.</translation>
+        <translation>{0} no es un experimento con el formato &quot;glisson-experiment/1&quot;.</translation>
     </message>
     <message>
         <source>An experiment begins with &quot;format&quot;: &quot;glisson-experiment/1&quot; and &quot;kind&quot;.</source>
-        <translation>Ein Experiment beginnt mit &quot;format&quot;: &quot;glisson-experiment/1&quot; und &quot;kind&quot;.</translation>
+        <translation>Un experimento empieza por &quot;format&quot;: &quot;glisson-experiment/1&quot; y &quot;kind&quot;.</translation>
     </message>
     <message>
         <source>There is no kind of experiment called &quot;{0}&quot;.</source>
-        <translation>Es gibt keine Art von Experiment namens „{0}“.</translation>
+        <translation>No hay ningún tipo de experimento llamado «{0}».</translation>
     </message>
     <message>
         <source>The kinds are palpation, material and platform.</source>
-        <translation>Die Arten sind palpation, material und platform.</translation>
+        <translation>Los tipos son palpation, material y platform.</translation>
     </message>
     <message>
         <source>Line {0} of {1} names {2}, which is not there.</source>
-        <translation>Zeile {0} von {1} nennt {2}, das nicht vorhanden ist.</translation>
+        <translation>La línea {0} de {1} nombra {2}, que no existe.</translation>
     </message>
     <message>
         <source>Files are looked for beside the experiment: was it copied without them, or is the name misspelt?</source>
-        <translation>Dateien werden neben dem Experiment gesucht: Wurde es ohne sie kopiert, oder ist der Name falsch geschrieben?</translation>
+        <translation>Los archivos se buscan junto al experimento: ¿se copió sin ellos o está mal escrito el nombre?</translation>
     </message>
     <message>
         <source>{0} lacks &quot;{1}&quot;.</source>
-        <translation>{0} fehlt &quot;{1}&quot;.</translation>
+        <translation>A {0} le falta &quot;{1}&quot;.</translation>
     </message>
     <message>
         <source>{0} must be a finite number.</source>
-        <translation>{0} muss eine endliche Zahl sein.</translation>
+        <translation>{0} debe ser un número finito.</translation>
     </message>
     <message>
         <source>{0} must be above zero.</source>
-        <translation>{0} muss größer als null sein.</translation>
+        <translation>{0} debe ser mayor que cero.</translation>
     </message>
     <message>
         <source>{0} must be a text in quotes.</source>
-        <translation>{0} muss ein Text in Anführungszeichen sein.</translation>
+        <translation>{0} debe ser un texto entre comillas.</translation>
     </message>
     <message>
         <source>{0} must be three numbers [x, y, z].</source>
-        <translation>{0} muss aus drei Zahlen [x, y, z] bestehen.</translation>
+        <translation>{0} debe constar de tres números [x, y, z].</translation>
     </message>
     <message>
         <source>&quot;trials&quot; must be a list with at least one trial.</source>
-        <translation>&quot;trials&quot; muss eine Liste mit mindestens einem Versuch sein.</translation>
+        <translation>&quot;trials&quot; debe ser una lista con al menos un ensayo.</translation>
     </message>
     <message>
         <source>{0} must be an object in braces.</source>
-        <translation>{0} muss ein Objekt in geschweiften Klammern sein.</translation>
+        <translation>{0} debe ser un objeto entre llaves.</translation>
     </message>
     <message>
         <source>Two trials have the id &quot;{0}&quot;.</source>
-        <translation>Zwei Versuche haben die Kennung „{0}“.</translation>
+        <translation>Dos ensayos tienen el identificador «{0}».</translation>
     </message>
     <message>
         <source>{0} has no column &quot;{1}&quot;, which the experiment names for {2}; line {3} has: {4}.</source>
-        <translation>{0} hat keine Spalte „{1}“, die das Experiment für {2} nennt; Zeile {3} hat: {4}.</translation>
+        <translation>{0} no tiene la columna «{1}», que el experimento nombra para {2}; la línea {3} tiene: {4}.</translation>
     </message>
     <message>
         <source>Is the name misspelt, or is this the table of another trial?</source>
-        <translation>Ist der Name falsch geschrieben, oder ist dies die Tabelle eines anderen Versuchs?</translation>
+        <translation>¿Está mal escrito el nombre o es la tabla de otro ensayo?</translation>
     </message>
     <message>
         <source>Line {0} of {1} has no number under &quot;{2}&quot;.</source>
-        <translation>Zeile {0} von {1} hat unter „{2}“ keine Zahl.</translation>
+        <translation>La línea {0} de {1} no tiene ningún número en «{2}».</translation>
     </message>
     <message>
         <source>Is the table cut off, or written with decimal commas?</source>
-        <translation>Ist die Tabelle abgeschnitten oder mit Dezimalkommas geschrieben?</translation>
+        <translation>¿Está cortada la tabla o escrita con comas decimales?</translation>
     </message>
     <message>
         <source>Time goes back at line {0} of {1}: from {2} s to {3} s.</source>
-        <translation>In Zeile {0} von {1} läuft die Zeit zurück: von {2} s auf {3} s.</translation>
+        <translation>El tiempo retrocede en la línea {0} de {1}: de {2} s a {3} s.</translation>
     </message>
     <message>
         <source>Are two recordings in one table, or is this not the column of times?</source>
-        <translation>Stehen zwei Aufzeichnungen in einer Tabelle, oder ist dies nicht die Zeitspalte?</translation>
+        <translation>¿Hay dos registros en una tabla o no es esta la columna de los tiempos?</translation>
     </message>
     <message>
         <source>{0} is {1} kPa, stiffer than any soft tissue.</source>
-        <translation>{0} ist {1} kPa, steifer als jedes Weichgewebe.</translation>
+        <translation>{0} es {1} kPa, más rígido que cualquier tejido blando.</translation>
     </message>
     <message>
         <source>Was it given in Pa?</source>
-        <translation>Wurde es in Pa angegeben?</translation>
+        <translation>¿Se indicó en Pa?</translation>
     </message>
     <message>
         <source>Use the model.json that glisson-cli explain wrote for an experiment of this kind.</source>
-        <translation>Verwenden Sie die model.json, die glisson-cli explain für ein Experiment dieser Art geschrieben hat.</translation>
+        <translation>Use el model.json que glisson-cli explain escribió para un experimento de este tipo.</translation>
     </message>
     <message>
         <source>{0} is not a model of the format {1}.</source>
-        <translation>{0} ist kein Modell im Format {1}.</translation>
+        <translation>{0} no es un modelo con el formato {1}.</translation>
     </message>
     <message>
         <source>{0} was not learnt from an experiment of the kind {1}.</source>
-        <translation>{0} wurde nicht aus einem Experiment der Art {1} gelernt.</translation>
+        <translation>{0} no se aprendió de un experimento del tipo {1}.</translation>
     </message>
     <message>
         <source>{0} is not a complete model.</source>
-        <translation>{0} ist kein vollständiges Modell.</translation>
+        <translation>{0} no es un modelo completo.</translation>
     </message>
     <message>
         <source>The effect {0} is unknown to this experiment.</source>
-        <translation>Der Effekt {0} ist diesem Experiment unbekannt.</translation>
+        <translation>El efecto {0} es desconocido para este experimento.</translation>
     </message>
     <message>
         <source>{0} of {1} is no number.</source>
-        <translation>{0} von {1} ist keine Zahl.</translation>
+        <translation>{0} de {1} no es un número.</translation>
     </message>
     <message>
         <source>The smooth correction was made for other quantities than this experiment has.</source>
-        <translation>Die glatte Korrektur wurde für andere Größen gemacht, als dieses Experiment hat.</translation>
+        <translation>La corrección suave se hizo para otras magnitudes que las de este experimento.</translation>
     </message>
     <message>
         <source>The smooth correction is not complete.</source>
-        <translation>Die glatte Korrektur ist nicht vollständig.</translation>
+        <translation>La corrección suave no está completa.</translation>
     </message>
     <message>
         <source>The search for parameters failed: {0}.</source>
-        <translation>Die Suche nach Parametern ist fehlgeschlagen: {0}.</translation>
+        <translation>La búsqueda de parámetros ha fallado: {0}.</translation>
     </message>
     <message>
         <source>The model has no solution where the search ended.</source>
-        <translation>Das Modell hat dort, wo die Suche endete, keine Lösung.</translation>
+        <translation>El modelo no tiene solución donde terminó la búsqueda.</translation>
     </message>
     <message>
         <source>This experiment proposes no further trials.</source>
-        <translation>Dieses Experiment schlägt keine weiteren Versuche vor.</translation>
+        <translation>Este experimento no propone más ensayos.</translation>
     </message>
     <message>
         <source>The specimen is stiffer or softer than declared, everywhere and at every load.</source>
-        <translation>Der Prüfkörper ist steifer oder weicher als angegeben, überall und bei jeder Last.</translation>
+        <translation>La muestra es más rígida o más blanda de lo declarado, en todas partes y con cualquier carga.</translation>
     </message>
     <message>
         <source>The specimen is not equally stiff under tension and under compression.</source>
-        <translation>Der Prüfkörper ist auf Zug und auf Druck nicht gleich steif.</translation>
+        <translation>La muestra no es igual de rígida a tracción que a compresión.</translation>
     </message>
     <message>
         <source>The tissue gets stiffer (or softer) the further it is deformed: its law is not a straight line.</source>
-        <translation>Das Gewebe wird mit zunehmender Verformung steifer (oder weicher): Sein Gesetz ist keine Gerade.</translation>
+        <translation>El tejido se vuelve más rígido (o más blando) cuanto más se deforma: su ley no es una recta.</translation>
     </message>
     <message>
         <source>The tissue gives way slowly under a load that is held, and recovers slowly after it.</source>
-        <translation>Das Gewebe gibt unter gehaltener Last langsam nach und erholt sich danach langsam.</translation>
+        <translation>El tejido cede despacio bajo una carga mantenida y se recupera despacio después.</translation>
     </message>
     <message>
         <source>Once stretched, the tissue stays softer up to the deformation that it has seen (Mullins effect).</source>
-        <translation>Einmal gedehnt, bleibt das Gewebe bis zu der erlebten Verformung weicher (Mullins-Effekt).</translation>
+        <translation>Una vez estirado, el tejido queda más blando hasta la deformación ya sufrida (efecto Mullins).</translation>
     </message>
     <message>
         <source>Less force comes back on the way out than went in on the way in, in every cycle and at any speed.</source>
-        <translation>Beim Entlasten kommt weniger Kraft zurück, als beim Belasten hineinging, in jedem Zyklus und bei jeder Geschwindigkeit.</translation>
+        <translation>A la vuelta se recupera menos fuerza que la aplicada a la ida, en cada ciclo y a cualquier velocidad.</translation>
     </message>
     <message>
         <source>The load cell is at fault: it does not read zero without load, or its scale is off.</source>
-        <translation>Die Kraftmessdose ist fehlerhaft: Sie zeigt ohne Last nicht null, oder ihr Maßstab stimmt nicht.</translation>
+        <translation>La célula de carga falla: no marca cero sin carga o su escala no es correcta.</translation>
     </message>
     <message>
         <source>The specimen was already loaded when the test began.</source>
-        <translation>Der Prüfkörper war schon belastet, als der Versuch begann.</translation>
+        <translation>La muestra ya estaba cargada cuando empezó el ensayo.</translation>
     </message>
     <message>
         <source>The mode &quot;{0}&quot; is not known.</source>
-        <translation>Der Modus „{0}“ ist nicht bekannt.</translation>
+        <translation>El modo «{0}» no se conoce.</translation>
     </message>
     <message>
         <source>The modes are compression, tension and shear.</source>
-        <translation>Die Modi sind compression, tension und shear.</translation>
+        <translation>Los modos son compression, tension y shear.</translation>
     </message>
     <message>
         <source>The declared law &quot;{0}&quot; is not known.</source>
-        <translation>Das angegebene Gesetz „{0}“ ist nicht bekannt.</translation>
+        <translation>La ley declarada «{0}» no se conoce.</translation>
     </message>
     <message>
         <source>The laws are linear and neo-hookean.</source>
-        <translation>Die Gesetze sind linear und neo-hookean.</translation>
+        <translation>Las leyes son linear y neo-hookean.</translation>
     </message>
     <message>
         <source>{0} gives &quot;{1}&quot;, which needs the specimen&apos;s {2}.</source>
-        <translation>{0} gibt &quot;{1}&quot; an; dazu wird {2} des Prüfkörpers gebraucht.</translation>
+        <translation>{0} indica &quot;{1}&quot;, que necesita {2} de la muestra.</translation>
     </message>
     <message>
         <source>Give the specimen&apos;s diameter_mm (or width_mm and thickness_mm, or area_mm2) and height_mm.</source>
-        <translation>Geben Sie diameter_mm des Prüfkörpers an (oder width_mm und thickness_mm, oder area_mm2) sowie height_mm.</translation>
+        <translation>Indique diameter_mm de la muestra (o width_mm y thickness_mm, o area_mm2) y height_mm.</translation>
     </message>
     <message>
         <source>In {0} stress and strain mostly have opposite signs.</source>
-        <translation>In {0} haben Spannung und Dehnung meist entgegengesetzte Vorzeichen.</translation>
+        <translation>En {0} la tensión y la deformación tienen casi siempre signos opuestos.</translation>
     </message>
     <message>
         <source>In compression stretch is below 1, and displacement, force and stress are negative.</source>
-        <translation>Bei Druck ist die Streckung kleiner als 1, und Weg, Kraft und Spannung sind negativ.</translation>
+        <translation>En compresión el estiramiento es menor que 1, y el desplazamiento, la fuerza y la tensión son negativos.</translation>
     </message>
     <message>
         <source>{0} names no column for &quot;stretch&quot; or &quot;displacement_mm&quot;.</source>
-        <translation>{0} nennt keine Spalte für &quot;stretch&quot; oder &quot;displacement_mm&quot;.</translation>
+        <translation>{0} no nombra ninguna columna para &quot;stretch&quot; o &quot;displacement_mm&quot;.</translation>
     </message>
     <message>
         <source>{0} names no column for &quot;stress_kPa&quot; or &quot;force_N&quot;.</source>
-        <translation>{0} nennt keine Spalte für &quot;stress_kPa&quot; oder &quot;force_N&quot;.</translation>
+        <translation>{0} no nombra ninguna columna para &quot;stress_kPa&quot; o &quot;force_N&quot;.</translation>
     </message>
     <message>
         <source>Line {0} of {1} gives a stretch of {2}, which no specimen survives.</source>
-        <translation>Zeile {0} von {1} gibt eine Streckung von {2} an, die kein Prüfkörper übersteht.</translation>
+        <translation>La línea {0} de {1} da un estiramiento de {2}, que ninguna muestra soporta.</translation>
     </message>
     <message>
         <source>Is it strain, or a percentage? Stretch is length over length at rest.</source>
-        <translation>Ist es die Dehnung oder ein Prozentwert? Streckung ist Länge durch Ruhelänge.</translation>
+        <translation>¿Es la deformación o un porcentaje? El estiramiento es la longitud dividida por la longitud en reposo.</translation>
     </message>
     <message>
         <source>The material law is used beyond the stretch it allows.</source>
-        <translation>Das Materialgesetz wird jenseits der Streckung benutzt, die es zulässt.</translation>
+        <translation>La ley del material se usa más allá del estiramiento que permite.</translation>
     </message>
     <message>
         <source>The specimen in {0} is {1} mm across.</source>
-        <translation>Der Prüfkörper in {0} misst {1} mm.</translation>
+        <translation>La muestra de {0} mide {1} mm.</translation>
     </message>
     <message>
         <source>Is the mesh in metres or micrometres?</source>
-        <translation>Ist das Netz in Metern oder Mikrometern?</translation>
+        <translation>¿Está la malla en metros o en micrómetros?</translation>
     </message>
     <message>
         <source>{0} has no cell array &quot;{1}&quot; with one number a cell.</source>
-        <translation>{0} hat kein Zellfeld „{1}“ mit einer Zahl je Zelle.</translation>
+        <translation>{0} no tiene una matriz de celdas «{1}» con un número por celda.</translation>
     </message>
     <message>
         <source>Young&apos;s modulus must be above zero in every cell.</source>
-        <translation>Der Elastizitätsmodul muss in jeder Zelle größer als null sein.</translation>
+        <translation>El módulo de Young debe ser mayor que cero en cada celda.</translation>
     </message>
     <message>
         <source>{0} must lie between -1 and 0.5, both excluded.</source>
-        <translation>{0} muss zwischen -1 und 0.5 liegen, beide ausgeschlossen.</translation>
+        <translation>{0} debe estar entre -1 y 0.5, ambos excluidos.</translation>
     </message>
     <message>
         <source>Line 1 of {0} names no column &quot;{1}&quot;.</source>
-        <translation>Zeile 1 von {0} nennt keine Spalte „{1}“.</translation>
+        <translation>La línea 1 de {0} no nombra ninguna columna «{1}».</translation>
     </message>
     <message>
         <source>A table of markers has id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</source>
-        <translation>Eine Tabelle von Markern hat id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</translation>
+        <translation>Una tabla de marcadores tiene id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</translation>
     </message>
     <message>
         <source>{0} holds no markers.</source>
-        <translation>{0} enthält keine Marker.</translation>
+        <translation>{0} no contiene marcadores.</translation>
     </message>
     <message>
         <source>All markers of {0} lie within {1} mm (line 2 on), on a specimen of {2} mm.</source>
-        <translation>Alle Marker von {0} liegen innerhalb von {1} mm (ab Zeile 2), auf einem Prüfkörper von {2} mm.</translation>
+        <translation>Todos los marcadores de {0} caben en {1} mm (desde la línea 2), en una muestra de {2} mm.</translation>
     </message>
     <message>
         <source>Are they in metres?</source>
-        <translation>Sind sie in Metern?</translation>
+        <translation>¿Están en metros?</translation>
     </message>
     <message>
         <source>Line {0} of {1}: marker {2} lies {3} mm outside the specimen at rest.</source>
-        <translation>Zeile {0} von {1}: Marker {2} liegt {3} mm außerhalb des ruhenden Prüfkörpers.</translation>
+        <translation>Línea {0} de {1}: el marcador {2} está a {3} mm fuera de la muestra en reposo.</translation>
     </message>
     <message>
         <source>Are markers and mesh in one frame (patient coordinates) and both in mm?</source>
-        <translation>Sind Marker und Netz im selben Bezugssystem (Patientenkoordinaten) und beide in mm?</translation>
+        <translation>¿Están los marcadores y la malla en el mismo sistema (coordenadas del paciente) y ambos en mm?</translation>
     </message>
     <message>
         <source>Line {0} of {1}: marker {2} moved by {3} mm, more than the specimen is long.</source>
-        <translation>Zeile {0} von {1}: Marker {2} hat sich um {3} mm bewegt, mehr als die Länge des Prüfkörpers.</translation>
+        <translation>Línea {0} de {1}: el marcador {2} se ha movido {3} mm, más que la longitud de la muestra.</translation>
     </message>
     <message>
         <source>Are the positions in another unit or frame than the positions at rest?</source>
-        <translation>Haben die Positionen eine andere Einheit oder ein anderes Bezugssystem als die Ruhepositionen?</translation>
+        <translation>¿Están las posiciones en otra unidad u otro sistema que las posiciones en reposo?</translation>
     </message>
     <message>
         <source>{0}: a force of {1} N presses no soft specimen.</source>
-        <translation>{0}: Eine Kraft von {1} N drückt auf keinen weichen Prüfkörper.</translation>
+        <translation>{0}: una fuerza de {1} N no se ejerce sobre ninguna muestra blanda.</translation>
     </message>
     <message>
         <source>Was it given in mN?</source>
-        <translation>Wurde sie in mN angegeben?</translation>
+        <translation>¿Se indicó en mN?</translation>
     </message>
     <message>
         <source>{0} must not be zero.</source>
-        <translation>{0} darf nicht null sein.</translation>
+        <translation>{0} no debe ser cero.</translation>
     </message>
     <message>
         <source>Trial {0} (line {1} of {2}) has no samples.</source>
-        <translation>Versuch {0} (Zeile {1} von {2}) hat keine Messpunkte.</translation>
+        <translation>El ensayo {0} (línea {1} de {2}) no tiene mediciones.</translation>
     </message>
     <message>
         <source>Was the recording interrupted?</source>
-        <translation>Wurde die Aufzeichnung unterbrochen?</translation>
+        <translation>¿Se interrumpió el registro?</translation>
     </message>
     <message>
         <source>In trial {0} (line {1} of {2}) time goes back at sample {3}.</source>
-        <translation>In Versuch {0} (Zeile {1} von {2}) läuft die Zeit bei Messpunkt {3} zurück.</translation>
+        <translation>En el ensayo {0} (línea {1} de {2}) el tiempo retrocede en la medición {3}.</translation>
     </message>
     <message>
         <source>Are two recordings in one trial?</source>
-        <translation>Stehen zwei Aufzeichnungen in einem Versuch?</translation>
+        <translation>¿Hay dos registros en un ensayo?</translation>
     </message>
     <message>
         <source>No sample of trial {0} (line {1} of {2}) names markers.</source>
-        <translation>Kein Messpunkt von Versuch {0} (Zeile {1} von {2}) nennt Marker.</translation>
+        <translation>Ninguna medición del ensayo {0} (línea {1} de {2}) nombra marcadores.</translation>
     </message>
     <message>
         <source>Preparing the specimen</source>
-        <translation>Prüfkörper wird vorbereitet</translation>
+        <translation>Preparando la muestra</translation>
     </message>
     <message>
         <source>No sample of the experiment has markers.</source>
-        <translation>Kein Messpunkt des Experiments hat Marker.</translation>
+        <translation>Ninguna medición del experimento tiene marcadores.</translation>
     </message>
     <message>
         <source>Solved the declared specimen</source>
-        <translation>Angegebener Prüfkörper gelöst</translation>
+        <translation>Muestra declarada resuelta</translation>
     </message>
     <message>
         <source>The specimen&apos;s equations are too badly conditioned to be solved.</source>
-        <translation>Die Gleichungen des Prüfkörpers sind zu schlecht konditioniert, um gelöst zu werden.</translation>
+        <translation>Las ecuaciones de la muestra están demasiado mal condicionadas para resolverse.</translation>
     </message>
     <message>
         <source>No equilibrium of a specimen that stiffens so strongly was found under these loads.</source>
-        <translation>Für einen Prüfkörper, der sich so stark versteift, wurde unter diesen Lasten kein Gleichgewicht gefunden.</translation>
+        <translation>No se ha encontrado equilibrio bajo estas cargas para una muestra que se rigidiza tanto.</translation>
     </message>
     <message>
         <source>The battery&apos;s voltage falls under load: its own resistance turns energy into heat.</source>
-        <translation>Die Spannung des Akkus sinkt unter Last: Sein Innenwiderstand macht aus Energie Wärme.</translation>
+        <translation>La tensión de la batería cae con la carga: su resistencia interna convierte energía en calor.</translation>
     </message>
     <message>
         <source>The battery&apos;s voltage falls under load, and what is lost there is what warms it.</source>
-        <translation>Die Spannung des Akkus sinkt unter Last, und was dort verloren geht, erwärmt ihn.</translation>
+        <translation>La tensión de la batería cae con la carga, y lo que allí se pierde es lo que la calienta.</translation>
     </message>
     <message>
         <source>The faster the battery is emptied, the less it gives (Peukert).</source>
-        <translation>Je schneller der Akku entladen wird, desto weniger gibt er her (Peukert).</translation>
+        <translation>Cuanto más deprisa se vacía la batería, menos entrega (Peukert).</translation>
     </message>
     <message>
         <source>The battery gives less when it is cold and more when it is warm.</source>
-        <translation>Der Akku gibt bei Kälte weniger und bei Wärme mehr her.</translation>
+        <translation>La batería entrega menos en frío y más en caliente.</translation>
     </message>
     <message>
         <source>The battery&apos;s voltage falls while it empties, which a constant voltage leaves out.</source>
-        <translation>Die Spannung des Akkus sinkt beim Entladen, was eine konstante Spannung nicht erfasst.</translation>
+        <translation>La tensión de la batería cae mientras se vacía, algo que una tensión constante no recoge.</translation>
     </message>
     <message>
         <source>The computer draws power whatever it does, more than was declared.</source>
-        <translation>Der Rechner nimmt, was immer er tut, mehr Leistung auf als angegeben.</translation>
+        <translation>El ordenador consume, haga lo que haga, más potencia de la declarada.</translation>
     </message>
     <message>
         <source>A part of the power is lost in the supply before it reaches the computer.</source>
-        <translation>Ein Teil der Leistung geht in der Versorgung verloren, bevor er den Rechner erreicht.</translation>
+        <translation>Una parte de la potencia se pierde en la alimentación antes de llegar al ordenador.</translation>
     </message>
     <message>
         <source>The warmer the computer gets, the more power it draws.</source>
-        <translation>Je wärmer der Rechner wird, desto mehr Leistung nimmt er auf.</translation>
+        <translation>Cuanto más se calienta el ordenador, más consume.</translation>
     </message>
     <message>
         <source>The work itself takes power that was not declared.</source>
-        <translation>Die Arbeit selbst braucht Leistung, die nicht angegeben war.</translation>
+        <translation>El propio trabajo consume una potencia que no se declaró.</translation>
     </message>
     <message>
         <source>The computer slows itself down to stay below a temperature.</source>
-        <translation>Der Rechner drosselt sich, um unter einer Temperatur zu bleiben.</translation>
+        <translation>El ordenador se ralentiza para no superar una temperatura.</translation>
     </message>
     <message>
         <source>Heat leaves the computer better or worse than declared.</source>
-        <translation>Die Wärme verlässt den Rechner besser oder schlechter als angegeben.</translation>
+        <translation>El calor sale del ordenador mejor o peor de lo declarado.</translation>
     </message>
     <message>
         <source>The computer takes time to warm up, longer or shorter than declared.</source>
-        <translation>Der Rechner braucht Zeit, um warm zu werden, länger oder kürzer als angegeben.</translation>
+        <translation>El ordenador tarda en calentarse, más o menos de lo declarado.</translation>
     </message>
     <message>
         <source>&quot;noise&quot; names no quantity, so that nothing can be judged.</source>
-        <translation>&quot;noise&quot; nennt keine Größe, sodass sich nichts beurteilen lässt.</translation>
+        <translation>&quot;noise&quot; no nombra ninguna magnitud, de modo que no se puede juzgar nada.</translation>
     </message>
     <message>
         <source>Give voltage_V, temperature_C or power_W: the standard deviation of that reading.</source>
-        <translation>Geben Sie voltage_V, temperature_C oder power_W an: die Standardabweichung dieser Ablesung.</translation>
+        <translation>Indique voltage_V, temperature_C o power_W: la desviación típica de esa lectura.</translation>
     </message>
     <message>
         <source>The law of platforms is constant: a battery that gives all of its energy at any load.</source>
-        <translation>Das Gesetz der Geräte ist konstant: ein Akku, der bei jeder Last seine ganze Energie abgibt.</translation>
+        <translation>La ley de las plataformas es constante: una batería que entrega toda su energía con cualquier carga.</translation>
     </message>
     <message>
         <source>{0} must not be below zero.</source>
-        <translation>{0} darf nicht kleiner als null sein.</translation>
+        <translation>{0} no debe ser menor que cero.</translation>
     </message>
     <message>
         <source>Line {0} of {1} gives a {2} of {3}, which no worn computer reaches.</source>
-        <translation>Zeile {0} von {1} gibt {2} mit {3} an, was kein getragener Rechner erreicht.</translation>
+        <translation>La línea {0} de {1} da {2} = {3}, algo que ningún ordenador corporal alcanza.</translation>
     </message>
     <message>
         <source>{0} has no column for a quantity whose noise is given.</source>
-        <translation>{0} hat keine Spalte für eine Größe, deren Rauschen angegeben ist.</translation>
+        <translation>{0} no tiene columna para una magnitud cuyo ruido se indica.</translation>
     </message>
     <message>
         <source>The declared figures predict none of the recorded quantities.</source>
-        <translation>Die angegebenen Werte sagen keine der aufgezeichneten Größen vorher.</translation>
+        <translation>Las cifras declaradas no predicen ninguna de las magnitudes registradas.</translation>
     </message>
     <message>
         <source>Voltage needs nominal_voltage_V, temperature needs thermal_resistance_C_per_W and a power, power needs a current or a load.</source>
-        <translation>Für die Spannung wird nominal_voltage_V gebraucht, für die Temperatur thermal_resistance_C_per_W und eine Leistung, für die Leistung ein Strom oder eine Last.</translation>
+        <translation>La tensión necesita nominal_voltage_V, la temperatura thermal_resistance_C_per_W y una potencia, la potencia una corriente o una carga.</translation>
     </message>
     <message>
         <source>The model of the platform has no finite answer here.</source>
-        <translation>Das Modell des Geräts hat hier keine endliche Antwort.</translation>
+        <translation>El modelo de la plataforma no tiene aquí una respuesta finita.</translation>
     </message>
     <message>
         <source>it is proportional to the prediction</source>
-        <translation>es ist proportional zur Vorhersage</translation>
+        <translation>es proporcional a la predicción</translation>
     </message>
     <message>
         <source>it changes with the load</source>
-        <translation>es ändert sich mit der Last</translation>
+        <translation>cambia con la carga</translation>
     </message>
     <message>
         <source>it changes with time</source>
-        <translation>es ändert sich mit der Zeit</translation>
+        <translation>cambia con el tiempo</translation>
     </message>
     <message>
         <source>it has a mean in some direction</source>
-        <translation>es hat in einer Richtung einen Mittelwert</translation>
+        <translation>tiene una media en alguna dirección</translation>
     </message>
     <message>
         <source>it changes across the specimen</source>
-        <translation>es ändert sich über den Prüfkörper hinweg</translation>
+        <translation>cambia a lo largo de la muestra</translation>
     </message>
     <message>
         <source>it differs from trial to trial</source>
-        <translation>es unterscheidet sich von Versuch zu Versuch</translation>
+        <translation>difiere de un ensayo a otro</translation>
     </message>
     <message>
         <source>it is larger than the noise</source>
-        <translation>es ist größer als das Rauschen</translation>
+        <translation>es mayor que el ruido</translation>
     </message>
     <message>
         <source>neighbours are off in the same way</source>
-        <translation>Nachbarn weichen auf gleiche Weise ab</translation>
+        <translation>los vecinos se desvían del mismo modo</translation>
     </message>
     <message>
         <source>trying effects</source>
-        <translation>Effekte werden probiert</translation>
+        <translation>probando efectos</translation>
     </message>
     <message>
         <source>Only an experiment whose trials are measured can be explained.</source>
-        <translation>Nur ein Experiment, dessen Versuche gemessen sind, kann erklärt werden.</translation>
+        <translation>Solo se puede explicar un experimento cuyos ensayos se hayan medido.</translation>
     </message>
     <message>
         <source>predicting with the declared model</source>
-        <translation>Vorhersage mit dem angegebenen Modell</translation>
+        <translation>prediciendo con el modelo declarado</translation>
     </message>
     <message>
         <source>weighing the evidence</source>
-        <translation>Belege werden abgewogen</translation>
+        <translation>sopesando las pruebas</translation>
     </message>
     <message>
         <source>done</source>
-        <translation>fertig</translation>
+        <translation>terminado</translation>
     </message>
     <message>
         <source>No voxel of the stiffness map is reliable: none is positive, confident, inside the organ and {0} mm away from its border at once.</source>
-        <translation>Kein Voxel der Steifigkeitskarte ist verlässlich: Keines ist zugleich positiv, vertrauenswürdig, im Organ und {0} mm von dessen Rand entfernt.</translation>
+        <translation>Ningún vóxel del mapa de rigidez es fiable: ninguno es a la vez positivo, de confianza, interior al órgano y alejado {0} mm de su borde.</translation>
     </message>
     <message>
         <source>Check that map, confidence mask and segmentation belong together, or trust voxels nearer to the border.</source>
-        <translation>Prüfen Sie, ob Karte, Konfidenzmaske und Segmentierung zusammengehören, oder vertrauen Sie Voxeln näher am Rand.</translation>
+        <translation>Compruebe que el mapa, la máscara de confianza y la segmentación corresponden entre sí o acepte vóxeles más próximos al borde.</translation>
     </message>
     <message>
         <source>The model does not lie in the stiffness map: {0} mm are between their boxes (model around {1}, map around {2}).</source>
-        <translation>Das Modell liegt nicht in der Steifigkeitskarte: {0} mm trennen ihre Quader (Modell um {1}, Karte um {2}).</translation>
+        <translation>El modelo no está dentro del mapa de rigidez: {0} mm separan sus cajas (modelo en torno a {1}, mapa en torno a {2}).</translation>
     </message>
     <message>
         <source>They are probably in different frames of reference: take the stiffness series of the same study, or register the two.</source>
-        <translation>Wahrscheinlich sind sie in verschiedenen Bezugssystemen: Nehmen Sie die Steifigkeitsserie derselben Studie, oder registrieren Sie beide.</translation>
+        <translation>Probablemente están en marcos de referencia distintos: tome la serie de rigidez del mismo estudio o registre ambos.</translation>
     </message>
     <message>
         <source>There are no cells to give a stiffness to.</source>
-        <translation>Es gibt keine Zellen, denen eine Steifigkeit zu geben wäre.</translation>
+        <translation>No hay celdas a las que dar una rigidez.</translation>
     </message>
     <message>
         <source>The stiffness map holds no voxels.</source>
-        <translation>Die Steifigkeitskarte enthält keine Voxel.</translation>
+        <translation>El mapa de rigidez no contiene vóxeles.</translation>
     </message>
     <message>
         <source>The axes of the stiffness map are not at right angles, so that the nearest voxel is not to be told.</source>
-        <translation>Die Achsen der Steifigkeitskarte stehen nicht senkrecht aufeinander, sodass sich das nächste Voxel nicht bestimmen lässt.</translation>
+        <translation>Los ejes del mapa de rigidez no son perpendiculares, de modo que no se puede determinar el vóxel más próximo.</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio must lie in (-1, 0.5], the border must not be negative and the averaging length must be positive; they are {0}, {1} mm and {2} mm.</source>
-        <translation>Die Querkontraktionszahl muss in (-1, 0.5] liegen, der Rand darf nicht negativ und die Mittelungslänge muss positiv sein; sie sind {0}, {1} mm und {2} mm.</translation>
+        <translation>El coeficiente de Poisson debe estar en (-1, 0.5], el borde no debe ser negativo y la longitud de promediado debe ser positiva; son {0}, {1} mm y {2} mm.</translation>
     </message>
     <message>
         <source>There are no wave or phase images.</source>
-        <translation>Es gibt keine Wellen- oder Phasenbilder.</translation>
+        <translation>No hay imágenes de ondas ni de fase.</translation>
     </message>
     <message>
         <source>Unwrapping the phase</source>
-        <translation>Phase wird entfaltet</translation>
+        <translation>Desenrollando la fase</translation>
     </message>
     <message>
         <source>The waves give no signal inside the organ.</source>
-        <translation>Die Wellen geben im Organ kein Signal.</translation>
+        <translation>Las ondas no dan señal dentro del órgano.</translation>
     </message>
     <message>
         <source>Check that the segmentation and the wave images belong together.</source>
-        <translation>Prüfen Sie, ob Segmentierung und Wellenbilder zusammengehören.</translation>
+        <translation>Compruebe que la segmentación y las imágenes de ondas corresponden entre sí.</translation>
     </message>
     <message>
         <source>Inverting the waves</source>
-        <translation>Wellen werden invertiert</translation>
+        <translation>Invirtiendo las ondas</translation>
     </message>
     <message>
         <source>Inverted</source>
-        <translation>Invertiert</translation>
+        <translation>Invertido</translation>
     </message>
     <message>
         <source>Not one voxel could be inverted with confidence: there is no wave in these images, or it drowns in noise.</source>
-        <translation>Kein einziges Voxel ließ sich mit Konfidenz invertieren: In diesen Bildern ist keine Welle, oder sie geht im Rauschen unter.</translation>
+        <translation>No se ha podido invertir con confianza ni un solo vóxel: no hay onda en estas imágenes o se pierde en el ruido.</translation>
     </message>
     <message>
         <source>Check that the phase series and the frequency are the right ones.</source>
-        <translation>Prüfen Sie, ob Phasenserie und Frequenz die richtigen sind.</translation>
+        <translation>Compruebe que la serie de fase y la frecuencia son las correctas.</translation>
     </message>
     <message>
         <source>The region lies on another voxel grid than the map.</source>
-        <translation>Die Region liegt auf einem anderen Voxelgitter als die Karte.</translation>
+        <translation>La región está en otra cuadrícula de vóxeles que el mapa.</translation>
     </message>
     <message>
         <source>The region holds no value.</source>
-        <translation>Die Region enthält keinen Wert.</translation>
+        <translation>La región no contiene ningún valor.</translation>
     </message>
     <message>
         <source>The wave images do not all lie on one grid.</source>
-        <translation>Die Wellenbilder liegen nicht alle auf einem Gitter.</translation>
+        <translation>Las imágenes de ondas no están todas en una misma cuadrícula.</translation>
     </message>
     <message>
         <source>The headers do not say at which frequency the organ was shaken.</source>
-        <translation>Die Kopfdaten sagen nicht, mit welcher Frequenz das Organ in Schwingung versetzt wurde.</translation>
+        <translation>Las cabeceras no indican con qué frecuencia se hizo vibrar el órgano.</translation>
     </message>
     <message>
         <source>Give it with --frequency-Hz; liver scans mostly use 60.</source>
-        <translation>Geben Sie sie mit --frequency-Hz an; bei der Leber sind es meist 60.</translation>
+        <translation>Indíquela con --frequency-Hz; en el hígado suele ser 60.</translation>
     </message>
     <message>
         <source>A vibration of {0} Hz is not possible.</source>
-        <translation>Eine Schwingung von {0} Hz ist nicht möglich.</translation>
+        <translation>Una vibración de {0} Hz no es posible.</translation>
     </message>
     <message>
         <source>The headers do not say which of the {0} wave images belong to which direction.</source>
-        <translation>Die Kopfdaten sagen nicht, welche der {0} Wellenbilder zu welcher Richtung gehören.</translation>
+        <translation>Las cabeceras no indican cuáles de las {0} imágenes de ondas pertenecen a cada dirección.</translation>
     </message>
     <message>
         <source>Say how many directions were measured with --directions; mostly 1 or 3.</source>
-        <translation>Sagen Sie mit --directions, wie viele Richtungen gemessen wurden; meist 1 oder 3.</translation>
+        <translation>Indique con --directions cuántas direcciones se midieron; casi siempre 1 o 3.</translation>
     </message>
     <message>
         <source>{0} wave images cannot be shared out among {1} directions.</source>
-        <translation>{0} Wellenbilder lassen sich nicht auf {1} Richtungen aufteilen.</translation>
+        <translation>{0} imágenes de ondas no se pueden repartir entre {1} direcciones.</translation>
     </message>
     <message>
         <source>At {0} Hz direction {1} has {2} instants and the first direction {3}.</source>
-        <translation>Bei {0} Hz hat Richtung {1} {2} Zeitpunkte und die erste Richtung {3}.</translation>
+        <translation>A {0} Hz la dirección {1} tiene {2} instantes y la primera dirección {3}.</translation>
     </message>
     <message>
         <source>Only {0} instants of the wave were measured; at least {1} are needed to tell the wave from noise.</source>
-        <translation>Nur {0} Zeitpunkte der Welle wurden gemessen; mindestens {1} sind nötig, um Welle und Rauschen zu trennen.</translation>
+        <translation>Solo se midieron {0} instantes de la onda; hacen falta al menos {1} para distinguir la onda del ruido.</translation>
     </message>
     <message>
         <source>The curl needs the motion along three known directions, in at least three slices.</source>
-        <translation>Die Rotation braucht die Bewegung in drei bekannten Richtungen, in mindestens drei Schichten.</translation>
+        <translation>El rotacional necesita el movimiento en tres direcciones conocidas, en al menos tres cortes.</translation>
     </message>
     <message>
         <source>Take long waves off with the high-pass instead.</source>
-        <translation>Entfernen Sie lange Wellen stattdessen mit dem Hochpass.</translation>
+        <translation>Elimine en su lugar las ondas largas con el paso alto.</translation>
     </message>
     <message>
         <source>A cutting plane needs a finite point and a normal that is not zero.</source>
-        <translation>Eine Schnittebene braucht einen endlichen Punkt und eine Normale ungleich null.</translation>
+        <translation>Un plano de corte necesita un punto finito y una normal distinta de cero.</translation>
     </message>
     <message>
         <source>A cutting sheet needs 3 to {0} points; there are {1}.</source>
-        <translation>Eine Schnittfläche braucht 3 bis {0} Punkte; es sind {1}.</translation>
+        <translation>Una superficie de corte necesita de 3 a {0} puntos; hay {1}.</translation>
     </message>
     <message>
         <source>A point of the cutting sheet is not finite.</source>
-        <translation>Ein Punkt der Schnittfläche ist nicht endlich.</translation>
+        <translation>Un punto de la superficie de corte no es finito.</translation>
     </message>
     <message>
         <source>The points of the cutting sheet lie almost on a line, which does not say which way to cut: add points away from it, or give a plane.</source>
-        <translation>Die Punkte der Schnittfläche liegen fast auf einer Geraden, was nicht sagt, wie zu schneiden ist: Fügen Sie Punkte abseits davon hinzu, oder geben Sie eine Ebene an.</translation>
+        <translation>Los puntos de la superficie de corte están casi alineados, lo que no indica cómo cortar: añada puntos fuera de la línea o indique un plano.</translation>
     </message>
     <message>
         <source>Points {0} and {1} of the cutting sheet lie above each other: no smooth sheet over their plane passes through both.</source>
-        <translation>Die Punkte {0} und {1} der Schnittfläche liegen übereinander: Keine glatte Fläche über ihrer Ebene geht durch beide.</translation>
+        <translation>Los puntos {0} y {1} de la superficie de corte están uno sobre otro: ninguna superficie suave sobre su plano pasa por ambos.</translation>
     </message>
     <message>
         <source>No smooth sheet passes through the points of the cut.</source>
-        <translation>Keine glatte Fläche geht durch die Punkte des Schnitts.</translation>
+        <translation>Ninguna superficie suave pasa por los puntos de la sección.</translation>
     </message>
     <message>
         <source>The surface is in pieces, between which there is no way along it.</source>
-        <translation>Die Oberfläche besteht aus Stücken, zwischen denen kein Weg auf ihr liegt.</translation>
+        <translation>La superficie está en trozos entre los que no hay camino sobre ella.</translation>
     </message>
     <message>
         <source>Keep its largest piece.</source>
-        <translation>Behalten Sie ihr größtes Stück.</translation>
+        <translation>Conserve su trozo mayor.</translation>
     </message>
     <message>
         <source>Triangle {0} does not fit its neighbours: an edge has more than two triangles, or they are turned against each other.</source>
-        <translation>Dreieck {0} passt nicht zu seinen Nachbarn: Eine Kante hat mehr als zwei Dreiecke, oder sie sind gegeneinander gedreht.</translation>
+        <translation>El triángulo {0} no encaja con sus vecinos: una arista tiene más de dos triángulos o están orientados al revés.</translation>
     </message>
     <message>
         <source>Heat cannot spread over the surface: it has flat triangles.</source>
-        <translation>Wärme kann sich auf der Oberfläche nicht ausbreiten: Sie hat entartete Dreiecke.</translation>
+        <translation>El calor no puede propagarse por la superficie: tiene triángulos planos.</translation>
     </message>
     <message>
         <source>{0} cannot be read as a mesh: {1}.</source>
-        <translation>{0} kann nicht als Netz gelesen werden: {1}.</translation>
+        <translation>No se puede leer {0} como malla: {1}.</translation>
     </message>
     <message>
         <source>Open it in ParaView to see whether it is damaged.</source>
-        <translation>Öffnen Sie es in ParaView, um zu sehen, ob es beschädigt ist.</translation>
+        <translation>Ábralo en ParaView para ver si está dañado.</translation>
     </message>
     <message>
         <source>it names no dataset</source>
-        <translation>es nennt keinen Datensatz</translation>
+        <translation>no nombra ningún conjunto de datos</translation>
     </message>
     <message>
         <source>its points are not all there</source>
-        <translation>seine Punkte sind nicht vollständig</translation>
+        <translation>no están todos sus puntos</translation>
     </message>
     <message>
         <source>its cell types are not all there</source>
-        <translation>seine Zelltypen sind nicht vollständig</translation>
+        <translation>no están todos sus tipos de celda</translation>
     </message>
     <message>
         <source>it has not as many cell types as cells</source>
-        <translation>es hat nicht so viele Zelltypen wie Zellen</translation>
+        <translation>no tiene tantos tipos de celda como celdas</translation>
     </message>
     <message>
         <source>a field says not how many arrays it has</source>
-        <translation>ein Feld sagt nicht, wie viele Arrays es hat</translation>
+        <translation>un campo no indica cuántas matrices tiene</translation>
     </message>
     <message>
         <source>an array before its cells is not all there, or is text</source>
-        <translation>ein Array vor seinen Zellen ist nicht vollständig oder ist Text</translation>
+        <translation>una matriz anterior a sus celdas no está completa o es texto</translation>
     </message>
     <message>
         <source>{0} has no extension that is known for such a mesh.</source>
-        <translation>{0} hat keine Endung, die für ein solches Netz bekannt ist.</translation>
+        <translation>{0} no tiene una extensión conocida para una malla así.</translation>
     </message>
     <message>
         <source>it holds no points</source>
-        <translation>es enthält keine Punkte</translation>
+        <translation>no contiene puntos</translation>
     </message>
     <message>
         <source>a cell names a point that does not exist</source>
-        <translation>eine Zelle nennt einen Punkt, den es nicht gibt</translation>
+        <translation>una celda nombra un punto que no existe</translation>
     </message>
     <message>
         <source>its polygons cannot be cut into triangles</source>
-        <translation>seine Polygone lassen sich nicht in Dreiecke zerlegen</translation>
+        <translation>sus polígonos no se pueden dividir en triángulos</translation>
     </message>
     <message>
         <source>Cell {1} of {0} is a {2} of {3} points; only tetrahedra are used.</source>
-        <translation>Zelle {1} von {0} ist {2} mit {3} Punkten; nur Tetraeder werden verwendet.</translation>
+        <translation>La celda {1} de {0} es {2} de {3} puntos; solo se usan tetraedros.</translation>
     </message>
     <message>
         <source>Cut it into tetrahedra first, for example with ParaView&apos;s Tetrahedralize.</source>
-        <translation>Zerlegen Sie es zuerst in Tetraeder, zum Beispiel mit Tetrahedralize von ParaView.</translation>
+        <translation>Divídala antes en tetraedros, por ejemplo con Tetrahedralize de ParaView.</translation>
     </message>
     <message>
         <source>it holds no tetrahedra</source>
-        <translation>es enthält keine Tetraeder</translation>
+        <translation>no contiene tetraedros</translation>
     </message>
     <message>
         <source>The header of {0} announces {1} items; a file of {2} bytes cannot hold them.</source>
-        <translation>Die Kopfdaten von {0} kündigen {1} Einträge an; eine Datei von {2} Bytes kann sie nicht enthalten.</translation>
+        <translation>La cabecera de {0} anuncia {1} elementos; un archivo de {2} bytes no puede contenerlos.</translation>
     </message>
     <message>
         <source>The file is damaged or cut off; get it again from where it came.</source>
-        <translation>Die Datei ist beschädigt oder abgeschnitten; holen Sie sie erneut von ihrer Quelle.</translation>
+        <translation>El archivo está dañado o cortado; vuelva a obtenerlo de su origen.</translation>
     </message>
     <message>
         <source>Line {1} of {0} is neither a point nor a face.</source>
-        <translation>Zeile {1} von {0} ist weder ein Punkt noch eine Fläche.</translation>
+        <translation>La línea {1} de {0} no es ni un punto ni una cara.</translation>
     </message>
     <message>
         <source>Line {1} of {0} is not what an OFF file holds there.</source>
-        <translation>Zeile {1} von {0} ist nicht das, was dort in einer OFF-Datei steht.</translation>
+        <translation>La línea {1} de {0} no es lo que un archivo OFF contiene ahí.</translation>
     </message>
     <message>
         <source>its header is not that of a PLY file</source>
-        <translation>seine Kopfdaten sind nicht die einer PLY-Datei</translation>
+        <translation>su cabecera no es la de un archivo PLY</translation>
     </message>
     <message>
         <source>Point {0} of the surface has no finite position.</source>
-        <translation>Punkt {0} der Oberfläche hat keine endliche Position.</translation>
+        <translation>El punto {0} de la superficie no tiene una posición finita.</translation>
     </message>
     <message>
         <source>Triangle {0} names point {1}; the surface has {2} points.</source>
-        <translation>Dreieck {0} nennt Punkt {1}; die Oberfläche hat {2} Punkte.</translation>
+        <translation>El triángulo {0} nombra el punto {1}; la superficie tiene {2} puntos.</translation>
     </message>
     <message>
         <source>The surface holds no triangles.</source>
-        <translation>Die Oberfläche enthält keine Dreiecke.</translation>
+        <translation>La superficie no contiene triángulos.</translation>
     </message>
     <message>
         <source>The mesh holds no tetrahedra.</source>
-        <translation>Das Netz enthält keine Tetraeder.</translation>
+        <translation>La malla no contiene tetraedros.</translation>
     </message>
     <message>
         <source>Tetrahedron {0} names point {1}; the mesh has {2} points.</source>
-        <translation>Tetraeder {0} nennt Punkt {1}; das Netz hat {2} Punkte.</translation>
+        <translation>El tetraedro {0} nombra el punto {1}; la malla tiene {2} puntos.</translation>
     </message>
     <message>
         <source>Point {0} of the mesh has no finite position.</source>
-        <translation>Punkt {0} des Netzes hat keine endliche Position.</translation>
+        <translation>El punto {0} de la malla no tiene una posición finita.</translation>
     </message>
     <message>
         <source>Tetrahedron {0} is flat or inside out: its volume is {1} mm3.</source>
-        <translation>Tetraeder {0} ist flach oder umgestülpt: Sein Volumen ist {1} mm3.</translation>
+        <translation>El tetraedro {0} es plano o está invertido: su volumen es {1} mm3.</translation>
     </message>
     <message>
         <source>The face of the points {0}, {1} and {2} belongs to {3} tetrahedra; at most two can.</source>
-        <translation>Die Fläche der Punkte {0}, {1} und {2} gehört zu {3} Tetraedern; höchstens zwei sind möglich.</translation>
+        <translation>La cara de los puntos {0}, {1} y {2} pertenece a {3} tetraedros; como máximo pueden ser dos.</translation>
     </message>
     <message>
         <source>The mesh falls in {0} parts that share no face, of {1} tetrahedra.</source>
-        <translation>Das Netz zerfällt in {0} Teile ohne gemeinsame Fläche, mit {1} Tetraedern.</translation>
+        <translation>La malla se divide en {0} partes sin cara común, de {1} tetraedros.</translation>
     </message>
     <message>
         <source>Keep the largest part, or join them before meshing.</source>
-        <translation>Behalten Sie den größten Teil, oder verbinden Sie die Teile vor dem Vernetzen.</translation>
+        <translation>Conserve la parte mayor o únalas antes de mallar.</translation>
     </message>
     <message>
         <source>{0} is deflated as a whole, which is not read.</source>
-        <translation>{0} ist als Ganzes komprimiert (Deflate); das wird nicht gelesen.</translation>
+        <translation>{0} está comprimido por completo (deflate), lo que no se lee.</translation>
     </message>
     <message>
         <source>Convert it first, for example with dcmconv +te.</source>
-        <translation>Wandeln Sie es zuerst um, zum Beispiel mit dcmconv +te.</translation>
+        <translation>Conviértalo antes, por ejemplo con dcmconv +te.</translation>
     </message>
     <message>
         <source>{0} is empty.</source>
-        <translation>{0} ist leer.</translation>
+        <translation>{0} está vacío.</translation>
     </message>
     <message>
         <source>{0} declares a length beyond its end in its first lines.</source>
-        <translation>{0} gibt in seinen ersten Zeilen eine Länge jenseits seines Endes an.</translation>
+        <translation>{0} declara en sus primeras líneas una longitud que rebasa su final.</translation>
     </message>
     <message>
         <source>{0} is no DICOM file, nor named as one of the volume files that are read.</source>
-        <translation>{0} ist keine DICOM-Datei und heißt auch nicht wie eine lesbare Volumendatei.</translation>
+        <translation>{0} no es un archivo DICOM ni se llama como uno de los archivos de volumen que se leen.</translation>
     </message>
     <message>
         <source>The header of {0} is too large to be that of an image.</source>
-        <translation>Die Kopfdaten von {0} sind zu groß für die eines Bildes.</translation>
+        <translation>La cabecera de {0} es demasiado grande para ser la de una imagen.</translation>
     </message>
     <message>
         <source>{0} is damaged: an item stands outside a sequence at byte {1}.</source>
-        <translation>{0} ist beschädigt: Bei Byte {1} steht ein Eintrag außerhalb einer Sequenz.</translation>
+        <translation>{0} está dañado: hay un elemento fuera de una secuencia en el byte {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: a value without a length stands at byte {1}.</source>
-        <translation>{0} ist beschädigt: Bei Byte {1} steht ein Wert ohne Länge.</translation>
+        <translation>{0} está dañado: hay un valor sin longitud en el byte {1}.</translation>
     </message>
     <message>
         <source>{0} ends at byte {1}, in the middle of its header.</source>
-        <translation>{0} endet bei Byte {1}, mitten in den Kopfdaten.</translation>
+        <translation>{0} termina en el byte {1}, en mitad de su cabecera.</translation>
     </message>
     <message>
         <source>{0} is damaged: the length at byte {1} leaves what encloses it.</source>
-        <translation>{0} ist beschädigt: Die Länge bei Byte {1} verlässt, was sie umschließt.</translation>
+        <translation>{0} está dañado: la longitud en el byte {1} se sale de lo que la contiene.</translation>
     </message>
     <message>
         <source>{0} ends at byte {1}, in the middle of a sequence.</source>
-        <translation>{0} endet bei Byte {1}, mitten in einer Sequenz.</translation>
+        <translation>{0} termina en el byte {1}, en mitad de una secuencia.</translation>
     </message>
     <message>
         <source>{0} is damaged: a sequence holds something else than items at byte {1}.</source>
-        <translation>{0} ist beschädigt: Bei Byte {1} enthält eine Sequenz anderes als Einträge.</translation>
+        <translation>{0} está dañado: una secuencia contiene algo que no son elementos en el byte {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: its pixels are not stored in the way its transfer syntax {1} says.</source>
-        <translation>{0} ist beschädigt: Seine Pixel sind nicht so gespeichert, wie seine Transfersyntax {1} sagt.</translation>
+        <translation>{0} está dañado: sus píxeles no están almacenados como dice su sintaxis de transferencia {1}.</translation>
     </message>
     <message>
         <source>{0} is cut short: {1} of {2} bytes of its pixels are there.</source>
-        <translation>{0} ist abgeschnitten: {1} von {2} Bytes seiner Pixel sind da.</translation>
+        <translation>{0} está cortado: hay {1} de {2} bytes de sus píxeles.</translation>
     </message>
     <message>
         <source>{0} is damaged: its compressed pixels are broken at byte {1}.</source>
-        <translation>{0} ist beschädigt: Seine komprimierten Pixel sind bei Byte {1} zerstört.</translation>
+        <translation>{0} está dañado: sus píxeles comprimidos están rotos en el byte {1}.</translation>
     </message>
     <message>
         <source>The pixels of {0} are in too many pieces.</source>
-        <translation>Die Pixel von {0} sind in zu vielen Stücken.</translation>
+        <translation>Los píxeles de {0} están en demasiados trozos.</translation>
     </message>
     <message>
         <source>{0} is cut short in its compressed pixels, at byte {1}.</source>
-        <translation>{0} ist in seinen komprimierten Pixeln abgeschnitten, bei Byte {1}.</translation>
+        <translation>{0} está cortado en sus píxeles comprimidos, en el byte {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: no value type is known for what stands at byte {1}.</source>
-        <translation>{0} ist beschädigt: Für das, was bei Byte {1} steht, ist kein Werttyp bekannt.</translation>
+        <translation>{0} está dañado: no se conoce ningún tipo de valor para lo que hay en el byte {1}.</translation>
     </message>
     <message>
         <source>{0} nests its sequences more than {1} deep, which no image does.</source>
-        <translation>{0} verschachtelt seine Sequenzen mehr als {1} tief, was kein Bild tut.</translation>
+        <translation>{0} anida sus secuencias a más de {1} niveles, algo que ninguna imagen hace.</translation>
     </message>
     <message>
         <source>Copy the file again from where it came.</source>
-        <translation>Kopieren Sie die Datei erneut von ihrer Quelle.</translation>
+        <translation>Copie de nuevo el archivo desde su origen.</translation>
     </message>
     <message>
         <source>The compressed pixels of {0} are damaged.</source>
-        <translation>Die komprimierten Pixel von {0} sind beschädigt.</translation>
+        <translation>Los píxeles comprimidos de {0} están dañados.</translation>
     </message>
     <message>
         <source>{0} is compressed in a way that is not read (transfer syntax {1}).</source>
-        <translation>{0} ist auf eine Art komprimiert, die nicht gelesen wird (Transfersyntax {1}).</translation>
+        <translation>{0} está comprimido de una forma que no se lee (sintaxis de transferencia {1}).</translation>
     </message>
     <message>
         <source>Convert it to an uncompressed or JPEG form first.</source>
-        <translation>Wandeln Sie es zuerst in eine unkomprimierte oder JPEG-Form um.</translation>
+        <translation>Conviértalo antes a una forma sin comprimir o JPEG.</translation>
     </message>
     <message>
         <source>The compressed picture of {0} is {1} x {2} with {3} bits, where its header says {4} x {5} with {6}.</source>
-        <translation>Das komprimierte Bild von {0} hat {1} x {2} Pixel mit {3} Bit, wo die Kopfdaten {4} x {5} mit {6} sagen.</translation>
+        <translation>La imagen comprimida de {0} tiene {1} x {2} píxeles con {3} bits, mientras que su cabecera dice {4} x {5} con {6}.</translation>
     </message>
     <message>
         <source>{0} lies inside {1}, which is only read.</source>
-        <translation>{0} liegt in {1}, das nur gelesen wird.</translation>
+        <translation>{0} está dentro de {1}, que solo se lee.</translation>
     </message>
     <message>
         <source>Choose a folder elsewhere for the files without identity.</source>
-        <translation>Wählen Sie für die Dateien ohne Identität einen Ordner anderswo.</translation>
+        <translation>Elija una carpeta en otro lugar para los archivos sin identidad.</translation>
     </message>
     <message>
         <source>removing identity</source>
-        <translation>Identität wird entfernt</translation>
+        <translation>eliminando la identidad</translation>
     </message>
     <message>
         <source>{0} holds no DICOM file.</source>
-        <translation>{0} enthält keine DICOM-Datei.</translation>
+        <translation>{0} no contiene ningún archivo DICOM.</translation>
     </message>
     <message>
         <source>Give the folder or the file that holds the images.</source>
-        <translation>Geben Sie den Ordner oder die Datei an, die die Bilder enthält.</translation>
+        <translation>Indique la carpeta o el archivo que contiene las imágenes.</translation>
     </message>
     <message>
         <source>{0} cannot be read: {1}.</source>
-        <translation>{0} kann nicht gelesen werden: {1}.</translation>
+        <translation>No se puede leer {0}: {1}.</translation>
     </message>
     <message>
         <source>Check the path and your rights there.</source>
-        <translation>Prüfen Sie den Pfad und Ihre Rechte dort.</translation>
+        <translation>Compruebe la ruta y sus permisos en ella.</translation>
     </message>
     <message>
         <source>{0} holds no image, or is damaged.</source>
-        <translation>{0} enthält kein Bild oder ist beschädigt.</translation>
+        <translation>{0} no contiene ninguna imagen o está dañado.</translation>
     </message>
     <message>
         <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
-        <translation>{0} gibt eine unmögliche Größe an: {1} x {2} Pixel in {3} Bildern.</translation>
+        <translation>{0} declara un tamaño imposible: {1} x {2} píxeles en {3} fotogramas.</translation>
     </message>
     <message>
         <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
-        <translation>{0} gibt unmögliche Pixel an: {1} von {2} Bit, das höchste {3}.</translation>
+        <translation>{0} declara píxeles imposibles: {1} de {2} bits, el más alto {3}.</translation>
     </message>
     <message>
         <source>{0} declares compressed pictures too large to be true.</source>
-        <translation>{0} gibt komprimierte Bilder an, die zu groß sind, um wahr zu sein.</translation>
+        <translation>{0} declara imágenes comprimidas demasiado grandes para ser ciertas.</translation>
     </message>
     <message>
         <source>{0} holds {1} of the {2} frames that it declares.</source>
-        <translation>{0} enthält {1} der {2} Bilder, die es angibt.</translation>
+        <translation>{0} contiene {1} de los {2} fotogramas que declara.</translation>
     </message>
     <message>
         <source>{0} holds {1} bytes of pixels, but its size in pixels asks for {2}.</source>
-        <translation>{0} enthält {1} Bytes an Pixeln, aber seine Größe verlangt {2}.</translation>
+        <translation>{0} contiene {1} bytes de píxeles, pero su tamaño exige {2}.</translation>
     </message>
     <message>
         <source>{0} is damaged: its header cannot be understood.</source>
-        <translation>{0} ist beschädigt: Die Kopfdaten sind nicht zu verstehen.</translation>
+        <translation>{0} está dañado: su cabecera no se entiende.</translation>
     </message>
     <message>
         <source>{0} is DICOM, but holds no picture ({1}).</source>
-        <translation>{0} ist DICOM, enthält aber kein Bild ({1}).</translation>
+        <translation>{0} es DICOM, pero no contiene ninguna imagen ({1}).</translation>
     </message>
     <message>
         <source>{0} is no directory of DICOM files.</source>
-        <translation>{0} ist kein Verzeichnis von DICOM-Dateien (DICOMDIR).</translation>
+        <translation>{0} no es un directorio de archivos DICOM (DICOMDIR).</translation>
     </message>
     <message>
         <source>Open the folder itself instead.</source>
-        <translation>Öffnen Sie stattdessen den Ordner selbst.</translation>
+        <translation>Abra en su lugar la propia carpeta.</translation>
     </message>
     <message>
         <source>Export the segmentation again, as binary and uncompressed DICOM SEG.</source>
-        <translation>Exportieren Sie die Segmentierung erneut, als binäres, unkomprimiertes DICOM SEG.</translation>
+        <translation>Exporte de nuevo la segmentación, como DICOM SEG binario y sin comprimir.</translation>
     </message>
     <message>
         <source>{0} is not a DICOM segmentation.</source>
-        <translation>{0} ist keine DICOM-Segmentierung.</translation>
+        <translation>{0} no es una segmentación DICOM.</translation>
     </message>
     <message>
         <source>The segmentation {0} is compressed (or big endian).</source>
-        <translation>Die Segmentierung {0} ist komprimiert (oder Big Endian).</translation>
+        <translation>La segmentación {0} está comprimida (o en big endian).</translation>
     </message>
     <message>
         <source>The segmentation {0} names no segment, or too many for its size: {1}.</source>
-        <translation>Die Segmentierung {0} nennt kein Segment oder zu viele für ihre Größe: {1}.</translation>
+        <translation>La segmentación {0} no nombra ningún segmento o demasiados para su tamaño: {1}.</translation>
     </message>
     <message>
         <source>The headers of {0} are damaged.</source>
-        <translation>Die Kopfdaten von {0} sind beschädigt.</translation>
+        <translation>Las cabeceras de {0} están dañadas.</translation>
     </message>
     <message>
         <source>The segmentation {0} does not say where its frames are: {1}.</source>
-        <translation>Die Segmentierung {0} sagt nicht, wo ihre Bilder liegen: {1}.</translation>
+        <translation>La segmentación {0} no indica dónde están sus fotogramas: {1}.</translation>
     </message>
     <message>
         <source>rows, columns, frames or bits</source>
-        <translation>Zeilen, Spalten, Bilder oder Bits</translation>
+        <translation>filas, columnas, fotogramas o bits</translation>
     </message>
     <message>
         <source>pixel spacing</source>
-        <translation>Pixelabstand</translation>
+        <translation>espaciado de los píxeles</translation>
     </message>
     <message>
         <source>The frames of the segmentation {0} are not above each other.</source>
-        <translation>Die Bilder der Segmentierung {0} liegen nicht übereinander.</translation>
+        <translation>Los fotogramas de la segmentación {0} no están superpuestos.</translation>
     </message>
     <message>
         <source>The frames of the segmentation {0} are not evenly spaced.</source>
-        <translation>Die Bilder der Segmentierung {0} haben keine gleichmäßigen Abstände.</translation>
+        <translation>Los fotogramas de la segmentación {0} no están espaciados por igual.</translation>
     </message>
     <message>
         <source>The segmentation {0} holds fewer frames than it declares.</source>
-        <translation>Die Segmentierung {0} enthält weniger Bilder, als sie angibt.</translation>
+        <translation>La segmentación {0} contiene menos fotogramas de los que declara.</translation>
     </message>
     <message>
         <source>The segmentation {0} ends before its last frame.</source>
-        <translation>Die Segmentierung {0} endet vor ihrem letzten Bild.</translation>
+        <translation>La segmentación {0} termina antes de su último fotograma.</translation>
     </message>
     <message>
         <source>There is no segment to write.</source>
-        <translation>Es gibt kein Segment zu schreiben.</translation>
+        <translation>No hay ningún segmento que escribir.</translation>
     </message>
     <message>
         <source>A segmentation needs the identifiers of the study, the series and the frame of reference that it was drawn on.</source>
-        <translation>Eine Segmentierung braucht die Kennungen der Studie, der Serie und des Bezugssystems, in dem sie gezeichnet wurde.</translation>
+        <translation>Una segmentación necesita los identificadores del estudio, de la serie y del marco de referencia sobre los que se dibujó.</translation>
     </message>
     <message>
         <source>The segments {0} and {1} lie on different grids; one file holds one grid.</source>
-        <translation>Die Segmente {0} und {1} liegen auf verschiedenen Gittern; eine Datei fasst ein Gitter.</translation>
+        <translation>Los segmentos {0} y {1} están en cuadrículas distintas; un archivo contiene una sola.</translation>
     </message>
     <message>
         <source>The grid of the segment {0} is skewed, left-handed or too large for DICOM.</source>
-        <translation>Das Gitter des Segments {0} ist schief, linkshändig oder zu groß für DICOM.</translation>
+        <translation>La cuadrícula del segmento {0} está sesgada, es levógira o demasiado grande para DICOM.</translation>
     </message>
     <message>
         <source>The volume holds no voxels, so no series can be written to {0}.</source>
-        <translation>Das Volumen enthält keine Voxel, also kann keine Serie nach {0} geschrieben werden.</translation>
+        <translation>El volumen no contiene vóxeles, así que no se puede escribir ninguna serie en {0}.</translation>
     </message>
     <message>
         <source>The slices have {0} x {1} voxels; DICOM counts rows and columns up to 65535.</source>
-        <translation>Die Schichten haben {0} x {1} Voxel; DICOM zählt Zeilen und Spalten bis 65535.</translation>
+        <translation>Los cortes tienen {0} x {1} vóxeles; DICOM cuenta filas y columnas hasta 65535.</translation>
     </message>
     <message>
         <source>The series {0} needs the identifiers of its study, of itself and of its frame of reference.</source>
-        <translation>Die Serie {0} braucht die Kennungen ihrer Studie, ihrer selbst und ihres Bezugssystems.</translation>
+        <translation>La serie {0} necesita los identificadores de su estudio, de sí misma y de su marco de referencia.</translation>
     </message>
     <message>
         <source>The volume holds values that are not finite; DICOM cannot.</source>
-        <translation>Das Volumen enthält Werte, die nicht endlich sind; DICOM kann das nicht.</translation>
+        <translation>El volumen contiene valores no finitos; DICOM no lo permite.</translation>
     </message>
     <message>
         <source>Slice {0} holds the value {1}, which the rescale {2} x + {3} cannot hold in 16 bits.</source>
-        <translation>Schicht {0} enthält den Wert {1}, den die Umskalierung {2} x + {3} in 16 Bit nicht fassen kann.</translation>
+        <translation>El corte {0} contiene el valor {1}, que el reescalado {2} x + {3} no puede guardar en 16 bits.</translation>
     </message>
     <message>
         <source>{0} may not be read by you.</source>
-        <translation>{0} dürfen Sie nicht lesen.</translation>
+        <translation>No tiene permiso para leer {0}.</translation>
     </message>
     <message>
         <source>{0} cannot be opened: it has gone, or is no ordinary file.</source>
-        <translation>{0} kann nicht geöffnet werden: Es ist verschwunden oder keine gewöhnliche Datei.</translation>
+        <translation>No se puede abrir {0}: ha desaparecido o no es un archivo ordinario.</translation>
     </message>
     <message>
         <source>{0} is not any more as it was when the folder was scanned.</source>
-        <translation>{0} ist nicht mehr so wie beim Durchsuchen des Ordners.</translation>
+        <translation>{0} ya no está como cuando se examinó la carpeta.</translation>
     </message>
     <message>
         <source>Scan the folder again.</source>
-        <translation>Durchsuchen Sie den Ordner erneut.</translation>
+        <translation>Examine de nuevo la carpeta.</translation>
     </message>
     <message>
         <source>{0} does not say which of its compressed pieces belong to frame {1}.</source>
-        <translation>{0} sagt nicht, welche seiner komprimierten Stücke zu Bild {1} gehören.</translation>
+        <translation>{0} no indica cuáles de sus trozos comprimidos pertenecen al fotograma {1}.</translation>
     </message>
     <message>
         <source>The series {0} has {1} volumes, counted from 0, and no {2}.</source>
-        <translation>Die Serie {0} hat {1} Volumina, gezählt ab 0, und kein {2}.</translation>
+        <translation>La serie {0} tiene {1} volúmenes, contados desde 0, y ninguno {2}.</translation>
     </message>
     <message>
         <source>The series {0} is a segmentation, not an image.</source>
-        <translation>Die Serie {0} ist eine Segmentierung, kein Bild.</translation>
+        <translation>La serie {0} es una segmentación, no una imagen.</translation>
     </message>
     <message>
         <source>Import it as labels of a structure.</source>
-        <translation>Importieren Sie sie als Labels einer Struktur.</translation>
+        <translation>Impórtela como etiquetas de una estructura.</translation>
     </message>
     <message>
         <source>The series {0} holds pictures in colour and no values to measure.</source>
-        <translation>Die Serie {0} enthält Farbbilder und keine messbaren Werte.</translation>
+        <translation>La serie {0} contiene imágenes en color y ningún valor que medir.</translation>
     </message>
     <message>
         <source>Choose the grey-scale series that it was made from.</source>
-        <translation>Wählen Sie die Graustufenserie, aus der sie entstanden ist.</translation>
+        <translation>Elija la serie en escala de grises de la que procede.</translation>
     </message>
     <message>
         <source>The series {0} needs {1} GiB of memory, more than this computer has.</source>
-        <translation>Die Serie {0} braucht {1} GiB Speicher, mehr als dieser Rechner hat.</translation>
+        <translation>La serie {0} necesita {1} GiB de memoria, más de la que tiene este ordenador.</translation>
     </message>
     <message>
         <source>Reading the slices</source>
-        <translation>Schichten werden gelesen</translation>
+        <translation>Leyendo los cortes</translation>
     </message>
     <message>
         <source>Sorting the series</source>
-        <translation>Serien werden sortiert</translation>
+        <translation>Ordenando las series</translation>
     </message>
     <message>
         <source>The folder {0} cannot be read.</source>
-        <translation>Der Ordner {0} kann nicht gelesen werden.</translation>
+        <translation>No se puede leer la carpeta {0}.</translation>
     </message>
     <message>
         <source>Check your rights there.</source>
-        <translation>Prüfen Sie Ihre Rechte dort.</translation>
+        <translation>Compruebe sus permisos en ella.</translation>
     </message>
     <message>
         <source>Files found</source>
-        <translation>Gefundene Dateien</translation>
+        <translation>Archivos encontrados</translation>
     </message>
     <message>
         <source>There is nothing at {0}.</source>
-        <translation>Unter {0} ist nichts vorhanden.</translation>
+        <translation>No hay nada en {0}.</translation>
     </message>
     <message>
         <source>Check the path.</source>
-        <translation>Prüfen Sie den Pfad.</translation>
+        <translation>Compruebe la ruta.</translation>
     </message>
     <message>
         <source>Files looked at</source>
-        <translation>Durchgesehene Dateien</translation>
+        <translation>Archivos examinados</translation>
     </message>
     <message>
         <source>The map is in {0}, which is no unit of stiffness.</source>
-        <translation>Die Karte ist in {0}, was keine Einheit der Steifigkeit ist.</translation>
+        <translation>El mapa está en {0}, que no es una unidad de rigidez.</translation>
     </message>
     <message>
         <source>The stiffness map holds no value above zero.</source>
-        <translation>Die Steifigkeitskarte enthält keinen Wert über null.</translation>
+        <translation>El mapa de rigidez no contiene ningún valor mayor que cero.</translation>
     </message>
     <message>
         <source>It cannot be decided whether the stiffness map is in Pa or kPa: its median, {0}, is no stiffness of soft tissue in either.</source>
-        <translation>Ob die Steifigkeitskarte in Pa oder kPa ist, lässt sich nicht entscheiden: Ihr Median, {0}, ist in keiner von beiden eine Steifigkeit von Weichgewebe.</translation>
+        <translation>No se puede decidir si el mapa de rigidez está en Pa o en kPa: su mediana, {0}, no es una rigidez de tejido blando en ninguna de las dos.</translation>
     </message>
     <message>
         <source>The stiffness map is marked as {0}, but its median, {1}, is a stiffness of soft tissue only in {2}.</source>
-        <translation>Die Steifigkeitskarte ist als {0} gekennzeichnet, aber ihr Median, {1}, ist nur in {2} eine Steifigkeit von Weichgewebe.</translation>
+        <translation>El mapa de rigidez está marcado como {0}, pero su mediana, {1}, solo es una rigidez de tejido blando en {2}.</translation>
     </message>
     <message>
         <source>Correct the unit in the file after asking where it came from.</source>
-        <translation>Berichtigen Sie die Einheit in der Datei, nachdem Sie bei deren Herkunft nachgefragt haben.</translation>
+        <translation>Corrija la unidad en el archivo después de consultar a quien lo generó.</translation>
     </message>
     <message>
         <source>{0} is not a label map: it holds the value {1}.</source>
-        <translation>{0} ist keine Labelkarte: Sie enthält den Wert {1}.</translation>
+        <translation>{0} no es un mapa de etiquetas: contiene el valor {1}.</translation>
     </message>
     <message>
         <source>A label map holds whole numbers from 0 to 65535.</source>
-        <translation>Eine Labelkarte enthält ganze Zahlen von 0 bis 65535.</translation>
+        <translation>Un mapa de etiquetas contiene números enteros de 0 a 65535.</translation>
     </message>
     <message>
         <source>{0} is not of a known kind of volume file.</source>
-        <translation>{0} ist keine bekannte Art von Volumendatei.</translation>
+        <translation>{0} no es de un tipo conocido de archivo de volumen.</translation>
     </message>
     <message>
         <source>Known are .nii, .nii.gz, .nrrd, .nhdr, .mha and .mhd.</source>
-        <translation>Bekannt sind .nii, .nii.gz, .nrrd, .nhdr, .mha und .mhd.</translation>
+        <translation>Se conocen .nii, .nii.gz, .nrrd, .nhdr, .mha y .mhd.</translation>
     </message>
     <message>
         <source>Check that the file is whole, for example by opening it in 3D Slicer.</source>
-        <translation>Prüfen Sie, ob die Datei vollständig ist, zum Beispiel durch Öffnen in 3D Slicer.</translation>
+        <translation>Compruebe que el archivo está completo, por ejemplo abriéndolo en 3D Slicer.</translation>
     </message>
     <message>
         <source>it is empty</source>
-        <translation>sie ist leer</translation>
+        <translation>está vacío</translation>
     </message>
     <message>
         <source>its header is not of that format</source>
-        <translation>ihre Kopfdaten sind nicht von diesem Format</translation>
+        <translation>su cabecera no es de ese formato</translation>
     </message>
     <message>
         <source>{0} holds {1} values at each voxel; one is needed.</source>
-        <translation>{0} enthält {1} Werte je Voxel; einer wird gebraucht.</translation>
+        <translation>{0} contiene {1} valores por vóxel; se necesita uno.</translation>
     </message>
     <message>
         <source>Save one component (or a grey image in place of a colour one).</source>
-        <translation>Speichern Sie eine Komponente (oder ein Graubild statt eines Farbbilds).</translation>
+        <translation>Guarde una sola componente (o una imagen gris en lugar de una en color).</translation>
     </message>
     <message>
         <source>{0} is not a three-dimensional volume: it has {1} axes.</source>
-        <translation>{0} ist kein dreidimensionales Volumen: Es hat {1} Achsen.</translation>
+        <translation>{0} no es un volumen tridimensional: tiene {1} ejes.</translation>
     </message>
     <message>
         <source>Save one volume (one point in time) to a file.</source>
-        <translation>Speichern Sie ein Volumen (einen Zeitpunkt) in eine Datei.</translation>
+        <translation>Guarde un solo volumen (un solo instante) en un archivo.</translation>
     </message>
     <message>
         <source>The header of {0} gives no usable grid: sizes and spacings must be positive and the axes at right angles.</source>
-        <translation>Die Kopfdaten von {0} ergeben kein brauchbares Gitter: Größen und Abstände müssen positiv und die Achsen rechtwinklig sein.</translation>
+        <translation>La cabecera de {0} no da una cuadrícula utilizable: los tamaños y espaciados deben ser positivos y los ejes perpendiculares.</translation>
     </message>
     <message>
         <source>Resample the volume onto a regular grid and save it again.</source>
-        <translation>Rechnen Sie das Volumen auf ein regelmäßiges Gitter um, und speichern Sie es neu.</translation>
+        <translation>Remuestree el volumen en una cuadrícula regular y guárdelo de nuevo.</translation>
     </message>
     <message>
         <source>{0} is too short: its header declares {1} bytes of voxels and the file can hold {2} at most.</source>
-        <translation>{0} ist zu kurz: Die Kopfdaten geben {1} Bytes an Voxeln an, und die Datei kann höchstens {2} enthalten.</translation>
+        <translation>{0} es demasiado corto: su cabecera declara {1} bytes de vóxeles y el archivo puede contener {2} como máximo.</translation>
     </message>
     <message>
         <source>its numbers are of an unknown type</source>
-        <translation>ihre Zahlen sind von unbekanntem Typ</translation>
+        <translation>sus números son de un tipo desconocido</translation>
     </message>
     <message>
         <source>The supports do not hold the body: it {0}, so no equilibrium exists.</source>
-        <translation>Die Lagerung hält den Körper nicht: Er {0}, also gibt es kein Gleichgewicht.</translation>
+        <translation>Los apoyos no sujetan el cuerpo: {0}, así que no existe equilibrio.</translation>
     </message>
     <message>
         <source>Hold more of it, or put a foundation under part of its surface.</source>
-        <translation>Halten Sie mehr davon fest, oder legen Sie eine Bettung unter einen Teil seiner Oberfläche.</translation>
+        <translation>Sujete una parte mayor o ponga una cimentación bajo parte de su superficie.</translation>
     </message>
     <message>
         <source>The mesh has {0} cells; at most {1} can be solved.</source>
-        <translation>Das Netz hat {0} Zellen; höchstens {1} sind lösbar.</translation>
+        <translation>La malla tiene {0} celdas; se pueden resolver como máximo {1}.</translation>
     </message>
     <message>
         <source>Mesh with fewer cells.</source>
-        <translation>Vernetzen Sie mit weniger Zellen.</translation>
+        <translation>Malle con menos celdas.</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio must lie between -1 and 0.5, both excluded; it is {0}.</source>
-        <translation>Die Querkontraktionszahl muss zwischen -1 und 0.5 liegen, beide ausgeschlossen; sie ist {0}.</translation>
+        <translation>El coeficiente de Poisson debe estar entre -1 y 0.5, ambos excluidos; es {0}.</translation>
     </message>
     <message>
         <source>For tissue that is nearly incompressible take 0.45 to 0.499.</source>
-        <translation>Für fast inkompressibles Gewebe nehmen Sie 0.45 bis 0.499.</translation>
+        <translation>Para tejido casi incompresible tome de 0.45 a 0.499.</translation>
     </message>
     <message>
         <source>The density must be a finite number, zero or above.</source>
-        <translation>Die Dichte muss eine endliche Zahl sein, null oder größer.</translation>
+        <translation>La densidad debe ser un número finito, cero o mayor.</translation>
     </message>
     <message>
         <source>There are {0} values of Young&apos;s modulus for {1} cells.</source>
-        <translation>Es gibt {0} Werte des Elastizitätsmoduls für {1} Zellen.</translation>
+        <translation>Hay {0} valores del módulo de Young para {1} celdas.</translation>
     </message>
     <message>
         <source>Young&apos;s modulus of cell {0} is {1} kPa; it must be a number above zero.</source>
-        <translation>Der Elastizitätsmodul der Zelle {0} ist {1} kPa; er muss eine Zahl größer als null sein.</translation>
+        <translation>El módulo de Young de la celda {0} es {1} kPa; debe ser un número mayor que cero.</translation>
     </message>
     <message>
         <source>Fill the cells without data before simulating.</source>
-        <translation>Füllen Sie die Zellen ohne Daten vor der Simulation.</translation>
+        <translation>Complete las celdas sin datos antes de simular.</translation>
     </message>
     <message>
         <source>The tool at ({0}, {1}, {2}) mm with radius {3} mm touches nothing: the centre of the nearest face of the surface is {4} mm away.</source>
-        <translation>Das Instrument bei ({0}, {1}, {2}) mm mit dem Radius {3} mm berührt nichts: Die Mitte der nächsten Fläche der Oberfläche ist {4} mm entfernt.</translation>
+        <translation>El instrumento en ({0}, {1}, {2}) mm, de radio {3} mm, no toca nada: el centro de la cara más próxima de la superficie está a {4} mm.</translation>
     </message>
     <message>
         <source>Move its centre onto the surface, or make its radius larger than {4} mm.</source>
-        <translation>Verschieben Sie seine Mitte auf die Oberfläche, oder machen Sie seinen Radius größer als {4} mm.</translation>
+        <translation>Mueva su centro a la superficie o haga su radio mayor que {4} mm.</translation>
     </message>
     <message>
         <source>Ordering the equations</source>
-        <translation>Gleichungen werden geordnet</translation>
+        <translation>Ordenando las ecuaciones</translation>
     </message>
     <message>
         <source>Solving for {0} unknowns would take {1} GB of memory; the limit is {2} GB.</source>
-        <translation>Die Lösung für {0} Unbekannte bräuchte {1} GB Speicher; die Grenze ist {2} GB.</translation>
+        <translation>Resolver {0} incógnitas requeriría {1} GB de memoria; el límite es {2} GB.</translation>
     </message>
     <message>
         <source>Factorising</source>
-        <translation>Faktorisierung</translation>
+        <translation>Factorizando</translation>
     </message>
     <message>
         <source>The stiffness matrix is not positive definite (column {0} of {1}).</source>
-        <translation>Die Steifigkeitsmatrix ist nicht positiv definit (Spalte {0} von {1}).</translation>
+        <translation>La matriz de rigidez no es definida positiva (columna {0} de {1}).</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio may be too near 1/2, or cells may be flat: look at the mesh&apos;s quality.</source>
-        <translation>Die Querkontraktionszahl liegt vielleicht zu nahe bei 1/2, oder Zellen sind flach: Sehen Sie sich die Qualität des Netzes an.</translation>
+        <translation>El coeficiente de Poisson puede estar demasiado cerca de 1/2 o haber celdas planas: mire la calidad de la malla.</translation>
     </message>
     <message>
         <source>The solver ran out of memory for {0} unknowns.</source>
-        <translation>Dem Löser fehlte der Speicher für {0} Unbekannte.</translation>
+        <translation>Al solucionador le faltó memoria para {0} incógnitas.</translation>
     </message>
     <message>
         <source>Factorised</source>
-        <translation>Faktorisiert</translation>
+        <translation>Factorizado</translation>
     </message>
     <message>
         <source>The equilibrium was not found. {0}</source>
-        <translation>Das Gleichgewicht wurde nicht gefunden. {0}</translation>
+        <translation>No se ha encontrado el equilibrio. {0}</translation>
     </message>
     <message>
         <source>The body&apos;s answer to a force on its surface was not found: the relative residual stayed at {0}.</source>
-        <translation>Die Antwort des Körpers auf eine Kraft an seiner Oberfläche wurde nicht gefunden: Das relative Residuum blieb bei {0}.</translation>
+        <translation>No se ha encontrado la respuesta del cuerpo a una fuerza en su superficie: el residuo relativo se quedó en {0}.</translation>
     </message>
     <message>
         <source>The tool at ({0}, {1}, {2}) mm meets no surface on its way.</source>
-        <translation>Das Instrument bei ({0}, {1}, {2}) mm trifft auf seinem Weg keine Oberfläche.</translation>
+        <translation>El instrumento en ({0}, {1}, {2}) mm no encuentra ninguna superficie en su camino.</translation>
     </message>
     <message>
         <source>Move it in front of the liver, or turn it towards it.</source>
-        <translation>Verschieben Sie es vor die Leber, oder drehen Sie es zu ihr hin.</translation>
+        <translation>Muévalo delante del hígado o gírelo hacia él.</translation>
     </message>
     <message>
         <source>A grasper needs a finite place and a radius above zero.</source>
-        <translation>Eine Fasszange braucht einen endlichen Ort und einen Radius größer als null.</translation>
+        <translation>Una pinza necesita un lugar finito y un radio mayor que cero.</translation>
     </message>
     <message>
         <source>The grasper holds no point of the surface.</source>
-        <translation>Die Fasszange hält keinen Punkt der Oberfläche.</translation>
+        <translation>La pinza no sujeta ningún punto de la superficie.</translation>
     </message>
     <message>
         <source>Move it onto the surface, or open its jaws wider.</source>
-        <translation>Verschieben Sie sie auf die Oberfläche, oder öffnen Sie ihre Branchen weiter.</translation>
+        <translation>Muévala a la superficie o abra más sus mordazas.</translation>
     </message>
     <message>
         <source>A body computed straight from data can be held, but not stand on a foundation.</source>
-        <translation>Ein direkt aus Daten berechneter Körper kann gehalten werden, aber nicht auf einer Bettung stehen.</translation>
+        <translation>Un cuerpo calculado directamente a partir de datos se puede sujetar, pero no apoyar en una cimentación.</translation>
     </message>
     <message>
         <source>Looking for states that the data know</source>
-        <translation>Suche nach Zuständen, die die Daten kennen</translation>
+        <translation>Buscando estados que los datos conocen</translation>
     </message>
     <message>
         <source>Looking for the equilibrium</source>
-        <translation>Suche nach dem Gleichgewicht</translation>
+        <translation>Buscando el equilibrio</translation>
     </message>
     <message>
         <source>Solved</source>
-        <translation>Gelöst</translation>
+        <translation>Resuelto</translation>
     </message>
     <message>
         <source>is not held at all</source>
-        <translation>ist überhaupt nicht gehalten</translation>
+        <translation>no está sujeto en absoluto</translation>
     </message>
     <message>
         <source>can slide in every direction</source>
-        <translation>kann in jede Richtung gleiten</translation>
+        <translation>puede deslizarse en todas las direcciones</translation>
     </message>
     <message>
         <source>The tool of load {0} needs a finite centre and force.</source>
-        <translation>Das Instrument der Last {0} braucht eine endliche Mitte und Kraft.</translation>
+        <translation>El instrumento de la carga {0} necesita un centro y una fuerza finitos.</translation>
     </message>
     <message>
         <source>The tool of load {0} needs a radius above zero.</source>
-        <translation>Das Instrument der Last {0} braucht einen Radius größer als null.</translation>
+        <translation>El instrumento de la carga {0} necesita un radio mayor que cero.</translation>
     </message>
     <message>
         <source>The pressure of load {0} is not a finite number.</source>
-        <translation>Der Druck der Last {0} ist keine endliche Zahl.</translation>
+        <translation>La presión de la carga {0} no es un número finito.</translation>
     </message>
     <message>
         <source>The gravity of load {0} is not a finite vector.</source>
-        <translation>Die Schwerkraft der Last {0} ist kein endlicher Vektor.</translation>
+        <translation>La gravedad de la carga {0} no es un vector finito.</translation>
     </message>
     <message>
         <source>A material needs at least 3 measurements of strain and stress.</source>
-        <translation>Ein Material braucht mindestens 3 Messungen von Dehnung und Spannung.</translation>
+        <translation>Un material necesita al menos 3 mediciones de deformación y tensión.</translation>
     </message>
     <message>
         <source>A measurement of strain and stress is not a finite number.</source>
-        <translation>Eine Messung von Dehnung und Spannung ist keine endliche Zahl.</translation>
+        <translation>Una medición de deformación y tensión no es un número finito.</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio must lie between -1 and 0.5, and one neighbour or more is needed for a hull.</source>
-        <translation>Die Querkontraktionszahl muss zwischen -1 und 0.5 liegen, und für eine Hülle ist mindestens ein Nachbar nötig.</translation>
+        <translation>El coeficiente de Poisson debe estar entre -1 y 0.5, y hace falta al menos un vecino para una envolvente.</translation>
     </message>
     <message>
         <source>The measured stress does not grow with the strain.</source>
-        <translation>Die gemessene Spannung wächst nicht mit der Dehnung.</translation>
+        <translation>La tensión medida no crece con la deformación.</translation>
     </message>
     <message>
         <source>Assembling the stiffness</source>
-        <translation>Steifigkeit wird zusammengestellt</translation>
+        <translation>Ensamblando la rigidez</translation>
     </message>
     <message>
         <source>Assembled</source>
-        <translation>Zusammengestellt</translation>
+        <translation>Ensamblado</translation>
     </message>
     <message>
         <source>A motion needs a step and a tolerance above zero, and damping not below it.</source>
-        <translation>Eine Bewegung braucht einen Schritt und eine Toleranz größer als null und eine Dämpfung nicht kleiner.</translation>
+        <translation>Un movimiento necesita un paso y una tolerancia mayores que cero y un amortiguamiento no negativo.</translation>
     </message>
     <message>
         <source>{0} nodes in this body need more than 5e8 voxels: take fewer.</source>
-        <translation>{0} Knoten in diesem Körper brauchen mehr als 5e8 Voxel: Nehmen Sie weniger.</translation>
+        <translation>{0} nodos en este cuerpo necesitan más de 5e8 vóxeles: tome menos.</translation>
     </message>
     <message>
         <source>Spreading the nodes</source>
-        <translation>Knoten werden verteilt</translation>
+        <translation>Repartiendo los nodos</translation>
     </message>
     <message>
         <source>Measuring how the material sees the body</source>
-        <translation>Messung, wie das Material den Körper sieht</translation>
+        <translation>Midiendo cómo ve el material el cuerpo</translation>
     </message>
     <message>
         <source>{0} nodes, {1} voxels a node and an overlap of {2} cannot be: the last two must be at least 1 and above 1.</source>
-        <translation>{0} Knoten, {1} Voxel je Knoten und eine Überlappung von {2} sind nicht möglich: Die letzten beiden müssen mindestens 1 und größer als 1 sein.</translation>
+        <translation>{0} nodos, {1} vóxeles por nodo y un solapamiento de {2} no son posibles: los dos últimos deben ser al menos 1 y mayor que 1.</translation>
     </message>
     <message>
         <source>One linear solve a step moves the materials &quot;linear&quot; and &quot;corotational&quot;, without ligaments or a capsule.</source>
-        <translation>Mit einer linearen Lösung je Schritt bewegen sich die Materialien &quot;linear&quot; und &quot;corotational&quot;, ohne Bänder oder Kapsel.</translation>
+        <translation>Una resolución lineal por paso mueve los materiales &quot;linear&quot; y &quot;corotational&quot;, sin ligamentos ni cápsula.</translation>
     </message>
     <message>
         <source>A tool needs rods with finite ends and a radius above zero, and a pose that turns and moves it.</source>
-        <translation>Ein Instrument braucht Stäbe mit endlichen Enden und einem Radius größer als null und eine Lage, die es dreht und bewegt.</translation>
+        <translation>Un instrumento necesita barras con extremos finitos y radio mayor que cero, y una pose que lo gire y lo mueva.</translation>
     </message>
     <message>
         <source>{0} must be a name in quotes.</source>
-        <translation>{0} muss ein Name in Anführungszeichen sein.</translation>
+        <translation>{0} debe ser un nombre entre comillas.</translation>
     </message>
     <message>
         <source>{0} must be one of {1}.</source>
-        <translation>{0} muss eines von {1} sein.</translation>
+        <translation>{0} debe ser uno de {1}.</translation>
     </message>
     <message>
         <source>{0} must be a list in brackets.</source>
-        <translation>{0} muss eine Liste in eckigen Klammern sein.</translation>
+        <translation>{0} debe ser una lista entre corchetes.</translation>
     </message>
     <message>
         <source>{0} goes with the material &quot;veronda-westmann&quot;: give both or neither.</source>
-        <translation>{0} gehört zum Material &quot;veronda-westmann&quot;: Geben Sie beide an oder keines.</translation>
+        <translation>{0} va con el material &quot;veronda-westmann&quot;: indique ambos o ninguno.</translation>
     </message>
     <message>
         <source>{0} and &quot;youngs_modulus_kPa&quot; both say how stiff the body is: give one.</source>
-        <translation>{0} und &quot;youngs_modulus_kPa&quot; sagen beide, wie steif der Körper ist: Geben Sie eines an.</translation>
+        <translation>{0} y &quot;youngs_modulus_kPa&quot; indican ambos la rigidez del cuerpo: indique solo uno.</translation>
     </message>
     <message>
         <source>{0} has the same id &quot;{1}&quot; as another.</source>
-        <translation>{0} hat dieselbe Kennung „{1}“ wie ein anderes.</translation>
+        <translation>{0} tiene el mismo identificador «{1}» que otro.</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;point_array&quot;, &quot;sphere&quot; and &quot;box&quot;.</source>
-        <translation>{0} braucht genau eines von &quot;point_array&quot;, &quot;sphere&quot; und &quot;box&quot;.</translation>
+        <translation>{0} necesita exactamente uno de &quot;point_array&quot;, &quot;sphere&quot; y &quot;box&quot;.</translation>
     </message>
     <message>
         <source>In {0} the box&apos;s min_mm must not exceed its max_mm.</source>
-        <translation>In {0} darf min_mm des Quaders sein max_mm nicht übersteigen.</translation>
+        <translation>En {0} el min_mm de la caja no debe superar su max_mm.</translation>
     </message>
     <message>
         <source>{0} is a ligament: it takes neither &quot;foundation_kPa_per_mm&quot; nor &quot;directions&quot;.</source>
-        <translation>{0} ist ein Band: Es nimmt weder &quot;foundation_kPa_per_mm&quot; noch &quot;directions&quot;.</translation>
+        <translation>{0} es un ligamento: no admite ni &quot;foundation_kPa_per_mm&quot; ni &quot;directions&quot;.</translation>
     </message>
     <message>
         <source>{0} has both &quot;foundation_kPa_per_mm&quot; and &quot;directions&quot;: a foundation acts in all directions.</source>
-        <translation>{0} hat sowohl &quot;foundation_kPa_per_mm&quot; als auch &quot;directions&quot;: Eine Bettung wirkt in alle Richtungen.</translation>
+        <translation>{0} tiene a la vez &quot;foundation_kPa_per_mm&quot; y &quot;directions&quot;: una cimentación actúa en todas las direcciones.</translation>
     </message>
     <message>
         <source>The directions of {0} must be a list such as [&quot;x&quot;, &quot;z&quot;].</source>
-        <translation>Die Richtungen von {0} müssen eine Liste sein, etwa [&quot;x&quot;, &quot;z&quot;].</translation>
+        <translation>Las direcciones de {0} deben ser una lista, por ejemplo [&quot;x&quot;, &quot;z&quot;].</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; and &quot;gravity_of_patient&quot;.</source>
-        <translation>{0} braucht genau eines von &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; und &quot;gravity_of_patient&quot;.</translation>
+        <translation>{0} necesita exactamente uno de &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; y &quot;gravity_of_patient&quot;.</translation>
     </message>
     <message>
         <source>{0} must lie between -90 and 90 degrees.</source>
-        <translation>{0} muss zwischen -90 und 90 Grad liegen.</translation>
+        <translation>{0} debe estar entre -90 y 90 grados.</translation>
     </message>
     <message>
         <source>{0} has both &quot;left_tilt_deg&quot; and &quot;right_tilt_deg&quot;: give one.</source>
-        <translation>{0} hat sowohl &quot;left_tilt_deg&quot; als auch &quot;right_tilt_deg&quot;: Geben Sie eines an.</translation>
+        <translation>{0} tiene a la vez &quot;left_tilt_deg&quot; y &quot;right_tilt_deg&quot;: indique solo uno.</translation>
     </message>
     <message>
         <source>{0} must be true or false.</source>
-        <translation>{0} muss true oder false sein.</translation>
+        <translation>{0} debe ser true o false.</translation>
     </message>
     <message>
         <source>The steps of {0} must be a whole number from 1 to 1000000.</source>
-        <translation>Die Schritte von {0} müssen eine ganze Zahl von 1 bis 1000000 sein.</translation>
+        <translation>Los pasos de {0} deben ser un número entero de 1 a 1000000.</translation>
     </message>
     <message>
         <source>The nodes of {0} must be a whole number from 1 to 1000000.</source>
-        <translation>Die Knoten von {0} müssen eine ganze Zahl von 1 bis 1000000 sein.</translation>
+        <translation>Los nodos de {0} deben ser un número entero de 1 a 1000000.</translation>
     </message>
     <message>
         <source>The mesh has no cell array {0} with one value a cell.</source>
-        <translation>Das Netz hat kein Zellfeld {0} mit einem Wert je Zelle.</translation>
+        <translation>La malla no tiene una matriz de celdas {0} con un valor por celda.</translation>
     </message>
     <message>
         <source>Give the scenario &quot;youngs_modulus_kPa&quot;, a number or the name of a cell array; the mesh&apos;s cell arrays are: {1}.</source>
-        <translation>Geben Sie dem Szenario &quot;youngs_modulus_kPa&quot;, eine Zahl oder den Namen eines Zellfelds; die Zellfelder des Netzes sind: {1}.</translation>
+        <translation>Dé al escenario &quot;youngs_modulus_kPa&quot;, un número o el nombre de una matriz de celdas; las matrices de celdas de la malla son: {1}.</translation>
     </message>
     <message>
         <source>The position of landmark {0} is not a finite point.</source>
-        <translation>Die Position der Landmarke {0} ist kein endlicher Punkt.</translation>
+        <translation>La posición del punto de referencia {0} no es un punto finito.</translation>
     </message>
     <message>
         <source>Landmark {0} lies {1} mm outside the body.</source>
-        <translation>Landmarke {0} liegt {1} mm außerhalb des Körpers.</translation>
+        <translation>El punto de referencia {0} está a {1} mm fuera del cuerpo.</translation>
     </message>
     <message>
         <source>Check that landmarks and mesh are in the same coordinates (LPS, mm).</source>
-        <translation>Prüfen Sie, ob Landmarken und Netz in denselben Koordinaten sind (LPS, mm).</translation>
+        <translation>Compruebe que los puntos de referencia y la malla están en las mismas coordenadas (LPS, mm).</translation>
     </message>
     <message>
         <source>Solving</source>
-        <translation>Lösen</translation>
+        <translation>Resolviendo</translation>
     </message>
     <message>
         <source>Moving</source>
-        <translation>Bewegung</translation>
+        <translation>Moviendo</translation>
     </message>
     <message>
         <source>Checking the model</source>
-        <translation>Modell wird geprüft</translation>
+        <translation>Comprobando el modelo</translation>
     </message>
     <message>
         <source>A ligament only pulls, so it is not linear: look for the equilibrium by steps.</source>
-        <translation>Ein Band zieht nur, ist also nicht linear: Suchen Sie das Gleichgewicht schrittweise.</translation>
+        <translation>Un ligamento solo tira, así que no es lineal: busque el equilibrio por pasos.</translation>
     </message>
     <message>
         <source>Nodal loads need {0} values: three a node.</source>
-        <translation>Knotenlasten brauchen {0} Werte: drei je Knoten.</translation>
+        <translation>Las cargas nodales necesitan {0} valores: tres por nodo.</translation>
     </message>
     <message>
         <source>A nodal load is not a finite number.</source>
-        <translation>Eine Knotenlast ist keine endliche Zahl.</translation>
+        <translation>Una carga nodal no es un número finito.</translation>
     </message>
     <message>
         <source>Support {0} names no point of the mesh.</source>
-        <translation>Lagerung {0} nennt keinen Punkt des Netzes.</translation>
+        <translation>El apoyo {0} no nombra ningún punto de la malla.</translation>
     </message>
     <message>
         <source>Move or enlarge its region, or name another point array.</source>
-        <translation>Verschieben oder vergrößern Sie ihre Region, oder nennen Sie ein anderes Punktfeld.</translation>
+        <translation>Mueva o amplíe su región o nombre otra matriz de puntos.</translation>
     </message>
     <message>
         <source>The foundation of support {0} needs a stiffness above zero, not {1} kPa/mm.</source>
-        <translation>Die Bettung der Lagerung {0} braucht eine Steifigkeit größer als null, nicht {1} kPa/mm.</translation>
+        <translation>La cimentación del apoyo {0} necesita una rigidez mayor que cero, no {1} kPa/mm.</translation>
     </message>
     <message>
         <source>The foundation of support {0} covers no face: no face of the surface has all three points named.</source>
-        <translation>Die Bettung der Lagerung {0} bedeckt keine Fläche: Bei keiner Fläche der Oberfläche sind alle drei Punkte genannt.</translation>
+        <translation>La cimentación del apoyo {0} no cubre ninguna cara: ninguna cara de la superficie tiene nombrados sus tres puntos.</translation>
     </message>
     <message>
         <source>Move or enlarge its region.</source>
-        <translation>Verschieben oder vergrößern Sie ihre Region.</translation>
+        <translation>Mueva o amplíe su región.</translation>
     </message>
     <message>
         <source>Support {0} asks for the point array {1}, which the mesh does not have with one value a point.</source>
-        <translation>Lagerung {0} verlangt das Punktfeld {1}, das das Netz nicht mit einem Wert je Punkt hat.</translation>
+        <translation>El apoyo {0} pide la matriz de puntos {1}, que la malla no tiene con un valor por punto.</translation>
     </message>
     <message>
         <source>The mesh&apos;s point arrays are: {2}.</source>
-        <translation>Die Punktfelder des Netzes sind: {2}.</translation>
+        <translation>Las matrices de puntos de la malla son: {2}.</translation>
     </message>
     <message>
         <source>The point array {0} is not a number at point {1}.</source>
-        <translation>Das Punktfeld {0} ist bei Punkt {1} keine Zahl.</translation>
+        <translation>La matriz de puntos {0} no es un número en el punto {1}.</translation>
     </message>
     <message>
         <source>The sphere of support {0} needs a finite centre and a radius above zero.</source>
-        <translation>Die Kugel der Lagerung {0} braucht eine endliche Mitte und einen Radius größer als null.</translation>
+        <translation>La esfera del apoyo {0} necesita un centro finito y un radio mayor que cero.</translation>
     </message>
     <message>
         <source>The box of support {0} needs finite corners, the smaller one first.</source>
-        <translation>Der Quader der Lagerung {0} braucht endliche Ecken, die kleinere zuerst.</translation>
+        <translation>La caja del apoyo {0} necesita esquinas finitas, la menor primero.</translation>
     </message>
     <message>
         <source>The ligament of support {0} needs a finite anchor, a stiffness above zero and a slack not below it.</source>
-        <translation>Das Band der Lagerung {0} braucht einen endlichen Ankerpunkt, eine Steifigkeit größer als null und eine nicht negative Schlaffheit.</translation>
+        <translation>El ligamento del apoyo {0} necesita un anclaje finito, una rigidez mayor que cero y una holgura no negativa.</translation>
     </message>
     <message>
         <source>The ligament of support {0} names no point of the surface.</source>
-        <translation>Das Band der Lagerung {0} nennt keinen Punkt der Oberfläche.</translation>
+        <translation>El ligamento del apoyo {0} no nombra ningún punto de la superficie.</translation>
     </message>
     <message>
         <source>There is no published tissue {0}.</source>
-        <translation>Es gibt kein veröffentlichtes Gewebe {0}.</translation>
+        <translation>No hay ningún tejido publicado {0}.</translation>
     </message>
     <message>
         <source>The tissues are: {1}.</source>
-        <translation>Die Gewebe sind: {1}.</translation>
+        <translation>Los tejidos son: {1}.</translation>
     </message>
     <message>
         <source>{0} nodes in {1} rounds cannot be made; both must be at least 1.</source>
-        <translation>{0} Knoten in {1} Runden sind nicht möglich; beide müssen mindestens 1 sein.</translation>
+        <translation>{0} nodos en {1} rondas no son posibles; ambos deben ser al menos 1.</translation>
     </message>
     <message>
         <source>The body holds no voxels.</source>
-        <translation>Der Körper enthält keine Voxel.</translation>
+        <translation>El cuerpo no contiene vóxeles.</translation>
     </message>
     <message>
         <source>{0} nodes are more than the body has voxels ({1}).</source>
-        <translation>{0} Knoten sind mehr, als der Körper Voxel hat ({1}).</translation>
+        <translation>{0} nodos son más que los vóxeles del cuerpo ({1}).</translation>
     </message>
     <message>
         <source>The mesh generator gave up: {0}.</source>
-        <translation>Der Netzgenerator hat aufgegeben: {0}.</translation>
+        <translation>El generador de mallas ha desistido: {0}.</translation>
     </message>
     <message>
         <source>Ask for another number of cells, or smooth the labels.</source>
-        <translation>Verlangen Sie eine andere Zahl von Zellen, oder glätten Sie die Labels.</translation>
+        <translation>Pida otro número de celdas o suavice las etiquetas.</translation>
     </message>
     <message>
         <source>The label map holds no labelled voxel, so there is no body to mesh.</source>
-        <translation>Die Labelkarte enthält kein markiertes Voxel, also gibt es keinen Körper zu vernetzen.</translation>
+        <translation>El mapa de etiquetas no contiene ningún vóxel etiquetado, así que no hay cuerpo que mallar.</translation>
     </message>
     <message>
         <source>Segment the liver first.</source>
-        <translation>Segmentieren Sie zuerst die Leber.</translation>
+        <translation>Segmente antes el hígado.</translation>
     </message>
     <message>
         <source>The label map has {0} values for a grid of {1} x {2} x {3} voxels.</source>
-        <translation>Die Labelkarte hat {0} Werte für ein Gitter von {1} x {2} x {3} Voxeln.</translation>
+        <translation>El mapa de etiquetas tiene {0} valores para una cuadrícula de {1} x {2} x {3} vóxeles.</translation>
     </message>
     <message>
         <source>The label map&apos;s axes are not at right angles, or its spacing is not positive.</source>
-        <translation>Die Achsen der Labelkarte sind nicht rechtwinklig, oder ihr Abstand ist nicht positiv.</translation>
+        <translation>Los ejes del mapa de etiquetas no son perpendiculares o su espaciado no es positivo.</translation>
     </message>
     <message>
         <source>A structure without voxels has no surface.</source>
-        <translation>Eine Struktur ohne Voxel hat keine Oberfläche.</translation>
+        <translation>Una estructura sin vóxeles no tiene superficie.</translation>
     </message>
     <message>
         <source>Preparing the labels</source>
-        <translation>Labels werden vorbereitet</translation>
+        <translation>Preparando las etiquetas</translation>
     </message>
     <message>
         <source>Removing slivers</source>
-        <translation>Flache Tetraeder werden entfernt</translation>
+        <translation>Eliminando los tetraedros planos</translation>
     </message>
     <message>
         <source>Measuring the distance to the label boundary</source>
-        <translation>Abstand zur Grenze der Labels wird gemessen</translation>
+        <translation>Midiendo la distancia al límite de las etiquetas</translation>
     </message>
     <message>
         <source>The surface of the mesh is not a closed manifold.</source>
-        <translation>Die Oberfläche des Netzes ist keine geschlossene Mannigfaltigkeit.</translation>
+        <translation>La superficie de la malla no es una variedad cerrada.</translation>
     </message>
     <message>
         <source>Meshed</source>
-        <translation>Vernetzt</translation>
+        <translation>Mallado</translation>
     </message>
     <message>
         <source>A mesh of {0} cells cannot be made; from {1} to {2} can.</source>
-        <translation>Ein Netz mit {0} Zellen ist nicht möglich; von {1} bis {2} geht es.</translation>
+        <translation>No se puede hacer una malla de {0} celdas; sí de {1} a {2}.</translation>
     </message>
     <message>
         <source>The share of cells for inner structures is {0}; it must be in 0 to 1.</source>
-        <translation>Der Anteil der Zellen für innere Strukturen ist {0}; er muss in 0 bis 1 liegen.</translation>
+        <translation>La proporción de celdas para estructuras internas es {0}; debe estar entre 0 y 1.</translation>
     </message>
     <message>
         <source>Filling the body with tetrahedra</source>
-        <translation>Körper wird mit Tetraedern gefüllt</translation>
+        <translation>Rellenando el cuerpo con tetraedros</translation>
     </message>
     <message>
         <source>A piece of {0} has {1} ml, but its cells only {2} ml: the mesh has lost it.</source>
-        <translation>Ein Stück von {0} hat {1} ml, seine Zellen aber nur {2} ml: Das Netz hat es verloren.</translation>
+        <translation>Un trozo de {0} tiene {1} ml, pero sus celdas solo {2} ml: la malla lo ha perdido.</translation>
     </message>
     <message>
         <source>Ask for more cells.</source>
-        <translation>Verlangen Sie mehr Zellen.</translation>
+        <translation>Pida más celdas.</translation>
     </message>
     <message>
         <source>A battery with a {0} of {1} does not exist.</source>
-        <translation>Einen Akku mit {0} = {1} gibt es nicht.</translation>
+        <translation>No existe una batería con {0} = {1}.</translation>
     </message>
     <message>
         <source>Correct the device&apos;s battery.</source>
-        <translation>Berichtigen Sie den Akku des Geräts.</translation>
+        <translation>Corrija la batería del dispositivo.</translation>
     </message>
     <message>
         <source>A load of {0} W is more than the battery&apos;s internal resistance lets through.</source>
-        <translation>Eine Last von {0} W ist mehr, als der Innenwiderstand des Akkus durchlässt.</translation>
+        <translation>Una carga de {0} W es más de lo que deja pasar la resistencia interna de la batería.</translation>
     </message>
     <message>
         <source>A batch of {0} nodes takes more than the {1} MB there are for it.</source>
-        <translation>Ein Paket von {0} Knoten braucht mehr als die vorhandenen {1} MB.</translation>
+        <translation>Un lote de {0} nodos ocupa más que los {1} MB disponibles.</translation>
     </message>
     <message>
         <source>{0} lacks a reading within the discharge.</source>
-        <translation>{0} fehlt eine Ablesung während der Entladung.</translation>
+        <translation>A {0} le falta una lectura durante la descarga.</translation>
     </message>
     <message>
         <source>The time goes back in {0}.</source>
-        <translation>In {0} läuft die Zeit zurück.</translation>
+        <translation>El tiempo retrocede en {0}.</translation>
     </message>
     <message>
         <source>{0} holds no discharge.</source>
-        <translation>{0} enthält keine Entladung.</translation>
+        <translation>{0} no contiene ninguna descarga.</translation>
     </message>
     <message>
         <source>{0} lacks a reading of the ambient.</source>
-        <translation>{0} fehlt eine Ablesung der Umgebung.</translation>
+        <translation>A {0} le falta una lectura del ambiente.</translation>
     </message>
     <message>
         <source>A cell is set up from one slow discharge and at least two that are five times as fast.</source>
-        <translation>Eine Zelle wird aus einer langsamen Entladung und mindestens zwei fünfmal so schnellen bestimmt.</translation>
+        <translation>Una celda se determina con una descarga lenta y al menos dos cinco veces más rápidas.</translation>
     </message>
     <message>
         <source>A convergence curve has 2 to {0} points; this one has {1}.</source>
-        <translation>Eine Konvergenzkurve hat 2 bis {0} Punkte; diese hat {1}.</translation>
+        <translation>Una curva de convergencia tiene de 2 a {0} puntos; esta tiene {1}.</translation>
     </message>
     <message>
         <source>Point {0} of the convergence curve, {1} mm3 and {2} mm, is not positive or does not increase from the point before.</source>
-        <translation>Punkt {0} der Konvergenzkurve, {1} mm3 und {2} mm, ist nicht positiv oder steigt gegenüber dem vorigen Punkt nicht an.</translation>
+        <translation>El punto {0} de la curva de convergencia, {1} mm3 y {2} mm, no es positivo o no aumenta respecto al anterior.</translation>
     </message>
     <message>
         <source>{0} has no list of points.</source>
-        <translation>{0} hat keine Liste von Punkten.</translation>
+        <translation>{0} no tiene ninguna lista de puntos.</translation>
     </message>
     <message>
         <source>An accuracy of {0} mm is finer than the convergence study reaches ({1} mm at {2} mm3 a node).</source>
-        <translation>Eine Genauigkeit von {0} mm ist feiner, als die Konvergenzstudie reicht ({1} mm bei {2} mm3 je Knoten).</translation>
+        <translation>Una precisión de {0} mm es más fina de lo que alcanza el estudio de convergencia ({1} mm a {2} mm3 por nodo).</translation>
     </message>
     <message>
         <source>Ask for {1} mm or more.</source>
-        <translation>Verlangen Sie {1} mm oder mehr.</translation>
+        <translation>Pida {1} mm o más.</translation>
     </message>
     <message>
         <source>Device {0} has {1} {2}; it must lie between {3} and {4}.</source>
-        <translation>Gerät {0} hat {1} {2}; es muss zwischen {3} und {4} liegen.</translation>
+        <translation>El dispositivo {0} tiene {1} {2}; debe estar entre {3} y {4}.</translation>
     </message>
     <message>
         <source>Correct that figure in the device&apos;s file.</source>
-        <translation>Berichtigen Sie diesen Wert in der Datei des Geräts.</translation>
+        <translation>Corrija esa cifra en el archivo del dispositivo.</translation>
     </message>
     <message>
         <source>Device {0} has measured points that are not positive, not by increasing nodes, or more than {1}.</source>
-        <translation>Gerät {0} hat Messpunkte, die nicht positiv, nicht nach steigenden Knoten geordnet oder mehr als {1} sind.</translation>
+        <translation>El dispositivo {0} tiene puntos medidos que no son positivos, no están por nodos crecientes o son más de {1}.</translation>
     </message>
     <message>
         <source>{0} has no list &quot;devices&quot; of 1 to {1} devices.</source>
-        <translation>{0} hat keine Liste &quot;devices&quot; von 1 bis {1} Geräten.</translation>
+        <translation>{0} no tiene una lista &quot;devices&quot; de 1 a {1} dispositivos.</translation>
     </message>
     <message>
         <source>Two devices have the id &quot;{0}&quot;.</source>
-        <translation>Zwei Geräte haben die Kennung „{0}“.</translation>
+        <translation>Dos dispositivos tienen el identificador «{0}».</translation>
     </message>
     <message>
         <source>Give each its own.</source>
-        <translation>Geben Sie jedem seine eigene.</translation>
+        <translation>Dé a cada uno el suyo.</translation>
     </message>
     <message>
         <source>{0} has the id &quot;{1}&quot;.</source>
-        <translation>{0} hat die Kennung „{1}“.</translation>
+        <translation>{0} tiene el identificador «{1}».</translation>
     </message>
     <message>
         <source>Use up to 64 small letters, digits and dashes.</source>
-        <translation>Verwenden Sie bis zu 64 Kleinbuchstaben, Ziffern und Bindestriche.</translation>
+        <translation>Use hasta 64 letras minúsculas, cifras y guiones.</translation>
     </message>
     <message>
         <source>{0} is worn &quot;{1}&quot;.</source>
-        <translation>{0} wird als „{1}“ getragen.</translation>
+        <translation>{0} se lleva «{1}».</translation>
     </message>
     <message>
         <source>Use head, belt or back.</source>
-        <translation>Verwenden Sie head, belt oder back.</translation>
+        <translation>Use head, belt o back.</translation>
     </message>
     <message>
         <source>The energy meter {0} stopped answering.</source>
-        <translation>Das Energiemessgerät {0} antwortet nicht mehr.</translation>
+        <translation>El medidor de energía {0} ha dejado de responder.</translation>
     </message>
     <message>
         <source>The processor&apos;s energy counters (RAPL) at {0} may be read by root only.</source>
-        <translation>Die Energiezähler des Prozessors (RAPL) bei {0} darf nur root lesen.</translation>
+        <translation>Solo root puede leer los contadores de energía del procesador (RAPL) en {0}.</translation>
     </message>
     <message>
         <source>No energy counters of the processor (RAPL) at {0}.</source>
-        <translation>Keine Energiezähler des Prozessors (RAPL) bei {0}.</translation>
+        <translation>No hay contadores de energía del procesador (RAPL) en {0}.</translation>
     </message>
     <message>
         <source>No current sensors (INA) at {0}.</source>
-        <translation>Keine Stromsensoren (INA) bei {0}.</translation>
+        <translation>No hay sensores de corriente (INA) en {0}.</translation>
     </message>
     <message>
         <source>The battery is not discharging: unplug the machine to measure by its gauge.</source>
-        <translation>Der Akku entlädt sich nicht: Ziehen Sie den Netzstecker, um mit seiner Anzeige zu messen.</translation>
+        <translation>La batería no se descarga: desenchufe la máquina para medir con su indicador.</translation>
     </message>
     <message>
         <source>No battery gauge at {0}.</source>
-        <translation>Keine Akkuanzeige bei {0}.</translation>
+        <translation>No hay indicador de batería en {0}.</translation>
     </message>
     <message>
         <source>{0} does not say &quot;format&quot;: &quot;{1}&quot;.</source>
-        <translation>{0} sagt nicht &quot;format&quot;: &quot;{1}&quot;.</translation>
+        <translation>{0} no indica &quot;format&quot;: &quot;{1}&quot;.</translation>
     </message>
     <message>
         <source>Check that it is the file you meant.</source>
-        <translation>Prüfen Sie, ob es die gemeinte Datei ist.</translation>
+        <translation>Compruebe que es el archivo que quería.</translation>
     </message>
     <message>
         <source>{0} has no &quot;{1}&quot;, or not of the right kind.</source>
-        <translation>{0} hat kein &quot;{1}&quot; oder nicht von der richtigen Art.</translation>
+        <translation>{0} no tiene &quot;{1}&quot; o no es del tipo correcto.</translation>
     </message>
     <message>
         <source>The shipped devices.json shows every key.</source>
-        <translation>Die mitgelieferte devices.json zeigt jeden Schlüssel.</translation>
+        <translation>El archivo devices.json incluido muestra todas las claves.</translation>
     </message>
     <message>
         <source>{0} has &quot;{1}&quot; {2}; it must lie between {3} and {4}.</source>
-        <translation>{0} hat &quot;{1}&quot; {2}; es muss zwischen {3} und {4} liegen.</translation>
+        <translation>{0} tiene &quot;{1}&quot; {2}; debe estar entre {3} y {4}.</translation>
     </message>
     <message>
         <source>{0} has &quot;{1}&quot; empty or longer than {2} characters.</source>
-        <translation>{0} hat &quot;{1}&quot; leer oder länger als {2} Zeichen.</translation>
+        <translation>{0} tiene &quot;{1}&quot; vacío o de más de {2} caracteres.</translation>
     </message>
     <message>
         <source>{0} has the source &quot;{1}&quot;.</source>
-        <translation>{0} hat die Quelle „{1}“.</translation>
+        <translation>{0} tiene la fuente «{1}».</translation>
     </message>
     <message>
         <source>Idle power</source>
-        <translation>Leistung im Leerlauf</translation>
+        <translation>Potencia en reposo</translation>
     </message>
     <message>
         <source>Nothing on this machine tells its energy: idle and active power are assumed. Measure them with a current clamp or a power meter, and give them.</source>
-        <translation>Nichts auf diesem Rechner sagt seine Energie: Leerlauf- und Arbeitsleistung sind angenommen. Messen Sie sie mit einer Stromzange oder einem Leistungsmesser, und geben Sie sie an.</translation>
+        <translation>Nada en esta máquina indica su energía: las potencias en reposo y en carga son supuestas. Mídalas con una pinza amperimétrica o un vatímetro e indíquelas.</translation>
     </message>
     <message>
         <source>Memory bandwidth</source>
-        <translation>Speicherbandbreite</translation>
+        <translation>Ancho de banda de la memoria</translation>
     </message>
     <message>
         <source>Block products</source>
-        <translation>Blockprodukte</translation>
+        <translation>Productos por bloques</translation>
     </message>
     <message>
         <source>Other work disturbed the timing: batches usually took {0} times as long as the fastest one. Measure again on a quiet machine.</source>
-        <translation>Andere Arbeit hat die Zeitmessung gestört: Pakete dauerten meist {0}-mal so lange wie das schnellste. Messen Sie erneut auf einem ruhigen Rechner.</translation>
+        <translation>Otro trabajo ha perturbado la medida del tiempo: los lotes tardaron por lo general {0} veces más que el más rápido. Mida de nuevo en una máquina sin carga.</translation>
     </message>
     <message>
         <source>The grid holds no problem.</source>
-        <translation>Das Raster enthält kein Problem.</translation>
+        <translation>La cuadrícula no contiene ningún problema.</translation>
     </message>
     <message>
         <source>{0} of {1} problems are larger than the memory allowed and were left out; beyond {2} nodes the plan goes on in proportion.</source>
-        <translation>{0} von {1} Problemen sind größer, als der Speicher erlaubt, und wurden ausgelassen; über {2} Knoten hinaus rechnet der Plan proportional weiter.</translation>
+        <translation>{0} de {1} problemas superan la memoria permitida y se han omitido; más allá de {2} nodos el plan continúa en proporción.</translation>
     </message>
     <message>
         <source>This build has no OpenCL.</source>
-        <translation>Diese Version hat kein OpenCL.</translation>
+        <translation>Esta versión no tiene OpenCL.</translation>
     </message>
     <message>
         <source>Build with -DGLISSON_OPENCL=ON.</source>
-        <translation>Bauen Sie mit -DGLISSON_OPENCL=ON.</translation>
+        <translation>Compile con -DGLISSON_OPENCL=ON.</translation>
     </message>
     <message>
         <source>OpenCL&apos;s {0} failed with {1}.</source>
-        <translation>{0} von OpenCL ist mit {1} fehlgeschlagen.</translation>
+        <translation>{0} de OpenCL ha fallado con {1}.</translation>
     </message>
     <message>
         <source>There is no OpenCL device &quot;{0}&quot;.</source>
-        <translation>Es gibt kein OpenCL-Gerät „{0}“.</translation>
+        <translation>No hay ningún dispositivo OpenCL «{0}».</translation>
     </message>
     <message>
         <source>Found: {1}. A device shows once its driver is installed (pocl-opencl-icd for processors).</source>
-        <translation>Gefunden: {1}. Ein Gerät erscheint, sobald sein Treiber installiert ist (pocl-opencl-icd für Prozessoren).</translation>
+        <translation>Encontrado: {1}. Un dispositivo aparece cuando su controlador está instalado (pocl-opencl-icd para procesadores).</translation>
     </message>
     <message>
         <source>{0} of {1} is not between {2} and {3}.</source>
-        <translation>{0} von {1} liegt nicht zwischen {2} und {3}.</translation>
+        <translation>{0} de {1} no está entre {2} y {3}.</translation>
     </message>
     <message>
         <source>Correct the question.</source>
-        <translation>Berichtigen Sie die Frage.</translation>
+        <translation>Corrija la pregunta.</translation>
     </message>
     <message>
         <source>A room of {0} C is not cooler than the limit of {1} C.</source>
-        <translation>Ein Raum von {0} C ist nicht kühler als die Grenze von {1} C.</translation>
+        <translation>Una sala a {0} C no está más fría que el límite de {1} C.</translation>
     </message>
     <message>
         <source>It draws {0} W when idle; its battery allows {1} W over {2} h, and is empty after {3} h without computing anything.</source>
-        <translation>Es nimmt im Leerlauf {0} W auf; sein Akku erlaubt {1} W über {2} h und ist nach {3} h leer, ohne dass etwas gerechnet wurde.</translation>
+        <translation>Consume {0} W en reposo; su batería permite {1} W durante {2} h y se vacía en {3} h sin calcular nada.</translation>
     </message>
     <message>
         <source>Its battery is empty after {0} h of {1} h: only {2} W of headroom over idling.</source>
-        <translation>Sein Akku ist nach {0} h von {1} h leer: nur {2} W Spielraum über dem Leerlauf.</translation>
+        <translation>Su batería se vacía tras {0} h de {1} h: solo {2} W de margen sobre el reposo.</translation>
     </message>
     <message>
         <source>It reaches {0} C when idle; the limit is {1} C.</source>
-        <translation>Es erreicht im Leerlauf {0} C; die Grenze ist {1} C.</translation>
+        <translation>Alcanza {0} C en reposo; el límite es {1} C.</translation>
     </message>
     <message>
         <source>It reaches {0} C; the limit is {1} C.</source>
-        <translation>Es erreicht {0} C; die Grenze ist {1} C.</translation>
+        <translation>Alcanza {0} C; el límite es {1} C.</translation>
     </message>
     <message>
         <source>It computes {0} frames a second of {1}.</source>
-        <translation>Es rechnet {0} von {1} Bildern je Sekunde.</translation>
+        <translation>Calcula {0} fotogramas por segundo de {1}.</translation>
     </message>
     <message>
         <source>{0} mm is coarser than the convergence study reaches; planned is its coarsest resolution, {1} mm3 a node.</source>
-        <translation>{0} mm ist gröber, als die Konvergenzstudie reicht; geplant wird mit ihrer gröbsten Auflösung, {1} mm3 je Knoten.</translation>
+        <translation>{0} mm es más grueso de lo que alcanza el estudio de convergencia; se planifica con su resolución más gruesa, {1} mm3 por nodo.</translation>
     </message>
     <message>
         <source>A frame is {0} block products as in the dissertation, without the vector updates of conjugate gradients; a simulation that couples 27 nodes moves {1} times as much.</source>
-        <translation>Ein Bild sind {0} Blockprodukte wie in der Dissertation, ohne die Vektorschritte des Verfahrens der konjugierten Gradienten; eine Simulation, die 27 Knoten koppelt, bewegt {1}-mal so viel.</translation>
+        <translation>Un fotograma son {0} productos por bloques como en la tesis, sin las actualizaciones de vectores del gradiente conjugado; una simulación que acopla 27 nodos mueve {1} veces más datos.</translation>
     </message>
     <message>
         <source>{0} holds with next to no headroom: its battery allows {1} W over {2} h, and idling takes {3} W of them.</source>
-        <translation>{0} hält fast ohne Spielraum: Sein Akku erlaubt {1} W über {2} h, und der Leerlauf nimmt davon {3} W.</translation>
+        <translation>{0} aguanta casi sin margen: su batería permite {1} W durante {2} h, y el reposo consume {3} W de ellos.</translation>
     </message>
     <message>
         <source>{0}: after {1} s comes {2} s.</source>
-        <translation>{0}: Nach {1} s kommt {2} s.</translation>
+        <translation>{0}: después de {1} s viene {2} s.</translation>
     </message>
     <message>
         <source>Give the column that holds the time, or cut the file there.</source>
-        <translation>Nennen Sie die Spalte mit der Zeit, oder schneiden Sie die Datei dort ab.</translation>
+        <translation>Indique la columna que contiene el tiempo o corte ahí el archivo.</translation>
     </message>
     <message>
         <source>{0} has {1} samples and {2} rows without a reading.</source>
-        <translation>{0} hat {1} Messpunkte und {2} Zeilen ohne Ablesung.</translation>
+        <translation>{0} tiene {1} mediciones y {2} filas sin lectura.</translation>
     </message>
     <message>
         <source>Check the columns; at most every tenth row may be empty.</source>
-        <translation>Prüfen Sie die Spalten; höchstens jede zehnte Zeile darf leer sein.</translation>
+        <translation>Compruebe las columnas; como máximo una de cada diez filas puede estar vacía.</translation>
     </message>
     <message>
         <source>The trace holds {0} runs, the log {1}.</source>
-        <translation>Die Aufzeichnung enthält {0} Läufe, das Protokoll {1}.</translation>
+        <translation>El registro contiene {0} ejecuciones, el diario {1}.</translation>
     </message>
     <message>
         <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
-        <translation>Ändern Sie den kürzesten Lauf und die kürzeste Pause, oder schneiden Sie die Aufzeichnung auf die protokollierten Läufe zu.</translation>
+        <translation>Cambie la ejecución y la pausa más cortas o recorte el registro a las ejecuciones del diario.</translation>
     </message>
     <message>
         <source>Run {0} drew nothing above idle, or nothing was run in it.</source>
-        <translation>Lauf {0} nahm nichts über dem Leerlauf auf, oder es lief nichts darin.</translation>
+        <translation>La ejecución {0} no consumió nada por encima del reposo o no se ejecutó nada en ella.</translation>
     </message>
     <message>
         <source>A trace needs a channel, and factors and a range that are positive.</source>
-        <translation>Eine Aufzeichnung braucht einen Kanal sowie positive Faktoren und einen positiven Bereich.</translation>
+        <translation>Un registro necesita un canal, y factores y un intervalo positivos.</translation>
     </message>
     <message>
         <source>The power does not move between two levels, so no runs can be told from pauses.</source>
-        <translation>Die Leistung bewegt sich nicht zwischen zwei Stufen, sodass sich Läufe nicht von Pausen unterscheiden lassen.</translation>
+        <translation>La potencia no se mueve entre dos niveles, de modo que no se distinguen las ejecuciones de las pausas.</translation>
     </message>
     <message>
         <source>Record pauses between the runs; check that the right column was read.</source>
-        <translation>Zeichnen Sie Pausen zwischen den Läufen auf; prüfen Sie, ob die richtige Spalte gelesen wurde.</translation>
+        <translation>Registre pausas entre las ejecuciones; compruebe que se leyó la columna correcta.</translation>
     </message>
     <message>
         <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
-        <translation>Die Aufzeichnung hat {0} Lücken; Läufe enden dort, und für die Lücken wird nichts erfunden.</translation>
+        <translation>El registro tiene {0} huecos; las ejecuciones terminan ahí y no se inventa nada para ellos.</translation>
     </message>
     <message>
         <source>{0} rows held no reading.</source>
-        <translation>{0} Zeilen enthielten keine Ablesung.</translation>
+        <translation>{0} filas no contenían ninguna lectura.</translation>
     </message>
     <message>
         <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
-        <translation>{0} Läufe erreichen das Ende des Bereichs eines Kanals: Ihre Leistung ist eine untere Schranke. Zeichnen Sie erneut mit größerem Bereich auf.</translation>
+        <translation>{0} ejecuciones alcanzan el final del intervalo de un canal: su potencia es una cota inferior. Registre de nuevo con un intervalo mayor.</translation>
     </message>
     <message>
         <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
-        <translation>Die Leerlaufleistung ändert sich während der Aufzeichnung um {0} W; jeder Lauf wird mit den Pausen daneben verglichen.</translation>
+        <translation>La potencia en reposo varía {0} W durante el registro; cada ejecución se compara con las pausas contiguas.</translation>
     </message>
     <message>
         <source>A liver of {0} cm3 is outside {1} to {2} cm3.</source>
-        <translation>Eine Leber von {0} cm3 liegt außerhalb von {1} bis {2} cm3.</translation>
+        <translation>Un hígado de {0} cm3 está fuera del intervalo de {1} a {2} cm3.</translation>
     </message>
     <message>
         <source>Check the volume and its unit: 1 litre is 1000 cm3.</source>
-        <translation>Prüfen Sie das Volumen und seine Einheit: 1 Liter sind 1000 cm3.</translation>
+        <translation>Compruebe el volumen y su unidad: 1 litro son 1000 cm3.</translation>
     </message>
     <message>
         <source>A node cannot stand for {0} mm3.</source>
-        <translation>Ein Knoten kann nicht für {0} mm3 stehen.</translation>
+        <translation>Un nodo no puede representar {0} mm3.</translation>
     </message>
     <message>
         <source>A domain of influence of {0} nodes is no cube around a node.</source>
-        <translation>Ein Einflussbereich von {0} Knoten ist kein Würfel um einen Knoten.</translation>
+        <translation>Un dominio de influencia de {0} nodos no es un cubo alrededor de un nodo.</translation>
     </message>
     <message>
         <source>Use 1, 27 or 125.</source>
-        <translation>Verwenden Sie 1, 27 oder 125.</translation>
+        <translation>Use 1, 27 o 125.</translation>
     </message>
     <message>
         <source>{0} products a frame are not between 1 and 100000.</source>
-        <translation>{0} Produkte je Bild liegen nicht zwischen 1 und 100000.</translation>
+        <translation>{0} productos por fotograma no están entre 1 y 100000.</translation>
     </message>
     <message>
         <source>The folder {0} holds no judgement of a registration.</source>
-        <translation>Der Ordner {0} enthält kein Urteil über eine Registrierung.</translation>
+        <translation>La carpeta {0} no contiene ninguna valoración de un registro.</translation>
     </message>
     <message>
         <source>Make one: glisson-cli sirgn SEQUENCE.json --method icp --out FOLDER.</source>
-        <translation>Erzeugen Sie eines: glisson-cli sirgn SEQUENZ.json --method icp --out ORDNER.</translation>
+        <translation>Genere una: glisson-cli sirgn SECUENCIA.json --method icp --out CARPETA.</translation>
     </message>
     <message>
         <source>{0}: {1}.</source>
@@ -2322,2156 +2322,2231 @@
     </message>
     <message>
         <source>A sequence names frames with a cloud each, and landmarks.</source>
-        <translation>Eine Sequenz nennt Bilder mit je einer Punktwolke sowie Landmarken.</translation>
+        <translation>Una secuencia nombra fotogramas con una nube de puntos cada uno y puntos de referencia.</translation>
     </message>
     <message>
         <source>it is not an object</source>
-        <translation>sie ist kein Objekt</translation>
+        <translation>no es un objeto</translation>
     </message>
     <message>
         <source>it has no list of frames</source>
-        <translation>sie hat keine Liste von Bildern</translation>
+        <translation>no tiene lista de fotogramas</translation>
     </message>
     <message>
         <source>registered does not name one cloud a frame</source>
-        <translation>registered nennt nicht je Bild eine Punktwolke</translation>
+        <translation>registered no nombra una nube de puntos por fotograma</translation>
     </message>
     <message>
         <source>registered holds something that is no file name</source>
-        <translation>registered enthält etwas, das kein Dateiname ist</translation>
+        <translation>registered contiene algo que no es un nombre de archivo</translation>
     </message>
     <message>
         <source>Frame {0} is missing: there is no file {1}.</source>
-        <translation>Bild {0} fehlt: Es gibt keine Datei {1}.</translation>
+        <translation>Falta el fotograma {0}: no hay ningún archivo {1}.</translation>
     </message>
     <message>
         <source>Remove the frame from the sequence (and number the tracks anew), or add it.</source>
-        <translation>Entfernen Sie das Bild aus der Sequenz (und nummerieren Sie die Spuren neu), oder fügen Sie es hinzu.</translation>
+        <translation>Quite el fotograma de la secuencia (y renumere las trayectorias) o añádalo.</translation>
     </message>
     <message>
         <source>it names no file of landmarks</source>
-        <translation>sie nennt keine Datei mit Landmarken</translation>
+        <translation>no nombra ningún archivo de puntos de referencia</translation>
     </message>
     <message>
         <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm with a frame below {2}.</source>
-        <translation>Zeile {1} von {0} ist nicht landmark,frame,x_mm,y_mm,z_mm mit einem Bild unter {2}.</translation>
+        <translation>La línea {1} de {0} no es landmark,frame,x_mm,y_mm,z_mm con un fotograma menor que {2}.</translation>
     </message>
     <message>
         <source>Frame {0} holds no point that is finite.</source>
-        <translation>Bild {0} enthält keinen endlichen Punkt.</translation>
+        <translation>El fotograma {0} no contiene ningún punto finito.</translation>
     </message>
     <message>
         <source>frames</source>
-        <translation>Bilder</translation>
+        <translation>fotogramas</translation>
     </message>
     <message>
         <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
-        <translation>{0} Landmarken wurden in drei oder mehr Bildern gesehen; vier, die nicht auf einer Geraden liegen, sind nötig.</translation>
+        <translation>{0} puntos de referencia se vieron en tres o más fotogramas; hacen falta cuatro no alineados.</translation>
     </message>
     <message>
         <source>Track more features, or mark them by hand.</source>
-        <translation>Verfolgen Sie mehr Merkmale, oder markieren Sie sie von Hand.</translation>
+        <translation>Siga más rasgos o márquelos a mano.</translation>
     </message>
     <message>
         <source>warps</source>
-        <translation>Verformungen</translation>
+        <translation>deformaciones</translation>
     </message>
     <message>
         <source>triangles</source>
-        <translation>Dreiecke</translation>
+        <translation>triángulos</translation>
     </message>
     <message>
         <source>{0} frames are too few to correlate; {1} are needed.</source>
-        <translation>{0} Bilder sind zu wenige für eine Korrelation; {1} sind nötig.</translation>
+        <translation>{0} fotogramas son demasiado pocos para correlacionar; hacen falta {1}.</translation>
     </message>
     <message>
         <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
-        <translation>Bild {0} hat {1} Punkte und nach der Registrierung {2}: Sie müssen einzeln übereinstimmen.</translation>
+        <translation>El fotograma {0} tiene {1} puntos, y {2} tras el registro: deben corresponderse uno a uno.</translation>
     </message>
     <message>
         <source>Landmark {0} was followed through {1} frames of {2}.</source>
-        <translation>Landmarke {0} wurde durch {1} von {2} Bildern verfolgt.</translation>
+        <translation>El punto de referencia {0} se siguió en {1} fotogramas de {2}.</translation>
     </message>
     <message>
         <source>A tolerance must be a positive number of mm.</source>
-        <translation>Eine Toleranz muss eine positive Zahl in mm sein.</translation>
+        <translation>Una tolerancia debe ser un número positivo de mm.</translation>
     </message>
     <message>
         <source>The folder {0} is not empty.</source>
-        <translation>Der Ordner {0} ist nicht leer.</translation>
+        <translation>La carpeta {0} no está vacía.</translation>
     </message>
     <message>
         <source>Name a new folder for the sequence.</source>
-        <translation>Nennen Sie einen neuen Ordner für die Sequenz.</translation>
+        <translation>Indique una carpeta nueva para la secuencia.</translation>
     </message>
     <message>
         <source>The {0} video ends after {1} frames, before the other.</source>
-        <translation>Das Video {0} endet nach {1} Bildern, vor dem anderen.</translation>
+        <translation>El vídeo {0} termina tras {1} fotogramas, antes que el otro.</translation>
     </message>
     <message>
         <source>{0} frames show something; {1} are needed.</source>
-        <translation>{0} Bilder zeigen etwas; {1} sind nötig.</translation>
+        <translation>{0} fotogramas muestran algo; hacen falta {1}.</translation>
     </message>
     <message>
         <source>No feature could be followed through {0} frames.</source>
-        <translation>Kein Merkmal ließ sich durch {0} Bilder verfolgen.</translation>
+        <translation>Ningún rasgo se pudo seguir a lo largo de {0} fotogramas.</translation>
     </message>
     <message>
         <source>Take more frames, or give landmarks and a model of your own.</source>
-        <translation>Nehmen Sie mehr Bilder, oder geben Sie eigene Landmarken und ein eigenes Modell an.</translation>
+        <translation>Tome más fotogramas o indique puntos de referencia y un modelo propios.</translation>
     </message>
     <message>
         <source>matching</source>
-        <translation>Zuordnung</translation>
+        <translation>emparejando</translation>
     </message>
     <message>
         <source>No two frames share four landmarks.</source>
-        <translation>Keine zwei Bilder haben vier gemeinsame Landmarken.</translation>
+        <translation>No hay dos fotogramas que compartan cuatro puntos de referencia.</translation>
     </message>
     <message>
         <source>Track more features, or leave out fewer frames.</source>
-        <translation>Verfolgen Sie mehr Merkmale, oder lassen Sie weniger Bilder aus.</translation>
+        <translation>Siga más rasgos u omita menos fotogramas.</translation>
     </message>
     <message>
         <source>Two frames or more can be aligned.</source>
-        <translation>Ausrichten lassen sich zwei Bilder oder mehr.</translation>
+        <translation>Se pueden alinear dos fotogramas o más.</translation>
     </message>
     <message>
         <source>A landmark was followed through {0} frames of {1}.</source>
-        <translation>Eine Landmarke wurde durch {0} von {1} Bildern verfolgt.</translation>
+        <translation>Un punto de referencia se siguió en {0} fotogramas de {1}.</translation>
     </message>
     <message>
         <source>aligning frames</source>
-        <translation>Bilder werden ausgerichtet</translation>
+        <translation>alineando fotogramas</translation>
     </message>
     <message>
         <source>The distances between the points of the {0} are not square.</source>
-        <translation>Die Abstände zwischen den Punkten von {0} sind nicht quadratisch angeordnet.</translation>
+        <translation>Las distancias entre los puntos de {0} no forman una matriz cuadrada.</translation>
     </message>
     <message>
         <source>The {0} has fewer than two points to match.</source>
-        <translation>{0} hat weniger als zwei Punkte zum Zuordnen.</translation>
+        <translation>{0} tiene menos de dos puntos que emparejar.</translation>
     </message>
     <message>
         <source>The {0} has {1} points to match; {2} is the most.</source>
-        <translation>{0} hat {1} Punkte zum Zuordnen; höchstens {2} sind möglich.</translation>
+        <translation>{0} tiene {1} puntos que emparejar; el máximo es {2}.</translation>
     </message>
     <message>
         <source>Some points of the {0} are not connected over the surface.</source>
-        <translation>Einige Punkte von {0} sind über die Oberfläche nicht verbunden.</translation>
+        <translation>Algunos puntos de {0} no están conectados sobre la superficie.</translation>
     </message>
     <message>
         <source>Keep the largest connected piece, or bridge the gap before matching.</source>
-        <translation>Behalten Sie das größte zusammenhängende Stück, oder schließen Sie die Lücke vor der Zuordnung.</translation>
+        <translation>Conserve el mayor trozo conexo o cierre el hueco antes de emparejar.</translation>
     </message>
     <message>
         <source>The distances between the points of the {0} are not those of a metric.</source>
-        <translation>Die Abstände zwischen den Punkten von {0} sind nicht die einer Metrik.</translation>
+        <translation>Las distancias entre los puntos de {0} no son las de una métrica.</translation>
     </message>
     <message>
         <source>The seed must hold one finite cost a source point and target point.</source>
-        <translation>Der Startwert muss endliche Kosten für jedes Paar aus Quell- und Zielpunkt enthalten.</translation>
+        <translation>La semilla debe contener un coste finito por cada punto de origen y de destino.</translation>
     </message>
     <message>
         <source>sigma, tau and q must be positive.</source>
-        <translation>sigma, tau und q müssen positiv sein.</translation>
+        <translation>sigma, tau y q deben ser positivos.</translation>
     </message>
     <message>
         <source>The written-out field needs {0} MB; {1} MB are allowed.</source>
-        <translation>Das ausgeschriebene Feld braucht {0} MB; {1} MB sind erlaubt.</translation>
+        <translation>El campo desarrollado necesita {0} MB; se permiten {1} MB.</translation>
     </message>
     <message>
         <source>No point of one surface has a partner on the other.</source>
-        <translation>Kein Punkt der einen Oberfläche hat einen Partner auf der anderen.</translation>
+        <translation>Ningún punto de una superficie tiene pareja en la otra.</translation>
     </message>
     <message>
         <source>Align the surfaces roughly first, or give landmarks.</source>
-        <translation>Richten Sie die Oberflächen zuerst grob aus, oder geben Sie Landmarken an.</translation>
+        <translation>Alinee antes las superficies de forma aproximada o indique puntos de referencia.</translation>
     </message>
     <message>
         <source>non-rigid alignment</source>
-        <translation>nichtstarre Ausrichtung</translation>
+        <translation>alineación no rígida</translation>
     </message>
     <message>
         <source>A landmark names point {0}, which cannot be led anywhere.</source>
-        <translation>Eine Landmarke nennt Punkt {0}, der nirgendwohin geführt werden kann.</translation>
+        <translation>Un punto de referencia nombra el punto {0}, que no se puede llevar a ninguna parte.</translation>
     </message>
     <message>
         <source>The step of the non-rigid alignment has no solution.</source>
-        <translation>Der Schritt der nichtstarren Ausrichtung hat keine Lösung.</translation>
+        <translation>El paso de la alineación no rígida no tiene solución.</translation>
     </message>
     <message>
         <source>By their geodesic distances the surfaces match only inside out.</source>
-        <translation>Nach ihren geodätischen Abständen passen die Oberflächen nur umgestülpt zueinander.</translation>
+        <translation>Por sus distancias geodésicas, las superficies solo encajan invertidas.</translation>
     </message>
     <message>
         <source>Align them roughly and match with positions as prior, or use more points.</source>
-        <translation>Richten Sie sie grob aus, und ordnen Sie mit den Positionen als Vorwissen zu, oder verwenden Sie mehr Punkte.</translation>
+        <translation>Alinéelas de forma aproximada y empareje con las posiciones como información previa, o use más puntos.</translation>
     </message>
     <message>
         <source>{0} points cannot be aligned to {1}.</source>
-        <translation>{0} Punkte lassen sich nicht auf {1} ausrichten.</translation>
+        <translation>{0} puntos no se pueden alinear con {1}.</translation>
     </message>
     <message>
         <source>A rigid alignment needs three pairs of points that do not lie on one line.</source>
-        <translation>Eine starre Ausrichtung braucht drei Punktpaare, die nicht auf einer Geraden liegen.</translation>
+        <translation>Una alineación rígida necesita tres pares de puntos no alineados.</translation>
     </message>
     <message>
         <source>Some of the points to align are not finite.</source>
-        <translation>Einige der auszurichtenden Punkte sind nicht endlich.</translation>
+        <translation>Algunos de los puntos que alinear no son finitos.</translation>
     </message>
     <message>
         <source>rigid alignment</source>
-        <translation>starre Ausrichtung</translation>
+        <translation>alineación rígida</translation>
     </message>
     <message>
         <source>A surface of {0} points cannot give {1} samples.</source>
-        <translation>Eine Oberfläche mit {0} Punkten kann keine {1} Stützpunkte liefern.</translation>
+        <translation>Una superficie de {0} puntos no puede dar {1} muestras.</translation>
     </message>
     <message>
         <source>geodesic distances</source>
-        <translation>geodätische Abstände</translation>
+        <translation>distancias geodésicas</translation>
     </message>
     <message>
         <source>A spline needs as many finite points to start from as to lead to.</source>
-        <translation>Ein Spline braucht ebenso viele endliche Ausgangs- wie Zielpunkte.</translation>
+        <translation>Una spline necesita tantos puntos finitos de partida como de llegada.</translation>
     </message>
     <message>
         <source>{0} points are too many for a spline; {1} is the most.</source>
-        <translation>{0} Punkte sind zu viele für einen Spline; höchstens {1} sind möglich.</translation>
+        <translation>{0} puntos son demasiados para una spline; el máximo es {1}.</translation>
     </message>
     <message>
         <source>A spline needs four matched points that do not lie in one plane.</source>
-        <translation>Ein Spline braucht vier zugeordnete Punkte, die nicht in einer Ebene liegen.</translation>
+        <translation>Una spline necesita cuatro puntos emparejados que no estén en un plano.</translation>
     </message>
     <message>
         <source>A result lacks the point array {0} with three values a point.</source>
-        <translation>Einem Ergebnis fehlt das Punktfeld {0} mit drei Werten je Punkt.</translation>
+        <translation>A un resultado le falta la matriz de puntos {0} con tres valores por punto.</translation>
     </message>
     <message>
         <source>Compare results of the same mesh.</source>
-        <translation>Vergleichen Sie Ergebnisse desselben Netzes.</translation>
+        <translation>Compare resultados de la misma malla.</translation>
     </message>
     <message>
         <source>The two results are not of the same mesh: {0} points and {1} cells against {2} and {3}.</source>
-        <translation>Die beiden Ergebnisse sind nicht vom selben Netz: {0} Punkte und {1} Zellen gegen {2} und {3}.</translation>
+        <translation>Los dos resultados no son de la misma malla: {0} puntos y {1} celdas frente a {2} y {3}.</translation>
     </message>
     <message>
         <source>The two results are not of the same mesh: point {0} rests at different places.</source>
-        <translation>Die beiden Ergebnisse sind nicht vom selben Netz: Punkt {0} ruht an verschiedenen Orten.</translation>
+        <translation>Los dos resultados no son de la misma malla: el punto {0} reposa en lugares distintos.</translation>
     </message>
     <message>
         <source>No part of the surface looks like the liver&apos;s bare area (its upper rear).</source>
-        <translation>Kein Teil der Oberfläche sieht wie die Area nuda der Leber aus (oben hinten).</translation>
+        <translation>Ninguna parte de la superficie se parece al área desnuda del hígado (arriba y detrás).</translation>
     </message>
     <message>
         <source>Name the supports in the scenario, by a sphere or a box.</source>
-        <translation>Benennen Sie die Lagerungen im Szenario, durch eine Kugel oder einen Quader.</translation>
+        <translation>Nombre los apoyos en el escenario, con una esfera o una caja.</translation>
     </message>
     <message>
         <source>{0} of the session cannot be read: {1}.</source>
-        <translation>{0} der Sitzung kann nicht gelesen werden: {1}.</translation>
+        <translation>No se puede leer {0} de la sesión: {1}.</translation>
     </message>
     <message>
         <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} or {&quot;undo&quot;: true}.</source>
-        <translation>Ein Befehl ist {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} oder {&quot;undo&quot;: true}.</translation>
+        <translation>Una orden es {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} o {&quot;undo&quot;: true}.</translation>
     </message>
     <message>
         <source>The cut passes the liver by.</source>
-        <translation>Der Schnitt geht an der Leber vorbei.</translation>
+        <translation>La sección no pasa por el hígado.</translation>
     </message>
     <message>
         <source>Move it through the liver; positions are patient coordinates (LPS, mm).</source>
-        <translation>Verschieben Sie ihn durch die Leber; Positionen sind Patientenkoordinaten (LPS, mm).</translation>
+        <translation>Muévala a través del hígado; las posiciones son coordenadas del paciente (LPS, mm).</translation>
     </message>
     <message>
         <source>The point of the specimen lies on the cut, or is not finite.</source>
-        <translation>Der Punkt des Resektats liegt auf dem Schnitt oder ist nicht endlich.</translation>
+        <translation>El punto de la pieza quirúrgica está sobre la sección o no es finito.</translation>
     </message>
     <message>
         <source>The step did not converge: after {0} rounds a tool still reaches {1} mm into the surface, which still moves by {2} mm.</source>
-        <translation>Der Schritt ist nicht konvergiert: Nach {0} Runden reicht ein Instrument noch {1} mm in die Oberfläche, die sich noch um {2} mm bewegt.</translation>
+        <translation>El paso no ha convergido: tras {0} rondas un instrumento aún penetra {1} mm en la superficie, que aún se mueve {2} mm.</translation>
     </message>
     <message>
         <source>Placing landmarks and structures</source>
-        <translation>Landmarken und Strukturen werden eingefügt</translation>
+        <translation>Colocando los puntos de referencia y las estructuras</translation>
     </message>
     <message>
         <source>Ready</source>
-        <translation>Bereit</translation>
+        <translation>Listo</translation>
     </message>
     <message>
         <source>Nathanson liver retractor</source>
-        <translation>Nathanson-Leberretraktor</translation>
+        <translation>Separador hepático de Nathanson</translation>
     </message>
     <message>
         <source>A bent rod that lies under the liver as a hook some centimetres across, sold in several sizes. We found no published drawing and no measured force: that it spreads its pull over a disc of 70 mm is our assumption, and 2 N is the weight of 190 ml of liver (1.06 kg/l), what lifting the lower part of segment VI takes. On a real liver&apos;s shape with a uniform 6 kPa, 2 N hoist it by 18 mm; linear elasticity is strained beyond.</source>
-        <translation>Ein gebogener Stab, der als einige Zentimeter breiter Haken unter der Leber liegt und in mehreren Größen verkauft wird. Wir fanden keine veröffentlichte Zeichnung und keine gemessene Kraft: Dass er seinen Zug auf eine Scheibe von 70 mm verteilt, ist unsere Annahme, und 2 N sind das Gewicht von 190 ml Leber (1.06 kg/l), so viel, wie das Anheben des unteren Teils von Segment VI braucht. An der Form einer wirklichen Leber mit gleichmäßig 6 kPa heben 2 N sie um 18 mm an; darüber hinaus ist die lineare Elastizität überfordert.</translation>
+        <translation>Una varilla curvada que se apoya bajo el hígado como un gancho de unos centímetros, a la venta en varios tamaños. No hemos encontrado ningún dibujo publicado ni ninguna fuerza medida: que reparta su tracción sobre un disco de 70 mm es una suposición nuestra, y 2 N es el peso de 190 ml de hígado (1.06 kg/l), lo que exige elevar la parte inferior del segmento VI. Con la forma de un hígado real de 6 kPa uniformes, 2 N lo elevan 18 mm; más allá, la elasticidad lineal deja de ser válida.</translation>
     </message>
     <message>
         <source>Grasper</source>
-        <translation>Fasszange</translation>
+        <translation>Pinza de agarre</translation>
     </message>
     <message>
         <source>Grip forces in porcine laparoscopic liver resection: 1.75 N on average, 3.38 N at most (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). The jaw&apos;s patch of 12 mm is our assumption.</source>
-        <translation>Griffkräfte bei der laparoskopischen Leberresektion am Schwein: im Mittel 1.75 N, höchstens 3.38 N (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). Die Auflage der Branche von 12 mm ist unsere Annahme.</translation>
+        <translation>Fuerzas de agarre en resecciones hepáticas laparoscópicas en cerdos: 1.75 N de media, 3.38 N como máximo (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). El contacto de la mordaza, de 12 mm, es una suposición nuestra.</translation>
     </message>
     <message>
         <source>Palpation probe</source>
-        <translation>Palpationssonde</translation>
+        <translation>Sonda de palpación</translation>
     </message>
     <message>
         <source>A sphere of 10 mm pressed lightly; size and force are our assumption.</source>
-        <translation>Eine leicht angedrückte Kugel von 10 mm; Größe und Kraft sind unsere Annahme.</translation>
+        <translation>Una esfera de 10 mm apretada levemente; el tamaño y la fuerza son suposiciones nuestras.</translation>
     </message>
     <message>
         <source>There is no tool {0}.</source>
-        <translation>Es gibt kein Instrument {0}.</translation>
+        <translation>No hay ningún instrumento {0}.</translation>
     </message>
     <message>
         <source>The tools are: {1}.</source>
-        <translation>Die Instrumente sind: {1}.</translation>
+        <translation>Los instrumentos son: {1}.</translation>
     </message>
     <message>
         <source>A case has no scene named {0}; it has {1}.</source>
-        <translation>Ein Fall hat keine Szene namens {0}; er hat {1}.</translation>
+        <translation>Un caso no tiene ninguna escena llamada {0}; tiene {1}.</translation>
     </message>
     <message>
         <source>{0} has no displacement.</source>
-        <translation>{0} hat keine Verschiebung.</translation>
+        <translation>{0} no tiene desplazamiento.</translation>
     </message>
     <message>
         <source>A picture has from {0} to {1} pixels a side; {2} x {3} were asked for.</source>
-        <translation>Ein Bild hat {0} bis {1} Pixel je Seite; {2} x {3} wurden verlangt.</translation>
+        <translation>Una imagen tiene de {0} a {1} píxeles por lado; se pidieron {2} x {3}.</translation>
     </message>
     <message>
         <source>There is nothing to draw with: neither EGL with OpenGL 3.2 nor an X server.</source>
-        <translation>Es gibt nichts, womit gezeichnet werden könnte: weder EGL mit OpenGL 3.2 noch einen X-Server.</translation>
+        <translation>No hay con qué dibujar: ni EGL con OpenGL 3.2 ni un servidor X.</translation>
     </message>
     <message>
         <source>Install Mesa&apos;s drivers (on Debian: libegl-mesa0 and libgl1-mesa-dri).</source>
-        <translation>Installieren Sie die Treiber von Mesa (unter Debian: libegl-mesa0 und libgl1-mesa-dri).</translation>
+        <translation>Instale los controladores de Mesa (en Debian: libegl-mesa0 y libgl1-mesa-dri).</translation>
     </message>
     <message>
         <source>The picture could not be written: {0}.</source>
-        <translation>Das Bild konnte nicht geschrieben werden: {0}.</translation>
+        <translation>No se ha podido escribir la imagen: {0}.</translation>
     </message>
     <message>
         <source>Choose a folder that you may write to, on a disk with room.</source>
-        <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen, auf einem Datenträger mit freiem Platz.</translation>
+        <translation>Elija una carpeta en la que pueda escribir, en un disco con espacio.</translation>
     </message>
     <message>
         <source>This is not a PNG picture that can be read: {0}.</source>
-        <translation>Dies ist kein lesbares PNG-Bild: {0}.</translation>
+        <translation>Esta no es una imagen PNG legible: {0}.</translation>
     </message>
     <message>
         <source>Check that the file is whole.</source>
-        <translation>Prüfen Sie, ob die Datei vollständig ist.</translation>
+        <translation>Compruebe que el archivo está completo.</translation>
     </message>
     <message>
         <source>it is larger than 16384 pixels a side</source>
-        <translation>es ist größer als 16384 Pixel je Seite</translation>
+        <translation>tiene más de 16384 píxeles por lado</translation>
     </message>
     <message>
         <source>The picture cannot be drawn: {0}.</source>
-        <translation>Das Bild kann nicht gezeichnet werden: {0}.</translation>
+        <translation>No se puede dibujar la imagen: {0}.</translation>
     </message>
     <message>
         <source>Every voxel of the image has the same value: there is nothing to grow in.</source>
-        <translation>Jedes Voxel des Bildes hat denselben Wert: Es gibt nichts, worin etwas wachsen könnte.</translation>
+        <translation>Todos los vóxeles de la imagen tienen el mismo valor: no hay dónde crecer.</translation>
     </message>
     <message>
         <source>Growing</source>
-        <translation>Region wächst</translation>
+        <translation>Creciendo</translation>
     </message>
     <message>
         <source>No tissue thick enough to be an organ hangs together with the seeds.</source>
-        <translation>Kein Gewebe, das dick genug für ein Organ wäre, hängt mit den Saatpunkten zusammen.</translation>
+        <translation>Ningún tejido lo bastante grueso para ser un órgano está unido a las semillas.</translation>
     </message>
     <message>
         <source>Move the seed into the middle of the liver, away from vessels and edges.</source>
-        <translation>Setzen Sie den Saatpunkt in die Mitte der Leber, fern von Gefäßen und Rändern.</translation>
+        <translation>Mueva la semilla al centro del hígado, lejos de vasos y bordes.</translation>
     </message>
     <message>
         <source>Smoothing the outline</source>
-        <translation>Umriss wird geglättet</translation>
+        <translation>Suavizando el contorno</translation>
     </message>
     <message>
         <source>There is no image value around seed {0}.</source>
-        <translation>Um Saatpunkt {0} gibt es keinen Bildwert.</translation>
+        <translation>No hay ningún valor de imagen alrededor de la semilla {0}.</translation>
     </message>
     <message>
         <source>Seed {0} is much brighter ({1}) than seed {2} ({3}): one of them is probably not in the liver. Take it away.</source>
-        <translation>Saatpunkt {0} ist viel heller ({1}) als Saatpunkt {2} ({3}): Einer davon liegt wahrscheinlich nicht in der Leber. Nehmen Sie ihn weg.</translation>
+        <translation>La semilla {0} es mucho más clara ({1}) que la semilla {2} ({3}): una de ellas probablemente no está en el hígado. Quítela.</translation>
     </message>
     <message>
         <source>Nothing grew from seed {0}: the tissue around it is too thin or uneven. Move it to the middle of the liver.</source>
-        <translation>Von Saatpunkt {0} ist nichts gewachsen: Das Gewebe ringsum ist zu dünn oder zu ungleichmäßig. Setzen Sie ihn in die Mitte der Leber.</translation>
+        <translation>Nada ha crecido desde la semilla {0}: el tejido que la rodea es demasiado fino o irregular. Muévala al centro del hígado.</translation>
     </message>
     <message>
         <source>The region reaches the side of the image: it has probably leaked into the body wall. Cut it there, or raise neck_radius_mm.</source>
-        <translation>Die Region reicht bis zur Seite des Bildes: Sie ist wahrscheinlich in die Bauchwand ausgelaufen. Schneiden Sie sie dort ab, oder erhöhen Sie neck_radius_mm.</translation>
+        <translation>La región llega al lado de la imagen: probablemente se ha extendido a la pared abdominal. Córtela ahí o aumente neck_radius_mm.</translation>
     </message>
     <message>
         <source>The region reaches the first or last slice: the liver is not wholly in the image, and its volume is that of the part seen.</source>
-        <translation>Die Region reicht bis zur ersten oder letzten Schicht: Die Leber ist nicht ganz im Bild, und ihr Volumen ist das des sichtbaren Teils.</translation>
+        <translation>La región llega al primer o al último corte: el hígado no está entero en la imagen y su volumen es el de la parte visible.</translation>
     </message>
     <message>
         <source>{0} ml is more than a liver holds: the region has probably leaked into a neighbour. Raise neck_radius_mm, or cut it by hand.</source>
-        <translation>{0} ml sind mehr, als eine Leber fasst: Die Region ist wahrscheinlich in ein Nachbarorgan ausgelaufen. Erhöhen Sie neck_radius_mm, oder schneiden Sie sie von Hand.</translation>
+        <translation>{0} ml es más de lo que tiene un hígado: la región probablemente se ha extendido a un órgano vecino. Aumente neck_radius_mm o córtela a mano.</translation>
     </message>
     <message>
         <source>{0} ml is less than an adult&apos;s liver holds: the growth has probably stopped early. Add a seed in the part that is missing, or raise tolerance_sd.</source>
-        <translation>{0} ml sind weniger, als die Leber eines Erwachsenen fasst: Das Wachstum hat wahrscheinlich zu früh aufgehört. Setzen Sie einen Saatpunkt in den fehlenden Teil, oder erhöhen Sie tolerance_sd.</translation>
+        <translation>{0} ml es menos de lo que tiene el hígado de un adulto: el crecimiento probablemente se ha detenido demasiado pronto. Añada una semilla en la parte que falta o aumente tolerance_sd.</translation>
     </message>
     <message>
         <source>An image of {0} x {1} x {2} voxels is too thin to grow in.</source>
-        <translation>Ein Bild von {0} x {1} x {2} Voxeln ist zu dünn, um darin zu wachsen.</translation>
+        <translation>Una imagen de {0} x {1} x {2} vóxeles es demasiado fina para crecer en ella.</translation>
     </message>
     <message>
         <source>The options of growing must be positive, and one is {0}.</source>
-        <translation>Die Optionen des Wachsens müssen positiv sein, und eine ist {0}.</translation>
+        <translation>Las opciones del crecimiento deben ser positivas, y una es {0}.</translation>
     </message>
     <message>
         <source>There is no seed to grow from.</source>
-        <translation>Es gibt keinen Saatpunkt.</translation>
+        <translation>No hay ninguna semilla.</translation>
     </message>
     <message>
         <source>Give at least one point in the middle of the liver.</source>
-        <translation>Geben Sie mindestens einen Punkt in der Mitte der Leber an.</translation>
+        <translation>Indique al menos un punto en el centro del hígado.</translation>
     </message>
     <message>
         <source>Seed {0} at ({1}) mm lies {2} mm outside the image.</source>
-        <translation>Saatpunkt {0} bei ({1}) mm liegt {2} mm außerhalb des Bildes.</translation>
+        <translation>La semilla {0} en ({1}) mm está a {2} mm fuera de la imagen.</translation>
     </message>
     <message>
         <source>Seeds are DICOM patient coordinates (LPS) in mm, not voxel indices.</source>
-        <translation>Saatpunkte sind DICOM-Patientenkoordinaten (LPS) in mm, keine Voxelindizes.</translation>
+        <translation>Las semillas son coordenadas DICOM del paciente (LPS) en mm, no índices de vóxeles.</translation>
     </message>
     <message>
         <source>There is no structure to label.</source>
-        <translation>Es gibt keine Struktur, die ein Label bekommen könnte.</translation>
+        <translation>No hay ninguna estructura que etiquetar.</translation>
     </message>
     <message>
         <source>The structures {0} and {1} lie on different voxel grids.</source>
-        <translation>Die Strukturen {0} und {1} liegen auf verschiedenen Voxelgittern.</translation>
+        <translation>Las estructuras {0} y {1} están en cuadrículas de vóxeles distintas.</translation>
     </message>
     <message>
         <source>None of the structures is the liver.</source>
-        <translation>Keine der Strukturen ist die Leber.</translation>
+        <translation>Ninguna de las estructuras es el hígado.</translation>
     </message>
     <message>
         <source>Segment it first, or name a structure &quot;liver&quot;.</source>
-        <translation>Segmentieren Sie sie zuerst, oder nennen Sie eine Struktur &quot;liver&quot;.</translation>
+        <translation>Segméntelo antes o llame &quot;liver&quot; a una estructura.</translation>
     </message>
     <message>
         <source>The structure {0} holds no voxels.</source>
-        <translation>Die Struktur {0} enthält keine Voxel.</translation>
+        <translation>La estructura {0} no contiene vóxeles.</translation>
     </message>
     <message>
         <source>The two masks lie on different voxel grids.</source>
-        <translation>Die beiden Masken liegen auf verschiedenen Voxelgittern.</translation>
+        <translation>Las dos máscaras están en cuadrículas de vóxeles distintas.</translation>
     </message>
     <message>
         <source>There are no patients in this cohort.</source>
-        <translation>Diese Kohorte enthält keine Patienten.</translation>
+        <translation>No hay pacientes en esta cohorte.</translation>
     </message>
     <message>
         <source>The cohort has no patient {0}.</source>
-        <translation>Die Kohorte hat keinen Patienten {0}.</translation>
+        <translation>La cohorte no tiene al paciente {0}.</translation>
     </message>
     <message>
         <source>Patient</source>
-        <translation>Patient</translation>
+        <translation>Paciente</translation>
     </message>
     <message>
         <source>None of the {0} patients could be used; the first one: {1}</source>
-        <translation>Keiner der {0} Patienten war verwendbar; der erste: {1}</translation>
+        <translation>No se ha podido usar ninguno de los {0} pacientes; el primero: {1}</translation>
     </message>
     <message>
         <source>{0} holds files that are not an earlier demo&apos;s.</source>
-        <translation>{0} enthält Dateien, die nicht von einer früheren Demonstration sind.</translation>
+        <translation>{0} contiene archivos que no son de una demostración anterior.</translation>
     </message>
     <message>
         <source>Choose an empty or a new folder.</source>
-        <translation>Wählen Sie einen leeren oder neuen Ordner.</translation>
+        <translation>Elija una carpeta vacía o nueva.</translation>
     </message>
     <message>
         <source>Drawing</source>
-        <translation>Zeichnen</translation>
+        <translation>Dibujando</translation>
     </message>
     <message>
         <source>The surface in {0} is not closed, so nothing lies inside it.</source>
-        <translation>Die Oberfläche in {0} ist nicht geschlossen, also liegt nichts in ihr.</translation>
+        <translation>La superficie de {0} no está cerrada, así que no hay nada en su interior.</translation>
     </message>
     <message>
         <source>Use the anatomy that ships with the program.</source>
-        <translation>Verwenden Sie die mitgelieferte Anatomie.</translation>
+        <translation>Use la anatomía incluida con el programa.</translation>
     </message>
     <message>
         <source>{0} does not list the demo&apos;s landmarks: {1}.</source>
-        <translation>{0} führt die Landmarken der Demonstration nicht auf: {1}.</translation>
+        <translation>{0} no enumera los puntos de referencia de la demostración: {1}.</translation>
     </message>
     <message>
         <source>reading the anatomy</source>
-        <translation>Anatomie wird gelesen</translation>
+        <translation>leyendo la anatomía</translation>
     </message>
     <message>
         <source>simulating the MR images</source>
-        <translation>MR-Bilder werden simuliert</translation>
+        <translation>simulando las imágenes de RM</translation>
     </message>
     <message>
         <source>simulating the elastography</source>
-        <translation>Elastographie wird simuliert</translation>
+        <translation>simulando la elastografía</translation>
     </message>
     <message>
         <source>writing the study</source>
-        <translation>Studie wird geschrieben</translation>
+        <translation>escribiendo el estudio</translation>
     </message>
     <message>
         <source>writing the truth</source>
-        <translation>Sollwerte werden geschrieben</translation>
+        <translation>escribiendo los valores verdaderos</translation>
     </message>
     <message>
         <source>Check the folder and your rights there.</source>
-        <translation>Prüfen Sie den Ordner und Ihre Rechte dort.</translation>
+        <translation>Compruebe la carpeta y sus permisos en ella.</translation>
     </message>
     <message>
         <source>{0} holds none of the scans, such as A-1.69N.ply.</source>
-        <translation>{0} enthält keinen der Scans, etwa A-1.69N.ply.</translation>
+        <translation>{0} no contiene ninguno de los escaneos, como A-1.69N.ply.</translation>
     </message>
     <message>
         <source>None of the trials could be compared; the first one: {0}</source>
-        <translation>Keiner der Versuche ließ sich vergleichen; der erste: {0}</translation>
+        <translation>No se ha podido comparar ningún ensayo; el primero: {0}</translation>
     </message>
     <message>
         <source>The phantom&apos;s equilibrium was not reached: {0}</source>
-        <translation>Das Gleichgewicht des Phantoms wurde nicht erreicht: {0}</translation>
+        <translation>No se ha alcanzado el equilibrio del maniquí: {0}</translation>
     </message>
     <message>
         <source>The two judge different videos: {0} and {1}.</source>
-        <translation>Die beiden beurteilen verschiedene Videos: {0} und {1}.</translation>
+        <translation>Los dos valoran vídeos distintos: {0} y {1}.</translation>
     </message>
     <message>
         <source>Judge both registrations on the same sequence.json.</source>
-        <translation>Beurteilen Sie beide Registrierungen an derselben sequence.json.</translation>
+        <translation>Valore ambos registros con el mismo sequence.json.</translation>
     </message>
     <message>
         <source>The sequence names no camera to draw with.</source>
-        <translation>Die Sequenz nennt keine Kamera zum Zeichnen.</translation>
+        <translation>La secuencia no nombra ninguna cámara con la que dibujar.</translation>
     </message>
     <message>
         <source>Add &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</source>
-        <translation>Fügen Sie hinzu: &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</translation>
+        <translation>Añada &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</translation>
     </message>
     <message>
         <source>Frame {0} of the sequence names no image.</source>
-        <translation>Bild {0} der Sequenz nennt keine Bilddatei.</translation>
+        <translation>El fotograma {0} de la secuencia no nombra ninguna imagen.</translation>
     </message>
     <message>
         <source>Add &quot;image&quot; to each frame.</source>
-        <translation>Fügen Sie jedem Bild &quot;image&quot; hinzu.</translation>
+        <translation>Añada &quot;image&quot; a cada fotograma.</translation>
     </message>
     <message>
         <source>pictures</source>
-        <translation>Bilder</translation>
+        <translation>imágenes</translation>
     </message>
     <message>
         <source>Sample {0} of {1} has a size, a way or a force that is not positive.</source>
-        <translation>Messung {0} von {1} hat eine Größe, einen Weg oder eine Kraft, die nicht positiv ist.</translation>
+        <translation>La muestra {0} de {1} tiene un tamaño, un recorrido o una fuerza que no es positivo.</translation>
     </message>
     <message>
         <source>No labelled voxel of {0} lies where {1} has a stiffness.</source>
-        <translation>Kein markiertes Voxel von {0} liegt dort, wo {1} eine Steifigkeit hat.</translation>
+        <translation>Ningún vóxel etiquetado de {0} está donde {1} tiene una rigidez.</translation>
     </message>
     <message>
         <source>Material {0} was never put under the testing machine.</source>
-        <translation>Material {0} war nie in der Prüfmaschine.</translation>
+        <translation>El material {0} nunca se puso en la máquina de ensayos.</translation>
     </message>
     <message>
         <source>Give its samples in the file of tests, or leave the region out.</source>
-        <translation>Geben Sie seine Messungen in der Datei der Prüfungen an, oder lassen Sie die Region aus.</translation>
+        <translation>Indique sus muestras en el archivo de ensayos u omita la región.</translation>
     </message>
     <message>
         <source>A board has from {0} to {1} points a side and a positive spacing; {2} x {3} at {4} mm were given.</source>
-        <translation>Eine Tafel hat {0} bis {1} Punkte je Seite und einen positiven Abstand; angegeben wurden {2} x {3} mit {4} mm.</translation>
+        <translation>Un tablero tiene de {0} a {1} puntos por lado y un espaciado positivo; se indicaron {2} x {3} a {4} mm.</translation>
     </message>
     <message>
         <source>The picture shows no board of {0} x {1} points.</source>
-        <translation>Das Bild zeigt keine Tafel von {0} x {1} Punkten.</translation>
+        <translation>La imagen no muestra ningún tablero de {0} x {1} puntos.</translation>
     </message>
     <message>
         <source>Count inner corners or circles, columns first; the board must be sharp and lit.</source>
-        <translation>Zählen Sie die inneren Ecken oder Kreise, Spalten zuerst; die Tafel muss scharf und beleuchtet sein.</translation>
+        <translation>Cuente las esquinas interiores o los círculos, primero las columnas; el tablero debe estar nítido e iluminado.</translation>
     </message>
     <message>
         <source>{0} has {1} x {2} pixels, the first picture has {3} x {4}.</source>
-        <translation>{0} hat {1} x {2} Pixel, das erste Bild hat {3} x {4}.</translation>
+        <translation>{0} tiene {1} x {2} píxeles, la primera imagen tiene {3} x {4}.</translation>
     </message>
     <message>
         <source>{0} of {1} pairs show the board to both eyes; {2} are needed.</source>
-        <translation>{0} von {1} Paaren zeigen beiden Augen die Tafel; {2} sind nötig.</translation>
+        <translation>{0} de {1} pares muestran el tablero a ambos ojos; hacen falta {2}.</translation>
     </message>
     <message>
         <source>Check the board&apos;s kind, its columns and rows; take it from several sides.</source>
-        <translation>Prüfen Sie Art, Spalten und Zeilen der Tafel; nehmen Sie sie aus mehreren Richtungen auf.</translation>
+        <translation>Compruebe el tipo de tablero, sus columnas y filas; tómelo desde varios lados.</translation>
     </message>
     <message>
         <source>The calibration did not converge: {0}.</source>
-        <translation>Die Kalibrierung ist nicht konvergiert: {0}.</translation>
+        <translation>La calibración no ha convergido: {0}.</translation>
     </message>
     <message>
         <source>By these pictures the right eye lies to the left of the left one.</source>
-        <translation>Nach diesen Bildern liegt das rechte Auge links vom linken.</translation>
+        <translation>Según estas imágenes el ojo derecho está a la izquierda del izquierdo.</translation>
     </message>
     <message>
         <source>Exchange the left and the right pictures.</source>
-        <translation>Vertauschen Sie die linken und rechten Bilder.</translation>
+        <translation>Intercambie las imágenes izquierda y derecha.</translation>
     </message>
     <message>
         <source>The calibration {0} has no {1}.</source>
-        <translation>Der Kalibrierung {0} fehlt: {1}.</translation>
+        <translation>A la calibración {0} le falta: {1}.</translation>
     </message>
     <message>
         <source>It needs left and right, each with a matrix and distortion, and left_to_right.</source>
-        <translation>Sie braucht left und right, jeweils mit Matrix und Verzeichnung, und left_to_right.</translation>
+        <translation>Necesita left y right, cada uno con matriz y distorsión, y left_to_right.</translation>
     </message>
     <message>
         <source>A camera&apos;s focal length is not positive.</source>
-        <translation>Die Brennweite einer Kamera ist nicht positiv.</translation>
+        <translation>La distancia focal de una cámara no es positiva.</translation>
     </message>
     <message>
         <source>A coefficient of distortion is not finite.</source>
-        <translation>Ein Koeffizient der Verzeichnung ist nicht endlich.</translation>
+        <translation>Un coeficiente de distorsión no es finito.</translation>
     </message>
     <message>
         <source>Both eyes are in one place: there is no depth to see.</source>
-        <translation>Beide Augen sind an einem Ort: Es ist keine Tiefe zu sehen.</translation>
+        <translation>Ambos ojos están en el mismo lugar: no se ve ninguna profundidad.</translation>
     </message>
     <message>
         <source>left_to_right does not hold a rotation: R R^T or the last row is off by {0}.</source>
-        <translation>left_to_right enthält keine Drehung: R R^T oder die letzte Zeile weicht um {0} ab.</translation>
+        <translation>left_to_right no contiene una rotación: R R^T o la última fila se desvía {0}.</translation>
     </message>
     <message>
         <source>The picture {0} cannot be read.</source>
-        <translation>Das Bild {0} kann nicht gelesen werden.</translation>
+        <translation>No se puede leer la imagen {0}.</translation>
     </message>
     <message>
         <source>PNG, JPEG, TIFF and BMP are read.</source>
-        <translation>Gelesen werden PNG, JPEG, TIFF und BMP.</translation>
+        <translation>Se leen PNG, JPEG, TIFF y BMP.</translation>
     </message>
     <message>
         <source>The picture {0} cannot be written.</source>
-        <translation>Das Bild {0} kann nicht geschrieben werden.</translation>
+        <translation>No se puede escribir la imagen {0}.</translation>
     </message>
     <message>
         <source>The folder must exist, and the name end in .png or .jpg.</source>
-        <translation>Der Ordner muss vorhanden sein und der Name auf .png oder .jpg enden.</translation>
+        <translation>La carpeta debe existir y el nombre terminar en .png o .jpg.</translation>
     </message>
     <message>
         <source>The folder {0} holds no pictures.</source>
-        <translation>Der Ordner {0} enthält keine Bilder.</translation>
+        <translation>La carpeta {0} no contiene imágenes.</translation>
     </message>
     <message>
         <source>The video {0} cannot be read.</source>
-        <translation>Das Video {0} kann nicht gelesen werden.</translation>
+        <translation>No se puede leer el vídeo {0}.</translation>
     </message>
     <message>
         <source>Give a video file that OpenCV (FFmpeg) reads, or a folder of pictures.</source>
-        <translation>Geben Sie eine Videodatei an, die OpenCV (FFmpeg) liest, oder einen Ordner mit Bildern.</translation>
+        <translation>Indique un archivo de vídeo que lea OpenCV (FFmpeg) o una carpeta de imágenes.</translation>
     </message>
     <message>
         <source>The video {0} cannot be decoded: {1}.</source>
-        <translation>Das Video {0} kann nicht dekodiert werden: {1}.</translation>
+        <translation>No se puede decodificar el vídeo {0}: {1}.</translation>
     </message>
     <message>
         <source>A picture of {0} has {1} x {2} pixels, the first has {3} x {4}.</source>
-        <translation>Ein Bild von {0} hat {1} x {2} Pixel, das erste hat {3} x {4}.</translation>
+        <translation>Una imagen de {0} tiene {1} x {2} píxeles, la primera tiene {3} x {4}.</translation>
     </message>
     <message>
         <source>The pair could not be matched: {0}.</source>
-        <translation>Das Paar ließ sich nicht zuordnen: {0}.</translation>
+        <translation>No se ha podido emparejar el par: {0}.</translation>
     </message>
     <message>
         <source>The calibration is not of these pictures: half of the {0} features that both show miss their epipolar lines by {1} pixels or more.</source>
-        <translation>Die Kalibrierung gehört nicht zu diesen Bildern: Die Hälfte der {0} Merkmale, die beide zeigen, verfehlt ihre Epipolarlinien um {1} Pixel oder mehr.</translation>
+        <translation>La calibración no es de estas imágenes: la mitad de los {0} rasgos que ambas muestran se aparta de sus líneas epipolares {1} píxeles o más.</translation>
     </message>
     <message>
         <source>Check that the calibration is this camera&apos;s, at this size of picture, and that left and right are not exchanged.</source>
-        <translation>Prüfen Sie, ob die Kalibrierung zu dieser Kamera und Bildgröße gehört und links und rechts nicht vertauscht sind.</translation>
+        <translation>Compruebe que la calibración es de esta cámara, con este tamaño de imagen, y que izquierda y derecha no están intercambiadas.</translation>
     </message>
     <message>
         <source>By the calibration, {0} % of what both pictures show would lie behind the camera.</source>
-        <translation>Nach der Kalibrierung lägen {0} % dessen, was beide Bilder zeigen, hinter der Kamera.</translation>
+        <translation>Según la calibración, el {0} % de lo que muestran ambas imágenes estaría detrás de la cámara.</translation>
     </message>
     <message>
         <source>Left and right pictures are exchanged, or the calibration is of another camera.</source>
-        <translation>Linkes und rechtes Bild sind vertauscht, oder die Kalibrierung gehört zu einer anderen Kamera.</translation>
+        <translation>Las imágenes izquierda y derecha están intercambiadas o la calibración es de otra cámara.</translation>
     </message>
     <message>
         <source>The nearest depth must be positive and less than the farthest.</source>
-        <translation>Die kleinste Tiefe muss positiv und kleiner als die größte sein.</translation>
+        <translation>La profundidad más próxima debe ser positiva y menor que la más lejana.</translation>
     </message>
     <message>
         <source>The calibration is of pictures of another size: its principal point {0}, {1} lies outside {2} x {3} pixels.</source>
-        <translation>Die Kalibrierung gehört zu Bildern anderer Größe: Ihr Hauptpunkt {0}, {1} liegt außerhalb von {2} x {3} Pixeln.</translation>
+        <translation>La calibración es de imágenes de otro tamaño: su punto principal {0}, {1} está fuera de {2} x {3} píxeles.</translation>
     </message>
     <message>
         <source>Calibrate at the size of the video, or scale the calibration&apos;s matrices.</source>
-        <translation>Kalibrieren Sie in der Größe des Videos, oder skalieren Sie die Matrizen der Kalibrierung.</translation>
+        <translation>Calibre con el tamaño del vídeo o escale las matrices de la calibración.</translation>
     </message>
     <message>
         <source>The left image is {0} x {1} pixels, the right one {2} x {3}.</source>
-        <translation>Das linke Bild hat {0} x {1} Pixel, das rechte {2} x {3}.</translation>
+        <translation>La imagen izquierda tiene {0} x {1} píxeles, la derecha {2} x {3}.</translation>
     </message>
     <message>
         <source>The images are {0} x {1} pixels; {2} x {3} were expected.</source>
-        <translation>Die Bilder haben {0} x {1} Pixel; erwartet wurden {2} x {3}.</translation>
+        <translation>Las imágenes tienen {0} x {1} píxeles; se esperaban {2} x {3}.</translation>
     </message>
     <message>
         <source>There are {0} left and {1} right pictures: they must be taken in pairs.</source>
-        <translation>Es gibt {0} linke und {1} rechte Bilder: Sie müssen paarweise aufgenommen sein.</translation>
+        <translation>Hay {0} imágenes izquierdas y {1} derechas: deben tomarse por pares.</translation>
     </message>
     <message>
         <source>calibrating</source>
-        <translation>Kalibrierung</translation>
+        <translation>calibrando</translation>
     </message>
     <message>
         <source>There is not enough memory for this.</source>
-        <translation>Dafür reicht der Speicher nicht.</translation>
+        <translation>No hay memoria suficiente para esto.</translation>
     </message>
     <message>
         <source>--channel wants COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], not &quot;{0}&quot;.</source>
-        <translation>--channel erwartet COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], nicht „{0}“.</translation>
+        <translation>--channel espera COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], no «{0}».</translation>
     </message>
     <message>
         <source>A column that holds watts is just COLUMN.</source>
-        <translation>Eine Spalte mit Watt ist einfach COLUMN.</translation>
+        <translation>Una columna que contiene vatios es simplemente COLUMN.</translation>
     </message>
     <message>
         <source>Nothing was measured.</source>
-        <translation>Es wurde nichts gemessen.</translation>
+        <translation>No se ha medido nada.</translation>
     </message>
     <message>
         <source>There is no device &quot;{0}&quot;.</source>
-        <translation>Es gibt kein Gerät „{0}“.</translation>
+        <translation>No hay ningún dispositivo «{0}».</translation>
     </message>
     <message>
         <source>glisson-cli platform list shows their ids.</source>
-        <translation>glisson-cli platform list zeigt ihre Kennungen.</translation>
+        <translation>glisson-cli platform list muestra sus identificadores.</translation>
     </message>
     <message>
         <source>A result has no scene named {0}; it has displacement.</source>
-        <translation>Ein Ergebnis hat keine Szene namens {0}; es hat displacement.</translation>
+        <translation>Un resultado no tiene ninguna escena llamada {0}; tiene displacement.</translation>
     </message>
     <message>
         <source>Reading</source>
-        <translation>Lesen</translation>
+        <translation>Leyendo</translation>
     </message>
     <message>
         <source>The points of a cut need three columns: x_mm, y_mm, z_mm.</source>
-        <translation>Die Punkte eines Schnitts brauchen drei Spalten: x_mm, y_mm, z_mm.</translation>
+        <translation>Los puntos de una sección necesitan tres columnas: x_mm, y_mm, z_mm.</translation>
     </message>
     <message>
         <source>Reading the liver</source>
-        <translation>Leber wird gelesen</translation>
+        <translation>Leyendo el hígado</translation>
     </message>
     <message>
         <source>Cutting</source>
-        <translation>Schneiden</translation>
+        <translation>Seccionando</translation>
     </message>
     <message>
         <source>Reading the model</source>
-        <translation>Modell wird gelesen</translation>
+        <translation>Leyendo el modelo</translation>
     </message>
     <message>
         <source>Moving the tools</source>
-        <translation>Instrumente werden bewegt</translation>
+        <translation>Moviendo los instrumentos</translation>
     </message>
     <message>
         <source>Command {0} led to another state than was recorded.</source>
-        <translation>Befehl {0} führte zu einem anderen Zustand, als aufgezeichnet wurde.</translation>
+        <translation>La orden {0} llevó a un estado distinto del registrado.</translation>
     </message>
     <message>
         <source>Replay with the case and the version that it was recorded with.</source>
-        <translation>Spielen Sie mit dem Fall und der Version ab, mit denen aufgezeichnet wurde.</translation>
+        <translation>Reproduzca con el caso y la versión con los que se registró.</translation>
     </message>
     <message>
         <source>{0} wants a position X,Y,Z in mm, not &quot;{1}&quot;.</source>
-        <translation>{0} erwartet eine Position X,Y,Z in mm, nicht „{1}“.</translation>
+        <translation>{0} espera una posición X,Y,Z en mm, no «{1}».</translation>
     </message>
     <message>
         <source>--size wants WxH in pixels, 16 to 16384 each, not &quot;{0}&quot;.</source>
-        <translation>--size erwartet BxH in Pixeln, jeweils 16 bis 16384, nicht „{0}“.</translation>
+        <translation>--size espera ANCHOxALTO en píxeles, de 16 a 16384 cada uno, no «{0}».</translation>
     </message>
     <message>
         <source>The computation did not converge: {0}</source>
-        <translation>Die Rechnung ist nicht konvergiert: {0}</translation>
+        <translation>El cálculo no ha convergido: {0}</translation>
     </message>
     <message>
         <source>The sequence names no registered clouds.</source>
-        <translation>Die Sequenz nennt keine registrierten Punktwolken.</translation>
+        <translation>La secuencia no nombra nubes de puntos registradas.</translation>
     </message>
     <message>
         <source>Add &quot;registered&quot;, or choose --method icp or geo.</source>
-        <translation>Fügen Sie &quot;registered&quot; hinzu, oder wählen Sie --method icp oder geo.</translation>
+        <translation>Añada &quot;registered&quot; o elija --method icp o geo.</translation>
     </message>
     <message>
         <source>The sequence names no model to register its clouds to.</source>
-        <translation>Die Sequenz nennt kein Modell, auf das ihre Punktwolken registriert werden könnten.</translation>
+        <translation>La secuencia no nombra ningún modelo al que registrar sus nubes de puntos.</translation>
     </message>
     <message>
         <source>Add &quot;model&quot;: a surface file.</source>
-        <translation>Fügen Sie &quot;model&quot; hinzu: eine Oberflächendatei.</translation>
+        <translation>Añada &quot;model&quot;: un archivo de superficie.</translation>
     </message>
     <message>
         <source>Frame {0} shares too few landmarks with the others.</source>
-        <translation>Bild {0} hat zu wenige Landmarken mit den anderen gemeinsam.</translation>
+        <translation>El fotograma {0} comparte demasiado pocos puntos de referencia con los demás.</translation>
     </message>
     <message>
         <source>The two pictures agree nowhere.</source>
-        <translation>Die beiden Bilder stimmen nirgends überein.</translation>
+        <translation>Las dos imágenes no coinciden en ninguna parte.</translation>
     </message>
     <message>
         <source>Check that left and right are not exchanged and that the calibration is theirs.</source>
-        <translation>Prüfen Sie, ob links und rechts nicht vertauscht sind und die Kalibrierung zu ihnen gehört.</translation>
+        <translation>Compruebe que izquierda y derecha no están intercambiadas y que la calibración es la suya.</translation>
     </message>
     <message>
         <source>Name the cohort&apos;s folder, or ask for a simulated one with --simulated N.</source>
-        <translation>Nennen Sie den Ordner der Kohorte, oder verlangen Sie eine simulierte mit --simulated N.</translation>
+        <translation>Indique la carpeta de la cohorte o pida una simulada con --simulated N.</translation>
     </message>
     <message>
         <source>Reading the case</source>
-        <translation>Fall wird gelesen</translation>
+        <translation>Leyendo el caso</translation>
     </message>
     <message>
         <source>Preparing the model</source>
-        <translation>Modell wird vorbereitet</translation>
+        <translation>Preparando el modelo</translation>
     </message>
     <message>
         <source>Known are: {1}</source>
-        <translation>Bekannt sind: {1}</translation>
+        <translation>Se conocen: {1}</translation>
     </message>
     <message>
         <source>Cut {0} opens the body nowhere.</source>
-        <translation>Schnitt {0} öffnet den Körper nirgends.</translation>
+        <translation>La sección {0} no abre el cuerpo en ninguna parte.</translation>
     </message>
     <message>
         <source>Move it through the body, or open it wider; positions are LPS, in mm.</source>
-        <translation>Verschieben Sie ihn durch den Körper, oder öffnen Sie ihn weiter; Positionen sind LPS, in mm.</translation>
+        <translation>Muévala a través del cuerpo o ábrala más; las posiciones son LPS, en mm.</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;normal&quot; (a plane) and &quot;points_mm&quot; (a sheet through them).</source>
-        <translation>{0} braucht genau eines von &quot;normal&quot; (eine Ebene) und &quot;points_mm&quot; (eine Fläche durch sie).</translation>
+        <translation>{0} necesita exactamente uno de &quot;normal&quot; (un plano) y &quot;points_mm&quot; (una superficie que pasa por ellos).</translation>
     </message>
     <message>
         <source>{0} is a sheet: its &quot;center_mm&quot; needs the &quot;radius_mm&quot; that it is open within.</source>
-        <translation>{0} ist eine Fläche: Ihr &quot;center_mm&quot; braucht den &quot;radius_mm&quot;, in dem sie offen ist.</translation>
+        <translation>{0} es una superficie: su &quot;center_mm&quot; necesita el &quot;radius_mm&quot; dentro del cual está abierta.</translation>
     </message>
     <message>
         <source>{0} must be a list of three points or more.</source>
-        <translation>{0} muss eine Liste von mindestens drei Punkten sein.</translation>
+        <translation>{0} debe ser una lista de al menos tres puntos.</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;{1}&quot; and &quot;{2}&quot;.</source>
-        <translation>{0} braucht genau eines von &quot;{1}&quot; und &quot;{2}&quot;.</translation>
+        <translation>{0} necesita exactamente uno de &quot;{1}&quot; y &quot;{2}&quot;.</translation>
     </message>
     <message>
         <source>{0} must be &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; or {&quot;rods&quot;: [...]}.</source>
-        <translation>{0} muss &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; oder {&quot;rods&quot;: [...]} sein.</translation>
+        <translation>{0} debe ser &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; o {&quot;rods&quot;: [...]}.</translation>
     </message>
     <message>
         <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments, tools or the meshfree engine.</source>
-        <translation>Direkt aus Daten gibt es Gleichgewichte mit finiten Elementen: ohne Bewegung, Kapsel, Bänder, Instrumente oder das netzfreie Verfahren.</translation>
+        <translation>Directamente a partir de datos hay equilibrios por elementos finitos: sin movimiento, cápsula, ligamentos, instrumentos ni motor sin malla.</translation>
     </message>
     <message>
         <source>At {0} Hz the phase of {1} % of the tissue does not come back to itself over a period; those voxels were left out.</source>
-        <translation>Bei {0} Hz kehrt die Phase von {1} % des Gewebes über eine Periode nicht zu sich zurück; diese Voxel wurden ausgelassen.</translation>
+        <translation>A {0} Hz la fase del {1} % del tejido no vuelve a sí misma en un periodo; esos vóxeles se han omitido.</translation>
     </message>
     <message>
         <source>The loss came out negative, as when the instants run backwards in time; its sign was turned.</source>
-        <translation>Der Verlustmodul kam negativ heraus, wie wenn die Zeitpunkte rückwärts laufen; sein Vorzeichen wurde umgekehrt.</translation>
+        <translation>La pérdida salió negativa, como cuando los instantes van hacia atrás en el tiempo; se ha invertido su signo.</translation>
     </message>
     <message>
         <source>The headers name no directions: the {0} images were taken as {1} x {2} instants in their order.</source>
-        <translation>Die Kopfdaten nennen keine Richtungen: Die {0} Bilder wurden als {1} x {2} Zeitpunkte in ihrer Reihenfolge genommen.</translation>
+        <translation>Las cabeceras no nombran direcciones: las {0} imágenes se han tomado como {1} x {2} instantes en su orden.</translation>
     </message>
     <message>
         <source>The phase images have no unit: their full range, {0} to {1}, was taken as one turn.</source>
-        <translation>Die Phasenbilder haben keine Einheit: Ihr ganzer Bereich, {0} bis {1}, wurde als eine Umdrehung genommen.</translation>
+        <translation>Las imágenes de fase no tienen unidad: su intervalo completo, de {0} a {1}, se ha tomado como una vuelta.</translation>
     </message>
     <message>
         <source>The plan has no figure for the effect {0}; it is left out.</source>
-        <translation>Der Plan hat für den Effekt {0} keinen Wert; er wird ausgelassen.</translation>
+        <translation>El plan no tiene ninguna cifra para el efecto {0}; se omite.</translation>
     </message>
     <message>
         <source>{0} was not learnt from the recordings of a platform.</source>
-        <translation>{0} wurde nicht aus den Aufzeichnungen eines Geräts gelernt.</translation>
+        <translation>{0} no se aprendió de los registros de una plataforma.</translation>
     </message>
     <message>
         <source>Use the model.json that glisson-cli explain wrote for an experiment of kind &quot;platform&quot;.</source>
-        <translation>Verwenden Sie die model.json, die glisson-cli explain für ein Experiment der Art &quot;platform&quot; geschrieben hat.</translation>
+        <translation>Use el model.json que glisson-cli explain escribió para un experimento del tipo &quot;platform&quot;.</translation>
     </message>
     <message>
         <source>A smooth correction has no cause and is left out of the plan.</source>
-        <translation>Eine glatte Korrektur hat keine Ursache und bleibt aus dem Plan.</translation>
+        <translation>Una corrección suave no tiene causa y queda fuera del plan.</translation>
     </message>
     <message>
         <source>These recordings are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
-        <translation>Die gefundenen Effekte erklären diese Aufzeichnungen nicht: Sie nehmen einen Teil des Fehlers weg und beweisen keine Ursache.</translation>
+        <translation>Los efectos encontrados no explican estos registros: quitan una parte del error y no prueban ninguna causa.</translation>
     </message>
     <message>
         <source>The experiment is not of kind &quot;material&quot;: it holds no strain and stress.</source>
-        <translation>Das Experiment ist nicht von der Art &quot;material&quot;: Es enthält keine Dehnung und Spannung.</translation>
+        <translation>El experimento no es del tipo &quot;material&quot;: no contiene deformación ni tensión.</translation>
     </message>
     <message>
         <source>A shear test cannot be used straight: take compression or tension.</source>
-        <translation>Ein Scherversuch kann nicht direkt verwendet werden: Nehmen Sie Druck oder Zug.</translation>
+        <translation>Un ensayo de cizalla no se puede usar directamente: tome compresión o tracción.</translation>
     </message>
     <message>
         <source>A figure is measured, computed, from the dissertation (dissertation), or assumed.</source>
-        <translation>Ein Wert ist gemessen (measured), berechnet (computed), aus der Dissertation (dissertation) oder angenommen (assumed).</translation>
+        <translation>Una cifra está medida (measured), calculada (computed), procede de la tesis (dissertation) o es supuesta (assumed).</translation>
     </message>
     <message>
         <source>It slows itself down at {0} C, and then computes {1} frames a second of {2}.</source>
-        <translation>Es drosselt sich bei {0} C und rechnet dann {1} von {2} Bildern je Sekunde.</translation>
+        <translation>Se ralentiza a {0} C y entonces calcula {1} fotogramas por segundo de {2}.</translation>
     </message>
     <message>
         <source>The resolution for {0} mm in tissue of {1} kPa comes from this curve ({2}): {3}</source>
-        <translation>Die Auflösung für {0} mm in Gewebe von {1} kPa stammt aus dieser Kurve ({2}): {3}</translation>
+        <translation>La resolución para {0} mm en tejido de {1} kPa procede de esta curva ({2}): {3}</translation>
     </message>
     <message>
         <source>No beam of 50 x 10 x 10 mm fits into the liver.</source>
-        <translation>Kein Balken von 50 x 10 x 10 mm passt in die Leber.</translation>
+        <translation>Ninguna viga de 50 x 10 x 10 mm cabe en el hígado.</translation>
     </message>
     <message>
         <source>A beam found no equilibrium: {0}</source>
-        <translation>Ein Balken fand kein Gleichgewicht: {0}</translation>
+        <translation>Una viga no encontró el equilibrio: {0}</translation>
     </message>
     <message>
         <source>Resolutions must grow from 0.5 mm3 or more to 600 mm3 or less, in 2 to 100 steps.</source>
-        <translation>Auflösungen müssen von 0.5 mm3 oder mehr bis 600 mm3 oder weniger ansteigen, in 2 bis 100 Schritten.</translation>
+        <translation>Las resoluciones deben crecer desde 0.5 mm3 o más hasta 600 mm3 o menos, en 2 a 100 pasos.</translation>
     </message>
     <message>
         <source>With {0} nodes the beam did not converge: {1}</source>
-        <translation>Mit {0} Knoten ist der Balken nicht konvergiert: {1}</translation>
+        <translation>Con {0} nodos la viga no ha convergido: {1}</translation>
     </message>
     <message>
         <source>Looking for the softest, stiffest and most uneven parts</source>
-        <translation>Suche nach den weichsten, steifsten und ungleichmäßigsten Teilen</translation>
+        <translation>Buscando las partes más blandas, más rígidas y más irregulares</translation>
     </message>
     <message>
         <source>Hoisting the beams</source>
-        <translation>Balken werden angehoben</translation>
+        <translation>Elevando las vigas</translation>
     </message>
     <message>
         <source>Drawing typical and extreme patients</source>
-        <translation>Typische und extreme Patienten werden gezeichnet</translation>
+        <translation>Dibujando pacientes típicos y extremos</translation>
     </message>
     <message>
         <source>{0} has no effect that could be accepted: nothing is missing.</source>
-        <translation>{0} enthält keinen Effekt, der übernommen werden könnte: Es fehlt nichts.</translation>
+        <translation>{0} no contiene ningún efecto que aceptar: no falta nada.</translation>
     </message>
     <message>
         <source>The effect {0} was not accepted into {1}.</source>
-        <translation>Der Effekt {0} wurde nicht in {1} übernommen.</translation>
+        <translation>El efecto {0} no se había aceptado en {1}.</translation>
     </message>
     <message>
         <source>The accepted evidence of {0} cannot be read: {1}</source>
-        <translation>Der übernommene Befund von {0} ist nicht lesbar: {1}</translation>
+        <translation>No se puede leer la evidencia aceptada de {0}: {1}</translation>
     </message>
     <message>
         <source>Take it back (glisson-cli accept CASE --take-back) and accept it again.</source>
-        <translation>Nehmen Sie ihn zurück (glisson-cli accept CASE --take-back) und übernehmen Sie ihn neu.</translation>
+        <translation>Retírela (glisson-cli accept CASE --take-back) y acéptela de nuevo.</translation>
     </message>
     <message>
         <source>The model was made anew after this evidence had been accepted: see whether it still holds.</source>
-        <translation>Das Modell wurde neu gemacht, nachdem dieser Befund übernommen worden war: Prüfen Sie, ob er noch gilt.</translation>
+        <translation>El modelo se hizo de nuevo después de aceptar esta evidencia: compruebe si sigue siendo válida.</translation>
     </message>
     <message>
         <source>The scenario says itself what holds the organ: the effect {0} is left out.</source>
-        <translation>Das Szenario sagt selbst, was das Organ hält: Der Effekt {0} bleibt weg.</translation>
+        <translation>El escenario dice por sí mismo qué sujeta el órgano: el efecto {0} se omite.</translation>
     </message>
     <message>
         <source>The scenario says itself how stiff the organ is: the effect {0} is left out.</source>
-        <translation>Das Szenario sagt selbst, wie steif das Organ ist: Der Effekt {0} bleibt weg.</translation>
+        <translation>El escenario dice por sí mismo la rigidez del órgano: el efecto {0} se omite.</translation>
     </message>
     <message>
         <source>The scenario says itself what skin the organ has: the effect {0} is left out.</source>
-        <translation>Das Szenario sagt selbst, welche Hülle das Organ hat: Der Effekt {0} bleibt weg.</translation>
+        <translation>El escenario dice por sí mismo qué envoltura tiene el órgano: el efecto {0} se omite.</translation>
     </message>
     <message>
         <source>Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.</source>
-        <translation>Nur ein lineares Gleichgewicht mit finiten Elementen kann eine Faserrichtung haben: Der Effekt {0} bleibt weg.</translation>
+        <translation>Solo un equilibrio lineal por elementos finitos puede tener una dirección de fibras: el efecto {0} se omite.</translation>
     </message>
     <message>
         <source>{0} was not learnt from tissue.</source>
-        <translation>{0} wurde nicht an Gewebe gelernt.</translation>
+        <translation>{0} no se aprendió de un tejido.</translation>
     </message>
     <message>
         <source>Use the model.json that glisson-cli explain wrote for a palpation or a material test; a platform&apos;s goes to glisson-cli platform learn.</source>
-        <translation>Nehmen Sie die model.json, die glisson-cli explain für eine Palpation oder einen Materialversuch geschrieben hat; die einer Plattform gehört zu glisson-cli platform learn.</translation>
+        <translation>Use el model.json que glisson-cli explain escribió para una palpación o un ensayo de material; el de una plataforma va a glisson-cli platform learn.</translation>
     </message>
     <message>
         <source>In {0} no tissue can have such a {1}.</source>
-        <translation>In {0}: Kein Gewebe kann ein solches {1} haben.</translation>
+        <translation>En {0}, ningún tejido puede tener tal {1}.</translation>
     </message>
     <message>
         <source>{0} has no effect {1}.</source>
-        <translation>{0} enthält keinen Effekt {1}.</translation>
+        <translation>{0} no tiene ningún efecto {1}.</translation>
     </message>
     <message>
         <source>The organ stiffens with strain, which this linear rehearsal cannot hold; a scenario can, with the material &quot;veronda-westmann&quot; and &quot;strain_stiffening&quot;: {0}.</source>
-        <translation>Das Organ versteift mit der Dehnung, was diese lineare Probe nicht fassen kann; ein Szenario kann es, mit dem Material &quot;veronda-westmann&quot; und &quot;strain_stiffening&quot;: {0}.</translation>
+        <translation>El órgano se rigidiza con la deformación, lo que este ensayo lineal no puede recoger; un escenario sí puede, con el material &quot;veronda-westmann&quot; y &quot;strain_stiffening&quot;: {0}.</translation>
     </message>
     <message>
         <source>The organ stiffens with strain, which this linear rehearsal cannot hold.</source>
-        <translation>Das Organ versteift mit der Dehnung, was diese lineare Probe nicht fassen kann.</translation>
+        <translation>El órgano se rigidiza con la deformación, lo que este ensayo lineal no puede recoger.</translation>
     </message>
     <message>
         <source>What loaded the specimen while it was measured does not load the organ.</source>
-        <translation>Was den Prüfkörper während der Messung belastet hat, belastet das Organ nicht.</translation>
+        <translation>Lo que cargaba la muestra durante la medición no carga el órgano.</translation>
     </message>
     <message>
         <source>A pressure of {0} kPa acts on the organ all the time.</source>
-        <translation>Ein Druck von {0} kPa wirkt ständig auf das Organ.</translation>
+        <translation>Una presión de {0} kPa actúa siempre sobre el órgano.</translation>
     </message>
     <message>
         <source>A weight acts on the organ all the time, by ({0}, {1}, {2}) m/s2.</source>
-        <translation>Ein Gewicht wirkt ständig auf das Organ, mit ({0}, {1}, {2}) m/s2.</translation>
+        <translation>Un peso actúa siempre sobre el órgano, de ({0}, {1}, {2}) m/s2.</translation>
     </message>
     <message>
         <source>The organ is {0} times as stiff along ({1}, {2}, {3}) as across.</source>
-        <translation>Das Organ ist entlang ({1}, {2}, {3}) {0}-mal so steif wie quer dazu.</translation>
+        <translation>El órgano es {0} veces tan rígido a lo largo de ({1}, {2}, {3}) como a través.</translation>
     </message>
     <message>
         <source>The organ is {0} times as stiff along ({1}, {2}, {3}) as across: the specimen&apos;s axes are taken for the patient&apos;s.</source>
-        <translation>Das Organ ist entlang ({1}, {2}, {3}) {0}-mal so steif wie quer dazu: Die Achsen des Prüfkörpers werden für die des Patienten genommen.</translation>
+        <translation>El órgano es {0} veces tan rígido a lo largo de ({1}, {2}, {3}) como a través: los ejes de la muestra se toman por los del paciente.</translation>
     </message>
     <message>
         <source>The whole organ is {0} times as stiff as was declared.</source>
-        <translation>Das ganze Organ ist {0}-mal so steif wie angegeben.</translation>
+        <translation>El órgano entero es {0} veces tan rígido como se declaró.</translation>
     </message>
     <message>
         <source>Held for long, the organ creeps: it is {0} times as stiff as at once.</source>
-        <translation>Lange gehalten, kriecht das Organ: Es ist dann {0}-mal so steif wie im ersten Augenblick.</translation>
+        <translation>Sujetado mucho tiempo, el órgano fluye: es entonces {0} veces tan rígido como al instante.</translation>
     </message>
     <message>
         <source>The specimen&apos;s hard spot has no place in the organ: the specimen is not this organ in this place.</source>
-        <translation>Die harte Stelle des Prüfkörpers hat im Organ keinen Ort: Der Prüfkörper ist nicht dieses Organ an diesem Ort.</translation>
+        <translation>El punto duro de la muestra no tiene lugar en el órgano: la muestra no es este órgano en este lugar.</translation>
     </message>
     <message>
         <source>A spot of {0} mm radius at ({1}, {2}, {3}) is {4} times as stiff as around it.</source>
-        <translation>Eine Stelle mit {0} mm Radius bei ({1}, {2}, {3}) ist {4}-mal so steif wie um sie herum.</translation>
+        <translation>Una zona de {0} mm de radio en ({1}, {2}, {3}) es {4} veces tan rígida como su entorno.</translation>
     </message>
     <message>
         <source>What holds the organ gives way like a spring of {0} kPa/mm.</source>
-        <translation>Was das Organ hält, gibt nach wie eine Feder von {0} kPa/mm.</translation>
+        <translation>Lo que sujeta el órgano cede como un muelle de {0} kPa/mm.</translation>
     </message>
     <message>
         <source>A skin of {0} N/mm lies around the organ.</source>
-        <translation>Eine Hülle von {0} N/mm liegt um das Organ.</translation>
+        <translation>Una envoltura de {0} N/mm rodea el órgano.</translation>
     </message>
     <message>
         <source>The load cell was off: that is of the measurement, and leaves the organ as it is.</source>
-        <translation>Die Kraftmessdose war verstellt: Das betrifft die Messung und lässt das Organ, wie es ist.</translation>
+        <translation>La célula de carga estaba desajustada: eso atañe a la medición y deja el órgano como está.</translation>
     </message>
     <message>
         <source>The camera&apos;s frame was off: that is of the measurement, and leaves the organ as it is.</source>
-        <translation>Das Koordinatensystem der Kamera war verschoben: Das betrifft die Messung und lässt das Organ, wie es ist.</translation>
+        <translation>El sistema de la cámara estaba desplazado: eso atañe a la medición y deja el órgano como está.</translation>
     </message>
     <message>
         <source>This linear rehearsal cannot hold the effect {0}.</source>
-        <translation>Diese lineare Probe kann den Effekt {0} nicht fassen.</translation>
+        <translation>Este ensayo lineal no puede recoger el efecto {0}.</translation>
     </message>
     <message>
         <source>A smooth correction has no cause and is left out of the rehearsal.</source>
-        <translation>Eine glatte Korrektur hat keine Ursache und bleibt aus der Probe.</translation>
+        <translation>Una corrección suave no tiene causa y queda fuera del ensayo.</translation>
     </message>
     <message>
         <source>These measurements are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
-        <translation>Die gefundenen Effekte erklären diese Messungen nicht: Sie nehmen einen Teil des Fehlers weg und beweisen keine Ursache.</translation>
+        <translation>Los efectos encontrados no explican estas mediciones: quitan una parte del error y no prueban ninguna causa.</translation>
     </message>
     <message>
         <source>A grain needs an axis of some length and a ratio above zero.</source>
-        <translation>Eine Faserrichtung braucht eine Achse von einiger Länge und ein Verhältnis über null.</translation>
+        <translation>Una dirección de fibras necesita un eje de cierta longitud y una razón mayor que cero.</translation>
     </message>
     <message>
         <source>With a ratio of {0} along the grain no stable material is left at a Poisson&apos;s ratio of {1}.</source>
-        <translation>Mit einem Verhältnis von {0} entlang der Fasern bleibt bei einer Querkontraktionszahl von {1} kein stabiles Material.</translation>
+        <translation>Con una razón de {0} a lo largo de las fibras no queda ningún material estable con un coeficiente de Poisson de {1}.</translation>
     </message>
     <message>
         <source>A grain is there for equilibrium by finite elements, with the material &quot;linear&quot; and without ligaments.</source>
-        <translation>Eine Faserrichtung gibt es für das Gleichgewicht mit finiten Elementen, mit dem Material &quot;linear&quot; und ohne Bänder.</translation>
+        <translation>Una dirección de fibras existe para el equilibrio por elementos finitos, con el material &quot;linear&quot; y sin ligamentos.</translation>
     </message>
     <message>
         <source>{0} would not come out as it was.</source>
-        <translation>{0} käme nicht so heraus, wie es war.</translation>
+        <translation>{0} no quedaría tal como estaba.</translation>
     </message>
     <message>
         <source>{0} is open in another window: what is done here cannot be undone.</source>
-        <translation>{0} ist in einem anderen Fenster geöffnet: Was hier geschieht, kann nicht rückgängig gemacht werden.</translation>
+        <translation>{0} está abierto en otra ventana: lo que se haga aquí no se puede deshacer.</translation>
     </message>
     <message>
         <source>Close the other window, then open the case anew.</source>
-        <translation>Schließen Sie das andere Fenster und öffnen Sie den Fall dann erneut.</translation>
+        <translation>Cierre la otra ventana y vuelva a abrir el caso.</translation>
     </message>
     <message>
         <source>There is nothing left to undo.</source>
-        <translation>Es gibt nichts mehr rückgängig zu machen.</translation>
+        <translation>No queda nada por deshacer.</translation>
     </message>
     <message>
         <source>There is nothing left to redo.</source>
-        <translation>Es gibt nichts mehr zu wiederholen.</translation>
+        <translation>No queda nada por rehacer.</translation>
     </message>
     <message>
         <source>{0} has been changed by something else since: what was done before cannot be undone any more.</source>
-        <translation>{0} wurde seither von anderer Seite geändert: Was davor geschah, kann nicht mehr rückgängig gemacht werden.</translation>
+        <translation>Otro programa ha modificado {0} desde entonces: lo hecho antes ya no se puede deshacer.</translation>
     </message>
     <message>
         <source>The history of the case cannot be read: {0}.</source>
-        <translation>Der Verlauf des Falls kann nicht gelesen werden: {0}.</translation>
+        <translation>No se puede leer el historial del caso: {0}.</translation>
     </message>
     <message>
         <source>A stored step of the history does not fit its case.</source>
-        <translation>Ein gespeicherter Schritt des Verlaufs passt nicht zu seinem Fall.</translation>
+        <translation>Un paso guardado del historial no corresponde a su caso.</translation>
     </message>
     <message>
         <source>A stored step of the history reaches beyond its image.</source>
-        <translation>Ein gespeicherter Schritt des Verlaufs reicht über sein Bild hinaus.</translation>
+        <translation>Un paso guardado del historial sobrepasa los límites de su imagen.</translation>
     </message>
     <message>
         <source>A stored step of the history is cut off.</source>
-        <translation>Ein gespeicherter Schritt des Verlaufs ist abgeschnitten.</translation>
+        <translation>Un paso guardado del historial está truncado.</translation>
     </message>
     <message>
         <source>{0} does not hold a planned resection: {1}.</source>
-        <translation>{0} enthält keine geplante Resektion: {1}.</translation>
+        <translation>{0} no contiene una resección planificada: {1}.</translation>
     </message>
     <message>
         <source>Plan it again, or make one with glisson-cli resect.</source>
-        <translation>Planen Sie sie neu, oder erstellen Sie eine mit glisson-cli resect.</translation>
+        <translation>Planifíquela de nuevo o cree una con glisson-cli resect.</translation>
     </message>
     <message>
         <source>Reading the experiment</source>
-        <translation>Experiment wird gelesen</translation>
+        <translation>Leyendo el experimento</translation>
     </message>
     <message>
         <source>{0} landmarks seen in fewer than three frames were left out</source>
-        <translation>{0} Landmarken, die in weniger als drei Bildern zu sehen waren, wurden weggelassen</translation>
+        <translation>Se omitieron {0} puntos de referencia vistos en menos de tres fotogramas</translation>
     </message>
     <message>
         <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
-        <translation>Bei {0} Dreiecken sind alle Ecken in weniger als drei Bildern zu sehen: ihre Korrelation ist 0</translation>
+        <translation>{0} triángulos tienen todos sus vértices en menos de tres fotogramas: su correlación es 0</translation>
     </message>
     <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
-        <translation>kein Modell angegeben, daher auch kein Abstand davon (RMSE)</translation>
+        <translation>no se dio ningún modelo, así que no hay distancia a él (RMSE)</translation>
     </message>
     <message>
         <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULIERT: die Form der Leber eines wirklichen Patienten, die nach einer Formel atmet und von einem Instrument eingedrückt wird. Die „vorgegebene“ Registrierung ist die wahre, in die links im Bild ein Fehler eingebaut wurde.</translation>
+        <translation>SIMULADO: la forma del hígado de un paciente real, que respira y es presionado por un instrumento según una fórmula. El registro llamado «dado» es el verdadero con un fallo introducido a la izquierda de la imagen.</translation>
     </message>
     <message>
         <source>The movie {0} cannot be written.</source>
-        <translation>Der Film {0} kann nicht geschrieben werden.</translation>
+        <translation>No se puede escribir la película {0}.</translation>
     </message>
     <message>
         <source>Choose a folder that exists.</source>
-        <translation>Wählen Sie einen Ordner, den es gibt.</translation>
+        <translation>Elija una carpeta que exista.</translation>
     </message>
     <message>
         <source>Choose a name that is not there yet.</source>
-        <translation>Wählen Sie einen Namen, den es dort noch nicht gibt.</translation>
+        <translation>Elija un nombre que aún no exista.</translation>
     </message>
     <message>
         <source>Choose a folder in which you may write.</source>
-        <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen.</translation>
+        <translation>Elija una carpeta en la que pueda escribir.</translation>
     </message>
     <message>
         <source>Leave the window&apos;s size as it is while the movie is made.</source>
-        <translation>Lassen Sie die Größe des Fensters, wie sie ist, solange der Film entsteht.</translation>
+        <translation>No cambie el tamaño de la ventana mientras se hace la película.</translation>
     </message>
     <message>
         <source>Choose a folder in which you may write, or a name without .mp4: then it becomes a folder of pictures.</source>
-        <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen, oder einen Namen ohne .mp4: Dann wird es ein Ordner mit Bildern.</translation>
+        <translation>Elija una carpeta en la que pueda escribir, o un nombre sin .mp4: entonces será una carpeta de imágenes.</translation>
     </message>
     <message>
         <source>Look whether the disk is full.</source>
-        <translation>Sehen Sie nach, ob der Datenträger voll ist.</translation>
+        <translation>Compruebe si el disco está lleno.</translation>
     </message>
     <message>
         <source>The liver&apos;s shape with the tools there was not found: {0}</source>
-        <translation>Die Form der Leber mit den Instrumenten dort wurde nicht gefunden: {0}</translation>
+        <translation>No se halló la forma del hígado con los instrumentos allí: {0}</translation>
     </message>
     <message>
         <source>Press less, or move the tool by smaller steps.</source>
-        <translation>Drücken Sie weniger, oder bewegen Sie das Instrument in kleineren Schritten.</translation>
+        <translation>Apriete menos, o mueva el instrumento a pasos más pequeños.</translation>
     </message>
     <message>
         <source>A rigid tool that only touches the liver cannot pull it.</source>
-        <translation>Ein starres Instrument, das die Leber nur berührt, kann sie nicht ziehen.</translation>
+        <translation>Un instrumento rígido que solo toca el hígado no puede tirar de él.</translation>
     </message>
     <message>
         <source>Push into the surface, or take the grasper.</source>
-        <translation>Drücken Sie in die Oberfläche hinein, oder nehmen Sie die Fasszange.</translation>
+        <translation>Empuje hacia la superficie, o tome la pinza.</translation>
     </message>
     <message>
         <source>Tool {0} would move by {1} mm a step, past a surface that it should meet.</source>
-        <translation>Das Instrument {0} würde sich in einem Schritt um {1} mm bewegen, an einer Oberfläche vorbei, auf die es treffen sollte.</translation>
+        <translation>El instrumento {0} se movería {1} mm en un paso y pasaría de largo una superficie que debería tocar.</translation>
     </message>
     <message>
         <source>Take more steps: at most half the radius of the tool&apos;s rods in each.</source>
-        <translation>Nehmen Sie mehr Schritte: in jedem höchstens den halben Radius der Stäbe des Instruments.</translation>
+        <translation>Tome más pasos: en cada uno, como mucho la mitad del radio de las varillas del instrumento.</translation>
     </message>
     <message>
         <source>Comparing the files with what they were made from</source>
-        <translation>Dateien werden mit dem verglichen, woraus sie entstanden</translation>
+        <translation>Comparando los archivos con aquello de lo que se hicieron</translation>
     </message>
     <message>
         <source>{0} does not hold a report of measurements: {1}.</source>
-        <translation>{0} enthält keinen Bericht über Messungen: {1}.</translation>
+        <translation>{0} no contiene un informe de mediciones: {1}.</translation>
     </message>
     <message>
         <source>Open an experiment to make one; it holds report.json, report.html and model.json.</source>
-        <translation>Öffnen Sie ein Experiment, um einen zu erstellen; er enthält report.json, report.html und model.json.</translation>
+        <translation>Abra un experimento para crear uno; contiene report.json, report.html y model.json.</translation>
     </message>
     <message>
         <source>Two series are to be the {0}: {1} is the second.</source>
-        <translation>Zwei Serien sollen {0} sein: {1} ist die zweite.</translation>
+        <translation>Dos series deben ser {0}: {1} es la segunda.</translation>
     </message>
     <message>
         <source>Leave one of them out, or give it another role.</source>
-        <translation>Lassen Sie eine davon aus oder geben Sie ihr eine andere Rolle.</translation>
+        <translation>Omita una de ellas o dele otra función.</translation>
     </message>
     <message>
         <source>No series is chosen: give at least one of them a role.</source>
-        <translation>Keine Serie ist gewählt: Geben Sie mindestens einer eine Rolle.</translation>
+        <translation>No se ha elegido ninguna serie: dé una función a al menos una.</translation>
     </message>
     <message>
         <source>There is nothing of this structure at that place.</source>
-        <translation>An dieser Stelle ist nichts von dieser Struktur.</translation>
+        <translation>En ese lugar no hay nada de esta estructura.</translation>
     </message>
     <message>
         <source>Fill between slices of {0}</source>
-        <translation>Zwischen Schichten von {0} füllen</translation>
+        <translation>Rellenar entre cortes de {0}</translation>
     </message>
     <message>
         <source>Fill holes of {0}</source>
-        <translation>Löcher von {0} füllen</translation>
+        <translation>Rellenar huecos de {0}</translation>
     </message>
     <message>
         <source>Keep the largest piece of {0}</source>
-        <translation>Größtes Stück von {0} behalten</translation>
+        <translation>Conservar el trozo mayor de {0}</translation>
     </message>
     <message>
         <source>Remove small pieces of {0}</source>
-        <translation>Kleine Stücke von {0} entfernen</translation>
+        <translation>Quitar trozos pequeños de {0}</translation>
     </message>
     <message>
         <source>Smooth {0}</source>
-        <translation>{0} glätten</translation>
+        <translation>Suavizar {0}</translation>
     </message>
     <message>
         <source>Margin around {0}</source>
-        <translation>Rand um {0}</translation>
+        <translation>Margen alrededor de {0}</translation>
     </message>
     <message>
         <source>Shrink {0}</source>
-        <translation>{0} schrumpfen</translation>
+        <translation>Reducir {0}</translation>
     </message>
     <message>
         <source>Keep one piece of {0}</source>
-        <translation>Ein Stück von {0} behalten</translation>
+        <translation>Conservar un trozo de {0}</translation>
     </message>
     <message>
         <source>Smart brush on {0}</source>
-        <translation>Gewebepinsel auf {0}</translation>
+        <translation>Pincel selectivo en {0}</translation>
     </message>
     <message>
         <source>Brush on {0}</source>
-        <translation>Pinsel auf {0}</translation>
+        <translation>Pincel en {0}</translation>
     </message>
     <message>
         <source>Eraser on {0}</source>
-        <translation>Radierer auf {0}</translation>
+        <translation>Goma en {0}</translation>
     </message>
     <message>
         <source>Scissors on {0}</source>
-        <translation>Schere an {0}</translation>
+        <translation>Tijeras en {0}</translation>
     </message>
     <message>
         <source>New structure {0}</source>
-        <translation>Neue Struktur {0}</translation>
+        <translation>Estructura nueva {0}</translation>
     </message>
     <message>
         <source>Rename {0}</source>
-        <translation>{0} umbenennen</translation>
+        <translation>Renombrar {0}</translation>
     </message>
     <message>
         <source>Remove {0}</source>
-        <translation>{0} entfernen</translation>
+        <translation>Quitar {0}</translation>
     </message>
     <message>
         <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
-        <translation>Die Strukturen haben sich geändert, seit das Modell erstellt wurde, und {0} Landmarken liegen nun außerhalb: Sie werden ausgelassen. Erstellen Sie das Modell neu.</translation>
+        <translation>Las estructuras han cambiado desde que se construyó el modelo y {0} puntos de referencia quedan fuera de él: se omiten. Vuelva a construir el modelo.</translation>
     </message>
     <message>
         <source>The model cannot be used. Build it anew.</source>
-        <translation>Das Modell kann nicht verwendet werden. Erstellen Sie es neu.</translation>
+        <translation>El modelo no se puede usar. Vuelva a construirlo.</translation>
     </message>
     <message>
         <source>Place the tool</source>
-        <translation>Instrument platzieren</translation>
+        <translation>Colocar el instrumento</translation>
     </message>
     <message>
         <source>Take the tool away</source>
-        <translation>Instrument wegnehmen</translation>
+        <translation>Retirar el instrumento</translation>
     </message>
     <message>
         <source>Move the tool</source>
-        <translation>Instrument bewegen</translation>
+        <translation>Mover el instrumento</translation>
     </message>
     <message>
         <source>Change the force</source>
-        <translation>Kraft ändern</translation>
+        <translation>Cambiar la fuerza</translation>
     </message>
     <message>
         <source>No images were found in {0}.</source>
-        <translation>In {0} wurden keine Bilder gefunden.</translation>
+        <translation>No se encontraron imágenes en {0}.</translation>
     </message>
     <message>
         <source>By the meshfree engine a grasper pulls with a force; {0} has a displacement.</source>
-        <translation>Mit dem netzfreien Verfahren zieht eine Fasszange mit einer Kraft; {0} hat eine Verschiebung.</translation>
+        <translation>Con el motor sin malla una pinza tira con una fuerza; {0} tiene un desplazamiento.</translation>
     </message>
     <message>
         <source>Give it a pull, or take finite elements.</source>
-        <translation>Geben Sie ihr einen Zug, oder nehmen Sie finite Elemente.</translation>
+        <translation>Dele una tracción, o tome los elementos finitos.</translation>
     </message>
     <message>
         <source>camera has no 3 x 3 matrix with positive focal lengths, or a distortion that is no list of numbers</source>
-        <translation>camera hat keine 3 x 3-Matrix mit positiven Brennweiten oder eine Verzeichnung, die keine Zahlenliste ist</translation>
+        <translation>camera no tiene una matriz 3 x 3 con distancias focales positivas, o su distorsión no es una lista de números</translation>
     </message>
     <message>
         <source>The first line of {0} is not {1}.</source>
-        <translation>Die erste Zeile von {0} lautet nicht {1}.</translation>
+        <translation>La primera línea de {0} no es {1}.</translation>
     </message>
     <message>
         <source>Name the columns so, in this order, with commas between them.</source>
-        <translation>Benennen Sie die Spalten so, in dieser Reihenfolge, durch Kommas getrennt.</translation>
+        <translation>Nombre así las columnas, en este orden, separadas por comas.</translation>
     </message>
     <message>
         <source>{0} of {1} landmarks lie far from the points of their frames.</source>
-        <translation>{0} von {1} Landmarken liegen weit von den Punkten ihrer Bilder entfernt.</translation>
+        <translation>{0} de {1} puntos de referencia están lejos de los puntos de sus imágenes.</translation>
     </message>
     <message>
         <source>Check that tracks and clouds are both in mm of the left camera.</source>
-        <translation>Prüfen Sie, ob Spuren und Punktwolken beide in mm der linken Kamera angegeben sind.</translation>
+        <translation>Compruebe que las trayectorias y las nubes estén ambas en mm de la cámara izquierda.</translation>
     </message>
     <message>
         <source>{0} landmarks far from the points of their frames were left out</source>
-        <translation>{0} Landmarken, die weit von den Punkten ihrer Bilder entfernt liegen, wurden weggelassen</translation>
+        <translation>se omitieron {0} puntos de referencia lejos de los puntos de sus imágenes</translation>
     </message>
     <message>
         <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
-        <translation>In Zeile {0} steht in der Spalte „{1}“ keine Zahl.</translation>
+        <translation>En la línea {0} no hay ningún número en la columna «{1}».</translation>
     </message>
     <message>
         <source>A line needs a strain (0.05 for 5 %) and a stress in kPa, numbers with a dot: look for a missing value, a unit, or a decimal comma.</source>
-        <translation>Eine Zeile braucht eine Dehnung (0.05 für 5 %) und eine Spannung in kPa, Zahlen mit Punkt: Zu suchen ist nach einem fehlenden Wert, einer Einheit oder einem Dezimalkomma.</translation>
+        <translation>Cada línea necesita una deformación (0.05 para el 5 %) y una tensión en kPa, números con punto: busque un valor que falta, una unidad o una coma decimal.</translation>
     </message>
     <message>
         <source>Tools with friction are not there for a body with a grain.</source>
-        <translation>Instrumente mit Reibung gibt es nicht für einen Körper mit Faserrichtung.</translation>
+        <translation>No hay instrumentos con fricción para un cuerpo con dirección de fibras.</translation>
     </message>
     <message>
         <source>Leave out the grain or the friction.</source>
-        <translation>Die Faserrichtung oder die Reibung weglassen.</translation>
+        <translation>Quite la dirección de las fibras o la fricción.</translation>
     </message>
     <message>
         <source>The mean of the elastography&apos;s magnitude images serves as the anatomy.</source>
-        <translation>Als Anatomie dient das Mittel der Magnitudenbilder der Elastografie.</translation>
+        <translation>La media de las imágenes de magnitud de la elastografía sirve de anatomía.</translation>
     </message>
     <message>
         <source>{0} was not wholly inside the liver; it was meshed as part of it.</source>
-        <translation>{0} lag nicht ganz in der Leber und wurde als Teil von ihr vernetzt.</translation>
+        <translation>{0} no estaba del todo dentro del hígado; se malló como parte de él.</translation>
     </message>
     <message>
         <source>{0} holds no voxels.</source>
-        <translation>{0} enthält keine Voxel.</translation>
+        <translation>{0} no contiene ningún vóxel.</translation>
     </message>
     <message>
         <source>The body falls in {0} parts; the largest is kept, and the rest is left out: {1}.</source>
-        <translation>Der Körper zerfällt in {0} Teile; der größte bleibt, der Rest fällt weg: {1}.</translation>
+        <translation>El cuerpo se divide en {0} partes; se conserva la mayor y se descarta el resto: {1}.</translation>
     </message>
     <message>
         <source>Holes without a label inside the body, {0} ml together, are filled.</source>
-        <translation>Löcher ohne Label im Körper, zusammen {0} ml, sind gefüllt.</translation>
+        <translation>Los huecos sin etiqueta dentro del cuerpo, {0} ml en total, se rellenan.</translation>
     </message>
     <message>
         <source>{0} speck of fewer than {1} voxels ({2} voxels together) became part of what it touches.</source>
-        <translation>{0} Fleck mit weniger als {1} Voxeln (zusammen {2} Voxel) wurde Teil dessen, was er berührt.</translation>
+        <translation>{0} mota de menos de {1} vóxeles ({2} vóxeles en total) pasó a formar parte de lo que toca.</translation>
     </message>
     <message>
         <source>{0} specks of fewer than {1} voxels ({2} voxels together) became part of what they touch.</source>
-        <translation>{0} Flecken mit weniger als {1} Voxeln (zusammen {2} Voxel) wurden Teil dessen, was sie berühren.</translation>
+        <translation>{0} motas de menos de {1} vóxeles ({2} vóxeles en total) pasaron a formar parte de lo que tocan.</translation>
     </message>
     <message>
         <source>The mesh has {0} cells instead of {1}; its shape and inner structures ask for them.</source>
-        <translation>Das Netz hat {0} Zellen statt {1}; Form und innere Strukturen verlangen sie.</translation>
+        <translation>La malla tiene {0} celdas en vez de {1}; su forma y sus estructuras internas las requieren.</translation>
     </message>
     <message>
         <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
-        <translation>{0} Zellen wurden entfernt, wo der Körper sich selbst in einem Punkt oder einer Kante berührte.</translation>
+        <translation>Se quitaron {0} celdas donde el cuerpo se tocaba a sí mismo en un punto o una arista.</translation>
     </message>
     <message>
         <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
-        <translation>{0}: {1} Stück ({2} ml) ist für {3} Zellen zu dünn und bekam keine eigenen; mit etwa {4} Zellen wäre es zu sehen.</translation>
+        <translation>{0}: {1} trozo ({2} ml), demasiado fino para {3} celdas, no tiene celdas propias; con unas {4} celdas se vería.</translation>
     </message>
     <message>
         <source>{0}: {1} pieces ({2} ml) too thin for {3} cells got no cells of their own; about {4} cells would show them.</source>
-        <translation>{0}: {1} Stücke ({2} ml) sind für {3} Zellen zu dünn und bekamen keine eigenen; mit etwa {4} Zellen wären sie zu sehen.</translation>
+        <translation>{0}: {1} trozos ({2} ml), demasiado finos para {3} celdas, no tienen celdas propias; con unas {4} celdas se verían.</translation>
     </message>
     <message>
         <source>Another way of touching</source>
-        <translation>Andere Art der Berührung</translation>
+        <translation>Otra manera de tocar</translation>
     </message>
     <message>
         <source>Place another tool</source>
-        <translation>Weiteres Instrument platzieren</translation>
+        <translation>Colocar otra herramienta</translation>
     </message>
     <message>
         <source>The walls of cuts can be kept apart in equilibrium by finite elements, without a grain and not straight from data.</source>
-        <translation>Die Wände von Schnitten können im Gleichgewicht mit finiten Elementen auseinandergehalten werden, ohne Faserrichtung und nicht unmittelbar aus Daten.</translation>
+        <translation>Las paredes de las secciones pueden mantenerse separadas en equilibrio con elementos finitos, sin dirección de fibras y no directamente a partir de datos.</translation>
     </message>
     <message>
         <source>The displacement has {0} points, the liver {1}; or one of them is not a number.</source>
-        <translation>Die Verschiebung hat {0} Punkte, die Leber {1}; oder eine davon ist keine Zahl.</translation>
+        <translation>El desplazamiento tiene {0} puntos, el hígado {1}; o uno de ellos no es un número.</translation>
     </message>
     <message>
         <source>Simulate it again with the model as it is now.</source>
-        <translation>Simulieren Sie erneut mit dem jetzigen Modell.</translation>
+        <translation>Simúlelo de nuevo con el modelo tal como es ahora.</translation>
     </message>
     <message>
         <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
-        <translation>So gehalten sind {0} Zellen der Leber umgestülpt: Dort lässt sich nichts messen.</translation>
+        <translation>Sujeto así, {0} celdas del hígado están vueltas del revés: allí no se puede medir nada.</translation>
     </message>
     <message>
         <source>Pull or push with less force.</source>
-        <translation>Ziehen oder drücken Sie mit weniger Kraft.</translation>
+        <translation>Tire o empuje con menos fuerza.</translation>
     </message>
     <message>
         <source>The result {0} is not of this model: its points at rest are others.</source>
-        <translation>Das Ergebnis {0} gehört nicht zu diesem Modell: Seine Punkte in Ruhe sind andere.</translation>
+        <translation>El resultado {0} no es de este modelo: sus puntos en reposo son otros.</translation>
     </message>
     <message>
         <source>one of its elements does not end</source>
-        <translation>eines ihrer Elemente endet nicht</translation>
+        <translation>uno de sus elementos no termina</translation>
     </message>
     <message>
         <source>a compressed array has no blocks</source>
-        <translation>ein komprimiertes Feld hat keine Blöcke</translation>
+        <translation>una matriz comprimida no tiene bloques</translation>
     </message>
     <message>
         <source>the blocks of a compressed array have no size</source>
-        <translation>die Blöcke eines komprimierten Felds haben keine Größe</translation>
+        <translation>los bloques de una matriz comprimida no tienen tamaño</translation>
     </message>
     <message>
         <source>a compressed array has more bytes than the file can hold</source>
-        <translation>ein komprimiertes Feld hat mehr Bytes, als die Datei fassen kann</translation>
+        <translation>una matriz comprimida tiene más bytes de los que caben en el archivo</translation>
     </message>
     <message>
         <source>an array begins behind its end</source>
-        <translation>ein Feld beginnt hinter ihrem Ende</translation>
+        <translation>una matriz empieza después de su final</translation>
     </message>
     <message>
         <source>Mesh the surface anew, for example with MeshLab.</source>
-        <translation>Vernetzen Sie die Oberfläche neu, zum Beispiel mit MeshLab.</translation>
+        <translation>Vuelva a mallar la superficie, por ejemplo con MeshLab.</translation>
     </message>
     <message>
         <source>No triangle of the surface has an area.</source>
-        <translation>Kein Dreieck der Oberfläche hat eine Fläche.</translation>
+        <translation>Ningún triángulo de la superficie tiene área.</translation>
     </message>
     <message>
         <source>Make the surface anew; a cloud of points is not one.</source>
-        <translation>Erzeugen Sie die Oberfläche neu; eine Punktwolke ist keine.</translation>
+        <translation>Genere de nuevo la superficie; una nube de puntos no lo es.</translation>
     </message>
     <message>
         <source>The surface is in {0} pieces, between which there is no way along it; the largest has {1} % of its area.</source>
-        <translation>Die Oberfläche besteht aus {0} Stücken, zwischen denen kein Weg auf ihr führt; das größte hat {1} % ihrer Fläche.</translation>
+        <translation>La superficie está en {0} piezas, entre las que no hay camino sobre ella; la mayor tiene el {1} % de su área.</translation>
     </message>
     <message>
         <source>Keep its largest piece, or join the pieces.</source>
-        <translation>Behalten Sie das größte Stück, oder verbinden Sie die Stücke.</translation>
+        <translation>Conserve la pieza mayor o una las piezas.</translation>
     </message>
     <message>
         <source>Points at the place of another, joined with it: {0}.</source>
-        <translation>Punkte am Ort eines anderen, mit ihm vereint: {0}.</translation>
+        <translation>Puntos en el lugar de otro, unidos a él: {0}.</translation>
     </message>
     <message>
         <source>Doubled or empty triangles left out: {0}.</source>
-        <translation>Doppelte oder leere Dreiecke weggelassen: {0}.</translation>
+        <translation>Triángulos dobles o vacíos omitidos: {0}.</translation>
     </message>
     <message>
         <source>Triangles turned to fit their neighbours: {0}.</source>
-        <translation>Dreiecke, die passend zu ihren Nachbarn gedreht wurden: {0}.</translation>
+        <translation>Triángulos girados para concordar con sus vecinos: {0}.</translation>
     </message>
     <message>
         <source>Points parted where the surface only touches itself: {0}.</source>
-        <translation>Punkte, die geteilt wurden, wo die Oberfläche sich nur berührt: {0}.</translation>
+        <translation>Puntos separados donde la superficie solo se toca: {0}.</translation>
     </message>
     <message>
         <source>Pieces left out, together below 1 % of the area: {0}.</source>
-        <translation>Weggelassene Stücke, zusammen unter 1 % der Fläche: {0}.</translation>
+        <translation>Piezas omitidas, juntas menos del 1 % del área: {0}.</translation>
     </message>
     <message>
         <source>the patient&apos;s left</source>
-        <translation>zur linken Seite des Patienten</translation>
+        <translation>la izquierda del paciente</translation>
     </message>
     <message>
         <source>the patient&apos;s right</source>
-        <translation>zur rechten Seite des Patienten</translation>
+        <translation>la derecha del paciente</translation>
     </message>
     <message>
         <source>the back</source>
-        <translation>zum Rücken</translation>
+        <translation>la espalda</translation>
     </message>
     <message>
         <source>the front</source>
-        <translation>nach vorn</translation>
+        <translation>el frente</translation>
     </message>
     <message>
         <source>the head</source>
-        <translation>zum Kopf</translation>
+        <translation>la cabeza</translation>
     </message>
     <message>
         <source>the feet</source>
-        <translation>zu den Füßen</translation>
+        <translation>los pies</translation>
     </message>
     <message>
         <source>The image cuts the body off towards {0}; it is closed there by a flat cap.</source>
-        <translation>Das Bild schneidet den Körper {0} hin ab; dort ist er durch eine ebene Kappe geschlossen.</translation>
+        <translation>La imagen corta el cuerpo hacia {0}; allí se cierra con una tapa plana.</translation>
     </message>
     <message>
         <source>Most rows of {0} are far shorter than its first.</source>
-        <translation>Die meisten Zeilen von {0} sind weit kürzer als die erste.</translation>
+        <translation>La mayoría de las filas de {0} son mucho más cortas que la primera.</translation>
     </message>
     <message>
         <source>{0} is left out: its pixels cannot be written without what else is stored with them.</source>
-        <translation>{0} wird weggelassen: Seine Bildpunkte lassen sich nicht ohne das schreiben, was sonst mit ihnen gespeichert ist.</translation>
+        <translation>{0} se omite: sus píxeles no pueden escribirse sin lo que está guardado junto a ellos.</translation>
     </message>
     <message>
         <source>{0} does not say whether its pixels are signed: PixelRepresentation is {1}.</source>
-        <translation>{0} sagt nicht, ob seine Bildpunkte ein Vorzeichen haben: PixelRepresentation ist {1}.</translation>
+        <translation>{0} no dice si sus píxeles tienen signo: PixelRepresentation es {1}.</translation>
     </message>
     <message>
         <source>its voxels lie in several files</source>
-        <translation>seine Voxel liegen in mehreren Dateien</translation>
+        <translation>sus vóxeles están en varios archivos</translation>
     </message>
     <message>
         <source>its voxels are encoded in a way that is not read</source>
-        <translation>seine Voxel sind auf eine Weise kodiert, die nicht gelesen wird</translation>
+        <translation>sus vóxeles están codificados de una manera que no se lee</translation>
     </message>
     <message>
         <source>{0} has {1} million voxels; at most {2} million are read.</source>
-        <translation>{0} hat {1} Millionen Voxel; höchstens {2} Millionen werden gelesen.</translation>
+        <translation>{0} tiene {1} millones de vóxeles; se leen como máximo {2} millones.</translation>
     </message>
     <message>
         <source>Cut out the part that is needed, or resample it to larger voxels.</source>
-        <translation>Schneiden Sie den benötigten Teil aus oder rechnen Sie auf größere Voxel um.</translation>
+        <translation>Recorte la parte necesaria o remuestree con vóxeles más grandes.</translation>
     </message>
     <message>
         <source>The compressed voxels of {0} are damaged or cut short.</source>
-        <translation>Die komprimierten Voxel von {0} sind beschädigt oder abgeschnitten.</translation>
+        <translation>Los vóxeles comprimidos de {0} están dañados o cortados.</translation>
     </message>
     <message>
         <source>{0} holds more voxels than its header declares: its sizes are not those that it was written with.</source>
-        <translation>{0} enthält mehr Voxel, als sein Kopf angibt: Seine Größen sind nicht die, mit denen es geschrieben wurde.</translation>
+        <translation>{0} contiene más vóxeles de los que declara su cabecera: sus tamaños no son aquellos con los que se escribió.</translation>
     </message>
     <message>
         <source>There is no room in the liver for {0} of {1} mm: make it smaller, or let it lie elsewhere.</source>
-        <translation>In der Leber ist kein Platz für {0} von {1} mm: Machen Sie sie kleiner, oder lassen Sie sie anderswo liegen.</translation>
+        <translation>No hay sitio en el hígado para {0} de {1} mm: redúzcala o colóquela en otro lugar.</translation>
     </message>
     <message>
         <source>A liver of {0} ml cannot be made: ask for 800 to 2800 ml.</source>
-        <translation>Eine Leber von {0} ml lässt sich nicht erzeugen: Verlangen Sie 800 bis 2800 ml.</translation>
+        <translation>No se puede generar un hígado de {0} ml: pida de 800 a 2800 ml.</translation>
     </message>
     <message>
         <source>A fat fraction of {0} with fibrosis of stage {1} cannot be made: the first is 0 to 0.5, the second 0 to 4.</source>
-        <translation>Ein Fettanteil von {0} mit Fibrose im Stadium {1} lässt sich nicht erzeugen: Der erste liegt zwischen 0 und 0.5, das zweite zwischen 0 und 4.</translation>
+        <translation>No se puede generar una fracción de grasa de {0} con fibrosis de estadio {1}: la primera va de 0 a 0.5, el segundo de 0 a 4.</translation>
     </message>
     <message>
         <source>shaping the liver</source>
-        <translation>die Leber wird geformt</translation>
+        <translation>dando forma al hígado</translation>
     </message>
     <message>
         <source>growing the vessels</source>
-        <translation>die Gefäße wachsen</translation>
+        <translation>creciendo los vasos</translation>
     </message>
     <message>
         <source>The lesion {0} is not understood: give its diameter in mm, as 30, and if you like its segment, 30@7, or its place, 30@x,y,z.</source>
-        <translation>Die Läsion {0} ist nicht verständlich: Geben Sie den Durchmesser in mm an, wie 30, und wenn Sie möchten das Segment, 30@7, oder den Ort, 30@x,y,z.</translation>
+        <translation>No se entiende la lesión {0}: indique su diámetro en mm, como 30, y si quiere su segmento, 30@7, o su lugar, 30@x,y,z.</translation>
     </message>
     <message>
         <source>others are writing it</source>
-        <translation>andere schreiben sie gerade</translation>
+        <translation>otros lo están escribiendo</translation>
     </message>
     <message>
         <source>{0} is a link to another place, where nothing is written.</source>
-        <translation>{0} verweist auf einen anderen Ort; dorthin wird nichts geschrieben.</translation>
+        <translation>{0} es un enlace a otro lugar, donde no se escribe nada.</translation>
     </message>
     <message>
         <source>Put the folder itself there.</source>
-        <translation>Legen Sie den Ordner selbst dorthin.</translation>
+        <translation>Ponga allí la carpeta misma.</translation>
     </message>
     <message>
         <source>{0} names a file outside its place in the case folder: {1}.</source>
-        <translation>{0} nennt eine Datei außerhalb ihres Platzes im Fallordner: {1}.</translation>
+        <translation>{0} nombra un archivo fuera de su lugar en la carpeta del caso: {1}.</translation>
     </message>
     <message>
         <source>{0} is being made by another program.</source>
-        <translation>{0} wird gerade von einem anderen Programm angelegt.</translation>
+        <translation>Otro programa está creando {0}.</translation>
     </message>
     <message>
         <source>Wait until it has finished, or choose another name.</source>
-        <translation>Warten Sie, bis es fertig ist, oder wählen Sie einen anderen Namen.</translation>
+        <translation>Espere a que termine o elija otro nombre.</translation>
     </message>
     <message>
         <source>{0} was replaced by another program and does not fit the liver of this case.</source>
-        <translation>{0} wurde von einem anderen Programm ersetzt und passt nicht zur Leber dieses Falls.</translation>
+        <translation>{0} fue sustituido por otro programa y no corresponde al hígado de este caso.</translation>
     </message>
     <message>
         <source>Put the file back, or make it anew: glisson-cli segment, mesh, stiffness.</source>
-        <translation>Legen Sie die Datei zurück oder erzeugen Sie sie neu: glisson-cli segment, mesh, stiffness.</translation>
+        <translation>Devuelva el archivo o hágalo de nuevo: glisson-cli segment, mesh, stiffness.</translation>
     </message>
     <message>
         <source>Another program has changed {0} since it was saved.</source>
-        <translation>Ein anderes Programm hat {0} seit dem Speichern geändert.</translation>
+        <translation>Otro programa ha cambiado {0} desde que se guardó.</translation>
     </message>
     <message>
         <source>What {0} was made from has changed since: make it anew.</source>
-        <translation>Woraus {0} entstand, hat sich seitdem geändert: erzeugen Sie es neu.</translation>
+        <translation>Aquello de lo que se hizo {0} ha cambiado desde entonces: hágalo de nuevo.</translation>
     </message>
     <message>
         <source>Point {0} of the surface lies farther off than a thousand kilometres.</source>
-        <translation>Punkt {0} der Oberfläche liegt weiter als tausend Kilometer entfernt.</translation>
+        <translation>El punto {0} de la superficie está a más de mil kilómetros.</translation>
     </message>
     <message>
         <source>No triangle of the surface has an area: they are lines or points.</source>
-        <translation>Kein Dreieck der Oberfläche hat eine Fläche: es sind Linien oder Punkte.</translation>
+        <translation>Ningún triángulo de la superficie tiene área: son líneas o puntos.</translation>
     </message>
     <message>
         <source>Point {0} of the mesh lies farther off than a thousand kilometres.</source>
-        <translation>Punkt {0} des Netzes liegt weiter als tausend Kilometer entfernt.</translation>
+        <translation>El punto {0} de la malla está a más de mil kilómetros.</translation>
     </message>
     <message>
         <source>The command is done, but its answer cannot be written: {0}.</source>
-        <translation>Der Befehl ist ausgeführt, aber seine Antwort kann nicht geschrieben werden: {0}.</translation>
+        <translation>La orden está hecha, pero no se puede escribir su respuesta: {0}.</translation>
     </message>
     <message>
         <source>Check where standard output goes, and the space there.</source>
-        <translation>Prüfen Sie, wohin die Standardausgabe geht, und den Platz dort.</translation>
+        <translation>Compruebe adónde va la salida estándar y el espacio que hay allí.</translation>
     </message>
     <message>
         <source>They are of another patient.</source>
-        <translation>Sie sind von einem anderen Patienten.</translation>
+        <translation>Son de otro paciente.</translation>
     </message>
     <message>
         <source>They are of another examination.</source>
-        <translation>Sie sind von einer anderen Untersuchung.</translation>
+        <translation>Son de otro examen.</translation>
     </message>
     <message>
         <source>They have another frame of reference: the patient may have moved between them.</source>
-        <translation>Sie haben ein anderes Bezugssystem: Der Patient kann sich dazwischen bewegt haben.</translation>
+        <translation>Tienen otro sistema de referencia: el paciente puede haberse movido entre ellas.</translation>
     </message>
     <message>
         <source>They lie elsewhere: only {0} % of their place is that of the case&apos;s anatomy.</source>
-        <translation>Sie liegen anderswo: Nur {0} % ihres Raumes sind der der Anatomie des Falls.</translation>
+        <translation>Están en otro lugar: solo el {0} % de su espacio es el de la anatomía del caso.</translation>
     </message>
     <message>
         <source>This was measured on &quot;{0}&quot;, and nothing shows that it is tissue of {1}.</source>
-        <translation>Das wurde an „{0}“ gemessen, und nichts zeigt, dass es Gewebe von {1} ist.</translation>
+        <translation>Esto se midió en «{0}», y nada muestra que sea tejido de {1}.</translation>
     </message>
     <message>
         <source>Where it is, name the case in the experiment&apos;s title, or say so with --of-this-patient.</source>
-        <translation>Ist es das, so nennen Sie den Fall im Titel des Versuchs, oder sagen Sie es mit --of-this-patient.</translation>
+        <translation>Si lo es, nombre el caso en el título del experimento, o dígalo con --of-this-patient.</translation>
     </message>
     <message>
         <source>The effect {0} would change nothing in the rehearsal: {1}</source>
-        <translation>Die Wirkung {0} würde an der Probe nichts ändern: {1}</translation>
+        <translation>El efecto {0} no cambiaría nada en el ensayo: {1}</translation>
     </message>
     <message>
         <source>Accept the others alone (--effect KIND).</source>
-        <translation>Nehmen Sie die anderen allein an (--effect ART).</translation>
+        <translation>Acepte solo los otros (--effect CLASE).</translation>
     </message>
     <message>
         <source>Make a case of their own, or take them all the same with --replace.</source>
-        <translation>Machen Sie einen eigenen Fall daraus, oder nehmen Sie sie trotzdem mit --replace.</translation>
+        <translation>Haga de ellas un caso aparte, o tómelas de todos modos con --replace.</translation>
     </message>
     <message>
         <source>These images may not belong to {0}.{1}</source>
-        <translation>Diese Bilder gehören vielleicht nicht zu {0}.{1}</translation>
+        <translation>Puede que estas imágenes no pertenezcan a {0}.{1}</translation>
     </message>
     <message>
         <source>{0} has an anatomy already, which these images would replace.</source>
-        <translation>{0} hat schon eine Anatomie, die diese Bilder ersetzen würden.</translation>
+        <translation>{0} ya tiene una anatomía, que estas imágenes reemplazarían.</translation>
     </message>
     <message>
         <source>Drawn on another grid ({0} x {1} x {2}) and carried to the anatomy&apos;s, each voxel from the nearest one.</source>
-        <translation>Auf einem anderen Gitter gezeichnet ({0} x {1} x {2}) und auf das der Anatomie übertragen, jedes Voxel vom nächsten.</translation>
+        <translation>Dibujado en otra rejilla ({0} x {1} x {2}) y llevado a la de la anatomía, cada vóxel desde el más cercano.</translation>
     </message>
     <message>
         <source>Left out of the label map: {0}.</source>
-        <translation>Aus der Labelkarte weggelassen: {0}.</translation>
+        <translation>Omitido del mapa de etiquetas: {0}.</translation>
     </message>
     <message>
         <source>Nothing says what the values of {0} are: {1}.</source>
-        <translation>Nichts sagt, was die Werte von {0} sind: {1}.</translation>
+        <translation>Nada dice qué son los valores de {0}: {1}.</translation>
     </message>
     <message>
         <source>Name them, as in --label-value 1=liver --label-value 2=tumour-1.</source>
-        <translation>Benennen Sie sie, etwa --label-value 1=liver --label-value 2=tumour-1.</translation>
+        <translation>Nómbrelos, como en --label-value 1=liver --label-value 2=tumour-1.</translation>
     </message>
     <message>
         <source>Two files bring the structure {0}: {1} is the second.</source>
-        <translation>Zwei Dateien bringen die Struktur {0}: {1} ist die zweite.</translation>
+        <translation>Dos archivos traen la estructura {0}: {1} es el segundo.</translation>
     </message>
     <message>
         <source>Leave one of them out (--labels UID takes that label map alone).</source>
-        <translation>Lassen Sie eine davon weg (--labels UID nimmt nur diese Labelkarte).</translation>
+        <translation>Omita uno de ellos (--labels UID toma solo ese mapa de etiquetas).</translation>
     </message>
     <message>
         <source>No voxel of {0} lies inside the anatomy.</source>
-        <translation>Kein Voxel von {0} liegt in der Anatomie.</translation>
+        <translation>Ningún vóxel de {0} está dentro de la anatomía.</translation>
     </message>
     <message>
         <source>Named after the file.</source>
-        <translation>Nach der Datei benannt.</translation>
+        <translation>Nombrado por el archivo.</translation>
     </message>
     <message>
         <source>Named by you.</source>
-        <translation>Von Ihnen benannt.</translation>
+        <translation>Nombrado por usted.</translation>
     </message>
     <message>
         <source>Named by 3D Slicer&apos;s segments.</source>
-        <translation>Nach den Segmenten von 3D Slicer benannt.</translation>
+        <translation>Nombrado por los segmentos de 3D Slicer.</translation>
     </message>
     <message>
         <source>Named by the table in the file.</source>
-        <translation>Nach der Tabelle in der Datei benannt.</translation>
+        <translation>Nombrado por la tabla del archivo.</translation>
     </message>
     <message>
         <source>Named by the label description beside the file.</source>
-        <translation>Nach der Label-Beschreibung neben der Datei benannt.</translation>
+        <translation>Nombrado por la descripción de etiquetas junto al archivo.</translation>
     </message>
     <message>
         <source>Named by TotalSegmentator&apos;s class numbers: see whether they are right.</source>
-        <translation>Nach den Klassennummern von TotalSegmentator benannt: Prüfen Sie, ob sie stimmen.</translation>
+        <translation>Nombrado por los números de clase de TotalSegmentator: compruebe que son correctos.</translation>
     </message>
     <message>
         <source>The stiffness is assumed, {0} kPa for all cells, and not measured: it is not compared with the atlas.</source>
-        <translation>Die Steifigkeit ist angenommen, {0} kPa für alle Zellen, und nicht gemessen: Sie wird nicht mit dem Atlas verglichen.</translation>
+        <translation>La rigidez es supuesta, {0} kPa para todas las celdas, y no medida: no se compara con el atlas.</translation>
     </message>
     <message>
         <source>The stiffness is assumed, the atlas&apos;s {0} kPa for all cells, and not measured: it is not compared with the atlas.</source>
-        <translation>Die Steifigkeit ist angenommen, die {0} kPa des Atlas für alle Zellen, und nicht gemessen: Sie wird nicht mit dem Atlas verglichen.</translation>
+        <translation>La rigidez es supuesta, los {0} kPa del atlas para todas las celdas, y no medida: no se compara con el atlas.</translation>
     </message>
     <message>
         <source>The result in {0} is not to be used: {1}.</source>
-        <translation>Das Ergebnis in {0} ist nicht brauchbar: {1}.</translation>
+        <translation>El resultado en {0} no es utilizable: {1}.</translation>
     </message>
     <message>
         <source>Simulate it again with less force, or on other supports.</source>
-        <translation>Simulieren Sie es noch einmal mit weniger Kraft oder auf anderen Auflagern.</translation>
+        <translation>Simúlelo de nuevo con menos fuerza o con otros apoyos.</translation>
     </message>
     <message>
         <source>Within the model: strains reach {0} %.</source>
-        <translation>Innerhalb des Modells: Die Dehnungen erreichen {0} %.</translation>
+        <translation>Dentro del modelo: las deformaciones llegan al {0} %.</translation>
     </message>
     <message>
         <source>Outside of the model: strains reach {0} %, and beyond {1} % it is an extrapolation.</source>
-        <translation>Außerhalb des Modells: Die Dehnungen erreichen {0} %, und über {1} % ist es eine Extrapolation.</translation>
+        <translation>Fuera del modelo: las deformaciones llegan al {0} %, y por encima del {1} % es una extrapolación.</translation>
     </message>
     <message>
         <source>Not to be used: cells turned inside out: {0}.</source>
-        <translation>Nicht brauchbar: umgestülpte Zellen: {0}.</translation>
+        <translation>No utilizable: celdas invertidas: {0}.</translation>
     </message>
     <message>
         <source>Not to be used: the computation did not converge.</source>
-        <translation>Nicht brauchbar: Die Rechnung ist nicht konvergiert.</translation>
+        <translation>No utilizable: el cálculo no ha convergido.</translation>
     </message>
     <message>
         <source>cells turned inside out: {0}</source>
-        <translation>umgestülpte Zellen: {0}</translation>
+        <translation>celdas invertidas: {0}</translation>
     </message>
     <message>
         <source>Plan a resection first, and save it.</source>
-        <translation>Planen Sie zuerst eine Resektion, und speichern Sie sie.</translation>
+        <translation>Planifique primero una resección y guárdela.</translation>
     </message>
     <message>
         <source>The result {0} is not to be used: {1}.</source>
-        <translation>Das Ergebnis {0} ist nicht brauchbar: {1}.</translation>
+        <translation>El resultado {0} no es utilizable: {1}.</translation>
     </message>
     <message>
         <source>Simulate it again with less force.</source>
-        <translation>Simulieren Sie es noch einmal mit weniger Kraft.</translation>
+        <translation>Simúlelo de nuevo con menos fuerza.</translation>
     </message>
     <message>
         <source>A result that did not converge cannot be compared: {0}</source>
-        <translation>Ein nicht konvergiertes Ergebnis kann nicht verglichen werden: {0}</translation>
+        <translation>Un resultado que no ha convergido no se puede comparar: {0}</translation>
     </message>
     <message>
         <source>The retraction&apos;s answer is not to be used: {0}.</source>
-        <translation>Die Antwort der Retraktion ist nicht brauchbar: {0}.</translation>
+        <translation>La respuesta de la retracción no es utilizable: {0}.</translation>
     </message>
     <message>
         <source>Use less force.</source>
-        <translation>Nehmen Sie weniger Kraft.</translation>
+        <translation>Use menos fuerza.</translation>
     </message>
     <message>
         <source>Less than 5 % of the organ is seen: too little to say where the rest is.</source>
-        <translation>Weniger als 5 % des Organs sind zu sehen: zu wenig, um zu sagen, wo der Rest liegt.</translation>
+        <translation>Se ve menos del 5 % del órgano: demasiado poco para decir dónde está el resto.</translation>
     </message>
     <message>
         <source>What is seen does not fit this organ: more than half of the points lie far from it.</source>
-        <translation>Was zu sehen ist, passt nicht zu diesem Organ: Mehr als die Hälfte der Punkte liegt weit davon entfernt.</translation>
+        <translation>Lo que se ve no corresponde a este órgano: más de la mitad de los puntos está lejos de él.</translation>
     </message>
     <message>
         <source>Preparing the organ</source>
-        <translation>Organ wird vorbereitet</translation>
+        <translation>Preparando el órgano</translation>
     </message>
     <message>
         <source>Fewer than 20 points of the surface were seen.</source>
-        <translation>Es wurden weniger als 20 Punkte der Oberfläche gesehen.</translation>
+        <translation>Se vieron menos de 20 puntos de la superficie.</translation>
     </message>
     <message>
         <source>What was seen is twenty times smaller than the organ: lengths are in mm, are these in metres?</source>
-        <translation>Das Gesehene ist zwanzigmal kleiner als das Organ: Längen sind in mm, stehen diese in Metern?</translation>
+        <translation>Lo visto es veinte veces más pequeño que el órgano: las longitudes son en mm, ¿están estas en metros?</translation>
     </message>
     <message>
         <source>What was seen is five times larger than the organ: lengths are in mm.</source>
-        <translation>Das Gesehene ist fünfmal größer als das Organ: Längen sind in mm.</translation>
+        <translation>Lo visto es cinco veces mayor que el órgano: las longitudes son en mm.</translation>
     </message>
     <message>
         <source>Placing the organ</source>
-        <translation>Organ wird eingepasst</translation>
+        <translation>Situando el órgano</translation>
     </message>
     <message>
         <source>The folder cannot be made: {0}</source>
-        <translation>Der Ordner kann nicht angelegt werden: {0}</translation>
+        <translation>No se puede crear la carpeta: {0}</translation>
     </message>
     <message>
         <source>In {0}: {1}.</source>
-        <translation>In {0}: {1}.</translation>
+        <translation>En {0}: {1}.</translation>
     </message>
     <message>
         <source>The format &quot;glisson-guidance/1&quot; is described in the documentation.</source>
-        <translation>Das Format &quot;glisson-guidance/1&quot; ist in der Dokumentation beschrieben.</translation>
+        <translation>El formato &quot;glisson-guidance/1&quot; se describe en la documentación.</translation>
     </message>
     <message>
         <source>The first line must be id,x_mm,y_mm,z_mm.</source>
-        <translation>Die erste Zeile muss id,x_mm,y_mm,z_mm lauten.</translation>
+        <translation>La primera línea debe ser id,x_mm,y_mm,z_mm.</translation>
     </message>
     <message>
         <source>Line {0} must hold an id and three numbers.</source>
-        <translation>Zeile {0} muss eine Kennung und drei Zahlen enthalten.</translation>
+        <translation>La línea {0} debe contener un identificador y tres números.</translation>
     </message>
     <message>
         <source>Frame {0} has no pose_guess, and {1} points on its features are too few to find where the organ is.</source>
-        <translation>Bild {0} hat keine pose_guess, und {1} Punkte auf seinen Merkmalen sind zu wenige, um das Organ zu finden.</translation>
+        <translation>La imagen {0} no tiene pose_guess, y {1} puntos en sus referencias son muy pocos para encontrar el órgano.</translation>
     </message>
     <message>
         <source>Give a pose_guess, or mark ridges or the falciform ligament.</source>
-        <translation>Geben Sie eine pose_guess an, oder markieren Sie Kanten oder das Ligamentum falciforme.</translation>
+        <translation>Indique una pose_guess, o marque bordes o el ligamento falciforme.</translation>
     </message>
     <message>
         <source>Under no pose does what frame {0} saw lie near the organ.</source>
-        <translation>In keiner Lage liegt das, was Bild {0} zeigt, nahe am Organ.</translation>
+        <translation>En ninguna posición lo que vio la imagen {0} queda cerca del órgano.</translation>
     </message>
     <message>
         <source>Check that the features have the same names on both sides, that lengths are in mm, and that the frame is of this patient.</source>
-        <translation>Prüfen Sie, ob die Merkmale auf beiden Seiten gleich heißen, Längen in mm sind und das Bild von diesem Patienten ist.</translation>
+        <translation>Compruebe que las referencias tengan los mismos nombres en ambos lados, que las longitudes sean en mm y que la imagen sea de este paciente.</translation>
     </message>
     <message>
         <source>Reading the guidance case</source>
-        <translation>Fall zur Bildführung wird gelesen</translation>
+        <translation>Leyendo el caso de guiado</translation>
     </message>
     <message>
         <source>Another window has {0} open: here it can be looked at, and nothing is changed.</source>
-        <translation>{0} ist in einem anderen Fenster offen: Hier wird es nur gezeigt, und nichts wird geändert.</translation>
+        <translation>Otra ventana tiene abierto {0}: aquí se puede mirar, y nada se cambia.</translation>
     </message>
     <message>
         <source>Close it there and open it here again.</source>
-        <translation>Schließen Sie es dort, und öffnen Sie es hier erneut.</translation>
+        <translation>Ciérrelo allí y vuelva a abrirlo aquí.</translation>
     </message>
     <message>
         <source>The folder of {0} takes no files: the case can be looked at, and nothing is kept.</source>
-        <translation>Der Ordner von {0} nimmt keine Dateien an: Der Fall lässt sich ansehen, doch nichts wird behalten.</translation>
+        <translation>La carpeta de {0} no admite archivos: el caso se puede mirar, y nada se guarda.</translation>
     </message>
     <message>
         <source>Copy it to where you may write, and open the copy.</source>
-        <translation>Kopieren Sie ihn an einen Ort, an dem Sie schreiben dürfen, und öffnen Sie die Kopie.</translation>
+        <translation>Cópielo a donde pueda escribir y abra la copia.</translation>
     </message>
     <message>
         <source>The folder {0} is gone: nothing more of this case can be kept.</source>
-        <translation>Der Ordner {0} ist fort: Von diesem Fall lässt sich nichts mehr behalten.</translation>
+        <translation>La carpeta {0} ha desaparecido: nada más de este caso se puede guardar.</translation>
     </message>
     <message>
         <source>Bring it back to its place, or open the case where it is now.</source>
-        <translation>Bringen Sie ihn an seinen Platz zurück, oder öffnen Sie den Fall dort, wo er jetzt ist.</translation>
+        <translation>Devuélvala a su sitio, o abra el caso donde esté ahora.</translation>
+    </message>
+    <message>
+        <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
+        <translation>Los módulos de {0} se calcularon a partir de módulos de cizalla con un coeficiente de Poisson de {1}, no de {2}.</translation>
+    </message>
+    <message>
+        <source>Say &quot;poisson_ratio&quot;: {1} in the specimen.</source>
+        <translation>Indique &quot;poisson_ratio&quot;: {1} en la muestra (specimen).</translation>
+    </message>
+    <message>
+        <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
+        <translation>El coeficiente de Poisson de la malla debe ser mayor que -1 y no superar 0.5; es {0}.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
     <message>
         <source>ICP: nearest points</source>
-        <translation>ICP: nächste Punkte</translation>
+        <translation>ICP: puntos más cercanos</translation>
     </message>
     <message>
         <source>GEO: distances along the surface</source>
-        <translation>GEO: Abstände entlang der Oberfläche</translation>
+        <translation>GEO: distancias a lo largo de la superficie</translation>
     </message>
     <message>
         <source>GNRA: all frames by their landmarks</source>
-        <translation>GNRA: alle Bilder über ihre Landmarken</translation>
+        <translation>GNRA: todos los fotogramas por sus puntos de referencia</translation>
     </message>
     <message>
         <source>Given by the sequence</source>
-        <translation>Von der Sequenz vorgegeben</translation>
+        <translation>Dado por la secuencia</translation>
     </message>
     <message>
         <source>Given</source>
-        <translation>Vorgegeben</translation>
+        <translation>Dado</translation>
     </message>
     <message>
         <source>Algorithms</source>
-        <translation>Algorithmen</translation>
+        <translation>Algoritmos</translation>
     </message>
     <message>
         <source>First algorithm</source>
-        <translation>Erster Algorithmus</translation>
+        <translation>Primer algoritmo</translation>
     </message>
     <message>
         <source>Second algorithm</source>
-        <translation>Zweiter Algorithmus</translation>
+        <translation>Segundo algoritmo</translation>
     </message>
     <message>
         <source>What the left picture shows</source>
-        <translation>Was das linke Bild zeigt</translation>
+        <translation>Lo que muestra la imagen izquierda</translation>
     </message>
     <message>
         <source>What the right picture shows, or nothing</source>
-        <translation>Was das rechte Bild zeigt, oder nichts</translation>
+        <translation>Lo que muestra la imagen derecha, o nada</translation>
     </message>
     <message>
         <source>Register and judge</source>
-        <translation>Registrieren und beurteilen</translation>
+        <translation>Registrar y juzgar</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Abbrechen</translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Stops registering; what was computed before stays</source>
-        <translation>Hält das Registrieren an; was vorher berechnet war, bleibt</translation>
+        <translation>Detiene el registro; lo calculado antes se conserva</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation>Fortschritt</translation>
+        <translation>Progreso</translation>
     </message>
     <message>
         <source>No second algorithm</source>
-        <translation>Kein zweiter Algorithmus</translation>
+        <translation>Sin segundo algoritmo</translation>
     </message>
     <message>
         <source>The sequence names no registered clouds</source>
-        <translation>Die Sequenz nennt keine registrierten Punktwolken</translation>
+        <translation>La secuencia no indica nubes registradas</translation>
     </message>
     <message>
         <source>The sequence names no model</source>
-        <translation>Die Sequenz nennt kein Modell</translation>
+        <translation>La secuencia no indica ningún modelo</translation>
     </message>
     <message>
         <source>Open a sequence first</source>
-        <translation>Zuerst eine Sequenz öffnen</translation>
+        <translation>Abra primero una secuencia</translation>
     </message>
     <message>
         <source>It is being computed</source>
-        <translation>Es wird gerade berechnet</translation>
+        <translation>Se está calculando</translation>
     </message>
     <message>
         <source>Both algorithms are computed already</source>
-        <translation>Beide Algorithmen sind schon berechnet</translation>
+        <translation>Ambos algoritmos ya están calculados</translation>
     </message>
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
-        <translation>Registriert jedes Bild mit den Algorithmen oben und beurteilt sie mit SIRGn: bis etwa eine Sekunde je Bild</translation>
+        <translation>Registra cada fotograma con los algoritmos de arriba y los juzga con SIRGn: hasta un segundo por fotograma, más o menos</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::CandidatesTable</name>
+    <message>
+        <source>Suspect, each by itself</source>
+        <translation>Sospechoso, cada uno por sí solo</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>On trials left out</source>
+        <translation>En ensayos apartados</translation>
+    </message>
+    <message>
+        <source>These data cannot tell it from</source>
+        <translation>Estos datos no lo distinguen de</translation>
+    </message>
+    <message>
+        <source>Root mean square on the trials that it was fitted to</source>
+        <translation>Media cuadrática en los ensayos a los que se ajustó</translation>
+    </message>
+    <message>
+        <source>Root mean square on trials that it was not fitted to, left out whole</source>
+        <translation>Media cuadrática en ensayos enteros apartados, a los que no se ajustó</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>out of the running: %1</source>
+        <translation>fuera de concurso: %1</translation>
+    </message>
+    <message>
+        <source>very strong</source>
+        <translation>muy fuerte</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>fuerte</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>débil</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Evidencia</translation>
+    </message>
+    <message>
+        <source>Against the declared model, by the difference of BIC</source>
+        <translation>Contra el modelo declarado, por la diferencia de BIC</translation>
+    </message>
+    <message>
+        <source>ΔBIC %1</source>
+        <translation>ΔBIC %1</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::CaseOverview</name>
     <message>
         <source>The open case</source>
-        <translation>Der offene Fall</translation>
+        <translation>El caso abierto</translation>
     </message>
     <message>
         <source>What</source>
-        <translation>Was</translation>
+        <translation>Elemento</translation>
     </message>
     <message>
         <source>State</source>
-        <translation>Zustand</translation>
+        <translation>Estado</translation>
     </message>
     <message>
         <source>Made by</source>
-        <translation>Erstellt durch</translation>
+        <translation>Creado por</translation>
     </message>
     <message>
         <source>What comes next</source>
-        <translation>Was als Nächstes kommt</translation>
+        <translation>Lo que sigue</translation>
     </message>
     <message>
         <source>up to date</source>
-        <translation>aktuell</translation>
+        <translation>al día</translation>
     </message>
     <message>
         <source>⚠ stale</source>
-        <translation>⚠ veraltet</translation>
+        <translation>⚠ desfasado</translation>
     </message>
     <message>
         <source>⚠ changed by another program</source>
-        <translation>⚠ von einem anderen Programm geändert</translation>
+        <translation>⚠ modificado por otro programa</translation>
     </message>
     <message>
         <source>⚠ file is gone</source>
-        <translation>⚠ Datei fehlt</translation>
+        <translation>⚠ falta el archivo</translation>
     </message>
     <message>
         <source>Something that it was made from has changed since.</source>
-        <translation>Etwas, woraus es gemacht wurde, hat sich seither geändert.</translation>
+        <translation>Algo de lo que se hizo ha cambiado desde entonces.</translation>
     </message>
     <message>
         <source>No case is open. Open images, choose what each series is for, and make a case of them.</source>
-        <translation>Es ist kein Fall geöffnet. Öffnen Sie Bilder, wählen Sie, wozu jede Serie dient, und legen Sie daraus einen Fall an.</translation>
+        <translation>No hay ningún caso abierto. Abra imágenes, elija para qué es cada serie y cree un caso con ellas.</translation>
     </message>
     <message>
         <source>Everything is up to date.</source>
-        <translation>Alles ist aktuell.</translation>
+        <translation>Todo está al día.</translation>
     </message>
     <message>
         <source>Stale: %1. They were made from something that has changed since.</source>
-        <translation>Veraltet: %1. Sie wurden aus etwas gemacht, das sich seither geändert hat.</translation>
+        <translation>Desfasados: %1. Se hicieron de algo que ha cambiado desde entonces.</translation>
     </message>
     <message>
         <source>Make the model anew</source>
-        <translation>Modell neu erstellen</translation>
+        <translation>Rehacer el modelo</translation>
     </message>
     <message>
         <source>There are no anatomical images: without them nothing can be outlined. Open them on the left.</source>
-        <translation>Es gibt keine anatomischen Bilder: Ohne sie kann nichts umrissen werden. Öffnen Sie sie links.</translation>
+        <translation>No hay imágenes anatómicas: sin ellas no se puede delimitar nada. Ábralas a la izquierda.</translation>
     </message>
     <message>
         <source>The elastography has not been inverted: File, Elastography waves (Ctrl+W) makes the stiffness of it.</source>
-        <translation>Die Elastographie ist noch nicht invertiert: Datei, Elastographie-Wellen (Strg+W) macht daraus die Steifigkeit.</translation>
+        <translation>La elastografía no se ha invertido: Archivo, Ondas de elastografía (Ctrl+W) obtiene de ella la rigidez.</translation>
     </message>
     <message>
         <source>The liver is not outlined yet.</source>
-        <translation>Die Leber ist noch nicht umrissen.</translation>
+        <translation>El hígado aún no está delimitado.</translation>
     </message>
     <message>
         <source>Outline it in Segment</source>
-        <translation>In Segmentieren umreißen</translation>
+        <translation>Delimitarlo en Segmentar</translation>
     </message>
     <message>
         <source>There is no model yet.</source>
-        <translation>Es gibt noch kein Modell.</translation>
+        <translation>Aún no hay modelo.</translation>
     </message>
     <message>
         <source>Build the model</source>
-        <translation>Modell erstellen</translation>
+        <translation>Construir el modelo</translation>
     </message>
     <message>
         <source>The model is there.</source>
-        <translation>Das Modell ist da.</translation>
+        <translation>El modelo está hecho.</translation>
     </message>
     <message>
         <source>Rehearse</source>
-        <translation>Proben</translation>
+        <translation>Ensayar</translation>
     </message>
     <message>
         <source>Building the model</source>
-        <translation>Modell wird erstellt</translation>
+        <translation>Construyendo el modelo</translation>
     </message>
     <message>
         <source>import</source>
-        <translation>Import</translation>
+        <translation>importación</translation>
     </message>
     <message>
         <source>outlining</source>
-        <translation>Umreißen</translation>
+        <translation>delimitación</translation>
     </message>
     <message>
         <source>meshing</source>
-        <translation>Vernetzung</translation>
+        <translation>mallado</translation>
     </message>
     <message>
         <source>giving stiffness</source>
-        <translation>Steifigkeit zuweisen</translation>
+        <translation>asignación de rigidez</translation>
     </message>
     <message>
         <source>inversion of waves</source>
-        <translation>Inversion der Wellen</translation>
+        <translation>inversión de las ondas</translation>
     </message>
     <message>
         <source>Outline: %1</source>
-        <translation>Umriss: %1</translation>
+        <translation>Contorno: %1</translation>
     </message>
     <message>
         <source>Surface: %1</source>
-        <translation>Oberfläche: %1</translation>
+        <translation>Superficie: %1</translation>
     </message>
     <message>
         <source>Tetrahedra of the liver</source>
-        <translation>Tetraeder der Leber</translation>
+        <translation>Tetraedros del hígado</translation>
     </message>
     <message>
         <source>Model: stiffness of each cell</source>
-        <translation>Modell: Steifigkeit jeder Zelle</translation>
+        <translation>Modelo: rigidez de cada celda</translation>
     </message>
     <message>
         <source>Images: anatomy</source>
-        <translation>Bilder: Anatomie</translation>
+        <translation>Imágenes: anatomía</translation>
     </message>
     <message>
         <source>Map: stiffness (kPa)</source>
-        <translation>Karte: Steifigkeit (kPa)</translation>
+        <translation>Mapa: rigidez (kPa)</translation>
     </message>
     <message>
         <source>Map: confidence</source>
-        <translation>Karte: Konfidenz</translation>
+        <translation>Mapa: confianza</translation>
     </message>
     <message>
         <source>MRE magnitude</source>
-        <translation>MRE-Magnitude</translation>
+        <translation>Magnitud de ERM</translation>
     </message>
     <message>
         <source>MRE phase</source>
-        <translation>MRE-Phase</translation>
+        <translation>Fase de ERM</translation>
     </message>
     <message>
         <source>MRE waves</source>
-        <translation>MRE-Wellen</translation>
+        <translation>Ondas de ERM</translation>
     </message>
     <message>
         <source>There is no model yet. Without elastography its stiffness is assumed: the atlas&apos;s.</source>
-        <translation>Es gibt noch kein Modell. Ohne Elastographie ist seine Steifigkeit angenommen: die des Atlas.</translation>
+        <translation>Todavía no hay modelo. Sin elastografía su rigidez es supuesta: la del atlas.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
     <message>
         <source>Patient</source>
-        <translation>Patient</translation>
+        <translation>Paciente</translation>
     </message>
     <message>
         <source>Atlas</source>
@@ -4479,113 +4554,113 @@
     </message>
     <message>
         <source>With one stiffness for the whole liver, as an atlas gives it</source>
-        <translation>Mit einer einzigen Steifigkeit für die ganze Leber, wie ein Atlas sie angibt</translation>
+        <translation>Con una sola rigidez para todo el hígado, como la da un atlas</translation>
     </message>
     <message>
         <source>Both</source>
-        <translation>Beide</translation>
+        <translation>Ambos</translation>
     </message>
     <message>
         <source>Atlas in red, patient in blue: purple where they agree</source>
-        <translation>Atlas in Rot, Patient in Blau: violett, wo sie übereinstimmen</translation>
+        <translation>Atlas en rojo, paciente en azul: violeta donde coinciden</translation>
     </message>
     <message>
         <source>Side by side</source>
-        <translation>Nebeneinander</translation>
+        <translation>Lado a lado</translation>
     </message>
     <message>
         <source>Two 3D views that turn together: the patient on the left, the atlas on the right</source>
-        <translation>Zwei 3D-Ansichten, die sich gemeinsam drehen: links der Patient, rechts der Atlas</translation>
+        <translation>Dos vistas 3D que giran juntas: el paciente a la izquierda, el atlas a la derecha</translation>
     </message>
     <message>
         <source>No stiffness was measured: there is nothing to compare with the atlas</source>
-        <translation>Es wurde keine Steifigkeit gemessen: Mit dem Atlas ist nichts zu vergleichen</translation>
+        <translation>No se midió ninguna rigidez: no hay nada que comparar con el atlas</translation>
     </message>
     <message>
         <source>With this patient&apos;s own stiffness, as it was measured</source>
-        <translation>Mit der eigenen Steifigkeit dieses Patienten, wie sie gemessen wurde</translation>
+        <translation>Con la rigidez propia de este paciente, tal como se midió</translation>
     </message>
     <message>
         <source>With the assumed stiffness</source>
-        <translation>Mit der angenommenen Steifigkeit</translation>
+        <translation>Con la rigidez supuesta</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ContourPlot</name>
     <message>
         <source>Liver (cm³)</source>
-        <translation>Leber (cm³)</translation>
+        <translation>Hígado (cm³)</translation>
     </message>
     <message>
         <source>Volume of a node (mm³)</source>
-        <translation>Volumen eines Knotens (mm³)</translation>
+        <translation>Volumen de un nodo (mm³)</translation>
     </message>
     <message>
         <source>Accuracy (mm)</source>
-        <translation>Genauigkeit (mm)</translation>
+        <translation>Precisión (mm)</translation>
     </message>
     <message>
         <source>hot spot</source>
-        <translation>heiße Stelle</translation>
+        <translation>punto caliente</translation>
     </message>
     <message>
         <source>this case</source>
-        <translation>dieser Fall</translation>
+        <translation>este caso</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::CutControls</name>
     <message>
         <source>Cut by a plane</source>
-        <translation>Schnitt mit einer Ebene</translation>
+        <translation>Sección por un plano</translation>
     </message>
     <message>
         <source>Cut by a smooth surface through points</source>
-        <translation>Schnitt mit einer glatten Fläche durch Punkte</translation>
+        <translation>Sección por una superficie suave que pasa por puntos</translation>
     </message>
     <message>
         <source>Divides</source>
-        <translation>Trennt</translation>
+        <translation>Separa</translation>
     </message>
     <message>
         <source>left from right</source>
-        <translation>links von rechts</translation>
+        <translation>izquierda de derecha</translation>
     </message>
     <message>
         <source>front from back</source>
-        <translation>vorn von hinten</translation>
+        <translation>delante de detrás</translation>
     </message>
     <message>
         <source>head from foot</source>
-        <translation>Kopf- von Fußseite</translation>
+        <translation>cabeza de pies</translation>
     </message>
     <message>
         <source>Through crosshair</source>
-        <translation>Durchs Fadenkreuz</translation>
+        <translation>Por la cruz</translation>
     </message>
     <message>
         <source>Puts the plane through the crosshair, across the direction above</source>
-        <translation>Legt die Ebene durch das Fadenkreuz, quer zur Richtung darüber</translation>
+        <translation>Pone el plano por la cruz, transversal a la dirección de arriba</translation>
     </message>
     <message>
         <source>By three clicks</source>
-        <translation>Mit drei Klicks</translation>
+        <translation>Con tres clics</translation>
     </message>
     <message>
         <source>Then click three places on the liver or in the slices</source>
-        <translation>Klicken Sie dann drei Stellen auf der Leber oder in den Schichten an</translation>
+        <translation>Haga clic después en tres lugares del hígado o de los cortes</translation>
     </message>
     <message>
         <source>Shift</source>
-        <translation>Verschieben</translation>
+        <translation>Desplazar</translation>
     </message>
     <message>
         <source>Turn</source>
-        <translation>Drehen</translation>
+        <translation>Girar</translation>
     </message>
     <message>
         <source>Tilt</source>
-        <translation>Kippen</translation>
+        <translation>Inclinar</translation>
     </message>
     <message>
         <source> mm</source>
@@ -4597,421 +4672,421 @@
     </message>
     <message>
         <source>Distance of the plane from the middle of the liver, along its normal</source>
-        <translation>Abstand der Ebene von der Mitte der Leber, entlang ihrer Normalen</translation>
+        <translation>Distancia del plano al centro del hígado, a lo largo de su normal</translation>
     </message>
     <message>
         <source>The normal about the axis from feet to head: 0° to the patient&apos;s left, 90° to the back</source>
-        <translation>Die Normale um die Achse von den Füßen zum Kopf: 0° zur linken Seite des Patienten, 90° nach hinten</translation>
+        <translation>La normal alrededor del eje de pies a cabeza: 0° hacia la izquierda del paciente, 90° hacia atrás</translation>
     </message>
     <message>
         <source>The normal upwards: 90° to the head</source>
-        <translation>Die Normale nach oben: 90° zum Kopf</translation>
+        <translation>La normal hacia arriba: 90° hacia la cabeza</translation>
     </message>
     <message>
         <source>Set points</source>
-        <translation>Punkte setzen</translation>
+        <translation>Poner puntos</translation>
     </message>
     <message>
         <source>Each click on the liver or in a slice sets a point; points can be dragged</source>
-        <translation>Jeder Klick auf die Leber oder in eine Schicht setzt einen Punkt; Punkte lassen sich ziehen</translation>
+        <translation>Cada clic en el hígado o en un corte pone un punto; los puntos se pueden arrastrar</translation>
     </message>
     <message>
         <source>Drop the last</source>
-        <translation>Letzten entfernen</translation>
+        <translation>Quitar el último</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation>Löschen</translation>
+        <translation>Borrar</translation>
     </message>
     <message>
         <source>Points set: %1. Three are needed.</source>
-        <translation>Gesetzte Punkte: %1. Drei sind nötig.</translation>
+        <translation>Puntos puestos: %1. Hacen falta tres.</translation>
     </message>
     <message>
         <source>Points set: %1. Drag them in any view.</source>
-        <translation>Gesetzte Punkte: %1. Sie lassen sich in jeder Ansicht ziehen.</translation>
+        <translation>Puntos puestos: %1. Arrástrelos en cualquier vista.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::DiaryWindow</name>
     <message>
         <source>Log - Glisson</source>
-        <translation>Protokoll - Glisson</translation>
+        <translation>Registro - Glisson</translation>
     </message>
     <message>
         <source>What Glisson did, in English, for those who mend it. It holds nothing about a patient: no names, no paths, no values. Nothing is sent anywhere; you decide who gets it.</source>
-        <translation>Was Glisson getan hat, auf Englisch, für alle, die es reparieren. Über Patienten steht hier nichts: keine Namen, keine Pfade, keine Werte. Nichts wird irgendwohin gesendet; Sie entscheiden, wer es bekommt.</translation>
+        <translation>Lo que Glisson ha hecho, en inglés, para quienes lo reparan. No contiene nada sobre un paciente: ni nombres, ni rutas, ni valores. No se envía nada a ninguna parte; usted decide quién lo recibe.</translation>
     </message>
     <message>
         <source>The log</source>
-        <translation>Das Protokoll</translation>
+        <translation>El registro</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation>Kopieren</translation>
+        <translation>Copiar</translation>
     </message>
     <message>
         <source>Save a report of the problem...</source>
-        <translation>Bericht über das Problem speichern …</translation>
+        <translation>Guardar un informe del problema…</translation>
     </message>
     <message>
         <source>Save a report of the problem</source>
-        <translation>Bericht über das Problem speichern</translation>
+        <translation>Guardar un informe del problema</translation>
     </message>
     <message>
         <source>Text (*.txt)</source>
-        <translation>Text (*.txt)</translation>
+        <translation>Texto (*.txt)</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ErrorsTable</name>
     <message>
         <source>%1 × noise</source>
-        <translation>%1 × Rauschen</translation>
+        <translation>%1 × ruido</translation>
     </message>
     <message>
         <source>Error, × noise</source>
-        <translation>Fehler, × Rauschen</translation>
+        <translation>Error, × ruido</translation>
     </message>
     <message>
         <source>Error, %1</source>
-        <translation>Fehler, %1</translation>
+        <translation>Error, %1</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation>Vorher</translation>
+        <translation>Antes</translation>
     </message>
     <message>
         <source>After</source>
-        <translation>Nachher</translation>
+        <translation>Después</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
+        <translation>%1 a %2</translation>
     </message>
     <message>
         <source>On trials left out</source>
-        <translation>An ausgelassenen Versuchen</translation>
+        <translation>En ensayos apartados</translation>
     </message>
     <message>
         <source>95 % interval of it</source>
-        <translation>95-%-Intervall davon</translation>
+        <translation>Intervalo del 95 %</translation>
     </message>
     <message>
         <source>Root mean square</source>
-        <translation>Quadratisches Mittel</translation>
+        <translation>Media cuadrática</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation>Mittel</translation>
+        <translation>Media</translation>
     </message>
     <message>
         <source>95 of 100 are below</source>
-        <translation>95 von 100 liegen darunter</translation>
+        <translation>95 de cada 100 están por debajo</translation>
     </message>
     <message>
         <source>Noise of the measurement</source>
-        <translation>Rauschen der Messung</translation>
+        <translation>Ruido de la medición</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::EvidenceAnswer</name>
     <message>
         <source>What was found</source>
-        <translation>Was gefunden wurde</translation>
+        <translation>Lo que se encontró</translation>
     </message>
     <message>
         <source>Residual (mm)</source>
-        <translation>Residuum (mm)</translation>
+        <translation>Residuo (mm)</translation>
     </message>
     <message>
         <source>Measured less predicted, where this trial was farthest off. Arrows %1 times as long as they are; colours reach to %2 mm, between markers interpolated.</source>
-        <translation>Gemessen minus vorhergesagt, wo dieser Versuch am weitesten abwich. Pfeile %1-fach verlängert; Farben bis %2 mm, zwischen Markern interpoliert.</translation>
+        <translation>Medido menos predicho, donde este ensayo más se apartó. Flechas alargadas %1 veces; colores hasta %2 mm, interpolados entre marcadores.</translation>
     </message>
     <message>
         <source>Nothing is missing: what the declared model leaves, %1, is noise.</source>
-        <translation>Nichts fehlt: Was das angegebene Modell übrig lässt, %1, ist Rauschen.</translation>
+        <translation>No falta nada: lo que deja el modelo declarado, %1, es ruido.</translation>
     </message>
     <message>
         <source>No test finds anything in it that noise would not do.</source>
-        <translation>Kein Test findet darin etwas, das Rauschen nicht täte.</translation>
+        <translation>Ninguna prueba encuentra en ello nada que el ruido no haría.</translation>
     </message>
     <message>
         <source>What the declared model leaves is not noise: %1.</source>
-        <translation>Was das angegebene Modell übrig lässt, ist kein Rauschen: %1.</translation>
+        <translation>Lo que deja el modelo declarado no es ruido: %1.</translation>
     </message>
     <message>
         <source>What is left at the end: %1.</source>
-        <translation>Was am Ende bleibt: %1.</translation>
+        <translation>Lo que queda al final: %1.</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation>Vorher</translation>
+        <translation>Antes</translation>
     </message>
     <message>
         <source>After</source>
-        <translation>Nachher</translation>
+        <translation>Después</translation>
     </message>
     <message>
         <source>Suspects</source>
-        <translation>Verdächtige</translation>
+        <translation>Sospechosos</translation>
     </message>
     <message>
         <source>What to measure next</source>
-        <translation>Was als Nächstes zu messen ist</translation>
+        <translation>Qué medir después</translation>
     </message>
     <message>
         <source>No further trial is known that would tell the leading explanations apart.</source>
-        <translation>Kein weiterer Versuch ist bekannt, der die führenden Erklärungen unterschiede.</translation>
+        <translation>No se conoce otro ensayo que distinga las explicaciones principales.</translation>
     </message>
     <message>
         <source>Trial that is shown</source>
-        <translation>Gezeigter Versuch</translation>
+        <translation>Ensayo mostrado</translation>
     </message>
     <message>
         <source>What is left, in space</source>
-        <translation>Was übrig bleibt, im Raum</translation>
+        <translation>Lo que queda, en el espacio</translation>
     </message>
     <message>
         <source>The error before and after</source>
-        <translation>Der Fehler vorher und nachher</translation>
+        <translation>El error antes y después</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation>Einzelheiten</translation>
+        <translation>Detalles</translation>
     </message>
     <message>
         <source>%1: no effect that Glisson knows explains the error.</source>
-        <translation>%1: Kein Effekt, den Glisson kennt, erklärt den Fehler.</translation>
+        <translation>%1: ningún efecto que Glisson conozca explica el error.</translation>
     </message>
     <message>
         <source>%1: %2. This takes away %3 % of the error; what is left is noise.</source>
-        <translation>%1: %2. Das nimmt %3 % des Fehlers weg; was bleibt, ist Rauschen.</translation>
+        <translation>%1: %2. Esto quita el %3 % del error; lo que queda es ruido.</translation>
     </message>
     <message>
         <source>%1: %2. This takes away %3 % of the error. More than noise is left: it is a part of the answer, and no proof of a cause.</source>
-        <translation>%1: %2. Das nimmt %3 % des Fehlers weg. Mehr als Rauschen bleibt: Es ist ein Teil der Antwort und kein Beweis einer Ursache.</translation>
+        <translation>%1: %2. Esto quita el %3 % del error. Queda más que ruido: es una parte de la respuesta, y no prueba de una causa.</translation>
     </message>
     <message>
         <source>The error falls from %1 to %2.</source>
-        <translation>Der Fehler fällt von %1 auf %2.</translation>
+        <translation>El error baja de %1 a %2.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::EvidenceView</name>
     <message>
         <source>Evidence</source>
-        <translation>Befunde</translation>
+        <translation>Evidencia</translation>
     </message>
     <message>
         <source>Hold measurements against the model, and find what it lacks.</source>
-        <translation>Messungen gegen das Modell halten und finden, was ihm fehlt.</translation>
+        <translation>Contrastar mediciones con el modelo y encontrar lo que le falta.</translation>
     </message>
     <message>
         <source>Measurements</source>
-        <translation>Messungen</translation>
+        <translation>Mediciones</translation>
     </message>
     <message>
         <source>Open an experiment...</source>
-        <translation>Experiment öffnen …</translation>
+        <translation>Abrir un experimento…</translation>
     </message>
     <message>
         <source>A file that says what was measured and which model was assumed (Help, Closing the loop)</source>
-        <translation>Eine Datei, die sagt, was gemessen und welches Modell angenommen wurde (Hilfe, Den Kreis mit Messungen schließen)</translation>
+        <translation>Un archivo que dice qué se midió y qué modelo se supuso (Ayuda, Cerrar el círculo con mediciones)</translation>
     </message>
     <message>
         <source>Try the example</source>
-        <translation>Das Beispiel probieren</translation>
+        <translation>Probar el ejemplo</translation>
     </message>
     <message>
         <source>Silicone of liver-like stiffness, compressed: measured, not simulated</source>
-        <translation>Silikon von leberähnlicher Steifigkeit unter Druck: gemessen, nicht simuliert</translation>
+        <translation>Silicona de rigidez parecida al hígado, comprimida: medida, no simulada</translation>
     </message>
     <message>
         <source>Open a report...</source>
-        <translation>Bericht öffnen …</translation>
+        <translation>Abrir un informe…</translation>
     </message>
     <message>
         <source>A folder with report.json and model.json, written here or by glisson-cli explain</source>
-        <translation>Ein Ordner mit report.json und model.json, hier oder von glisson-cli explain geschrieben</translation>
+        <translation>Una carpeta con report.json y model.json, escrita aquí o por glisson-cli explain</translation>
     </message>
     <message>
         <source>For the patient</source>
-        <translation>Für den Patienten</translation>
+        <translation>Para el paciente</translation>
     </message>
     <message>
         <source>Accept for this patient</source>
-        <translation>Für diesen Patienten übernehmen</translation>
+        <translation>Aceptar para este paciente</translation>
     </message>
     <message>
         <source>Take back</source>
-        <translation>Zurücknehmen</translation>
+        <translation>Retirar</translation>
     </message>
     <message>
         <source>Other trials</source>
-        <translation>Andere Versuche</translation>
+        <translation>Otros ensayos</translation>
     </message>
     <message>
         <source>Predict other trials...</source>
-        <translation>Andere Versuche vorhersagen …</translation>
+        <translation>Predecir otros ensayos…</translation>
     </message>
     <message>
         <source>An experiment of the same kind; where it was measured, both models are compared with it</source>
-        <translation>Ein Experiment derselben Art; wo gemessen wurde, werden beide Modelle damit verglichen</translation>
+        <translation>Un experimento del mismo tipo; donde se midió, ambos modelos se comparan con él</translation>
     </message>
     <message>
         <source>Save the report...</source>
-        <translation>Bericht speichern …</translation>
+        <translation>Guardar el informe…</translation>
     </message>
     <message>
         <source>Open measurements of a palpation, a material test or a wearable computer.
 Glisson says how far the declared model is off, what it lacks, and how sure that is.
 
 No measurements at hand? Try the example: silicone of liver-like stiffness in compression.</source>
-        <translation>Öffnen Sie Messungen einer Palpation, eines Materialversuchs oder eines am Körper getragenen Rechners.
-Glisson sagt, wie weit das angegebene Modell danebenliegt, was ihm fehlt und wie sicher das ist.
+        <translation>Abra mediciones de una palpación, un ensayo de material o un ordenador corporal.
+Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué certeza.
 
-Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnlicher Steifigkeit unter Druck.</translation>
+¿No tiene mediciones a mano? Pruebe el ejemplo: silicona de rigidez parecida al hígado, en compresión.</translation>
     </message>
     <message>
         <source>Explaining %1</source>
-        <translation>%1 wird erklärt</translation>
+        <translation>Explicando %1</translation>
     </message>
     <message>
         <source>Open measurements first.</source>
-        <translation>Öffnen Sie zuerst Messungen.</translation>
+        <translation>Abra primero mediciones.</translation>
     </message>
     <message>
         <source>Nothing was found missing that could be accepted.</source>
-        <translation>Nichts Fehlendes gefunden, das übernommen werden könnte.</translation>
+        <translation>No se encontró que faltara nada que pudiera aceptarse.</translation>
     </message>
     <message>
         <source>What was found is of a computer, not of a patient.</source>
-        <translation>Das Gefundene betrifft einen Rechner, keinen Patienten.</translation>
+        <translation>Lo encontrado es de un ordenador, no de un paciente.</translation>
     </message>
     <message>
         <source>Open the patient&apos;s case first.</source>
-        <translation>Öffnen Sie zuerst den Fall des Patienten.</translation>
+        <translation>Abra primero el caso del paciente.</translation>
     </message>
     <message>
         <source>Tick an effect among what was found.</source>
-        <translation>Kreuzen Sie unter dem Gefundenen einen Effekt an.</translation>
+        <translation>Marque un efecto entre lo encontrado.</translation>
     </message>
     <message>
         <source>%1, learnt from %2</source>
-        <translation>%1, gelernt aus %2</translation>
+        <translation>%1, aprendido de %2</translation>
     </message>
     <message>
         <source>A palpation</source>
-        <translation>Eine Palpation</translation>
+        <translation>Una palpación</translation>
     </message>
     <message>
         <source>A material test</source>
-        <translation>Ein Materialversuch</translation>
+        <translation>Un ensayo de material</translation>
     </message>
     <message>
         <source>A wearable computer</source>
-        <translation>Ein am Körper getragener Rechner</translation>
+        <translation>Un ordenador corporal</translation>
     </message>
     <message>
         <source>Nothing is open.</source>
-        <translation>Nichts ist geöffnet.</translation>
+        <translation>No hay nada abierto.</translation>
     </message>
     <message>
         <source>The ticked effects change the organ that is rehearsed</source>
-        <translation>Die angekreuzten Effekte ändern das Organ, das geprobt wird</translation>
+        <translation>Los efectos marcados cambian el órgano que se ensaya</translation>
     </message>
     <message>
         <source>Nothing was accepted for this patient.</source>
-        <translation>Für diesen Patienten wurde nichts übernommen.</translation>
+        <translation>No se aceptó nada para este paciente.</translation>
     </message>
     <message>
         <source>The organ is again what it was before</source>
-        <translation>Das Organ ist wieder, was es vorher war</translation>
+        <translation>El órgano vuelve a ser lo que era</translation>
     </message>
     <message>
         <source>Accepted: %1</source>
-        <translation>Übernommen: %1</translation>
+        <translation>Aceptado: %1</translation>
     </message>
     <message>
         <source>Accepted, but left out: %1</source>
-        <translation>Übernommen, aber ausgelassen: %1</translation>
+        <translation>Aceptado, pero omitido: %1</translation>
     </message>
     <message>
         <source>About %1 s left</source>
-        <translation>Noch etwa %1 s</translation>
+        <translation>Quedan unos %1 s</translation>
     </message>
     <message>
         <source>About %1 min left</source>
-        <translation>Noch etwa %1 min</translation>
+        <translation>Quedan unos %1 min</translation>
     </message>
     <message>
         <source>Accepting the evidence</source>
-        <translation>Befund wird übernommen</translation>
+        <translation>Aceptando la evidencia</translation>
     </message>
     <message>
         <source>Taking the evidence back</source>
-        <translation>Befund wird zurückgenommen</translation>
+        <translation>Retirando la evidencia</translation>
     </message>
     <message>
         <source>Predicting the trials of %1</source>
-        <translation>Versuche von %1 werden vorhergesagt</translation>
+        <translation>Prediciendo los ensayos de %1</translation>
     </message>
     <message>
         <source>not measured</source>
-        <translation>nicht gemessen</translation>
+        <translation>no medido</translation>
     </message>
     <message>
         <source>Trial</source>
-        <translation>Versuch</translation>
+        <translation>Ensayo</translation>
     </message>
     <message>
         <source>Declared</source>
-        <translation>Angegebenes</translation>
+        <translation>Declarado</translation>
     </message>
     <message>
         <source>Better</source>
-        <translation>Besseres</translation>
+        <translation>Mejor</translation>
     </message>
     <message>
         <source>Root mean square error, %1</source>
-        <translation>Mittlerer quadratischer Fehler, %1</translation>
+        <translation>Error cuadrático medio, %1</translation>
     </message>
     <message>
         <source>Open an experiment</source>
-        <translation>Experiment öffnen</translation>
+        <translation>Abrir un experimento</translation>
     </message>
     <message>
         <source>Experiments (*.json)</source>
-        <translation>Experimente (*.json)</translation>
+        <translation>Experimentos (*.json)</translation>
     </message>
     <message>
         <source>Open a report (a folder with report.json)</source>
-        <translation>Einen Bericht öffnen (ein Ordner mit report.json)</translation>
+        <translation>Abrir un informe (una carpeta con report.json)</translation>
     </message>
     <message>
         <source>Predict other trials</source>
-        <translation>Andere Versuche vorhersagen</translation>
+        <translation>Predecir otros ensayos</translation>
     </message>
     <message>
         <source>Save the report in this folder</source>
-        <translation>Den Bericht in diesem Ordner speichern</translation>
+        <translation>Guardar el informe en esta carpeta</translation>
     </message>
     <message>
         <source>The report is in %1</source>
-        <translation>Der Bericht liegt in %1</translation>
+        <translation>El informe está en %1</translation>
     </message>
     <message>
         <source>What was found would change nothing in the rehearsal: %1</source>
-        <translation>Was gefunden wurde, würde an der Probe nichts ändern: %1</translation>
+        <translation>Lo hallado no cambiaría nada en el ensayo: %1</translation>
     </message>
     <message>
         <source>This was measured on &quot;%1&quot;, and nothing shows that it is tissue of %2.</source>
-        <translation>Das wurde an „%1“ gemessen, und nichts zeigt, dass es Gewebe von %2 ist.</translation>
+        <translation>Esto se midió en «%1», y nada muestra que sea tejido de %2.</translation>
     </message>
     <message>
         <source>Accept for this patient?</source>
-        <translation>Für diesen Patienten annehmen?</translation>
+        <translation>¿Aceptar para este paciente?</translation>
     </message>
     <message>
         <source>Specimen: %1
@@ -5019,50 +5094,50 @@ Patient: %2
 
 The organ that is rehearsed changes:
 %3</source>
-        <translation>Probe: %1
-Patient: %2
+        <translation>Muestra: %1
+Paciente: %2
 
-Das geprobte Organ ändert sich:
+El órgano que se ensaya cambia:
 %3</translation>
     </message>
     <message>
         <source>Accept</source>
-        <translation>Annehmen</translation>
+        <translation>Aceptar</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ExportMenu</name>
     <message>
         <source>Images and outlines as NIfTI...</source>
-        <translation>Bilder und Umrisse als NIfTI...</translation>
+        <translation>Imágenes y contornos como NIfTI...</translation>
     </message>
     <message>
         <source>Images and outlines as NRRD (3D Slicer)...</source>
-        <translation>Bilder und Umrisse als NRRD (3D Slicer)...</translation>
+        <translation>Imágenes y contornos como NRRD (3D Slicer)...</translation>
     </message>
     <message>
         <source>Outlines as DICOM SEG...</source>
-        <translation>Umrisse als DICOM SEG...</translation>
+        <translation>Contornos como DICOM SEG...</translation>
     </message>
     <message>
         <source>Surfaces as STL...</source>
-        <translation>Oberflächen als STL...</translation>
+        <translation>Superficies como STL...</translation>
     </message>
     <message>
         <source>Surfaces as OBJ...</source>
-        <translation>Oberflächen als OBJ...</translation>
+        <translation>Superficies como OBJ...</translation>
     </message>
     <message>
         <source>Surfaces as VTP (ParaView)...</source>
-        <translation>Oberflächen als VTP (ParaView)...</translation>
+        <translation>Superficies como VTP (ParaView)...</translation>
     </message>
     <message>
         <source>The model&apos;s tetrahedra as VTU...</source>
-        <translation>Die Tetraeder des Modells als VTU...</translation>
+        <translation>Los tetraedros del modelo como VTU...</translation>
     </message>
     <message>
         <source>Save the outlines</source>
-        <translation>Umrisse speichern</translation>
+        <translation>Guardar los contornos</translation>
     </message>
     <message>
         <source>DICOM (*.dcm)</source>
@@ -5070,38 +5145,38 @@ Das geprobte Organ ändert sich:
     </message>
     <message>
         <source>Save the model</source>
-        <translation>Modell speichern</translation>
+        <translation>Guardar el modelo</translation>
     </message>
     <message>
         <source>VTK meshes (*.vtu)</source>
-        <translation>VTK-Netze (*.vtu)</translation>
+        <translation>Mallas VTK (*.vtu)</translation>
     </message>
     <message>
         <source>Write the files into this folder</source>
-        <translation>Dateien in diesen Ordner schreiben</translation>
+        <translation>Escribir los archivos en esta carpeta</translation>
     </message>
     <message>
         <source>Exporting</source>
-        <translation>Export</translation>
+        <translation>Exportación</translation>
     </message>
     <message>
         <source>Files written: %1, in %2</source>
-        <translation>Geschriebene Dateien: %1, in %2</translation>
+        <translation>Archivos escritos: %1, en %2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::FiguresTable</name>
     <message>
         <source>Figures of the registrations</source>
-        <translation>Kennzahlen der Registrierungen</translation>
+        <translation>Cifras de los registros</translation>
     </message>
     <message>
         <source>Mean correlation</source>
-        <translation>Mittlere Korrelation</translation>
+        <translation>Correlación media</translation>
     </message>
     <message>
         <source>Rejected (%)</source>
-        <translation>Verworfen (%)</translation>
+        <translation>Rechazados (%)</translation>
     </message>
     <message>
         <source>TRE (mm)</source>
@@ -5109,7 +5184,7 @@ Das geprobte Organ ändert sich:
     </message>
     <message>
         <source>TRE, this frame (mm)</source>
-        <translation>TRE, dieses Bild (mm)</translation>
+        <translation>TRE, este fotograma (mm)</translation>
     </message>
     <message>
         <source>RMSE (mm)</source>
@@ -5117,50 +5192,50 @@ Das geprobte Organ ändert sich:
     </message>
     <message>
         <source>RMSE, this frame (mm)</source>
-        <translation>RMSE, dieses Bild (mm)</translation>
+        <translation>RMSE, este fotograma (mm)</translation>
     </message>
     <message>
         <source>Landmarks</source>
-        <translation>Landmarken</translation>
+        <translation>Puntos de referencia</translation>
     </message>
     <message>
         <source>Triangles</source>
-        <translation>Dreiecke</translation>
+        <translation>Triángulos</translation>
     </message>
     <message>
         <source>Time (s)</source>
-        <translation>Zeit (s)</translation>
+        <translation>Tiempo (s)</translation>
     </message>
     <message>
         <source>SIRGn, over the triangles: 1 is best</source>
-        <translation>SIRGn, über die Dreiecke: 1 ist am besten</translation>
+        <translation>SIRGn, sobre los triángulos: 1 es lo mejor</translation>
     </message>
     <message>
         <source>Share of the triangles whose corners are off by %1 mm or more on average</source>
-        <translation>Anteil der Dreiecke, deren Ecken im Mittel um %1 mm oder mehr danebenliegen</translation>
+        <translation>Proporción de triángulos cuyos vértices se desvían en promedio %1 mm o más</translation>
     </message>
     <message>
         <source>Target registration error: how far registered landmarks are from where they are on the model, mm</source>
-        <translation>Zielregistrierungsfehler (TRE): wie weit registrierte Landmarken von ihrem Ort auf dem Modell entfernt sind, mm</translation>
+        <translation>Error de registro del objetivo (TRE): distancia entre los puntos de referencia registrados y su lugar en el modelo, mm</translation>
     </message>
     <message>
         <source>How far the registered cloud is from the model (root mean square), mm</source>
-        <translation>Wie weit die registrierte Punktwolke vom Modell entfernt ist (quadratisches Mittel), mm</translation>
+        <translation>Distancia de la nube registrada al modelo (media cuadrática), mm</translation>
     </message>
     <message>
         <source>To register all frames and to judge them, s</source>
-        <translation>Um alle Bilder zu registrieren und zu beurteilen, s</translation>
+        <translation>Para registrar todos los fotogramas y juzgarlos, s</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::FoundTree</name>
     <message>
         <source>Effect</source>
-        <translation>Effekt</translation>
+        <translation>Efecto</translation>
     </message>
     <message>
         <source>Value ± sd</source>
-        <translation>Wert ± Std.abw.</translation>
+        <translation>Valor ± desv.</translation>
     </message>
     <message>
         <source>95 %</source>
@@ -5168,26 +5243,26 @@ Das geprobte Organ ändert sich:
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
+        <translation>%1 a %2</translation>
     </message>
     <message>
         <source>● left open by the data</source>
-        <translation>● von den Daten offen gelassen</translation>
+        <translation>● los datos lo dejan abierto</translation>
     </message>
     <message>
         <source>changes nothing in the rehearsal</source>
-        <translation>ändert an der Probe nichts</translation>
+        <translation>no cambia nada en el ensayo</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::LabelNamesDialog</name>
     <message>
         <source>What the labels are</source>
-        <translation>Was die Labels sind</translation>
+        <translation>Qué son las etiquetas</translation>
     </message>
     <message>
         <source>%1 does not say what its values are. Choose a structure for each that you want.</source>
-        <translation>%1 sagt nicht, was seine Werte sind. Wählen Sie für jeden, den Sie wollen, eine Struktur.</translation>
+        <translation>%1 no dice qué son sus valores. Elija una estructura para cada uno de los que quiera.</translation>
     </message>
     <message>
         <source>%1: %2 ml</source>
@@ -5195,65 +5270,67 @@ Das geprobte Organ ändert sich:
     </message>
     <message>
         <source>Leave out</source>
-        <translation>Weglassen</translation>
+        <translation>Omitir</translation>
     </message>
     <message>
         <source>Take them</source>
-        <translation>Übernehmen</translation>
+        <translation>Tomarlas</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::LandmarkTable</name>
     <message>
         <source>Landmark</source>
-        <translation>Landmarke</translation>
+        <translation>Punto</translation>
     </message>
     <message>
         <source>Moves
 mm</source>
-        <translation>Weg
+        <translation>Despl.
 mm</translation>
     </message>
     <message>
         <source>Atlas off
 mm</source>
-        <translation>Atlas irrt
+        <translation>Error
+atlas
 mm</translation>
     </message>
     <message>
         <source>From 5 mm</source>
-        <translation>Ab 5 mm</translation>
+        <translation>Desde
+5 mm</translation>
     </message>
     <message>
         <source>How far from there the atlas&apos;s stiffness puts it</source>
-        <translation>Wie weit entfernt davon die Steifigkeit des Atlas sie platziert</translation>
+        <translation>A qué distancia de ahí lo sitúa la rigidez del atlas</translation>
     </message>
     <message>
         <source>5 mm and more matters to a surgeon</source>
-        <translation>5 mm und mehr sind für Chirurgen von Bedeutung</translation>
+        <translation>5 mm o más son importantes para un cirujano</translation>
     </message>
     <message>
         <source>▲ Atlas off</source>
-        <translation>▲ Atlas irrt</translation>
+        <translation>▲ Atlas falla</translation>
     </message>
     <message>
         <source>● Moves</source>
-        <translation>● Bewegt sich</translation>
+        <translation>● Se mueve</translation>
     </message>
     <message>
         <source>How far the landmark moves from where the scan shows it</source>
-        <translation>Wie weit sich die Landmarke von dort bewegt, wo die Aufnahme sie zeigt</translation>
+        <translation>Cuánto se aleja el punto de referencia de donde lo muestra la exploración</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::LanguageMenu</name>
     <message>
         <source>&amp;Language</source>
-        <translation>&amp;Sprache</translation>
+        <translation>&amp;Idioma</translation>
     </message>
     <message>
         <source>System language</source>
-        <translation>Sprache des Systems</translation>
+        <translation>Idioma del sistema</translation>
     </message>
 </context>
 <context>
@@ -5264,39 +5341,39 @@ mm</translation>
     </message>
     <message>
         <source>Patient</source>
-        <translation>Patient</translation>
+        <translation>Paciente</translation>
     </message>
     <message>
         <source>Coronal</source>
-        <translation>Koronal</translation>
+        <translation>Coronal</translation>
     </message>
     <message>
         <source>Sagittal</source>
-        <translation>Sagittal</translation>
+        <translation>Sagital</translation>
     </message>
     <message>
         <source>Drag: turn. Shift+drag: shift. Wheel: zoom. Click: crosshair there.</source>
-        <translation>Ziehen: Drehen. Umschalt+Ziehen: Verschieben. Rad: Zoom. Klick: Fadenkreuz dorthin.</translation>
+        <translation>Arrastrar: girar. Mayús+arrastrar: desplazar. Rueda: zoom. Clic: cruz en ese lugar.</translation>
     </message>
     <message>
         <source>Surgeon</source>
-        <translation>Chirurg</translation>
+        <translation>Cirujano</translation>
     </message>
     <message>
         <source>Front</source>
-        <translation>Vorn</translation>
+        <translation>Delante</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation>Rechts</translation>
+        <translation>Derecha</translation>
     </message>
     <message>
         <source>Below</source>
-        <translation>Unten</translation>
+        <translation>Debajo</translation>
     </message>
     <message>
         <source>Look from here, everything in view</source>
-        <translation>Von hier blicken, alles im Bild</translation>
+        <translation>Mirar desde aquí, con todo a la vista</translation>
     </message>
     <message>
         <source>Atlas</source>
@@ -5305,27 +5382,27 @@ mm</translation>
     <message>
         <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
 Ctrl+wheel: zoom. Shift+drag: shift. Ctrl+drag: turn. Knobs of the crosshair: tilt the other slices.</source>
-        <translation>Klick: Fadenkreuz. Mit rechter Taste ziehen: Helligkeit und Kontrast. Rad: nächste Schicht.
-Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fadenkreuz: die anderen Schichten kippen.</translation>
+        <translation>Clic: cruz. Arrastrar con el derecho: brillo y contraste. Rueda: corte siguiente.
+Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores de la cruz: inclinar los otros cortes.</translation>
     </message>
     <message>
         <source>Save the picture</source>
-        <translation>Bild speichern</translation>
+        <translation>Guardar la imagen</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
-        <translation>Bilder (*.png)</translation>
+        <translation>Imágenes (*.png)</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::MainWindow</name>
     <message>
         <source>Opening %1</source>
-        <translation>%1 wird geöffnet</translation>
+        <translation>Abriendo %1</translation>
     </message>
     <message>
         <source>Opening the demo patient</source>
-        <translation>Demopatient wird geöffnet</translation>
+        <translation>Abriendo el paciente de demostración</translation>
     </message>
     <message>
         <source>Glisson</source>
@@ -5337,31 +5414,31 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     </message>
     <message>
         <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
+        <translation>&amp;Archivo</translation>
     </message>
     <message>
         <source>&amp;Open a case...</source>
-        <translation>Fall ö&amp;ffnen …</translation>
+        <translation>&amp;Abrir un caso…</translation>
     </message>
     <message>
         <source>Open the &amp;demo patient</source>
-        <translation>&amp;Demopatienten öffnen</translation>
+        <translation>Abrir el paciente de &amp;demostración</translation>
     </message>
     <message>
         <source>&amp;Save the picture...</source>
-        <translation>Bild &amp;speichern …</translation>
+        <translation>&amp;Guardar la imagen…</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
+        <translation>&amp;Salir</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation>&amp;Hilfe</translation>
+        <translation>A&amp;yuda</translation>
     </message>
     <message>
         <source>&amp;About Glisson</source>
-        <translation>&amp;Über Glisson</translation>
+        <translation>&amp;Acerca de Glisson</translation>
     </message>
     <message>
         <source>%1 (%2 %)</source>
@@ -5369,209 +5446,209 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     </message>
     <message>
         <source>A defect in Glisson stopped this: %1</source>
-        <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
+        <translation>Un defecto de Glisson ha interrumpido esto: %1</translation>
     </message>
     <message>
         <source>Click on the liver where the tool is to touch it.</source>
-        <translation>Klicken Sie auf die Leber, wo das Instrument sie berühren soll.</translation>
+        <translation>Haga clic en el hígado donde el instrumento deba tocarlo.</translation>
     </message>
     <message>
         <source>Tool placed in %1 ms.</source>
-        <translation>Instrument in %1 ms gesetzt.</translation>
+        <translation>Instrumento colocado en %1 ms.</translation>
     </message>
     <message>
         <source>Open a case (a folder NAME.glisson)</source>
-        <translation>Fall öffnen (ein Ordner NAME.glisson)</translation>
+        <translation>Abrir un caso (una carpeta NOMBRE.glisson)</translation>
     </message>
     <message>
         <source>Save the picture</source>
-        <translation>Bild speichern</translation>
+        <translation>Guardar la imagen</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
-        <translation>Bilder (*.png)</translation>
+        <translation>Imágenes (*.png)</translation>
     </message>
     <message>
         <source>The picture could not be written to %1.</source>
-        <translation>Das Bild konnte nicht nach %1 geschrieben werden.</translation>
+        <translation>No se ha podido escribir la imagen en %1.</translation>
     </message>
     <message>
         <source>About Glisson</source>
-        <translation>Über Glisson</translation>
+        <translation>Acerca de Glisson</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planning and reviewing liver surgery.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not a medical device.&lt;/b&gt; Not for diagnosis or treatment.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planung und Auswertung von Leberoperationen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Kein Medizinprodukt.&lt;/b&gt; Nicht für Diagnose oder Behandlung.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planificación y revisión de la cirugía hepática.&lt;/p&gt;&lt;p&gt;&lt;b&gt;No es un producto sanitario.&lt;/b&gt; No apto para diagnóstico ni tratamiento.&lt;/p&gt;&lt;p&gt;Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Something else is still under way. Wait for it, or cancel it first.</source>
-        <translation>Etwas anderes läuft noch. Warten Sie darauf, oder brechen Sie es zuerst ab.</translation>
+        <translation>Hay otra operación en curso. Espere a que termine o cancélela antes.</translation>
     </message>
     <message>
         <source>Outlining the liver</source>
-        <translation>Leber wird umrissen</translation>
+        <translation>Delimitando el hígado</translation>
     </message>
     <message>
         <source>Building the model</source>
-        <translation>Modell wird erstellt</translation>
+        <translation>Construyendo el modelo</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
+        <translation>Cancelado.</translation>
     </message>
     <message>
         <source>Elastography &amp;waves...</source>
-        <translation>Elastographie-&amp;Wellen …</translation>
+        <translation>&amp;Ondas de elastografía…</translation>
     </message>
     <message>
         <source>&amp;Manual</source>
-        <translation>&amp;Handbuch</translation>
+        <translation>&amp;Manual</translation>
     </message>
     <message>
         <source>Rehearse</source>
-        <translation>Proben</translation>
+        <translation>Ensayar</translation>
     </message>
     <message>
         <source>Pull with a tool, and see what moves and how far.</source>
-        <translation>Mit einem Instrument ziehen und sehen, was sich wie weit bewegt.</translation>
+        <translation>Tirar con un instrumento y ver qué se mueve y cuánto.</translation>
     </message>
     <message>
         <source>Platform</source>
-        <translation>Plattform</translation>
+        <translation>Plataforma</translation>
     </message>
     <message>
         <source>Find what can be worn for this case.</source>
-        <translation>Finden, was sich für diesen Fall tragen lässt.</translation>
+        <translation>Encontrar qué se puede llevar puesto en este caso.</translation>
     </message>
     <message>
         <source>&amp;Go</source>
-        <translation>&amp;Gehe zu</translation>
+        <translation>&amp;Ir</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation>&amp;Zuletzt geöffnet</translation>
+        <translation>Abiertos &amp;recientemente</translation>
     </message>
     <message>
         <source>Se&amp;ttings...</source>
-        <translation>&amp;Einstellungen …</translation>
+        <translation>&amp;Ajustes…</translation>
     </message>
     <message>
         <source>&amp;Keys...</source>
-        <translation>&amp;Tasten …</translation>
+        <translation>&amp;Teclas…</translation>
     </message>
     <message>
         <source>&amp;Log and problems...</source>
-        <translation>&amp;Protokoll und Probleme …</translation>
+        <translation>&amp;Registro y problemas…</translation>
     </message>
     <message>
         <source>None yet</source>
-        <translation>Noch keine</translation>
+        <translation>Ninguno todavía</translation>
     </message>
     <message>
         <source>Forget them</source>
-        <translation>Liste leeren</translation>
+        <translation>Vaciar la lista</translation>
     </message>
     <message>
         <source>&amp;Tour on the demo patient</source>
-        <translation>&amp;Rundgang am Demopatienten</translation>
+        <translation>&amp;Recorrido con el paciente de demostración</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
+        <translation>&amp;Editar</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
+        <translation>&amp;Ver</translation>
     </message>
     <message>
         <source>Open &amp;images...</source>
-        <translation>&amp;Bilder öffnen...</translation>
+        <translation>Abrir &amp;imágenes...</translation>
     </message>
     <message>
         <source>&amp;Add labels...</source>
-        <translation>&amp;Labels hinzufügen...</translation>
+        <translation>&amp;Añadir etiquetas...</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation>&amp;Export</translation>
+        <translation>&amp;Exportar</translation>
     </message>
     <message>
         <source>&amp;Close the case</source>
-        <translation>Fall s&amp;chließen</translation>
+        <translation>&amp;Cerrar el caso</translation>
     </message>
     <message>
         <source>Open images: a folder, or a file of them</source>
-        <translation>Bilder öffnen: ein Ordner oder eine Datei davon</translation>
+        <translation>Abrir imágenes: una carpeta o uno de sus archivos</translation>
     </message>
     <message>
         <source>Add labels</source>
-        <translation>Labels hinzufügen</translation>
+        <translation>Añadir etiquetas</translation>
     </message>
     <message>
         <source>Label maps and DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;All files (*)</source>
-        <translation>Labelkarten und DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;Alle Dateien (*)</translation>
+        <translation>Mapas de etiquetas y DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>%1 is still under way. If you close now, it is given up, and the case stays as it was.</source>
-        <translation>%1 läuft noch. Wenn Sie jetzt schließen, wird das aufgegeben, und der Fall bleibt, wie er war.</translation>
+        <translation>%1 sigue en curso. Si cierra ahora, se abandona y el caso queda como estaba.</translation>
     </message>
     <message>
         <source>Keep working</source>
-        <translation>Weiterarbeiten</translation>
+        <translation>Seguir</translation>
     </message>
     <message>
         <source>Give it up and close</source>
-        <translation>Aufgeben und schließen</translation>
+        <translation>Abandonar y cerrar</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
     <message>
         <source>Manual - Glisson</source>
-        <translation>Handbuch - Glisson</translation>
+        <translation>Manual - Glisson</translation>
     </message>
     <message>
         <source>Search the manual</source>
-        <translation>Handbuch durchsuchen</translation>
+        <translation>Buscar en el manual</translation>
     </message>
     <message>
         <source>Words to search for</source>
-        <translation>Suchwörter</translation>
+        <translation>Palabras que buscar</translation>
     </message>
     <message>
         <source>Pages of the manual</source>
-        <translation>Seiten des Handbuchs</translation>
+        <translation>Páginas del manual</translation>
     </message>
     <message>
         <source>The page</source>
-        <translation>Die Seite</translation>
+        <translation>La página</translation>
     </message>
     <message>
         <source>The manual was not found among the files that ship with Glisson.</source>
-        <translation>Das Handbuch wurde unter den mit Glisson gelieferten Dateien nicht gefunden.</translation>
+        <translation>No se ha encontrado el manual entre los archivos que acompañan a Glisson.</translation>
     </message>
     <message>
         <source>No page holds these words.</source>
-        <translation>Keine Seite enthält diese Wörter.</translation>
+        <translation>Ninguna página contiene estas palabras.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::MeasureList</name>
     <message>
         <source>Measurements</source>
-        <translation>Messungen</translation>
+        <translation>Medidas</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation>Abstand</translation>
+        <translation>Distancia</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation>Winkel</translation>
+        <translation>Ángulo</translation>
     </message>
     <message>
         <source>Ball</source>
-        <translation>Kugel</translation>
+        <translation>Bola</translation>
     </message>
     <message>
         <source>Volume: %1</source>
@@ -5579,50 +5656,50 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     </message>
     <message>
         <source>Takes this measurement away</source>
-        <translation>Nimmt diese Messung weg</translation>
+        <translation>Quita esta medida</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ModelPanel</name>
     <message>
         <source>Model</source>
-        <translation>Modell</translation>
+        <translation>Modelo</translation>
     </message>
     <message>
         <source>Bring it up to date</source>
-        <translation>Auf den neuesten Stand bringen</translation>
+        <translation>Actualizarlo</translation>
     </message>
     <message>
         <source>Cells, stiffness and supports of the liver, and building them anew.</source>
-        <translation>Zellen, Steifigkeit und Lagerung der Leber, und wie sie neu erstellt werden.</translation>
+        <translation>Celdas, rigidez y apoyos del hígado, y cómo construirlos de nuevo.</translation>
     </message>
     <message>
         <source>Needs an outline of the liver: make it in Segment.</source>
-        <translation>Braucht einen Umriss der Leber: Machen Sie ihn unter Segmentieren.</translation>
+        <translation>Necesita un contorno del hígado: hágalo en Segmentar.</translation>
     </message>
     <message>
         <source>The 3D view shows</source>
-        <translation>Die 3D-Ansicht zeigt</translation>
+        <translation>La vista 3D muestra</translation>
     </message>
     <message>
         <source>Stiffness</source>
-        <translation>Steifigkeit</translation>
+        <translation>Rigidez</translation>
     </message>
     <message>
         <source>The patient</source>
-        <translation>Den Patienten</translation>
+        <translation>El paciente</translation>
     </message>
     <message>
         <source>Cells</source>
-        <translation>Zellen</translation>
+        <translation>Celdas</translation>
     </message>
     <message>
         <source>Young&apos;s modulus</source>
-        <translation>E-Modul</translation>
+        <translation>Módulo de Young</translation>
     </message>
     <message>
         <source>From MR elastography</source>
-        <translation>Aus der MR-Elastographie</translation>
+        <translation>De la elastografía por RM</translation>
     </message>
     <message>
         <source> kPa</source>
@@ -5630,159 +5707,159 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     </message>
     <message>
         <source>Young&apos;s modulus, about three times the shear modulus</source>
-        <translation>Elastizitätsmodul, etwa das Dreifache des Schubmoduls</translation>
+        <translation>Módulo de Young, unas tres veces el módulo de cizalla</translation>
     </message>
     <message>
         <source>Give it this stiffness</source>
-        <translation>Diese Steifigkeit geben</translation>
+        <translation>Darle esta rigidez</translation>
     </message>
     <message>
         <source>Elastography waves...</source>
-        <translation>Elastographie-Wellen …</translation>
+        <translation>Ondas de elastografía…</translation>
     </message>
     <message>
         <source>Build</source>
-        <translation>Erstellen</translation>
+        <translation>Construir</translation>
     </message>
     <message>
         <source> cells</source>
-        <translation> Zellen</translation>
+        <translation> celdas</translation>
     </message>
     <message>
         <source>Wanted number of cells: more are finer and slower. 20 000 answer at once.</source>
-        <translation>Gewünschte Zahl der Zellen: mehr sind feiner und langsamer. 20 000 antworten sofort.</translation>
+        <translation>Número de celdas deseado: más son más finas y lentas. 20 000 responden al instante.</translation>
     </message>
     <message>
         <source>Building the model</source>
-        <translation>Modell wird erstellt</translation>
+        <translation>Construyendo el modelo</translation>
     </message>
     <message>
         <source>Opening %1</source>
-        <translation>%1 wird geöffnet</translation>
+        <translation>Abriendo %1</translation>
     </message>
     <message>
         <source>Held</source>
-        <translation>Gehalten</translation>
+        <translation>Sujeto</translation>
     </message>
     <message>
         <source>On springs</source>
-        <translation>Auf Federn</translation>
+        <translation>Sobre muelles</translation>
     </message>
     <message>
         <source>Young&apos;s modulus (kPa)</source>
-        <translation>Elastizitätsmodul (kPa)</translation>
+        <translation>Módulo de Young (kPa)</translation>
     </message>
     <message>
         <source>Needs a case: open one, or the demo patient.</source>
-        <translation>Braucht einen Fall: Öffnen Sie einen, oder den Demopatienten.</translation>
+        <translation>Necesita un caso: abra uno o el paciente de demostración.</translation>
     </message>
     <message>
         <source>There is no model yet. Build it from the outline.</source>
-        <translation>Es gibt noch kein Modell. Erstellen Sie es aus dem Umriss.</translation>
+        <translation>Aún no hay modelo. Constrúyalo a partir del contorno.</translation>
     </message>
     <message>
         <source>✓ The model is up to date.</source>
-        <translation>✓ Das Modell ist auf dem neuesten Stand.</translation>
+        <translation>✓ El modelo está al día.</translation>
     </message>
     <message>
         <source>▲ A file of the model is gone.</source>
-        <translation>▲ Eine Datei des Modells fehlt.</translation>
+        <translation>▲ Falta un archivo del modelo.</translation>
     </message>
     <message>
         <source>▲ Another program has changed a file of the model.</source>
-        <translation>▲ Ein anderes Programm hat eine Datei des Modells geändert.</translation>
+        <translation>▲ Otro programa ha cambiado un archivo del modelo.</translation>
     </message>
     <message>
         <source>▲ The model is out of date.</source>
-        <translation>▲ Das Modell ist veraltet.</translation>
+        <translation>▲ El modelo está desactualizado.</translation>
     </message>
     <message>
         <source>▲ Out of date: %1 changed since it was built.</source>
-        <translation>▲ Veraltet: %1 hat sich geändert, seit es erstellt wurde.</translation>
+        <translation>▲ Desactualizado: %1 cambió desde que se construyó.</translation>
     </message>
     <message>
         <source>Build it anew</source>
-        <translation>Neu erstellen</translation>
+        <translation>Construirlo de nuevo</translation>
     </message>
     <message>
         <source>Build the model</source>
-        <translation>Modell erstellen</translation>
+        <translation>Construir el modelo</translation>
     </message>
     <message>
         <source>This case has no stiffness map: import one, or invert its waves</source>
-        <translation>Dieser Fall hat keine Steifigkeitskarte: Importieren Sie eine, oder invertieren Sie seine Wellen</translation>
+        <translation>Este caso no tiene mapa de rigidez: importe uno o invierta sus ondas</translation>
     </message>
     <message>
         <source>Keeps the cells and gives each this stiffness</source>
-        <translation>Behält die Zellen und gibt jeder diese Steifigkeit</translation>
+        <translation>Conserva las celdas y da a cada una esta rigidez</translation>
     </message>
     <message>
         <source>Needs cells: build the model first</source>
-        <translation>Braucht Zellen: Erstellen Sie zuerst das Modell</translation>
+        <translation>Necesita celdas: construya primero el modelo</translation>
     </message>
     <message>
         <source>Makes the cells anew and gives them the stiffness chosen above</source>
-        <translation>Macht die Zellen neu und gibt ihnen die oben gewählte Steifigkeit</translation>
+        <translation>Rehace las celdas y les da la rigidez elegida arriba</translation>
     </message>
     <message>
         <source>See the waves and invert them</source>
-        <translation>Die Wellen ansehen und invertieren</translation>
+        <translation>Ver las ondas e invertirlas</translation>
     </message>
     <message>
         <source>This case has no raw waves</source>
-        <translation>Dieser Fall hat keine Rohwellen</translation>
+        <translation>Este caso no tiene ondas sin procesar</translation>
     </message>
     <message>
         <source>Assumed from the liver&apos;s shape: the bare area at the vena cava is held, the dome below the diaphragm rests on springs of 1.1 kPa/mm.</source>
-        <translation>Aus der Form der Leber angenommen: Die Area nuda an der Hohlvene wird gehalten, die Kuppel unter dem Zwerchfell ruht auf Federn von 1.1 kPa/mm.</translation>
+        <translation>Supuesto por la forma del hígado: el área desnuda junto a la vena cava está sujeta, la cúpula bajo el diafragma descansa sobre muelles de 1.1 kPa/mm.</translation>
     </message>
     <message>
         <source>%1 cells, %2 points</source>
-        <translation>%1 Zellen, %2 Punkte</translation>
+        <translation>%1 celdas, %2 puntos</translation>
     </message>
     <message>
         <source>Smallest dihedral angle %1°</source>
-        <translation>Kleinster Flächenwinkel %1°</translation>
+        <translation>Menor ángulo diedro %1°</translation>
     </message>
     <message>
         <source>smallest dihedral angle of a cell, °</source>
-        <translation>kleinster Flächenwinkel einer Zelle, °</translation>
+        <translation>menor ángulo diedro de una celda, °</translation>
     </message>
     <message>
         <source>%1 kPa on average, sd %2</source>
-        <translation>%1 kPa im Mittel, Standardabweichung %2</translation>
+        <translation>%1 kPa de media, desviación típica %2</translation>
     </message>
     <message>
         <source>%1 % of the cells without data of their own, filled from inside</source>
-        <translation>%1 % der Zellen ohne eigene Daten, von innen her aufgefüllt</translation>
+        <translation>%1 % de las celdas sin datos propios, rellenadas desde el interior</translation>
     </message>
     <message>
         <source>Young&apos;s modulus of a cell, kPa</source>
-        <translation>Elastizitätsmodul einer Zelle, kPa</translation>
+        <translation>módulo de Young de una celda, kPa</translation>
     </message>
     <message>
         <source>Assumed: the atlas&apos;s 2.1 kPa in shear</source>
-        <translation>Angenommen: die 2.1 kPa (Schub) des Atlas</translation>
+        <translation>Supuesto: los 2.1 kPa (cizalla) del atlas</translation>
     </message>
     <message>
         <source>Assumed: the atlas&apos;s 2.6 kPa in shear</source>
-        <translation>Angenommen: die 2.6 kPa (Schub) des Atlas</translation>
+        <translation>Supuesto: los 2.6 kPa (cizalla) del atlas</translation>
     </message>
     <message>
         <source>Assumed: one value for all cells</source>
-        <translation>Angenommen: ein Wert für alle Zellen</translation>
+        <translation>Supuesto: un valor para todas las celdas</translation>
     </message>
     <message>
         <source>%1 ml outlined; the cells hold %2 % of it</source>
-        <translation>%1 ml umrissen; die Zellen füllen %2 % davon</translation>
+        <translation>%1 ml de contorno; las celdas llenan el %2 %</translation>
     </message>
     <message>
         <source>Assumed: %1 kPa for all cells</source>
-        <translation>Angenommen: %1 kPa für alle Zellen</translation>
+        <translation>Supuesto: %1 kPa para todas las celdas</translation>
     </message>
     <message>
         <source>Attachments</source>
-        <translation>Aufhängung</translation>
+        <translation>Fijaciones</translation>
     </message>
 </context>
 <context>
@@ -5796,60 +5873,60 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <name>glisson::widgets::NextStepBox</name>
     <message>
         <source>Next: put the crosshair inside the liver, away from large vessels.</source>
-        <translation>Als Nächstes: Setzen Sie das Fadenkreuz in die Leber, fern von großen Gefäßen.</translation>
+        <translation>A continuación: coloque la cruz dentro del hígado, lejos de los vasos grandes.</translation>
     </message>
     <message>
         <source>Next: build the model of the liver from its outline and stiffness.</source>
-        <translation>Als Nächstes: Erstellen Sie das Modell der Leber aus ihrem Umriss und ihrer Steifigkeit.</translation>
+        <translation>A continuación: construya el modelo del hígado a partir de su contorno y su rigidez.</translation>
     </message>
     <message>
         <source>Outline the liver from here</source>
-        <translation>Leber von hier aus umreißen</translation>
+        <translation>Delimitar el hígado desde aquí</translation>
     </message>
     <message>
         <source>Build the model</source>
-        <translation>Modell erstellen</translation>
+        <translation>Construir el modelo</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::Notices</name>
     <message>
         <source>Close</source>
-        <translation>Schließen</translation>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::NumberBox</name>
     <message>
         <source>At most %1.</source>
-        <translation>Höchstens %1.</translation>
+        <translation>Como máximo %1.</translation>
     </message>
     <message>
         <source>At least %1.</source>
-        <translation>Mindestens %1.</translation>
+        <translation>Como mínimo %1.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::PatientViews</name>
     <message>
         <source>Displacement (mm)</source>
-        <translation>Verschiebung (mm)</translation>
+        <translation>Desplazamiento (mm)</translation>
     </message>
     <message>
         <source>Red: one stiffness from the atlas</source>
-        <translation>Rot: eine Steifigkeit aus dem Atlas</translation>
+        <translation>Rojo: una sola rigidez, del atlas</translation>
     </message>
     <message>
         <source>Blue: the patient&apos;s own stiffness</source>
-        <translation>Blau: die eigene Steifigkeit des Patienten</translation>
+        <translation>Azul: la rigidez propia del paciente</translation>
     </message>
     <message>
         <source>Purple: both agree</source>
-        <translation>Violett: beide stimmen überein</translation>
+        <translation>Violeta: ambas coinciden</translation>
     </message>
     <message>
         <source>Shear stiffness (kPa)</source>
-        <translation>Schersteifigkeit (kPa)</translation>
+        <translation>Rigidez a cizalla (kPa)</translation>
     </message>
     <message>
         <source>%1  %2 mm</source>
@@ -5861,184 +5938,185 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     </message>
     <message>
         <source>The patient&apos;s own stiffness</source>
-        <translation>Die eigene Steifigkeit des Patienten</translation>
+        <translation>La rigidez propia del paciente</translation>
     </message>
     <message>
         <source>One stiffness from the atlas</source>
-        <translation>Eine Steifigkeit aus dem Atlas</translation>
+        <translation>Una sola rigidez, la del atlas</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::PlatformTable</name>
     <message>
         <source>Assumed: %1 %2 (%3)</source>
-        <translation>Angenommen: %1 %2 (%3)</translation>
+        <translation>Supuesto: %1 %2 (%3)</translation>
     </message>
     <message>
         <source>head</source>
-        <translation>Kopf</translation>
+        <translation>cabeza</translation>
     </message>
     <message>
         <source>belt</source>
-        <translation>Gürtel</translation>
+        <translation>cinturón</translation>
     </message>
     <message>
         <source>back</source>
-        <translation>Rücken</translation>
+        <translation>espalda</translation>
     </message>
     <message>
         <source>idle draw</source>
-        <translation>Leerlauf</translation>
+        <translation>reposo</translation>
     </message>
     <message>
         <source>too hot idle</source>
-        <translation>zu heiß im Leerlauf</translation>
+        <translation>calor en reposo</translation>
     </message>
     <message>
         <source>too slow</source>
-        <translation>zu langsam</translation>
+        <translation>lentitud</translation>
     </message>
     <message>
         <source>slows itself down</source>
-        <translation>drosselt sich</translation>
+        <translation>se ralentiza</translation>
     </message>
     <message>
         <source>battery</source>
-        <translation>Akku</translation>
+        <translation>batería</translation>
     </message>
     <message>
         <source>too hot</source>
-        <translation>zu heiß</translation>
+        <translation>calor</translation>
     </message>
     <message>
         <source>✕ fails: %1</source>
-        <translation>✕ reicht nicht: %1</translation>
+        <translation>✕ no sirve: %1</translation>
     </message>
     <message>
         <source>heat</source>
-        <translation>Wärme</translation>
+        <translation>calor</translation>
     </message>
     <message>
         <source>speed</source>
-        <translation>Tempo</translation>
+        <translation>velocidad</translation>
     </message>
     <message>
         <source>✓ holds; next limit: %1</source>
-        <translation>✓ hält; nächste Grenze: %1</translation>
+        <translation>✓ aguanta; límite: %1</translation>
     </message>
     <message>
         <source>Platform</source>
-        <translation>Gerät</translation>
+        <translation>Plataforma</translation>
     </message>
     <message>
         <source>Worn on
 the</source>
-        <translation>Getragen
-am</translation>
+        <translation>Se lleva
+en</translation>
     </message>
     <message>
         <source>Draws idle
 W</source>
-        <translation>Leerlauf
+        <translation>En reposo
 W</translation>
     </message>
     <message>
         <source>Battery
 allows W</source>
-        <translation>Akku
-erlaubt W</translation>
+        <translation>Batería
+permite W</translation>
     </message>
     <message>
         <source>Left to
 compute W</source>
-        <translation>Rest zum
-Rechnen W</translation>
+        <translation>Queda para
+calcular W</translation>
     </message>
     <message>
         <source>Frames/s
 at most</source>
-        <translation>Bilder/s
-höchstens</translation>
+        <translation>Fotogr./s
+como máx.</translation>
     </message>
     <message>
         <source>Lasts
 h</source>
-        <translation>Hält
+        <translation>Dura
 h</translation>
     </message>
     <message>
         <source>Surface
 °C</source>
-        <translation>Oberfl.
+        <translation>Superf.
 °C</translation>
     </message>
     <message>
         <source>Limit</source>
-        <translation>Grenze</translation>
+        <translation>Límite</translation>
     </message>
     <message>
         <source>Assumed
 figures</source>
-        <translation>Annahmen</translation>
+        <translation>Cifras
+supuestas</translation>
     </message>
     <message>
         <source>What it takes from its battery when nothing is computed</source>
-        <translation>Was es seinem Akku entnimmt, wenn nichts gerechnet wird</translation>
+        <translation>Lo que toma de su batería cuando no se calcula nada</translation>
     </message>
     <message>
         <source>The largest constant power that its battery carries for the operation</source>
-        <translation>Die größte konstante Leistung, die sein Akku über die Operation trägt</translation>
+        <translation>La mayor potencia constante que su batería mantiene durante la operación</translation>
     </message>
     <message>
         <source>What the battery allows, less what idling takes</source>
-        <translation>Was der Akku erlaubt, abzüglich des Leerlaufs</translation>
+        <translation>Lo que permite la batería menos lo que consume el reposo</translation>
     </message>
     <message>
         <source>The frame rate that meets every constraint</source>
-        <translation>Die Bildrate, die jede Bedingung erfüllt</translation>
+        <translation>La frecuencia de fotogramas que cumple todas las condiciones</translation>
     </message>
     <message>
         <source>On one charge, at the wanted frame rate or the fastest it computes</source>
-        <translation>Mit einer Ladung, bei der gewünschten Bildrate oder der schnellsten, die es schafft</translation>
+        <translation>Con una carga, a la frecuencia de fotogramas deseada o a la más rápida que calcula</translation>
     </message>
     <message>
         <source>At the end of the operation</source>
-        <translation>Am Ende der Operation</translation>
+        <translation>Al final de la operación</translation>
     </message>
     <message>
         <source>Figures that nobody measured; ≈ marks what rests on them</source>
-        <translation>Werte, die niemand gemessen hat; ≈ kennzeichnet, was darauf beruht</translation>
+        <translation>Cifras que nadie ha medido; ≈ marca lo que depende de ellas</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
+        <translation>%1 de %2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::PlatformView</name>
     <message>
         <source>Volume and stiffness of %1</source>
-        <translation>Volumen und Steifigkeit von %1</translation>
+        <translation>Volumen y rigidez de %1</translation>
     </message>
     <message>
         <source>Volume of %1; its stiffness is not known</source>
-        <translation>Volumen von %1; die Steifigkeit ist nicht bekannt</translation>
+        <translation>Volumen de %1; su rigidez no se conoce</translation>
     </message>
     <message>
         <source>Stiffness of %1; its volume is not known</source>
-        <translation>Steifigkeit von %1; das Volumen ist nicht bekannt</translation>
+        <translation>Rigidez de %1; su volumen no se conoce</translation>
     </message>
     <message>
         <source>%1 has no outlined liver yet: type its volume</source>
-        <translation>%1 hat noch keine umrissene Leber: Geben Sie ihr Volumen ein</translation>
+        <translation>%1 aún no tiene el hígado delimitado: escriba su volumen</translation>
     </message>
     <message>
         <source>The case</source>
-        <translation>Der Fall</translation>
+        <translation>El caso</translation>
     </message>
     <message>
         <source>No case is open: type its figures</source>
-        <translation>Kein Fall ist geöffnet: Geben Sie seine Werte ein</translation>
+        <translation>No hay ningún caso abierto: escriba sus cifras</translation>
     </message>
     <message>
         <source> cm³</source>
@@ -6046,7 +6124,7 @@ figures</source>
     </message>
     <message>
         <source>Liver</source>
-        <translation>Leber</translation>
+        <translation>Hígado</translation>
     </message>
     <message>
         <source> kPa</source>
@@ -6054,19 +6132,19 @@ figures</source>
     </message>
     <message>
         <source>Mean Young&apos;s modulus. Softer tissue moves farther under the same load, and what a coarse model misses of it grows alike.</source>
-        <translation>Mittlerer Elastizitätsmodul. Weicheres Gewebe bewegt sich unter derselben Last weiter, und was einem groben Modell davon entgeht, wächst ebenso.</translation>
+        <translation>Módulo de Young medio. Un tejido más blando se mueve más con la misma carga, y lo que un modelo grueso pierde de ello crece igual.</translation>
     </message>
     <message>
         <source>Young&apos;s modulus</source>
-        <translation>E-Modul</translation>
+        <translation>Módulo de Young</translation>
     </message>
     <message>
         <source>What is wanted</source>
-        <translation>Was gewünscht ist</translation>
+        <translation>Lo que se desea</translation>
     </message>
     <message>
         <source>Accuracy</source>
-        <translation>Genauigkeit</translation>
+        <translation>Precisión</translation>
     </message>
     <message>
         <source> mm</source>
@@ -6074,7 +6152,7 @@ figures</source>
     </message>
     <message>
         <source>Duration of the operation</source>
-        <translation>Dauer der Operation</translation>
+        <translation>Duración de la operación</translation>
     </message>
     <message>
         <source> h</source>
@@ -6082,7 +6160,7 @@ figures</source>
     </message>
     <message>
         <source>Frame rate</source>
-        <translation>Bildrate</translation>
+        <translation>Frecuencia de fotogramas</translation>
     </message>
     <message>
         <source> /s</source>
@@ -6090,11 +6168,11 @@ figures</source>
     </message>
     <message>
         <source>The room and the skin</source>
-        <translation>Raum und Haut</translation>
+        <translation>La sala y la piel</translation>
     </message>
     <message>
         <source>Operating room</source>
-        <translation>Operationssaal</translation>
+        <translation>Quirófano</translation>
     </message>
     <message>
         <source> °C</source>
@@ -6102,67 +6180,67 @@ figures</source>
     </message>
     <message>
         <source>Hottest surface to be worn</source>
-        <translation>Heißeste tragbare Oberfläche</translation>
+        <translation>Superficie más caliente que se puede llevar</translation>
     </message>
     <message>
         <source>The work</source>
-        <translation>Die Arbeit</translation>
+        <translation>El trabajo</translation>
     </message>
     <message>
         <source>Add devices...</source>
-        <translation>Geräte hinzufügen …</translation>
+        <translation>Añadir dispositivos…</translation>
     </message>
     <message>
         <source>A table of your own, or what glisson-cli platform measure wrote</source>
-        <translation>Eine eigene Tabelle oder was glisson-cli platform measure geschrieben hat</translation>
+        <translation>Una tabla propia o lo que escribió glisson-cli platform measure</translation>
     </message>
     <message>
         <source>Surface temperature</source>
-        <translation>Oberflächentemperatur</translation>
+        <translation>Temperatura de la superficie</translation>
     </message>
     <message>
         <source>Frame rate that holds</source>
-        <translation>Bildrate, die hält</translation>
+        <translation>Frecuencia de fotogramas que aguanta</translation>
     </message>
     <message>
         <source>Battery life</source>
-        <translation>Akkulaufzeit</translation>
+        <translation>Duración de la batería</translation>
     </message>
     <message>
         <source>Mean power</source>
-        <translation>Mittlere Leistung</translation>
+        <translation>Potencia media</translation>
     </message>
     <message>
         <source>Add devices</source>
-        <translation>Geräte hinzufügen</translation>
+        <translation>Añadir dispositivos</translation>
     </message>
     <message>
         <source>Device tables (*.json)</source>
-        <translation>Gerätetabellen (*.json)</translation>
+        <translation>Tablas de dispositivos (*.json)</translation>
     </message>
     <message>
         <source>%1 nodes of %2 mm³. A frame is %3 block products: %4 MB to move, %5 million operations.</source>
-        <translation>%1 Knoten zu %2 mm³. Ein Bild sind %3 Blockprodukte: %4 MB zu bewegen, %5 Millionen Operationen.</translation>
+        <translation>%1 nodos de %2 mm³. Un fotograma son %3 productos por bloques: %4 MB que mover, %5 millones de operaciones.</translation>
     </message>
     <message>
         <source>None of these platforms holds.</source>
-        <translation>Keines dieser Geräte hält.</translation>
+        <translation>Ninguna de estas plataformas aguanta.</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the head: %1</source>
-        <translation>Am wenigsten störend von denen, die halten, am Kopf: %1</translation>
+        <translation>La menos molesta que aguanta, en la cabeza: %1</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the belt: %1</source>
-        <translation>Am wenigsten störend von denen, die halten, am Gürtel: %1</translation>
+        <translation>La menos molesta que aguanta, en el cinturón: %1</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the back: %1</source>
-        <translation>Am wenigsten störend von denen, die halten, am Rücken: %1</translation>
+        <translation>La menos molesta que aguanta, en la espalda: %1</translation>
     </message>
     <message>
         <source>Surface after %1 h at %2 frames/s (°C)</source>
-        <translation>Oberfläche nach %1 h bei %2 Bildern/s (°C)</translation>
+        <translation>Superficie tras %1 h a %2 fotogramas/s (°C)</translation>
     </message>
     <message>
         <source>%1 °C</source>
@@ -6170,7 +6248,7 @@ figures</source>
     </message>
     <message>
         <source>Frames/s that hold for %1 h</source>
-        <translation>Bilder/s, die %1 h halten</translation>
+        <translation>Fotogramas/s que aguantan %1 h</translation>
     </message>
     <message>
         <source>%1 /s</source>
@@ -6178,7 +6256,7 @@ figures</source>
     </message>
     <message>
         <source>Battery lasts at %1 frames/s (h)</source>
-        <translation>Akku hält bei %1 Bildern/s (h)</translation>
+        <translation>La batería dura a %1 fotogramas/s (h)</translation>
     </message>
     <message>
         <source>%1 h</source>
@@ -6186,106 +6264,106 @@ figures</source>
     </message>
     <message>
         <source>Mean power at %1 frames/s (W)</source>
-        <translation>Mittlere Leistung bei %1 Bildern/s (W)</translation>
+        <translation>Potencia media a %1 fotogramas/s (W)</translation>
     </message>
     <message>
         <source>%1 W: the battery</source>
-        <translation>%1 W: der Akku</translation>
+        <translation>%1 W: la batería</translation>
     </message>
     <message>
         <source>an operation of at most %1 h</source>
-        <translation>eine Operation von höchstens %1 h</translation>
+        <translation>una operación de como máximo %1 h</translation>
     </message>
     <message>
         <source>at most %1 frames/s</source>
-        <translation>höchstens %1 Bilder/s</translation>
+        <translation>como máximo %1 fotogramas/s</translation>
     </message>
     <message>
         <source>an accuracy of %1 mm</source>
-        <translation>eine Genauigkeit von %1 mm</translation>
+        <translation>una precisión de %1 mm</translation>
     </message>
     <message>
         <source>a battery of %1 Wh</source>
-        <translation>ein Akku von %1 Wh</translation>
+        <translation>una batería de %1 Wh</translation>
     </message>
     <message>
         <source>a heat sink of %1 °C/W</source>
-        <translation>ein Kühlkörper von %1 °C/W</translation>
+        <translation>un disipador de %1 °C/W</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation>gemessen</translation>
+        <translation>medido</translation>
     </message>
     <message>
         <source>computed</source>
-        <translation>berechnet</translation>
+        <translation>calculado</translation>
     </message>
     <message>
         <source>dissertation</source>
-        <translation>Dissertation</translation>
+        <translation>tesis</translation>
     </message>
     <message>
         <source>ASSUMED</source>
-        <translation>ANGENOMMEN</translation>
+        <translation>SUPUESTO</translation>
     </message>
     <message>
         <source>Idle first: it draws %1 W of the %2 W that its battery allows over %3 h; it would last %4 h and reach %5 °C without computing anything.</source>
-        <translation>Zuerst der Leerlauf: Es nimmt %1 W von den %2 W auf, die sein Akku über %3 h erlaubt; ohne zu rechnen hielte es %4 h und erreichte %5 °C.</translation>
+        <translation>Primero el reposo: consume %1 W de los %2 W que su batería permite durante %3 h; sin calcular nada duraría %4 h y llegaría a %5 °C.</translation>
     </message>
     <message>
         <source>Frames/s: %1 by its speed, %2 by its battery, %3 by its heat. A frame takes %4 J above idle; mean power %5 W.</source>
-        <translation>Bilder/s: %1 nach Tempo, %2 nach Akku, %3 nach Wärme. Ein Bild braucht %4 J über dem Leerlauf; mittlere Leistung %5 W.</translation>
+        <translation>Fotogramas/s: %1 por su velocidad, %2 por su batería, %3 por su calor. Un fotograma consume %4 J sobre el reposo; potencia media %5 W.</translation>
     </message>
     <message>
         <source>Why it fails:</source>
-        <translation>Warum es nicht reicht:</translation>
+        <translation>Por qué no sirve:</translation>
     </message>
     <message>
         <source>No single figure would make it hold.</source>
-        <translation>Kein einzelner Wert würde es halten lassen.</translation>
+        <translation>Ninguna cifra por sí sola la haría aguantar.</translation>
     </message>
     <message>
         <source>It would hold with one of:</source>
-        <translation>Es hielte mit einem davon:</translation>
+        <translation>Aguantaría con una de estas:</translation>
     </message>
     <message>
         <source>Where its figures come from:</source>
-        <translation>Woher seine Werte stammen:</translation>
+        <translation>De dónde proceden sus cifras:</translation>
     </message>
     <message>
         <source>Volume of %1; its stiffness is assumed</source>
-        <translation>Volumen von %1; die Steifigkeit ist angenommen</translation>
+        <translation>Volumen de %1; su rigidez es supuesta</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ReadingPanel</name>
     <message>
         <source>Reading</source>
-        <translation>Lesen</translation>
+        <translation>Lectura</translation>
     </message>
     <message>
         <source>What the colours show</source>
-        <translation>Was die Farben zeigen</translation>
+        <translation>Qué muestran los colores</translation>
     </message>
     <message>
         <source>Colours: SIRGn&apos;s correlation</source>
-        <translation>Farben: Korrelation nach SIRGn</translation>
+        <translation>Colores: correlación de SIRGn</translation>
     </message>
     <message>
         <source>Colours: error of the landmarks (mm)</source>
-        <translation>Farben: Fehler der Landmarken (mm)</translation>
+        <translation>Colores: error de los puntos de referencia (mm)</translation>
     </message>
     <message>
         <source>Colours: doubt (mm)</source>
-        <translation>Farben: Zweifel (mm)</translation>
+        <translation>Colores: duda (mm)</translation>
     </message>
     <message>
         <source>Correlation: whether landmarks and warp move alike over time, 1 is best. Error: mean distance of a triangle&apos;s landmarks, as registered, from where they are on the model, mm. Doubt: motion that the registration leaves unexplained, mm, to be compared within one sequence.</source>
-        <translation>Korrelation: ob sich Landmarken und Verformung im Lauf der Zeit gleich bewegen, 1 ist am besten. Fehler: mittlerer Abstand der registrierten Landmarken eines Dreiecks von ihrem Ort auf dem Modell, mm. Zweifel: Bewegung, die die Registrierung unerklärt lässt, mm, nur innerhalb einer Sequenz zu vergleichen.</translation>
+        <translation>Correlación: si los puntos de referencia y la deformación se mueven igual con el tiempo, 1 es lo mejor. Error: distancia media de los puntos de referencia registrados de un triángulo a su lugar en el modelo, mm. Duda: movimiento que el registro deja sin explicar, mm, para comparar dentro de una misma secuencia.</translation>
     </message>
     <message>
         <source>Tolerance: rejected from</source>
-        <translation>Toleranz: verworfen ab</translation>
+        <translation>Tolerancia: rechazo a partir de</translation>
     </message>
     <message>
         <source> mm</source>
@@ -6293,11 +6371,11 @@ figures</source>
     </message>
     <message>
         <source>Triangles whose landmarks are off by this much or more, mm, are grey and hatched</source>
-        <translation>Dreiecke, deren Landmarken um so viel oder mehr danebenliegen (mm), sind grau und schraffiert</translation>
+        <translation>Los triángulos cuyos puntos de referencia se desvían esto o más (mm) se ven grises y rayados</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation>Toleranz</translation>
+        <translation>Tolerancia</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -6305,299 +6383,299 @@ figures</source>
     </message>
     <message>
         <source>Sets the tolerance to %1 mm</source>
-        <translation>Stellt die Toleranz auf %1 mm</translation>
+        <translation>Fija la tolerancia en %1 mm</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::RegisterPage</name>
     <message>
         <source>Register</source>
-        <translation>Registrieren</translation>
+        <translation>Registrar</translation>
     </message>
     <message>
         <source>See how good a registration of a video is, place by place.</source>
-        <translation>Sehen, wie gut eine Registrierung eines Videos ist, Stelle für Stelle.</translation>
+        <translation>Ver qué calidad tiene el registro de un vídeo, lugar por lugar.</translation>
     </message>
     <message>
         <source>Opening the sequence</source>
-        <translation>Die Sequenz wird geöffnet</translation>
+        <translation>Abriendo la secuencia</translation>
     </message>
     <message>
         <source>Making an example sequence</source>
-        <translation>Eine Beispielsequenz wird erstellt</translation>
+        <translation>Creando una secuencia de ejemplo</translation>
     </message>
     <message>
         <source>Registering the video</source>
-        <translation>Das Video wird registriert</translation>
+        <translation>Registrando el vídeo</translation>
     </message>
     <message>
         <source>A defect in Glisson stopped this: %1</source>
-        <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
+        <translation>Un defecto de Glisson detuvo esto: %1</translation>
     </message>
     <message>
         <source>Open another...</source>
-        <translation>Andere öffnen …</translation>
+        <translation>Abrir otra…</translation>
     </message>
     <message>
         <source>Another sequence.json in place of this one</source>
-        <translation>Eine andere sequence.json anstelle dieser</translation>
+        <translation>Otro sequence.json en lugar de este</translation>
     </message>
     <message>
         <source>Open a sequence</source>
-        <translation>Eine Sequenz öffnen</translation>
+        <translation>Abrir una secuencia</translation>
     </message>
     <message>
         <source>Sequences (*.json)</source>
-        <translation>Sequenzen (*.json)</translation>
+        <translation>Secuencias (*.json)</translation>
     </message>
     <message>
         <source>Click a triangle to see its history.</source>
-        <translation>Klicken Sie ein Dreieck an, um seinen Verlauf zu sehen.</translation>
+        <translation>Haga clic en un triángulo para ver su evolución.</translation>
     </message>
     <message>
         <source>%1 mm in this frame</source>
-        <translation>%1 mm in diesem Bild</translation>
+        <translation>%1 mm en este fotograma</translation>
     </message>
     <message>
         <source>not all its corners are seen in this frame</source>
-        <translation>nicht alle Ecken sind in diesem Bild zu sehen</translation>
+        <translation>no se ven todos sus vértices en este fotograma</translation>
     </message>
     <message>
         <source>rejected</source>
-        <translation>verworfen</translation>
+        <translation>rechazado</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation>angenommen</translation>
+        <translation>aceptado</translation>
     </message>
     <message>
         <source>%1, triangle %2: correlation %3; off by %4 mm on average, %5; %6</source>
-        <translation>%1, Dreieck %2: Korrelation %3; im Mittel %4 mm daneben, %5; %6</translation>
+        <translation>%1, triángulo %2: correlación %3; desviado %4 mm en promedio, %5; %6</translation>
     </message>
     <message>
         <source>%1: %2 frames, %3 landmarks</source>
-        <translation>%1: %2 Bilder, %3 Landmarken</translation>
+        <translation>%1: %2 fotogramas, %3 puntos de referencia</translation>
     </message>
     <message>
         <source>One moment...</source>
-        <translation>Einen Augenblick …</translation>
+        <translation>Un momento…</translation>
     </message>
     <message>
         <source>Click a triangle to see its history; hover over it for its figures</source>
-        <translation>Ein Dreieck anklicken, um seinen Verlauf zu sehen; darüberfahren für seine Zahlen</translation>
+        <translation>Haga clic en un triángulo para ver su evolución; pase por encima para ver sus cifras</translation>
     </message>
     <message>
         <source>Not registered yet: press &quot;Register and judge&quot;.</source>
-        <translation>Noch nicht registriert: „Registrieren und beurteilen“ drücken.</translation>
+        <translation>Aún sin registrar: pulse «Registrar y juzgar».</translation>
     </message>
     <message>
         <source>%1: %2 % of %3 triangles rejected at %4 mm</source>
-        <translation>%1: %2 % von %3 Dreiecken bei %4 mm verworfen</translation>
+        <translation>%1: %2 % de %3 triángulos rechazados a %4 mm</translation>
     </message>
     <message>
         <source>The sequence names no camera, so that no mesh can be drawn over the video.</source>
-        <translation>Die Sequenz nennt keine Kamera, darum lässt sich kein Netz über das Video zeichnen.</translation>
+        <translation>La secuencia no indica ninguna cámara, así que no se puede dibujar la malla sobre el vídeo.</translation>
     </message>
     <message>
         <source>The sequence names no pictures; the mesh is drawn on black.</source>
-        <translation>Die Sequenz nennt keine Bilder; das Netz wird auf Schwarz gezeichnet.</translation>
+        <translation>La secuencia no indica imágenes; la malla se dibuja sobre negro.</translation>
     </message>
     <message>
         <source>Correlation</source>
-        <translation>Korrelation</translation>
+        <translation>Correlación</translation>
     </message>
     <message>
         <source>Error
 (mm)</source>
-        <translation>Fehler
+        <translation>Error
 (mm)</translation>
     </message>
     <message>
         <source>Doubt
 (mm)</source>
-        <translation>Zweifel
+        <translation>Duda
 (mm)</translation>
     </message>
     <message>
         <source>good</source>
-        <translation>gut</translation>
+        <translation>bueno</translation>
     </message>
     <message>
         <source>bad</source>
-        <translation>schlecht</translation>
+        <translation>malo</translation>
     </message>
     <message>
         <source>rejected: off by %1 mm or more</source>
-        <translation>verworfen: %1 mm oder mehr daneben</translation>
+        <translation>rechazado: desviado %1 mm o más</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::RegisterWelcome</name>
     <message>
         <source>How good is a registration of a video?</source>
-        <translation>Wie gut ist eine Registrierung eines Videos?</translation>
+        <translation>¿Qué calidad tiene el registro de un vídeo?</translation>
     </message>
     <message>
         <source>This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the tracks of landmarks, and the model that is registered. glisson-cli sequence makes one of a stereo video and its calibration. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
-        <translation>Dazu braucht es eine Sequenz: eine sequence.json, die die Bilder eines Stereovideos nennt, zu jedem eine Punktwolke, die Spuren von Landmarken und das Modell, das registriert wird. glisson-cli sequence macht eine aus einem Stereovideo und seiner Kalibrierung. Ohne Video zeigt ein Beispiel, worum es geht: die Leber des Demopatienten, wie sie atmet und von einem Instrument eingedrückt wird, simuliert.</translation>
+        <translation>Hace falta una secuencia: un sequence.json que indica los fotogramas de un vídeo estéreo, una nube de puntos de cada uno, las trayectorias de puntos de referencia y el modelo que se registra. glisson-cli sequence la crea a partir de un vídeo estéreo y su calibración. Sin vídeo, un ejemplo muestra de qué se trata: el hígado del paciente de demostración, que respira y es presionado por un instrumento, simulado.</translation>
     </message>
     <message>
         <source>Open a sequence...</source>
-        <translation>Eine Sequenz öffnen …</translation>
+        <translation>Abrir una secuencia…</translation>
     </message>
     <message>
         <source>A sequence.json with its clouds, tracks and pictures beside it</source>
-        <translation>Eine sequence.json mit ihren Punktwolken, Spuren und Bildern daneben</translation>
+        <translation>Un sequence.json con sus nubes, trayectorias e imágenes al lado</translation>
     </message>
     <message>
         <source>Make an example sequence</source>
-        <translation>Beispielsequenz erstellen</translation>
+        <translation>Crear una secuencia de ejemplo</translation>
     </message>
     <message>
         <source>Simulates 40 frames in a few seconds and opens them; 7 MB</source>
-        <translation>Simuliert 40 Bilder in wenigen Sekunden und öffnet sie; 7 MB</translation>
+        <translation>Simula 40 fotogramas en pocos segundos y los abre; 7 MB</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::RehearsePanel</name>
     <message>
         <source>Rehearse</source>
-        <translation>Proben</translation>
+        <translation>Ensayar</translation>
     </message>
     <message>
         <source>Open a case with a model of the liver, or the demo patient, to rehearse a retraction.</source>
-        <translation>Öffnen Sie einen Fall mit einem Modell der Leber oder den Demopatienten, um eine Retraktion zu proben.</translation>
+        <translation>Abra un caso con un modelo del hígado, o el paciente de demostración, para ensayar una retracción.</translation>
     </message>
     <message>
         <source>Show the liver with the stiffness of</source>
-        <translation>Leber zeigen mit der Steifigkeit von</translation>
+        <translation>Mostrar el hígado con la rigidez de</translation>
     </message>
     <message>
         <source>Landmarks</source>
-        <translation>Landmarken</translation>
+        <translation>Puntos de referencia</translation>
     </message>
     <message>
         <source>Colour the liver by how far it moves</source>
-        <translation>Leber nach ihrer Bewegung einfärben</translation>
+        <translation>Colorear el hígado según su desplazamiento</translation>
     </message>
     <message>
         <source>Place the tool to see what moves.</source>
-        <translation>Setzen Sie das Instrument, um zu sehen, was sich bewegt.</translation>
+        <translation>Coloque el instrumento para ver qué se mueve.</translation>
     </message>
     <message>
         <source>The liver moves by up to %1 mm.</source>
-        <translation>Die Leber bewegt sich um bis zu %1 mm.</translation>
+        <translation>El hígado se mueve hasta %1 mm.</translation>
     </message>
     <message>
         <source>The atlas is off by up to %1 mm.</source>
-        <translation>Der Atlas irrt um bis zu %1 mm.</translation>
+        <translation>El atlas se equivoca hasta %1 mm.</translation>
     </message>
     <message>
         <source>Changed by evidence: %1</source>
-        <translation>Durch Befunde verändert: %1</translation>
+        <translation>Cambiado por la evidencia: %1</translation>
     </message>
     <message>
         <source>Evidence to bear in mind: %1</source>
-        <translation>Befunde, die zu bedenken sind: %1</translation>
+        <translation>Evidencia que tener presente: %1</translation>
     </message>
     <message>
         <source>Save...</source>
-        <translation>Speichern …</translation>
+        <translation>Guardar…</translation>
     </message>
     <message>
         <source>Saves the landmarks as CSV, in mm</source>
-        <translation>Speichert die Landmarken als CSV, in mm</translation>
+        <translation>Guarda los puntos de referencia como CSV, en mm</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation>Zeitverlauf</translation>
+        <translation>A lo largo del tiempo</translation>
     </message>
     <message>
         <source>Save the landmarks as a table</source>
-        <translation>Landmarken als Tabelle speichern</translation>
+        <translation>Guardar los puntos de referencia como tabla</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation>Tabellen (*.csv)</translation>
+        <translation>Tablas (*.csv)</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation>Geschrieben: %1</translation>
+        <translation>Escrito: %1</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ReportView</name>
     <message>
         <source>Report</source>
-        <translation>Bericht</translation>
+        <translation>Informe</translation>
     </message>
     <message>
         <source>Show the patient&apos;s name</source>
-        <translation>Den Namen des Patienten zeigen</translation>
+        <translation>Mostrar el nombre del paciente</translation>
     </message>
     <message>
         <source>Without it the page names neither the patient nor the case; see the settings too</source>
-        <translation>Ohne ihn nennt die Seite weder den Patienten noch den Fall; siehe auch die Einstellungen</translation>
+        <translation>Sin él, la página no nombra ni al paciente ni el caso; vea también los ajustes</translation>
     </message>
     <message>
         <source>Collect again</source>
-        <translation>Neu zusammenstellen</translation>
+        <translation>Reunir de nuevo</translation>
     </message>
     <message>
         <source>Reads the case and the present rehearsal anew</source>
-        <translation>Liest den Fall und die jetzige Probe neu</translation>
+        <translation>Lee de nuevo el caso y el ensayo actual</translation>
     </message>
     <message>
         <source>Save as a web page...</source>
-        <translation>Als Webseite speichern …</translation>
+        <translation>Guardar como página web…</translation>
     </message>
     <message>
         <source>Print to PDF...</source>
-        <translation>Als PDF drucken …</translation>
+        <translation>Imprimir a PDF…</translation>
     </message>
     <message>
         <source>All that was done for this patient on one page.</source>
-        <translation>Alles, was für diesen Patienten getan wurde, auf einer Seite.</translation>
+        <translation>Todo lo hecho para este paciente en una página.</translation>
     </message>
     <message>
         <source>Needs a case: open one, or the demo patient.</source>
-        <translation>Braucht einen Fall: Öffnen Sie einen, oder den Demopatienten.</translation>
+        <translation>Necesita un caso: abra uno o el paciente de demostración.</translation>
     </message>
     <message>
         <source>Collecting the report</source>
-        <translation>Bericht wird zusammengestellt</translation>
+        <translation>Reuniendo el informe</translation>
     </message>
     <message>
         <source>Open a case, or the demo patient, to see its page.</source>
-        <translation>Öffnen Sie einen Fall oder den Demopatienten, um die Seite zu sehen.</translation>
+        <translation>Abra un caso, o el paciente de demostración, para ver su página.</translation>
     </message>
     <message>
         <source>The page is being collected.</source>
-        <translation>Die Seite wird zusammengestellt.</translation>
+        <translation>La página se está reuniendo.</translation>
     </message>
     <message>
         <source>Something has changed since this page was collected.</source>
-        <translation>Seit diese Seite zusammengestellt wurde, hat sich etwas geändert.</translation>
+        <translation>Algo ha cambiado desde que se reunió esta página.</translation>
     </message>
     <message>
         <source>Collected from the case and from what is being rehearsed now.</source>
-        <translation>Zusammengestellt aus dem Fall und dem, was gerade geprobt wird.</translation>
+        <translation>Reunido del caso y de lo que se ensaya ahora.</translation>
     </message>
     <message>
         <source>Save the report</source>
-        <translation>Bericht speichern</translation>
+        <translation>Guardar el informe</translation>
     </message>
     <message>
         <source>Web pages (*.html)</source>
-        <translation>Webseiten (*.html)</translation>
+        <translation>Páginas web (*.html)</translation>
     </message>
     <message>
         <source>The report is in %1</source>
-        <translation>Der Bericht liegt in %1</translation>
+        <translation>El informe está en %1</translation>
     </message>
     <message>
         <source>Print the report</source>
-        <translation>Bericht drucken</translation>
+        <translation>Imprimir el informe</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
@@ -6605,153 +6683,153 @@ figures</source>
     </message>
     <message>
         <source>The report could not be written to %1.</source>
-        <translation>Der Bericht konnte nicht nach %1 geschrieben werden.</translation>
+        <translation>El informe no se pudo escribir en %1.</translation>
     </message>
     <message>
         <source>With what can be worn</source>
-        <translation>Mit tragbaren Rechnern</translation>
+        <translation>Con lo que se puede llevar</translation>
     </message>
     <message>
         <source>Adds which wearable computers can do this case, as planned in Platform</source>
-        <translation>Fügt hinzu, welche tragbaren Rechner diesen Fall leisten, wie in Plattform geplant</translation>
+        <translation>Añade qué ordenadores portables pueden con este caso, como se planificó en Plataforma</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ResectPanel</name>
     <message>
         <source>Plan a resection</source>
-        <translation>Resektion planen</translation>
+        <translation>Planificar una resección</translation>
     </message>
     <message>
         <source>Needs a model of the liver. Build it first, or open the demo patient.</source>
-        <translation>Braucht ein Modell der Leber. Erstellen Sie es zuerst, oder öffnen Sie den Demopatienten.</translation>
+        <translation>Necesita un modelo del hígado. Constrúyalo primero o abra el paciente de demostración.</translation>
     </message>
     <message>
         <source>Resect</source>
-        <translation>Resektion</translation>
+        <translation>Resección</translation>
     </message>
     <message>
         <source>Set a cut: what goes, what stays, how near the tumours it passes.</source>
-        <translation>Einen Schnitt legen: was wegfällt, was bleibt, wie nah er an den Tumoren verläuft.</translation>
+        <translation>Trazar una sección: qué se va, qué queda, a qué distancia de los tumores pasa.</translation>
     </message>
     <message>
         <source>Draws the part that is removed away from the rest</source>
-        <translation>Rückt den Teil, der entfernt wird, vom Rest ab</translation>
+        <translation>Aparta del resto la parte que se extirpa</translation>
     </message>
     <message>
         <source>Remove the other part</source>
-        <translation>Den anderen Teil entfernen</translation>
+        <translation>Extirpar la otra parte</translation>
     </message>
     <message>
         <source>No cut</source>
-        <translation>Kein Schnitt</translation>
+        <translation>Sin sección</translation>
     </message>
     <message>
         <source>Save this plan in the case</source>
-        <translation>Diesen Plan im Fall speichern</translation>
+        <translation>Guardar este plan en el caso</translation>
     </message>
     <message>
         <source>The three places lie almost on one line. Click three others.</source>
-        <translation>Die drei Stellen liegen fast auf einer Linie. Klicken Sie drei andere an.</translation>
+        <translation>Los tres lugares están casi en una línea. Haga clic en otros tres.</translation>
     </message>
     <message>
         <source>Click three places on the liver or in the slices.</source>
-        <translation>Klicken Sie drei Stellen auf der Leber oder in den Schichten an.</translation>
+        <translation>Haga clic en tres lugares del hígado o de los cortes.</translation>
     </message>
     <message>
         <source>Click on the liver or in the slices where the cut is to pass.</source>
-        <translation>Klicken Sie auf der Leber oder in den Schichten dorthin, wo der Schnitt verlaufen soll.</translation>
+        <translation>Haga clic en el hígado o en los cortes por donde deba pasar la sección.</translation>
     </message>
     <message>
         <source>Removed</source>
-        <translation>Entfernt</translation>
+        <translation>Extirpado</translation>
     </message>
     <message>
         <source>Stays</source>
-        <translation>Bleibt</translation>
+        <translation>Queda</translation>
     </message>
     <message>
         <source>This patient is not kept in a case folder</source>
-        <translation>Dieser Patient liegt in keinem Fallordner</translation>
+        <translation>Este paciente no se guarda en una carpeta de caso</translation>
     </message>
     <message>
         <source>Writes resection.json, parts.vtu and cut.vtp into results/resection</source>
-        <translation>Schreibt resection.json, parts.vtu und cut.vtp nach results/resection</translation>
+        <translation>Escribe resection.json, parts.vtu y cut.vtp en results/resection</translation>
     </message>
     <message>
         <source>Needs a cut through the liver</source>
-        <translation>Braucht einen Schnitt durch die Leber</translation>
+        <translation>Necesita una sección a través del hígado</translation>
     </message>
     <message>
         <source>Set three or more points where the cut is to pass: on the liver, or in the slices.</source>
-        <translation>Setzen Sie drei oder mehr Punkte, wo der Schnitt verlaufen soll: auf der Leber oder in den Schichten.</translation>
+        <translation>Ponga tres o más puntos por donde deba pasar la sección: en el hígado o en los cortes.</translation>
     </message>
     <message>
         <source>Click three places through which the plane is to pass.</source>
-        <translation>Klicken Sie drei Stellen an, durch die die Ebene gehen soll.</translation>
+        <translation>Haga clic en tres lugares por los que deba pasar el plano.</translation>
     </message>
     <message>
         <source>Planning...</source>
-        <translation>Wird geplant …</translation>
+        <translation>Planificando…</translation>
     </message>
     <message>
         <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
-        <translation>Setzen Sie das Fadenkreuz dorthin, wo der Schnitt verlaufen soll, dann die Ebene hindurch. Ziehen Sie ihre Linie in einer Schicht, um sie zu verschieben, und ein Ende der Linie, um sie zu kippen.</translation>
+        <translation>Ponga la cruz donde deba pasar la sección y después el plano por ella. Arrastre su línea en un corte para desplazarlo, y un extremo de la línea para inclinarlo.</translation>
     </message>
     <message>
         <source>Saving the plan</source>
-        <translation>Plan wird gespeichert</translation>
+        <translation>Guardando el plan</translation>
     </message>
     <message>
         <source>The plan is in %1</source>
-        <translation>Der Plan liegt in %1</translation>
+        <translation>El plan está en %1</translation>
     </message>
     <message>
         <source>Separation</source>
-        <translation>Trennen</translation>
+        <translation>Separación</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ResectionResults</name>
     <message>
         <source>removed</source>
-        <translation>entfernt</translation>
+        <translation>extirpado</translation>
     </message>
     <message>
         <source>stays</source>
-        <translation>bleibt</translation>
+        <translation>queda</translation>
     </message>
     <message>
         <source>cut through</source>
-        <translation>durchschnitten</translation>
+        <translation>seccionado</translation>
     </message>
     <message>
         <source>▲ R1: cut through</source>
-        <translation>▲ R1: durchschnitten</translation>
+        <translation>▲ R1: seccionado</translation>
     </message>
     <message>
         <source>▲ Stays in the patient</source>
-        <translation>▲ Bleibt im Patienten</translation>
+        <translation>▲ Queda en el paciente</translation>
     </message>
     <message>
         <source>▲ R1: under 1 mm</source>
-        <translation>▲ R1: unter 1 mm</translation>
+        <translation>▲ R1: menos de 1 mm</translation>
     </message>
     <message>
         <source>● Under 5 mm</source>
-        <translation>● Unter 5 mm</translation>
+        <translation>● Menos de 5 mm</translation>
     </message>
     <message>
         <source>Margins</source>
-        <translation>Abstände</translation>
+        <translation>Márgenes</translation>
     </message>
     <message>
         <source>Structure</source>
-        <translation>Struktur</translation>
+        <translation>Estructura</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation>Seite</translation>
+        <translation>Lado</translation>
     </message>
     <message>
         <source>mm</source>
@@ -6759,114 +6837,114 @@ figures</source>
     </message>
     <message>
         <source>Smallest distance to the cut inside the liver</source>
-        <translation>Kleinster Abstand zum Schnitt innerhalb der Leber</translation>
+        <translation>Menor distancia a la sección dentro del hígado</translation>
     </message>
     <message>
         <source>R1: a margin under 1 mm counts as tumour at the edge. Under 5 mm is narrow.</source>
-        <translation>R1: Ein Abstand unter 1 mm gilt als Tumor am Rand. Unter 5 mm ist knapp.</translation>
+        <translation>R1: un margen inferior a 1 mm cuenta como tumor en el borde. Menos de 5 mm es estrecho.</translation>
     </message>
     <message>
         <source>Vessels crossed</source>
-        <translation>Gekreuzte Gefäße</translation>
+        <translation>Vasos cruzados</translation>
     </message>
     <message>
         <source>Vessel</source>
-        <translation>Gefäß</translation>
+        <translation>Vaso</translation>
     </message>
     <message>
         <source>Diameter, mm</source>
-        <translation>Durchmesser, mm</translation>
+        <translation>Diámetro, mm</translation>
     </message>
     <message>
         <source>The cut crosses no vessel that was outlined.</source>
-        <translation>Der Schnitt kreuzt kein umrissenes Gefäß.</translation>
+        <translation>La sección no cruza ningún vaso delimitado.</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1 ml&lt;/b&gt; removed (%2 %)</source>
-        <translation>&lt;b&gt;%1 ml&lt;/b&gt; entfernt (%2 %)</translation>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; extirpados (%2 %)</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1 ml&lt;/b&gt; stay (%2 %)</source>
-        <translation>&lt;b&gt;%1 ml&lt;/b&gt; bleiben (%2 %)</translation>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; permanecen (%2 %)</translation>
     </message>
     <message>
         <source>Caution</source>
-        <translation>Vorsicht</translation>
+        <translation>Atención</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SegmentPanel</name>
     <message>
         <source>Segment</source>
-        <translation>Segmentieren</translation>
+        <translation>Segmentar</translation>
     </message>
     <message>
         <source>Outline the liver, its vessels and its tumours.</source>
-        <translation>Leber, Gefäße und Tumoren umreißen.</translation>
+        <translation>Delimitar el hígado, sus vasos y sus tumores.</translation>
     </message>
     <message>
         <source>Needs a case: open one, or import images.</source>
-        <translation>Braucht einen Fall: Öffnen Sie einen oder importieren Sie Bilder.</translation>
+        <translation>Necesita un caso: abra uno o importe imágenes.</translation>
     </message>
     <message>
         <source>Needs anatomical images: import them in Study.</source>
-        <translation>Braucht anatomische Bilder: Importieren Sie sie unter Studie.</translation>
+        <translation>Necesita imágenes anatómicas: impórtelas en Estudio.</translation>
     </message>
     <message>
         <source>Nothing changed.</source>
-        <translation>Nichts hat sich geändert.</translation>
+        <translation>No ha cambiado nada.</translation>
     </message>
     <message>
         <source>Reading the structures</source>
-        <translation>Strukturen werden gelesen</translation>
+        <translation>Leyendo las estructuras</translation>
     </message>
     <message>
         <source>Another name...</source>
-        <translation>Anderer Name …</translation>
+        <translation>Otro nombre…</translation>
     </message>
     <message>
         <source>Name of the structure</source>
-        <translation>Name der Struktur</translation>
+        <translation>Nombre de la estructura</translation>
     </message>
     <message>
         <source>Letters, digits and hyphens:</source>
-        <translation>Buchstaben, Ziffern und Bindestriche:</translation>
+        <translation>Letras, cifras y guiones:</translation>
     </message>
     <message>
         <source>Choose a structure first, or add one.</source>
-        <translation>Wählen Sie zuerst eine Struktur oder fügen Sie eine hinzu.</translation>
+        <translation>Elija primero una estructura o añada una.</translation>
     </message>
     <message>
         <source>Click into the structure first, in any slice.</source>
-        <translation>Klicken Sie zuerst in die Struktur, in irgendeiner Schicht.</translation>
+        <translation>Haga clic primero dentro de la estructura, en cualquier corte.</translation>
     </message>
     <message>
         <source>Replaces the outline by the tissue around the points</source>
-        <translation>Ersetzt den Umriss durch das Gewebe um die Punkte</translation>
+        <translation>Sustituye el contorno por el tejido alrededor de los puntos</translation>
     </message>
     <message>
         <source>Click into the tissue, away from large vessels. Points so far: %1</source>
-        <translation>Klicken Sie ins Gewebe, abseits großer Gefäße. Punkte bisher: %1</translation>
+        <translation>Haga clic en el tejido, lejos de los grandes vasos. Puntos hasta ahora: %1</translation>
     </message>
     <message>
         <source>Click on the piece that is to stay; all others go.</source>
-        <translation>Klicken Sie auf das Stück, das bleiben soll; alle anderen gehen.</translation>
+        <translation>Haga clic en el trozo que debe quedar; los demás se quitan.</translation>
     </message>
     <message>
         <source>Choose a tool to draw in the slices. Without one, clicks move the crosshair.</source>
-        <translation>Wählen Sie ein Werkzeug, um in den Schichten zu zeichnen. Ohne Werkzeug bewegen Klicks das Fadenkreuz.</translation>
+        <translation>Elija una herramienta para dibujar en los cortes. Sin ella, los clics mueven la cruz.</translation>
     </message>
     <message>
         <source>Growing: %1</source>
-        <translation>Wachsen: %1</translation>
+        <translation>Crecimiento: %1</translation>
     </message>
     <message>
         <source>Structures</source>
-        <translation>Strukturen</translation>
+        <translation>Estructuras</translation>
     </message>
     <message>
         <source>Structure</source>
-        <translation>Struktur</translation>
+        <translation>Estructura</translation>
     </message>
     <message>
         <source>ml</source>
@@ -6874,203 +6952,203 @@ figures</source>
     </message>
     <message>
         <source>The chosen one is drawn on. The box shows or hides it.</source>
-        <translation>Auf der gewählten wird gezeichnet. Das Kästchen zeigt oder verbirgt sie.</translation>
+        <translation>Se dibuja sobre la elegida. La casilla la muestra o la oculta.</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation>Hinzufügen</translation>
+        <translation>Añadir</translation>
     </message>
     <message>
         <source>A new, empty structure</source>
-        <translation>Eine neue, leere Struktur</translation>
+        <translation>Una estructura nueva y vacía</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation>Umbenennen</translation>
+        <translation>Renombrar</translation>
     </message>
     <message>
         <source>Another name, and with it another colour, for the chosen structure</source>
-        <translation>Ein anderer Name und damit eine andere Farbe für die gewählte Struktur</translation>
+        <translation>Otro nombre, y con él otro color, para la estructura elegida</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation>Entfernen</translation>
+        <translation>Quitar</translation>
     </message>
     <message>
         <source>Takes the chosen structure out of the case; Ctrl+Z brings it back</source>
-        <translation>Nimmt die gewählte Struktur aus dem Fall; Strg+Z bringt sie zurück</translation>
+        <translation>Quita del caso la estructura elegida; Ctrl+Z la recupera</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation>Werkzeuge</translation>
+        <translation>Herramientas</translation>
     </message>
     <message>
         <source>Crosshair</source>
-        <translation>Fadenkreuz</translation>
+        <translation>Cruz</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation>Pinsel</translation>
+        <translation>Pincel</translation>
     </message>
     <message>
         <source>Eraser</source>
-        <translation>Radierer</translation>
+        <translation>Goma</translation>
     </message>
     <message>
         <source>Smart brush</source>
-        <translation>Gewebepinsel</translation>
+        <translation>Pincel selectivo</translation>
     </message>
     <message>
         <source>Scissors</source>
-        <translation>Schere</translation>
+        <translation>Tijeras</translation>
     </message>
     <message>
         <source>Grow</source>
-        <translation>Wachsen</translation>
+        <translation>Crecer</translation>
     </message>
     <message>
         <source>Pick piece</source>
-        <translation>Stück wählen</translation>
+        <translation>Elegir trozo</translation>
     </message>
     <message>
         <source>Clicks move the crosshair</source>
-        <translation>Klicks bewegen das Fadenkreuz</translation>
+        <translation>Los clics mueven la cruz</translation>
     </message>
     <message>
         <source>Drag to add. Ctrl: erase instead. Shift+wheel: radius in mm</source>
-        <translation>Ziehen fügt hinzu. Strg: stattdessen löschen. Umschalt+Rad: Radius in mm</translation>
+        <translation>Arrastre para añadir. Ctrl: borrar. Mayús+rueda: radio en mm</translation>
     </message>
     <message>
         <source>Drag to take away. Ctrl: add instead. Shift+wheel: radius in mm</source>
-        <translation>Ziehen nimmt weg. Strg: stattdessen hinzufügen. Umschalt+Rad: Radius in mm</translation>
+        <translation>Arrastre para quitar. Ctrl: añadir. Mayús+rueda: radio en mm</translation>
     </message>
     <message>
         <source>Adds only where the grey values are like those under the click</source>
-        <translation>Fügt nur hinzu, wo die Grauwerte denen unter dem Klick gleichen</translation>
+        <translation>Añade solo donde los grises se parecen a los del punto pulsado</translation>
     </message>
     <message>
         <source>Draw around something, and cut away what is inside or outside</source>
-        <translation>Etwas umfahren und wegschneiden, was innen oder außen ist</translation>
+        <translation>Rodee algo y corte lo que queda dentro o fuera</translation>
     </message>
     <message>
         <source>Click points into the tissue, then let the structure grow over what looks alike</source>
-        <translation>Setzen Sie Punkte ins Gewebe und lassen Sie die Struktur dann über Gleichartiges wachsen</translation>
+        <translation>Marque puntos en el tejido y deje que la estructura crezca sobre lo que se le parece</translation>
     </message>
     <message>
         <source>Click on the piece that is to stay; all others go</source>
-        <translation>Klicken Sie auf das Stück, das bleiben soll; alle anderen gehen</translation>
+        <translation>Haga clic en el trozo que debe quedar; los demás se quitan</translation>
     </message>
     <message>
         <source>%1 (key %2)</source>
-        <translation>%1 (Taste %2)</translation>
+        <translation>%1 (tecla %2)</translation>
     </message>
     <message>
         <source>Radius (Shift+wheel)</source>
-        <translation>Radius (Umschalt+Rad)</translation>
+        <translation>Radio (Mayús+rueda)</translation>
     </message>
     <message>
         <source>Radius of the brush in mm</source>
-        <translation>Radius des Pinsels in mm</translation>
+        <translation>Radio del pincel en mm</translation>
     </message>
     <message>
         <source>Disc in this slice</source>
-        <translation>Scheibe in dieser Schicht</translation>
+        <translation>Disco en este corte</translation>
     </message>
     <message>
         <source>Ball through the slices</source>
-        <translation>Kugel durch die Schichten</translation>
+        <translation>Bola a través de los cortes</translation>
     </message>
     <message>
         <source>Whether the brush reaches into the neighbouring slices</source>
-        <translation>Ob der Pinsel in die Nachbarschichten reicht</translation>
+        <translation>Si el pincel alcanza los cortes vecinos</translation>
     </message>
     <message>
         <source>Tolerance (standard deviations)</source>
-        <translation>Toleranz (Standardabweichungen)</translation>
+        <translation>Tolerancia (desviaciones típicas)</translation>
     </message>
     <message>
         <source>How far a grey value may be from that under the click, in standard deviations around it</source>
-        <translation>Wie weit ein Grauwert von dem unter dem Klick abweichen darf, in Standardabweichungen um ihn</translation>
+        <translation>Cuánto puede apartarse un gris del que hay bajo el clic, en desviaciones típicas</translation>
     </message>
     <message>
         <source>Cut away what is inside</source>
-        <translation>Wegschneiden, was innen ist</translation>
+        <translation>Cortar lo que queda dentro</translation>
     </message>
     <message>
         <source>Cut away what is outside</source>
-        <translation>Wegschneiden, was außen ist</translation>
+        <translation>Cortar lo que queda fuera</translation>
     </message>
     <message>
         <source>In this slice only</source>
-        <translation>Nur in dieser Schicht</translation>
+        <translation>Solo en este corte</translation>
     </message>
     <message>
         <source>Through all slices</source>
-        <translation>Durch alle Schichten</translation>
+        <translation>A través de todos los cortes</translation>
     </message>
     <message>
         <source>Forget the points</source>
-        <translation>Punkte vergessen</translation>
+        <translation>Olvidar los puntos</translation>
     </message>
     <message>
         <source>The whole structure</source>
-        <translation>Die ganze Struktur</translation>
+        <translation>La estructura entera</translation>
     </message>
     <message>
         <source>Fill between slices</source>
-        <translation>Zwischen Schichten füllen</translation>
+        <translation>Rellenar entre cortes</translation>
     </message>
     <message>
         <source>Fill holes</source>
-        <translation>Löcher füllen</translation>
+        <translation>Rellenar huecos</translation>
     </message>
     <message>
         <source>Keep the largest</source>
-        <translation>Größtes behalten</translation>
+        <translation>Conservar el mayor</translation>
     </message>
     <message>
         <source>Remove pieces below</source>
-        <translation>Stücke entfernen unter</translation>
+        <translation>Quitar trozos de menos de</translation>
     </message>
     <message>
         <source>Smooth</source>
-        <translation>Glätten</translation>
+        <translation>Suavizar</translation>
     </message>
     <message>
         <source>Grow by</source>
-        <translation>Wachsen um</translation>
+        <translation>Ampliar en</translation>
     </message>
     <message>
         <source>Shrink by</source>
-        <translation>Schrumpfen um</translation>
+        <translation>Reducir en</translation>
     </message>
     <message>
         <source>Fills the slices between drawn ones by their shapes</source>
-        <translation>Füllt die Schichten zwischen gezeichneten nach deren Formen</translation>
+        <translation>Rellena los cortes entre los dibujados según sus formas</translation>
     </message>
     <message>
         <source>Fills what is enclosed on all sides</source>
-        <translation>Füllt, was ringsum eingeschlossen ist</translation>
+        <translation>Rellena lo que está cerrado por todos lados</translation>
     </message>
     <message>
         <source>Keeps the largest piece and drops the others</source>
-        <translation>Behält das größte Stück und entfernt die anderen</translation>
+        <translation>Conserva el trozo mayor y quita los demás</translation>
     </message>
     <message>
         <source>Drops pieces of less than this volume in ml</source>
-        <translation>Entfernt Stücke von weniger als diesem Volumen in ml</translation>
+        <translation>Quita los trozos de menos de este volumen en ml</translation>
     </message>
     <message>
         <source>Rounds what is smaller than about this many mm</source>
-        <translation>Rundet, was kleiner als etwa so viele mm ist</translation>
+        <translation>Redondea lo que mide menos de unos tantos mm</translation>
     </message>
     <message>
         <source>Adds a margin of this many mm all around</source>
-        <translation>Fügt ringsum einen Rand von so vielen mm hinzu</translation>
+        <translation>Añade alrededor un margen de estos mm</translation>
     </message>
     <message>
         <source>Takes a margin of this many mm away all around</source>
-        <translation>Nimmt ringsum einen Rand von so vielen mm weg</translation>
+        <translation>Quita alrededor un margen de estos mm</translation>
     </message>
     <message>
         <source>Transverse</source>
@@ -7078,47 +7156,47 @@ figures</source>
     </message>
     <message>
         <source>Coronal</source>
-        <translation>Koronal</translation>
+        <translation>Coronal</translation>
     </message>
     <message>
         <source>Sagittal</source>
-        <translation>Sagittal</translation>
+        <translation>Sagital</translation>
     </message>
     <message>
         <source>The slices that were drawn in</source>
-        <translation>Die Schichten, in denen gezeichnet wurde</translation>
+        <translation>Los cortes en los que se dibujó</translation>
     </message>
     <message>
         <source>Least volume in ml</source>
-        <translation>Kleinstes Volumen in ml</translation>
+        <translation>Volumen mínimo en ml</translation>
     </message>
     <message>
         <source>Radius of smoothing in mm</source>
-        <translation>Radius der Glättung in mm</translation>
+        <translation>Radio del suavizado en mm</translation>
     </message>
     <message>
         <source>Margin in mm</source>
-        <translation>Rand in mm</translation>
+        <translation>Margen en mm</translation>
     </message>
     <message>
         <source>So far to both sides</source>
-        <translation>So weit nach beiden Seiten</translation>
+        <translation>Hacia ambos lados, hasta</translation>
     </message>
     <message>
         <source>This slice and all towards you</source>
-        <translation>Diese Schicht und alle davor</translation>
+        <translation>Este corte y todos los de delante</translation>
     </message>
     <message>
         <source>This slice and all behind it</source>
-        <translation>Diese Schicht und alle dahinter</translation>
+        <translation>Este corte y todos los de detrás</translation>
     </message>
     <message>
         <source>How deep the scissors cut along your line of sight, in tilted slices too</source>
-        <translation>Wie tief die Schere entlang Ihrer Blickrichtung schneidet, auch in gekippten Schichten</translation>
+        <translation>Hasta qué profundidad cortan las tijeras a lo largo de su línea de visión, también en cortes inclinados</translation>
     </message>
     <message>
         <source>How far the scissors cut before and behind this slice, in mm</source>
-        <translation>Wie weit die Schere vor und hinter dieser Schicht schneidet, in mm</translation>
+        <translation>Hasta dónde cortan las tijeras delante y detrás de este corte, en mm</translation>
     </message>
 </context>
 <context>
@@ -7129,218 +7207,218 @@ figures</source>
     </message>
     <message>
         <source>Size and spacing</source>
-        <translation>Größe und Abstand</translation>
+        <translation>Tamaño y espaciado</translation>
     </message>
     <message>
         <source>Use as</source>
-        <translation>Verwenden als</translation>
+        <translation>Usar como</translation>
     </message>
     <message>
         <source>Remarks</source>
-        <translation>Bemerkungen</translation>
+        <translation>Observaciones</translation>
     </message>
     <message>
         <source>Anatomy</source>
-        <translation>Anatomie</translation>
+        <translation>Anatomía</translation>
     </message>
     <message>
         <source>Stiffness (kPa)</source>
-        <translation>Steifigkeit (kPa)</translation>
+        <translation>Rigidez (kPa)</translation>
     </message>
     <message>
         <source>Confidence</source>
-        <translation>Konfidenz</translation>
+        <translation>Confianza</translation>
     </message>
     <message>
         <source>MRE magnitude</source>
-        <translation>MRE-Magnitude</translation>
+        <translation>Magnitud de ERM</translation>
     </message>
     <message>
         <source>MRE phase</source>
-        <translation>MRE-Phase</translation>
+        <translation>Fase de ERM</translation>
     </message>
     <message>
         <source>MRE waves</source>
-        <translation>MRE-Wellen</translation>
+        <translation>Ondas de ERM</translation>
     </message>
     <message>
         <source>Segmentation</source>
-        <translation>Segmentierung</translation>
+        <translation>Segmentación</translation>
     </message>
     <message>
         <source>Leave out</source>
-        <translation>Auslassen</translation>
+        <translation>Omitir</translation>
     </message>
     <message>
         <source>Without a description</source>
-        <translation>Ohne Beschreibung</translation>
+        <translation>Sin descripción</translation>
     </message>
     <message>
         <source>%1 volumes</source>
-        <translation>%1 Volumina</translation>
+        <translation>%1 volúmenes</translation>
     </message>
     <message>
         <source>Use %1 as</source>
-        <translation>%1 verwenden als</translation>
+        <translation>Usar %1 como</translation>
     </message>
     <message>
         <source>What this series is for. The proposal is read from its header.</source>
-        <translation>Wozu diese Serie dient. Der Vorschlag ist aus ihrem Kopf gelesen.</translation>
+        <translation>Para qué es esta serie. La propuesta se lee de su cabecera.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SettingsWindow</name>
     <message>
         <source>Settings - Glisson</source>
-        <translation>Einstellungen - Glisson</translation>
+        <translation>Ajustes - Glisson</translation>
     </message>
     <message>
         <source>&amp;Appearance</source>
-        <translation>&amp;Aussehen</translation>
+        <translation>&amp;Aspecto</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation>Dunkel</translation>
+        <translation>Oscuro</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation>Hell</translation>
+        <translation>Claro</translation>
     </message>
     <message>
         <source>&amp;Language</source>
-        <translation>&amp;Sprache</translation>
+        <translation>&amp;Idioma</translation>
     </message>
     <message>
         <source>System language</source>
-        <translation>Sprache des Systems</translation>
+        <translation>Idioma del sistema</translation>
     </message>
     <message>
         <source>&amp;Processors</source>
-        <translation>&amp;Prozessoren</translation>
+        <translation>&amp;Procesadores</translation>
     </message>
     <message>
         <source>All %1</source>
-        <translation>Alle %1</translation>
+        <translation>Los %1</translation>
     </message>
     <message>
         <source>How many processors long computations may take</source>
-        <translation>Wie viele Prozessoren lange Rechnungen nutzen dürfen</translation>
+        <translation>Cuántos procesadores pueden usar los cálculos largos</translation>
     </message>
     <message>
         <source>&amp;Patients&apos; names in what leaves this window</source>
-        <translation>&amp;Patientennamen in allem, was dieses Fenster verlässt</translation>
+        <translation>Nombres de los &amp;pacientes en lo que sale de esta ventana</translation>
     </message>
     <message>
         <source>Pictures, movies and reports name a patient only then. The log never does.</source>
-        <translation>Nur dann nennen Bilder, Filme und Berichte einen Patienten. Das Protokoll tut es nie.</translation>
+        <translation>Solo entonces las imágenes, las películas y los informes nombran a un paciente. El registro nunca lo hace.</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation>Schließen</translation>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ShortcutsWindow</name>
     <message>
         <source>Keys - Glisson</source>
-        <translation>Tasten - Glisson</translation>
+        <translation>Teclas - Glisson</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation>Suchen</translation>
+        <translation>Buscar</translation>
     </message>
     <message>
         <source>Words to search for</source>
-        <translation>Suchwörter</translation>
+        <translation>Palabras que buscar</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation>Tasten</translation>
+        <translation>Teclas</translation>
     </message>
     <message>
         <source>What it does</source>
-        <translation>Was sie tut</translation>
+        <translation>Qué hace</translation>
     </message>
     <message>
         <source>Key</source>
-        <translation>Taste</translation>
+        <translation>Tecla</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SliceTools</name>
     <message>
         <source>Choose a structure first, or add one.</source>
-        <translation>Wählen Sie zuerst eine Struktur oder fügen Sie eine hinzu.</translation>
+        <translation>Elija primero una estructura o añada una.</translation>
     </message>
     <message>
         <source>One moment: the last change is being worked off.</source>
-        <translation>Einen Moment: Die letzte Änderung wird noch ausgeführt.</translation>
+        <translation>Un momento: se está aplicando el último cambio.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SolvingLight</name>
     <message>
         <source>○ No tool</source>
-        <translation>○ Kein Instrument</translation>
+        <translation>○ Ningún instrumento</translation>
     </message>
     <message>
         <source>◐ Solving</source>
-        <translation>◐ Löst</translation>
+        <translation>◐ Resolviendo</translation>
     </message>
     <message>
         <source>▲ Not to be used</source>
-        <translation>▲ Nicht brauchbar</translation>
+        <translation>▲ No utilizable</translation>
     </message>
     <message>
         <source>✔ Solved</source>
-        <translation>✔ Gelöst</translation>
+        <translation>✔ Resuelto</translation>
     </message>
     <message>
         <source>✖ Not solved</source>
-        <translation>✖ Nicht gelöst</translation>
+        <translation>✖ No resuelto</translation>
     </message>
     <message>
         <source>❚❚ Frozen</source>
-        <translation>❚❚ Eingefroren</translation>
+        <translation>❚❚ Congelado</translation>
     </message>
     <message>
         <source>What is shown is from before.</source>
-        <translation>Gezeigt wird der Stand davor.</translation>
+        <translation>Se muestra el estado anterior.</translation>
     </message>
     <message>
         <source>▲ Outside of the model</source>
-        <translation>▲ Außerhalb des Modells</translation>
+        <translation>▲ Fuera del modelo</translation>
     </message>
     <message>
         <source>Use less force.</source>
-        <translation>Nehmen Sie weniger Kraft.</translation>
+        <translation>Use menos fuerza.</translation>
     </message>
     <message>
         <source>solved in %1 ms · drawn in %2 ms</source>
-        <translation>gelöst in %1 ms · gezeichnet in %2 ms</translation>
+        <translation>resuelto en %1 ms · dibujado en %2 ms</translation>
     </message>
     <message>
         <source>Residual %1: how far the equations are from balance</source>
-        <translation>Residuum %1: wie weit die Gleichungen vom Gleichgewicht entfernt sind</translation>
+        <translation>Residuo %1: cuánto les falta a las ecuaciones para el equilibrio</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::StatusLine</name>
     <message>
         <source>about %1 s left</source>
-        <translation>noch etwa %1 s</translation>
+        <translation>quedan unos %1 s</translation>
     </message>
     <message>
         <source>about %1 min left</source>
-        <translation>noch etwa %1 min</translation>
+        <translation>quedan unos %1 min</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Abbrechen</translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Not a medical device</source>
-        <translation>Kein Medizinprodukt</translation>
+        <translation>No es un producto sanitario</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -7351,106 +7429,106 @@ figures</source>
     <name>glisson::widgets::StudyPage</name>
     <message>
         <source>Study</source>
-        <translation>Studie</translation>
+        <translation>Estudio</translation>
     </message>
     <message>
         <source>Find images, say what each series is for, and see what the case holds.</source>
-        <translation>Bilder finden, sagen, wozu jede Serie dient, und sehen, was der Fall enthält.</translation>
+        <translation>Buscar imágenes, decir para qué es cada serie y ver qué contiene el caso.</translation>
     </message>
     <message>
         <source>Looking for images</source>
-        <translation>Bilder werden gesucht</translation>
+        <translation>Buscando imágenes</translation>
     </message>
     <message>
         <source>Images</source>
-        <translation>Bilder</translation>
+        <translation>Imágenes</translation>
     </message>
     <message>
         <source>Look in a folder...</source>
-        <translation>In einem Ordner suchen …</translation>
+        <translation>Buscar en una carpeta…</translation>
     </message>
     <message>
         <source>A folder, a DICOMDIR or one file; dropping it on the window does the same</source>
-        <translation>Ein Ordner, ein DICOMDIR oder eine Datei; Ablegen auf dem Fenster tut dasselbe</translation>
+        <translation>Una carpeta, un DICOMDIR o un archivo; soltarlo en la ventana hace lo mismo</translation>
     </message>
     <message>
         <source>Keep the case as</source>
-        <translation>Fall aufbewahren als</translation>
+        <translation>Guardar el caso como</translation>
     </message>
     <message>
         <source>Make a case</source>
-        <translation>Fall anlegen</translation>
+        <translation>Crear un caso</translation>
     </message>
     <message>
         <source>Add to the open case</source>
-        <translation>Zum offenen Fall hinzufügen</translation>
+        <translation>Añadir al caso abierto</translation>
     </message>
     <message>
         <source>Drop a folder of DICOM images, a DICOMDIR, or a NIfTI, NRRD or MHA file here.</source>
-        <translation>Legen Sie hier einen Ordner mit DICOM-Bildern, ein DICOMDIR oder eine NIfTI-, NRRD- oder MHA-Datei ab.</translation>
+        <translation>Suelte aquí una carpeta de imágenes DICOM, un DICOMDIR o un archivo NIfTI, NRRD o MHA.</translation>
     </message>
     <message>
         <source>%1: series found: %2</source>
-        <translation>%1: gefundene Serien: %2</translation>
+        <translation>%1: series encontradas: %2</translation>
     </message>
     <message>
         <source>; files left out: %1</source>
-        <translation>; ausgelassene Dateien: %1</translation>
+        <translation>; archivos omitidos: %1</translation>
     </message>
     <message>
         <source>Give at least one series a role first.</source>
-        <translation>Geben Sie zuerst mindestens einer Serie eine Rolle.</translation>
+        <translation>Dé primero una función a al menos una serie.</translation>
     </message>
     <message>
         <source>There is something of that name already: choose another.</source>
-        <translation>Unter diesem Namen gibt es schon etwas: Wählen Sie einen anderen.</translation>
+        <translation>Ya existe algo con ese nombre: elija otro.</translation>
     </message>
     <message>
         <source>Copies the chosen series into a new case</source>
-        <translation>Kopiert die gewählten Serien in einen neuen Fall</translation>
+        <translation>Copia las series elegidas en un caso nuevo</translation>
     </message>
     <message>
         <source>No case is open.</source>
-        <translation>Es ist kein Fall geöffnet.</translation>
+        <translation>No hay ningún caso abierto.</translation>
     </message>
     <message>
         <source>Patients&apos; names are neither shown nor kept: a case keeps a hash of them. The images are never written to.</source>
-        <translation>Patientennamen werden weder gezeigt noch behalten: Ein Fall behält nur einen Hashwert davon. In die Bilder wird nie geschrieben.</translation>
+        <translation>Los nombres de los pacientes ni se muestran ni se guardan: un caso guarda solo un resumen de ellos. Nunca se escribe en las imágenes.</translation>
     </message>
     <message>
         <source>Labels need the images that they were drawn on: give one series another role.</source>
-        <translation>Labels brauchen die Bilder, auf denen sie gezeichnet wurden: Geben Sie einer Serie eine andere Rolle.</translation>
+        <translation>Las etiquetas necesitan las imágenes sobre las que se dibujaron: dé otro papel a una serie.</translation>
     </message>
     <message>
         <source>Glisson asks before anything is replaced; Ctrl+Z brings it back</source>
-        <translation>Glisson fragt, bevor etwas ersetzt wird; Strg+Z holt es zurück</translation>
+        <translation>Glisson pregunta antes de reemplazar nada; Ctrl+Z lo recupera</translation>
     </message>
     <message>
         <source>Open images: a folder, or a file of them</source>
-        <translation>Bilder öffnen: ein Ordner oder eine Datei davon</translation>
+        <translation>Abrir imágenes: una carpeta o uno de sus archivos</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::StudyPanel</name>
     <message>
         <source>Slices show</source>
-        <translation>Schichten zeigen</translation>
+        <translation>Los cortes muestran</translation>
     </message>
     <message>
         <source>Anatomy</source>
-        <translation>Anatomie</translation>
+        <translation>Anatomía</translation>
     </message>
     <message>
         <source>Stiffness (MR elastography)</source>
-        <translation>Steifigkeit (MR-Elastographie)</translation>
+        <translation>Rigidez (elastografía por RM)</translation>
     </message>
     <message>
         <source>Structures</source>
-        <translation>Strukturen</translation>
+        <translation>Estructuras</translation>
     </message>
     <message>
         <source>Structure</source>
-        <translation>Struktur</translation>
+        <translation>Estructura</translation>
     </message>
     <message>
         <source>ml</source>
@@ -7458,225 +7536,162 @@ figures</source>
     </message>
     <message>
         <source>No patient open</source>
-        <translation>Kein Patient geöffnet</translation>
+        <translation>Ningún paciente abierto</translation>
     </message>
     <message>
         <source>%1 cells
 Young&apos;s modulus %2 kPa (mean)</source>
-        <translation>%1 Zellen
-Elastizitätsmodul %2 kPa (Mittel)</translation>
+        <translation>%1 celdas
+Módulo de Young %2 kPa (media)</translation>
     </message>
     <message>
         <source>%1 voxels,
 %2 each</source>
-        <translation>%1 Voxel,
-je %2</translation>
+        <translation>%1 vóxeles,
+de %2 cada uno</translation>
     </message>
     <message>
         <source>%1 cells
 Young&apos;s modulus %2 kPa (assumed)</source>
-        <translation>%1 Zellen
-Elastizitätsmodul %2 kPa (angenommen)</translation>
+        <translation>%1 celdas
+Módulo de Young %2 kPa (supuesto)</translation>
     </message>
     <message>
         <source>%1 (fixed)</source>
-        <translation>%1 (fest)</translation>
+        <translation>%1 (fijo)</translation>
     </message>
     <message>
         <source>No part of the model: drawn where it was outlined, it does not move.</source>
-        <translation>Nicht Teil des Modells: gezeichnet, wo es umrissen wurde; es bewegt sich nicht.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::widgets::CandidatesTable</name>
-    <message>
-        <source>Suspect, each by itself</source>
-        <translation>Verdacht, jeder für sich</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Fehler</translation>
-    </message>
-    <message>
-        <source>On trials left out</source>
-        <translation>An ausgelassenen Versuchen</translation>
-    </message>
-    <message>
-        <source>These data cannot tell it from</source>
-        <translation>Diese Daten unterscheiden es nicht von</translation>
-    </message>
-    <message>
-        <source>Root mean square on the trials that it was fitted to</source>
-        <translation>Quadratisches Mittel auf den Versuchen, an die es angepasst wurde</translation>
-    </message>
-    <message>
-        <source>Root mean square on trials that it was not fitted to, left out whole</source>
-        <translation>Quadratisches Mittel auf ganz ausgelassenen Versuchen, an die es nicht angepasst wurde</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>out of the running: %1</source>
-        <translation>aus dem Rennen: %1</translation>
-    </message>
-    <message>
-        <source>very strong</source>
-        <translation>sehr stark</translation>
-    </message>
-    <message>
-        <source>strong</source>
-        <translation>stark</translation>
-    </message>
-    <message>
-        <source>weak</source>
-        <translation>schwach</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keiner</translation>
-    </message>
-    <message>
-        <source>Evidence</source>
-        <translation>Beleg</translation>
-    </message>
-    <message>
-        <source>Against the declared model, by the difference of BIC</source>
-        <translation>Gegen das angegebene Modell, nach dem Unterschied des BIC</translation>
-    </message>
-    <message>
-        <source>ΔBIC %1</source>
-        <translation>ΔBIC %1</translation>
+        <translation>No es parte del modelo: se dibuja donde se contorneó y no se mueve.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TakingIn</name>
     <message>
         <source>Looking at the labels</source>
-        <translation>Labels ansehen</translation>
+        <translation>Examinando las etiquetas</translation>
     </message>
     <message>
         <source>The case %1 has an anatomy already. These images would replace it; what was outlined and modelled on it then no longer fits.</source>
-        <translation>Der Fall %1 hat schon eine Anatomie. Diese Bilder würden sie ersetzen; was darauf umrissen und modelliert wurde, passt dann nicht mehr.</translation>
+        <translation>El caso %1 ya tiene una anatomía. Estas imágenes la reemplazarían; lo que se contorneó y modeló sobre ella dejaría de encajar.</translation>
     </message>
     <message>
         <source>Replace the anatomy?</source>
-        <translation>Die Anatomie ersetzen?</translation>
+        <translation>¿Reemplazar la anatomía?</translation>
     </message>
     <message>
         <source>Is it this patient?</source>
-        <translation>Ist es dieser Patient?</translation>
+        <translation>¿Es este paciente?</translation>
     </message>
     <message>
         <source>Replace</source>
-        <translation>Ersetzen</translation>
+        <translation>Reemplazar</translation>
     </message>
     <message>
         <source>Add all the same</source>
-        <translation>Trotzdem hinzufügen</translation>
+        <translation>Añadir de todos modos</translation>
     </message>
     <message>
         <source>Importing</source>
-        <translation>Import läuft</translation>
+        <translation>Importando</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::Timeline</name>
     <message>
         <source>Pause</source>
-        <translation>Pause</translation>
+        <translation>Pausa</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation>Abspielen</translation>
+        <translation>Reproducir</translation>
     </message>
     <message>
         <source>One frame back</source>
-        <translation>Ein Bild zurück</translation>
+        <translation>Un fotograma atrás</translation>
     </message>
     <message>
         <source>One frame on</source>
-        <translation>Ein Bild weiter</translation>
+        <translation>Un fotograma adelante</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation>Bild</translation>
+        <translation>Fotograma</translation>
     </message>
     <message>
         <source>No frames</source>
-        <translation>Keine Bilder</translation>
+        <translation>Sin fotogramas</translation>
     </message>
     <message>
         <source>Frame %1 of %2</source>
-        <translation>Bild %1 von %2</translation>
+        <translation>Fotograma %1 de %2</translation>
     </message>
     <message>
         <source>Open a sequence first</source>
-        <translation>Zuerst eine Sequenz öffnen</translation>
+        <translation>Abra primero una secuencia</translation>
     </message>
     <message>
         <source>Plays the video at 15 frames a second, round and round (Space)</source>
-        <translation>Spielt das Video mit 15 Bildern je Sekunde, immer wieder (Leertaste)</translation>
+        <translation>Reproduce el vídeo a 15 fotogramas por segundo, en bucle (Espacio)</translation>
     </message>
     <message>
         <source>One frame back (Left)</source>
-        <translation>Ein Bild zurück (Links)</translation>
+        <translation>Un fotograma atrás (Izquierda)</translation>
     </message>
     <message>
         <source>One frame on (Right)</source>
-        <translation>Ein Bild weiter (Rechts)</translation>
+        <translation>Un fotograma adelante (Derecha)</translation>
     </message>
     <message>
         <source>The frame that is shown (Left, Right, Page Up, Page Down, Home, End)</source>
-        <translation>Das Bild, das gezeigt wird (Links, Rechts, Bild auf, Bild ab, Pos1, Ende)</translation>
+        <translation>El fotograma que se muestra (Izquierda, Derecha, RePág, AvPág, Inicio, Fin)</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ToolControls</name>
     <message>
         <source>Tool</source>
-        <translation>Instrument</translation>
+        <translation>Instrumento</translation>
     </message>
     <message>
         <source>Direction</source>
-        <translation>Richtung</translation>
+        <translation>Dirección</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation>Kraft</translation>
+        <translation>Fuerza</translation>
     </message>
     <message>
         <source>Place by click</source>
-        <translation>Per Klick setzen</translation>
+        <translation>Colocar con un clic</translation>
     </message>
     <message>
         <source>Then click on the liver where the tool is to touch it. By key: Ctrl+T, at the crosshair</source>
-        <translation>Klicken Sie dann auf die Stelle der Leber, die das Instrument berühren soll. Per Taste: Strg+T, am Fadenkreuz</translation>
+        <translation>Haga clic después en el hígado donde deba tocarlo el instrumento. Con el teclado: Ctrl+T, en la cruz</translation>
     </message>
     <message>
         <source>Hoist segment VI</source>
-        <translation>Segment VI anheben</translation>
+        <translation>Elevar el segmento VI</translation>
     </message>
     <message>
         <source>Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head</source>
-        <translation>Setzt das Instrument unter den rechten, unteren, hinteren Teil der Leber und hebt ihn nach vorn und kopfwärts an</translation>
+        <translation>Coloca el instrumento bajo la parte derecha, inferior y posterior del hígado y la eleva hacia delante y hacia la cabeza</translation>
     </message>
     <message>
         <source>Hoist to front and head</source>
-        <translation>Nach vorn und kopfwärts anheben</translation>
+        <translation>Elevar hacia delante y la cabeza</translation>
     </message>
     <message>
         <source>Pull away from the surface</source>
-        <translation>Von der Oberfläche wegziehen</translation>
+        <translation>Tirar alejando de la superficie</translation>
     </message>
     <message>
         <source>Push into the surface</source>
-        <translation>In die Oberfläche drücken</translation>
+        <translation>Empujar contra la superficie</translation>
     </message>
     <message>
         <source>As the arrow was dragged</source>
-        <translation>Wie der Pfeil gezogen wurde</translation>
+        <translation>Como se arrastró la flecha</translation>
     </message>
     <message>
         <source> N</source>
@@ -7684,121 +7699,121 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
     <message>
         <source>Touch with the rigid tool itself</source>
-        <translation>Mit dem starren Instrument selbst berühren</translation>
+        <translation>Tocar con el propio instrumento rígido</translation>
     </message>
     <message>
         <source>The tool&apos;s solid in contact with the liver, and several tools at once. Otherwise the force is spread over a patch.</source>
-        <translation>Der Körper des Instruments in Berührung mit der Leber, und mehrere Instrumente zugleich. Sonst verteilt sich die Kraft auf eine Fläche.</translation>
+        <translation>El cuerpo del instrumento en contacto con el hígado, y varios instrumentos a la vez. Si no, la fuerza se reparte sobre una zona.</translation>
     </message>
     <message>
         <source>Several tools at once need rigid tools</source>
-        <translation>Mehrere Instrumente zugleich gehen nur mit starren Instrumenten</translation>
+        <translation>Varios instrumentos a la vez solo son posibles con instrumentos rígidos</translation>
     </message>
     <message>
         <source>Take the tool away</source>
-        <translation>Instrument wegnehmen</translation>
+        <translation>Retirar el instrumento</translation>
     </message>
     <message>
         <source>From %1 N on, strains are outside of the model</source>
-        <translation>Ab %1 N liegen die Dehnungen außerhalb des Modells</translation>
+        <translation>Desde %1 N, las deformaciones están fuera del modelo</translation>
     </message>
     <message>
         <source>Add another tool</source>
-        <translation>Weiteres Instrument</translation>
+        <translation>Añadir otro instrumento</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TourCard</name>
     <message>
         <source>End the tour</source>
-        <translation>Rundgang beenden</translation>
+        <translation>Terminar el recorrido</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation>Zurück</translation>
+        <translation>Atrás</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
+        <translation>%1 de %2</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation>Weiter</translation>
+        <translation>Siguiente</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation>Fertig</translation>
+        <translation>Listo</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TrackControls</name>
     <message>
         <source>❚❚ Freeze</source>
-        <translation>❚❚ Einfrieren</translation>
+        <translation>❚❚ Congelar</translation>
     </message>
     <message>
         <source>Nothing moves the tool while you look around</source>
-        <translation>Nichts bewegt das Instrument, während Sie sich umsehen</translation>
+        <translation>Nada mueve el instrumento mientras usted observa</translation>
     </message>
     <message>
         <source>▶ Play</source>
-        <translation>▶ Abspielen</translation>
+        <translation>▶ Reproducir</translation>
     </message>
     <message>
         <source>Shows again what was done, from where the time stands; rests are cut to 1 s</source>
-        <translation>Zeigt noch einmal, was getan wurde, ab der eingestellten Zeit; Pausen sind auf 1 s gekürzt</translation>
+        <translation>Muestra de nuevo lo hecho, desde el tiempo elegido; las pausas se acortan a 1 s</translation>
     </message>
     <message>
         <source>Any moment of this rehearsal, in seconds</source>
-        <translation>Ein beliebiger Moment dieser Probe, in Sekunden</translation>
+        <translation>Cualquier momento de este ensayo, en segundos</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation>Zeit</translation>
+        <translation>Tiempo</translation>
     </message>
     <message>
         <source>Table...</source>
-        <translation>Tabelle …</translation>
+        <translation>Tabla…</translation>
     </message>
     <message>
         <source>Saves every moment as CSV: tools, forces (N), landmarks (mm)</source>
-        <translation>Speichert jeden Moment als CSV: Instrumente, Kräfte (N), Landmarken (mm)</translation>
+        <translation>Guarda cada momento como CSV: instrumentos, fuerzas (N), puntos de referencia (mm)</translation>
     </message>
     <message>
         <source>Forget</source>
-        <translation>Vergessen</translation>
+        <translation>Olvidar</translation>
     </message>
     <message>
         <source>Forgets what was done so far; the tool stays</source>
-        <translation>Vergisst, was bisher getan wurde; das Instrument bleibt</translation>
+        <translation>Olvida lo hecho hasta ahora; el instrumento se queda</translation>
     </message>
     <message>
         <source>Stop (%1 %)</source>
-        <translation>Anhalten (%1 %)</translation>
+        <translation>Parar (%1 %)</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation>Geschrieben: %1</translation>
+        <translation>Escrito: %1</translation>
     </message>
     <message>
         <source>Save a movie of the rehearsal</source>
-        <translation>Film der Probe speichern</translation>
+        <translation>Guardar una película del ensayo</translation>
     </message>
     <message>
         <source>Movies (*.mp4);;Folder of pictures (*)</source>
-        <translation>Filme (*.mp4);;Ordner mit Bildern (*)</translation>
+        <translation>Películas (*.mp4);;Carpeta de imágenes (*)</translation>
     </message>
     <message>
         <source>Save the rehearsal as a table</source>
-        <translation>Probe als Tabelle speichern</translation>
+        <translation>Guardar el ensayo como tabla</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation>Tabellen (*.csv)</translation>
+        <translation>Tablas (*.csv)</translation>
     </message>
     <message>
         <source>%1 of %2 s</source>
-        <translation>%1 von %2 s</translation>
+        <translation>%1 de %2 s</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -7806,19 +7821,19 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
     <message>
         <source>A movie of what the 3D view shows, MP4 or pictures</source>
-        <translation>Ein Film dessen, was die 3D-Ansicht zeigt: MP4 oder Bilder</translation>
+        <translation>Una película de lo que muestra la vista 3D: MP4 o imágenes</translation>
     </message>
     <message>
         <source>Move a tool first: there is nothing to show yet</source>
-        <translation>Bewegen Sie zuerst ein Instrument: Es gibt noch nichts zu zeigen</translation>
+        <translation>Mueva primero un instrumento: aún no hay nada que mostrar</translation>
     </message>
     <message>
         <source>Movie...</source>
-        <translation>Film …</translation>
+        <translation>Película…</translation>
     </message>
     <message>
         <source>Stopped. No movie was written.</source>
-        <translation>Angehalten. Es wurde kein Film geschrieben.</translation>
+        <translation>Detenido. No se ha escrito ninguna película.</translation>
     </message>
 </context>
 <context>
@@ -7837,11 +7852,11 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
     <message>
         <source>Atlas off</source>
-        <translation>Atlas irrt</translation>
+        <translation>Error del atlas</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation>Kraft</translation>
+        <translation>Fuerza</translation>
     </message>
     <message>
         <source>5 mm</source>
@@ -7849,108 +7864,108 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
     <message>
         <source>Moves at most</source>
-        <translation>Bewegt sich höchstens</translation>
+        <translation>Se mueve como máximo</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TriangleHistory</name>
     <message>
         <source>A triangle over the frames</source>
-        <translation>Ein Dreieck über die Bilder</translation>
+        <translation>Un triángulo a lo largo de los fotogramas</translation>
     </message>
     <message>
         <source>Triangle</source>
-        <translation>Dreieck</translation>
+        <translation>Triángulo</translation>
     </message>
     <message>
         <source>none</source>
-        <translation>keines</translation>
+        <translation>ninguno</translation>
     </message>
     <message>
         <source>The triangle of the left picture whose history is drawn; or click one in a picture</source>
-        <translation>Das Dreieck des linken Bildes, dessen Verlauf gezeichnet wird; oder klicken Sie eines in einem Bild an</translation>
+        <translation>El triángulo de la imagen izquierda cuya evolución se dibuja; o haga clic en uno en una imagen</translation>
     </message>
     <message>
         <source>Error (mm)</source>
-        <translation>Fehler (mm)</translation>
+        <translation>Error (mm)</translation>
     </message>
     <message>
         <source>Motion (mm)</source>
-        <translation>Bewegung (mm)</translation>
+        <translation>Movimiento (mm)</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation>Bild</translation>
+        <translation>Fotograma</translation>
     </message>
     <message>
         <source>The chosen triangle over the frames</source>
-        <translation>Das gewählte Dreieck über die Bilder</translation>
+        <translation>El triángulo elegido a lo largo de los fotogramas</translation>
     </message>
     <message>
         <source>Left: how far the registered corners are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: what SIRGn&apos;s correlation compares, the motion of the landmarks and of the registration&apos;s warp, mm</source>
-        <translation>Links: wie weit die registrierten Ecken von ihrem Ort auf dem Modell entfernt sind, mm, mit der Toleranz als Strichpunktlinie. Rechts: was die Korrelation von SIRGn vergleicht, die Bewegung der Landmarken und die der Verformung, mm</translation>
+        <translation>Izquierda: distancia de los vértices registrados a su lugar en el modelo, mm, con la tolerancia como línea de trazo y punto. Derecha: lo que compara la correlación de SIRGn, el movimiento de los puntos de referencia y el de la deformación del registro, mm</translation>
     </message>
     <message>
         <source>Landmarks, %1</source>
-        <translation>Landmarken, %1</translation>
+        <translation>Puntos de referencia, %1</translation>
     </message>
     <message>
         <source>Warp, %1</source>
-        <translation>Verformung, %1</translation>
+        <translation>Deformación, %1</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::Undo</name>
     <message>
         <source>Undone: %1</source>
-        <translation>Rückgängig gemacht: %1</translation>
+        <translation>Deshecho: %1</translation>
     </message>
     <message>
         <source>Done again: %1</source>
-        <translation>Wiederholt: %1</translation>
+        <translation>Rehecho: %1</translation>
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation>&amp;Rückgängig: %1</translation>
+        <translation>&amp;Deshacer: %1</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
+        <translation>&amp;Deshacer</translation>
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation>&amp;Wiederholen: %1</translation>
+        <translation>&amp;Rehacer: %1</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
+        <translation>&amp;Rehacer</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ViewBar</name>
     <message>
         <source>Measure a &amp;distance</source>
-        <translation>A&amp;bstand messen</translation>
+        <translation>Medir una &amp;distancia</translation>
     </message>
     <message>
         <source>A distance in mm: click its two ends, or press Enter at the crosshair; Escape gives up</source>
-        <translation>Ein Abstand in mm: Klicken Sie auf seine beiden Enden, oder drücken Sie die Eingabetaste am Fadenkreuz; Esc bricht ab</translation>
+        <translation>Una distancia en mm: haga clic en sus dos extremos, o pulse Intro en la cruz; Esc la cancela</translation>
     </message>
     <message>
         <source>Measure an &amp;angle</source>
-        <translation>&amp;Winkel messen</translation>
+        <translation>Medir un &amp;ángulo</translation>
     </message>
     <message>
         <source>An angle in degrees: click one side, the vertex, the other side</source>
-        <translation>Ein Winkel in Grad: Klicken Sie auf einen Schenkel, den Scheitel, den anderen Schenkel</translation>
+        <translation>Un ángulo en grados: haga clic en un lado, el vértice y el otro lado</translation>
     </message>
     <message>
         <source>Measure a &amp;ball</source>
-        <translation>&amp;Kugel messen</translation>
+        <translation>Medir una &amp;bola</translation>
     </message>
     <message>
         <source>A ball&apos;s volume in ml: click its centre, then a point of its surface</source>
-        <translation>Das Volumen einer Kugel in ml: Klicken Sie auf ihren Mittelpunkt, dann auf einen Punkt ihrer Oberfläche</translation>
+        <translation>El volumen de una bola en ml: haga clic en su centro y después en un punto de su superficie</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -7958,15 +7973,15 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
     <message>
         <source>Lists the volume of a structure, in ml</source>
-        <translation>Nimmt das Volumen einer Struktur in die Liste auf, in ml</translation>
+        <translation>Añade a la lista el volumen de una estructura, en ml</translation>
     </message>
     <message>
         <source>&amp;Volume of</source>
-        <translation>&amp;Volumen von</translation>
+        <translation>&amp;Volumen de</translation>
     </message>
     <message>
         <source>Automatic</source>
-        <translation>Automatisch</translation>
+        <translation>Automático</translation>
     </message>
     <message>
         <source>Abdomen</source>
@@ -7974,57 +7989,57 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
     <message>
         <source>Liver</source>
-        <translation>Leber</translation>
+        <translation>Hígado</translation>
     </message>
     <message>
         <source>Lung</source>
-        <translation>Lunge</translation>
+        <translation>Pulmón</translation>
     </message>
     <message>
         <source>Bone</source>
-        <translation>Knochen</translation>
+        <translation>Hueso</translation>
     </message>
     <message>
         <source>Brightness and contrast of the slices. The presets are for CT; MR has no fixed scale.
 By hand: drag with the right button</source>
-        <translation>Helligkeit und Kontrast der Schichten. Die Voreinstellungen gelten für CT; MR hat keine feste Skala.
-Von Hand: mit der rechten Taste ziehen</translation>
+        <translation>Brillo y contraste de los cortes. Los valores predefinidos son para TC; la RM no tiene escala fija.
+A mano: arrastre con el botón derecho</translation>
     </message>
     <message>
         <source>Brightness and contrast</source>
-        <translation>Helligkeit und Kontrast</translation>
+        <translation>Brillo y contraste</translation>
     </message>
     <message>
         <source>&amp;Next brightness and contrast</source>
-        <translation>&amp;Nächste Helligkeit und Kontrast</translation>
+        <translation>&amp;Siguiente brillo y contraste</translation>
     </message>
     <message>
         <source>Surgeon&apos;s &amp;side</source>
-        <translation>&amp;Seite des Chirurgen</translation>
+        <translation>&amp;Lado del cirujano</translation>
     </message>
     <message>
         <source>Turns the three slices to where the surgeon stands. By hand: drag the knobs of the crosshair, or Ctrl and drag</source>
-        <translation>Dreht die drei Schichten dorthin, wo der Chirurg steht. Von Hand: an den Griffen des Fadenkreuzes ziehen, oder Strg und ziehen</translation>
+        <translation>Gira los tres cortes hacia donde está el cirujano. A mano: arrastre los tiradores de la cruz, o Ctrl y arrastrar</translation>
     </message>
     <message>
         <source>&amp;Four views</source>
-        <translation>&amp;Vier Ansichten</translation>
+        <translation>&amp;Cuatro vistas</translation>
     </message>
     <message>
         <source>3D &amp;large</source>
-        <translation>3D &amp;groß</translation>
+        <translation>3D &amp;grande</translation>
     </message>
     <message>
         <source>T&amp;hree slices side by side</source>
-        <translation>&amp;Drei Schichten nebeneinander</translation>
+        <translation>&amp;Tres cortes lado a lado</translation>
     </message>
     <message>
         <source>&amp;One view: the one in use</source>
-        <translation>&amp;Eine Ansicht: die benutzte</translation>
+        <translation>&amp;Una vista: la que se usa</translation>
     </message>
     <message>
         <source>Save the &amp;picture of the view in use...</source>
-        <translation>&amp;Bild der benutzten Ansicht speichern …</translation>
+        <translation>Guardar la &amp;imagen de la vista en uso…</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -8032,73 +8047,73 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>What there is no room for here</source>
-        <translation>Wofür hier kein Platz ist</translation>
+        <translation>Lo que no cabe aquí</translation>
     </message>
     <message>
         <source>Own</source>
-        <translation>Eigene</translation>
+        <translation>Propio</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation>Fenster</translation>
+        <translation>Ventana</translation>
     </message>
     <message>
         <source>S&amp;tandard planes</source>
-        <translation>S&amp;tandardebenen</translation>
+        <translation>Planos es&amp;tándar</translation>
     </message>
     <message>
         <source>Transverse, coronal and sagittal slices again</source>
-        <translation>Wieder transversale, koronare und sagittale Schichten</translation>
+        <translation>De nuevo cortes transversales, coronales y sagitales</translation>
     </message>
     <message>
         <source>W %1  L %2</source>
-        <translation>W %1  L %2</translation>
+        <translation>A %1  N %2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ViewFrame</name>
     <message>
         <source>Show all four views</source>
-        <translation>Alle vier Ansichten zeigen</translation>
+        <translation>Mostrar las cuatro vistas</translation>
     </message>
     <message>
         <source>Fill the window with this view</source>
-        <translation>Fenster mit dieser Ansicht füllen</translation>
+        <translation>Llenar la ventana con esta vista</translation>
     </message>
     <message>
         <source>Save the picture of this view</source>
-        <translation>Das Bild dieser Ansicht speichern</translation>
+        <translation>Guardar la imagen de esta vista</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::WaveView</name>
     <message>
         <source>Elastography waves</source>
-        <translation>Elastographie-Wellen</translation>
+        <translation>Ondas de elastografía</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation>Anhalten</translation>
+        <translation>Pausa</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation>Abspielen</translation>
+        <translation>Reproducir</translation>
     </message>
     <message>
         <source>A defect in Glisson stopped this: %1</source>
-        <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
+        <translation>Un defecto de Glisson ha interrumpido esto: %1</translation>
     </message>
     <message>
         <source>Inverting the waves</source>
-        <translation>Wellen werden invertiert</translation>
+        <translation>Invirtiendo las ondas</translation>
     </message>
     <message>
         <source>Saving the maps</source>
-        <translation>Karten werden gespeichert</translation>
+        <translation>Guardando los mapas</translation>
     </message>
     <message>
         <source>The case now holds this stiffness. Build its model anew to use it.</source>
-        <translation>Der Fall enthält jetzt diese Steifigkeit. Erstellen Sie sein Modell neu, um sie zu verwenden.</translation>
+        <translation>El caso contiene ahora esta rigidez. Construya de nuevo su modelo para usarla.</translation>
     </message>
     <message>
         <source> Hz</source>
@@ -8106,47 +8121,47 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>as the images say</source>
-        <translation>wie in den Bildern</translation>
+        <translation>según las imágenes</translation>
     </message>
     <message>
         <source>&amp;Vibration</source>
-        <translation>&amp;Schwingung</translation>
+        <translation>&amp;Vibración</translation>
     </message>
     <message>
         <source>Complex modulus</source>
-        <translation>Komplexer Modul</translation>
+        <translation>Módulo complejo</translation>
     </message>
     <message>
         <source>Local wavelength</source>
-        <translation>Lokale Wellenlänge</translation>
+        <translation>Longitud de onda local</translation>
     </message>
     <message>
         <source>&amp;Method</source>
-        <translation>&amp;Verfahren</translation>
+        <translation>&amp;Método</translation>
     </message>
     <message>
         <source>High-pass</source>
-        <translation>Hochpass</translation>
+        <translation>Paso alto</translation>
     </message>
     <message>
         <source>Curl</source>
-        <translation>Rotation</translation>
+        <translation>Rotacional</translation>
     </message>
     <message>
         <source>Keep</source>
-        <translation>Behalten</translation>
+        <translation>Conservar</translation>
     </message>
     <message>
         <source>&amp;Long waves</source>
-        <translation>&amp;Lange Wellen</translation>
+        <translation>Ondas &amp;largas</translation>
     </message>
     <message>
         <source>Compute the stiffness</source>
-        <translation>Steifigkeit berechnen</translation>
+        <translation>Calcular la rigidez</translation>
     </message>
     <message>
         <source>Shear waves</source>
-        <translation>Scherwellen</translation>
+        <translation>Ondas de cizalla</translation>
     </message>
     <message>
         <source>rad</source>
@@ -8154,7 +8169,7 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>Shear stiffness</source>
-        <translation>Schersteifigkeit</translation>
+        <translation>Rigidez a cizalla</translation>
     </message>
     <message>
         <source>kPa</source>
@@ -8162,83 +8177,83 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>Confidence</source>
-        <translation>Konfidenz</translation>
+        <translation>Confianza</translation>
     </message>
     <message>
         <source>Slice</source>
-        <translation>Schicht</translation>
+        <translation>Corte</translation>
     </message>
     <message>
         <source>Accept into the case</source>
-        <translation>In den Fall übernehmen</translation>
+        <translation>Aceptar en el caso</translation>
     </message>
     <message>
         <source>Compute the stiffness from the waves that the case holds.</source>
-        <translation>Berechnen Sie die Steifigkeit aus den Wellen, die der Fall enthält.</translation>
+        <translation>Calcule la rigidez a partir de las ondas que contiene el caso.</translation>
     </message>
     <message>
         <source>Shear stiffness %1 kPa on average over %2 confident voxels, %3 % of the region; middle half %4 to %5 kPa; vibration %6 Hz, wavelength %7 mm</source>
-        <translation>Schersteifigkeit im Mittel %1 kPa über %2 vertrauenswürdige Voxel, %3 % der Region; mittlere Hälfte %4 bis %5 kPa; Schwingung %6 Hz, Wellenlänge %7 mm</translation>
+        <translation>Rigidez a cizalla de %1 kPa de media en %2 vóxeles de confianza, el %3 % de la región; mitad central de %4 a %5 kPa; vibración %6 Hz, longitud de onda %7 mm</translation>
     </message>
     <message>
         <source>Slice %1 of %2</source>
-        <translation>Schicht %1 von %2</translation>
+        <translation>Corte %1 de %2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::WelcomePage</name>
     <message>
         <source>Plan a liver operation</source>
-        <translation>Eine Leberoperation planen</translation>
+        <translation>Planificar una operación de hígado</translation>
     </message>
     <message>
         <source>Drop a case or a folder of DICOM images here, or begin with the demo patient.</source>
-        <translation>Ziehen Sie einen Fall oder einen Ordner mit DICOM-Bildern hierher, oder beginnen Sie mit dem Demopatienten.</translation>
+        <translation>Arrastre aquí un caso o una carpeta de imágenes DICOM, o empiece con el paciente de demostración.</translation>
     </message>
     <message>
         <source>Open the demo patient</source>
-        <translation>Demopatienten öffnen</translation>
+        <translation>Abrir el paciente de demostración</translation>
     </message>
     <message>
         <source>Open a case...</source>
-        <translation>Fall öffnen …</translation>
+        <translation>Abrir un caso…</translation>
     </message>
     <message>
         <source>Open images...</source>
-        <translation>Bilder öffnen …</translation>
+        <translation>Abrir imágenes…</translation>
     </message>
     <message>
         <source>Opened before</source>
-        <translation>Zuletzt geöffnet</translation>
+        <translation>Abiertos recientemente</translation>
     </message>
     <message>
         <source>Glisson ended unexpectedly. Open %1 as it was</source>
-        <translation>Glisson wurde unerwartet beendet. %1 öffnen, wie es war</translation>
+        <translation>Glisson terminó de forma inesperada. Abrir %1 tal como estaba</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::WorkspaceBar</name>
     <message>
         <source>%1 (Ctrl+%2)</source>
-        <translation>%1 (Strg+%2)</translation>
+        <translation>%1 (Ctrl+%2)</translation>
     </message>
     <message>
         <source>Research</source>
-        <translation>Forschung</translation>
+        <translation>Investigación</translation>
     </message>
 </context>
 <context>
     <name>patients</name>
     <message>
         <source>Demo patient</source>
-        <translation>Demopatient</translation>
+        <translation>Paciente de demostración</translation>
     </message>
 </context>
 <context>
     <name>structures</name>
     <message>
         <source>Liver</source>
-        <translation>Leber</translation>
+        <translation>Hígado</translation>
     </message>
     <message>
         <source>Tumour</source>
@@ -8246,35 +8261,35 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>Cyst</source>
-        <translation>Zyste</translation>
+        <translation>Quiste</translation>
     </message>
     <message>
         <source>Portal vein</source>
-        <translation>Pfortader</translation>
+        <translation>Vena porta</translation>
     </message>
     <message>
         <source>Hepatic vein</source>
-        <translation>Lebervene</translation>
+        <translation>Vena hepática</translation>
     </message>
     <message>
         <source>Artery</source>
-        <translation>Arterie</translation>
+        <translation>Arteria</translation>
     </message>
     <message>
         <source>Biliary tract</source>
-        <translation>Gallenwege</translation>
+        <translation>Vías biliares</translation>
     </message>
     <message>
         <source>Necrosis</source>
-        <translation>Nekrose</translation>
+        <translation>Necrosis</translation>
     </message>
     <message>
         <source>Gallbladder</source>
-        <translation>Gallenblase</translation>
+        <translation>Vesícula biliar</translation>
     </message>
     <message>
         <source>Gastric vein</source>
-        <translation>Magenvene</translation>
+        <translation>Vena gástrica</translation>
     </message>
     <message>
         <source>Aorta</source>
@@ -8282,146 +8297,146 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>Heart</source>
-        <translation>Herz</translation>
+        <translation>Corazón</translation>
     </message>
     <message>
         <source>Stomach</source>
-        <translation>Magen</translation>
+        <translation>Estómago</translation>
     </message>
     <message>
         <source>Kidney</source>
-        <translation>Niere</translation>
+        <translation>Riñón</translation>
     </message>
     <message>
         <source>Spleen</source>
-        <translation>Milz</translation>
+        <translation>Bazo</translation>
     </message>
     <message>
         <source>Pancreas</source>
-        <translation>Pankreas</translation>
+        <translation>Páncreas</translation>
     </message>
     <message>
         <source>Bone</source>
-        <translation>Knochen</translation>
+        <translation>Hueso</translation>
     </message>
     <message>
         <source>Hilum</source>
-        <translation>Leberhilus</translation>
+        <translation>Hilio hepático</translation>
     </message>
     <message>
         <source>Vena cava</source>
-        <translation>Hohlvene</translation>
+        <translation>Vena cava</translation>
     </message>
     <message>
         <source>Duodenum</source>
-        <translation>Zwölffingerdarm</translation>
+        <translation>Duodeno</translation>
     </message>
     <message>
         <source>Small bowel</source>
-        <translation>Dünndarm</translation>
+        <translation>Intestino delgado</translation>
     </message>
     <message>
         <source>Colon</source>
-        <translation>Dickdarm</translation>
+        <translation>Colon</translation>
     </message>
     <message>
         <source>Esophagus</source>
-        <translation>Speiseröhre</translation>
+        <translation>Esófago</translation>
     </message>
     <message>
         <source>Adrenal gland</source>
-        <translation>Nebenniere</translation>
+        <translation>Glándula suprarrenal</translation>
     </message>
     <message>
         <source>Kidney left</source>
-        <translation>Niere links</translation>
+        <translation>Riñón izquierdo</translation>
     </message>
     <message>
         <source>Kidney right</source>
-        <translation>Niere rechts</translation>
+        <translation>Riñón derecho</translation>
     </message>
     <message>
         <source>Adrenal gland left</source>
-        <translation>Nebenniere links</translation>
+        <translation>Glándula suprarrenal izquierda</translation>
     </message>
     <message>
         <source>Adrenal gland right</source>
-        <translation>Nebenniere rechts</translation>
+        <translation>Glándula suprarrenal derecha</translation>
     </message>
 </context>
 <context>
     <name>tour</name>
     <message>
         <source>Study: the images</source>
-        <translation>Studie: die Bilder</translation>
+        <translation>Estudio: las imágenes</translation>
     </message>
     <message>
         <source>Every case begins with its images. Drop a DICOM folder on the window: Glisson proposes what each series is for, and you correct it. Here you also see what a case still lacks.</source>
-        <translation>Jeder Fall beginnt mit seinen Bildern. Ziehen Sie einen DICOM-Ordner auf das Fenster: Glisson schlägt vor, wozu jede Serie dient, und Sie berichtigen es. Hier sehen Sie auch, was einem Fall noch fehlt.</translation>
+        <translation>Todo caso empieza por sus imágenes. Suelte una carpeta DICOM sobre la ventana: Glisson propone para qué sirve cada serie y usted lo corrige. Aquí también ve qué le falta todavía a un caso.</translation>
     </message>
     <message>
         <source>Segment: what is where</source>
-        <translation>Segmentieren: was wo liegt</translation>
+        <translation>Segmentar: qué está dónde</translation>
     </message>
     <message>
         <source>The liver, its vessels and tumours as coloured outlines in the slices. Paint, erase, grow and smooth; every step can be undone, even after the case was closed.</source>
-        <translation>Die Leber, ihre Gefäße und Tumoren als farbige Umrisse in den Schichten. Malen, radieren, wachsen lassen und glätten; jeder Schritt lässt sich rückgängig machen, auch nachdem der Fall geschlossen war.</translation>
+        <translation>El hígado, sus vasos y tumores como contornos de color en los cortes. Pinte, borre, haga crecer y suavice; cada paso se puede deshacer, incluso después de cerrar el caso.</translation>
     </message>
     <message>
         <source>Model: how stiff each part is</source>
-        <translation>Modell: wie steif jeder Teil ist</translation>
+        <translation>Modelo: la rigidez de cada parte</translation>
     </message>
     <message>
         <source>The liver becomes tetrahedra, and each gets the patient&apos;s own stiffness from MR elastography. What holds the liver in place is shown too.</source>
-        <translation>Die Leber wird zu Tetraedern, und jedes bekommt die eigene Steifigkeit des Patienten aus der MR-Elastographie. Auch was die Leber hält, ist zu sehen.</translation>
+        <translation>El hígado se convierte en tetraedros y cada uno recibe la rigidez propia del paciente según la elastografía por RM. También se muestra qué sujeta el hígado.</translation>
     </message>
     <message>
         <source>Rehearse: pull, and see</source>
-        <translation>Proben: ziehen und sehen</translation>
+        <translation>Ensayar: tirar y ver</translation>
     </message>
     <message>
         <source>Resect: what is left</source>
-        <translation>Resektion: was übrig bleibt</translation>
+        <translation>Resección: lo que queda</translation>
     </message>
     <message>
         <source>A cutting surface divides the liver: volumes of specimen and remnant, the smallest margin to each tumour, and the vessels that are crossed.</source>
-        <translation>Eine Schnittfläche teilt die Leber: Volumen von Resektat und Rest, der kleinste Abstand zu jedem Tumor und die Gefäße, die gekreuzt werden.</translation>
+        <translation>Una superficie de corte divide el hígado: volúmenes de la pieza y del remanente, el menor margen a cada tumor y los vasos que se cruzan.</translation>
     </message>
     <message>
         <source>Register: can the overlay be trusted</source>
-        <translation>Registrieren: ist der Überlagerung zu trauen</translation>
+        <translation>Registrar: ¿se puede confiar en la superposición?</translation>
     </message>
     <message>
         <source>Laparoscopic video is registered to the model, and SIRGn shows on each triangle how well, for one algorithm or two side by side.</source>
-        <translation>Laparoskopisches Video wird auf das Modell registriert, und SIRGn zeigt auf jedem Dreieck, wie gut, für einen Algorithmus oder zwei nebeneinander.</translation>
+        <translation>El vídeo laparoscópico se registra con el modelo, y SIRGn muestra en cada triángulo con qué calidad, para un algoritmo o dos en paralelo.</translation>
     </message>
     <message>
         <source>Platform: what to wear</source>
-        <translation>Plattform: was zu tragen ist</translation>
+        <translation>Plataforma: qué llevar</translation>
     </message>
     <message>
         <source>Which wearable computer carries this case for as long as the operation takes: frames a second, battery and heat, and why the others do not.</source>
-        <translation>Welcher am Körper getragene Rechner diesen Fall so lange bewältigt, wie die Operation dauert: Bilder pro Sekunde, Akku und Wärme, und warum die anderen es nicht tun.</translation>
+        <translation>Qué ordenador corporal sirve para este caso mientras dure la operación: fotogramas por segundo, batería y calor, y por qué los demás no sirven.</translation>
     </message>
     <message>
         <source>Evidence: where the model is wrong</source>
-        <translation>Befunde: wo das Modell irrt</translation>
+        <translation>Evidencia: dónde se equivoca el modelo</translation>
     </message>
     <message>
         <source>Measurements are held against the model. What it cannot explain is traced to a cause; you accept that cause for this patient, and can take it back.</source>
-        <translation>Messungen werden dem Modell gegenübergestellt. Was es nicht erklären kann, wird auf eine Ursache zurückgeführt; Sie übernehmen sie für diesen Patienten und können sie zurücknehmen.</translation>
+        <translation>Las mediciones se comparan con el modelo. Lo que no puede explicar se atribuye a una causa; usted la acepta para este paciente y puede retirarla.</translation>
     </message>
     <message>
         <source>Report: one page</source>
-        <translation>Bericht: eine Seite</translation>
+        <translation>Informe: una página</translation>
     </message>
     <message>
         <source>All that was done for this patient, to read, save or print. The name is masked unless you ask for it in the settings.</source>
-        <translation>Alles, was für diesen Patienten getan wurde, zum Lesen, Speichern oder Drucken. Der Name ist verdeckt, außer Sie verlangen ihn in den Einstellungen.</translation>
+        <translation>Todo lo hecho para este paciente, para leer, guardar o imprimir. El nombre se oculta salvo que lo pida en los ajustes.</translation>
     </message>
     <message>
         <source>A retractor hoists segment VI. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
-        <translation>Ein Retraktor hebt Segment VI an. Ändern Sie die Kraft, oder setzen Sie das Instrument per Klick anderswo an: Die Tabelle folgt jedem Tumor und Gefäß und markiert, was 5 mm oder mehr abweicht.</translation>
+        <translation>Un separador eleva el segmento VI. Cambie la fuerza, o coloque el instrumento en otro lugar con un clic: la tabla sigue cada tumor y cada vaso, y marca lo que se desvía 5 mm o más.</translation>
     </message>
 </context>
 </TS>
