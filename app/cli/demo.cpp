@@ -24,7 +24,7 @@ Outcome describe(const studies::DemoSummary& summary) {
                         landmark.displacement_b_mm, landmark.difference_mm,
                         landmark.displacement_a_mm >= rehearsal::significant_mm ? "  moves by 5 mm or more" : "");
   }
-  return {parse_json(studies::summary_text(summary)).value(),
+  return {studies::summary_json(summary),
           text + fmt::format("{:.0f} s; report: {}\n", summary.seconds, summary.report.string())};
 }
 

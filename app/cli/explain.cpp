@@ -25,11 +25,9 @@ Result<Outcome> run(const ExplainCommand& command, const Progress& progress) {
   if (auto written = report::write_explanation(out, *explained); !written) return failure(std::move(written.error()));
 
   const auto& observations = explained->model->observations();
-  auto document = parse_json(closedloop::report_text(explained->explanation, observations));
-  if (!document) return failure(std::move(document.error()));
-  (*document)["files"] = {(out / "report.json").string(), (out / "report.html").string(),
-                          (out / "model.json").string()};
-  return Outcome{std::move(*document), in_words(explained->explanation, observations)};
+  Json document = closedloop::report_json(explained->explanation, observations);
+  document["files"] = {(out / "report.json").string(), (out / "report.html").string(), (out / "model.json").string()};
+  return Outcome{std::move(document), in_words(explained->explanation, observations)};
 }
 
 std::string in_words(const closedloop::Explanation& explanation, const closedloop::Observations& observations) {

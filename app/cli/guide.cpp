@@ -38,7 +38,7 @@ Result<Outcome> guide(const std::string& file, const std::string& out, const Pro
   const auto answer = guidance::answer(*guidance, progress);
   if (!answer) return failure(Error(answer.error()).in_file(file));
   if (auto written = guidance::write_answer(out, *guidance, *answer); !written) return failure(written.error());
-  Outcome outcome{parse_json(guidance::answer_text(*guidance, *answer)).value(), describe(*answer)};
+  Outcome outcome{guidance::answer_json(*guidance, *answer), describe(*answer)};
   outcome.document["out"] = out;
   return outcome;
 }

@@ -230,8 +230,8 @@ Result<void> take_over(const std::string& case_folder, bool volume_given, PlanRe
   if (!volume_given) request.liver_volume_cm3 = volume_mm3 * 1e-3;
   if (request.youngs_kPa) return {};
   double sum = 0;
-  for (std::size_t c = 0; c < model->youngs_kPa.size(); ++c)
-    sum += model->youngs_kPa[c] * geometry::cell_volume_mm3(model->mesh, c);
+  const std::vector<double>& youngs_kPa = casefile::youngs_kPa(*model);
+  for (std::size_t c = 0; c < youngs_kPa.size(); ++c) sum += youngs_kPa[c] * geometry::cell_volume_mm3(model->mesh, c);
   request.youngs_kPa = sum / volume_mm3;
   return {};
 }

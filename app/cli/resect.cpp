@@ -199,10 +199,9 @@ Result<Outcome> resect(const Options& options, const Progress& progress) {
   if (auto written = casefile::write_resection(options.out, *cut, *plan); !written) {
     return failure(std::move(written.error()));
   }
-  auto document = parse_json(casefile::resection_text(*cut, *plan));
-  if (!document) return failure(std::move(document.error()));
-  (*document)["out"] = options.out;
-  return Outcome{*std::move(document), in_words(*cut, *plan)};
+  Json document = casefile::resection_json(*cut, *plan);
+  document["out"] = options.out;
+  return Outcome{std::move(document), in_words(*cut, *plan)};
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ Result<Outcome> simulate(const Options& options, const Progress& progress) {
                          options.scenario_file});
   }
   if (auto written = casefile::write_result(options.out, *simulation); !written) return failure(written.error());
-  Outcome outcome{parse_json(casefile::result_text(*simulation)).value(), describe(*simulation)};
+  Outcome outcome{casefile::result_json(*simulation), describe(*simulation)};
   outcome.document["out"] = options.out;
   if (!asked->evidence.empty()) outcome.document["evidence"] = messages(asked->evidence);
   return outcome;

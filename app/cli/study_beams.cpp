@@ -24,9 +24,9 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
       return casefile::read_model(patient);
     });
     if (!model) return failure(model.error());
-    auto row =
-        studies::compare_beams(std::filesystem::path(options.cases[i]).stem().string(), model->mesh, model->youngs_kPa,
-                               options.beams, progress.part(share * double(i), share * double(i + 1)));
+    auto row = studies::compare_beams(std::filesystem::path(options.cases[i]).stem().string(), model->mesh,
+                                      casefile::youngs_kPa(*model), options.beams,
+                                      progress.part(share * double(i), share * double(i + 1)));
     if (!row) return failure(std::move(row.error()));
     rows.push_back(std::move(*row));
   }

@@ -24,7 +24,7 @@ Outcome describe(const studies::CohortSummary& summary) {
       summary.patients, summary.reused, summary.failed, summary.mean_kPa, summary.median_kPa, summary.sd_kPa,
       summary.low_kPa, summary.high_kPa, 100 * summary.like_atlas_fraction, 100 * summary.in_atlas_fraction,
       summary.upper_limit_ratio, summary.rank_correlation);
-  Outcome outcome{parse_json(studies::summary_text(summary)).value(), std::move(text)};
+  Outcome outcome{studies::summary_json(summary), std::move(text)};
   add_rows(summary.rows, outcome);
   return outcome;
 }

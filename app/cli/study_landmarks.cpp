@@ -27,7 +27,7 @@ std::string described(const std::string& title, const std::vector<studies::Landm
 
 Outcome describe(const studies::LandmarksSummary& summary) {
   Outcome outcome{
-      parse_json(studies::summary_text(summary)).value(),
+      studies::summary_json(summary),
       fmt::format("{} patients ({} from an earlier run), {} could not be used; {:.1f} s at most a patient\n",
                   summary.patients, summary.reused, summary.failed, summary.slowest_s) +
           described("Between patients", summary.between) + described("Within a liver", summary.within) +

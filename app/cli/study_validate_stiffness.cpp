@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/tissue.h"
 #include "shared_options.h"
 #include "studies/validate_stiffness.h"
 #include "study_commands.h"
@@ -11,7 +12,7 @@ namespace {
 
 struct Options {
   std::string map, labels, tests, out;
-  double poisson_ratio = 0.45;
+  double poisson_ratio = usual_poisson_ratio;
 };
 
 Outcome describe(const studies::StiffnessValidation& validation) {

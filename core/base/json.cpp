@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "base/files.h"
@@ -110,6 +111,13 @@ bool all_numbers_finite(const Json& document) {
   if (document.is_number_float()) return std::isfinite(document.get<double>());
   if (!document.is_structured()) return true;
   return std::all_of(document.begin(), document.end(), [](const Json& item) { return all_numbers_finite(item); });
+}
+
+Json null_where_not_finite(Json document) {
+  if (document.is_number_float() && !std::isfinite(document.get<double>())) return nullptr;
+  if (document.is_structured())
+    for (Json& item : document) item = null_where_not_finite(std::move(item));
+  return document;
 }
 
 }  // namespace glisson

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "base/tissue.h"
 #include "casefile/model_upkeep.h"
 #include "casefile/structures.h"
 #include "casefile/used_entries.h"
 #include "geometry/mesh_file.h"
 #include "imaging/volume_file.h"
+#include "mechanics/scenario/mesh_moduli.h"
 #include "meshing/mask_surface.h"
 #include "rehearsal/liver_supports.h"
 #include "segmentation/lesions.h"
@@ -99,7 +101,8 @@ Result<elastography::CellStiffness> assign_stiffness(Case& patient, const Stiffn
   }
   if (!stiffness) return stiffness;
 
-  geometry::set_field(mesh->cell_fields, {mechanics::youngs_modulus_field, 1, stiffness->youngs_kPa});
+  const bool stated = std::holds_alternative<Uniform>(choice);
+  mechanics::set_moduli(*mesh, stiffness->youngs_kPa, stated ? std::nullopt : std::optional(options.poisson_ratio));
   geometry::Field source{"stiffness_source", 1, {}};
   for (const auto s : stiffness->source) source.values.push_back(static_cast<double>(s));
   geometry::set_field(mesh->cell_fields, std::move(source));
@@ -135,8 +138,7 @@ Result<PatientModel> read_model(const Case& patient) {
   auto learnt = with_evidence(patient, organ_of(*model), model->mesh);
   if (!learnt) return failure(std::move(learnt.error()));
   if (learnt->evidence.effects.empty()) return model;
-  model->youngs_kPa = std::move(learnt->organ.youngs_kPa);
-  geometry::set_field(model->mesh.cell_fields, {mechanics::youngs_modulus_field, 1, model->youngs_kPa});
+  mechanics::set_moduli(model->mesh, std::move(learnt->organ.youngs_kPa), mechanics::poisson_ratio_of(model->mesh));
   model->supports = std::move(learnt->organ.supports);
   model->capsule = learnt->organ.capsule;
   model->anisotropy = learnt->organ.anisotropy;
@@ -162,17 +164,18 @@ Result<PatientModel> read_model_before_evidence(const Case& patient) {
   if (auto own = check_own_mesh(patient, *mesh); !own) return failure(std::move(own.error()));
   PatientModel model;
   model.mesh = std::move(*mesh);
-  const geometry::Field* youngs = geometry::find_field(model.mesh.cell_fields, mechanics::youngs_modulus_field);
-  if (!youngs) {
+  const double ratio = mechanics::poisson_ratio_of(model.mesh).value_or(usual_poisson_ratio);
+  const auto moduli = mechanics::moduli_of(model.mesh, mechanics::youngs_modulus_field, ratio);
+  if (!moduli && moduli.error().code != "modulus-missing") return failure(moduli.error());
+  if (!moduli) {
     return failure(Error{"model-no-stiffness",
                          GLISSON_TEXT("The model of {0} has no stiffness."),
                          {patient.folder().string()},
                          GLISSON_TEXT("Run glisson-cli stiffness again."),
                          patient.folder()});
   }
-  model.youngs_kPa = youngs->values;
   model.assumed = assumed_stiffness(patient);
-  model.atlas_youngs_kPa = elastography::atlas_youngs_kPa(elastography::Atlas::dissertation_cohort);
+  model.atlas_youngs_kPa = elastography::atlas_youngs_kPa(elastography::Atlas::dissertation_cohort, ratio);
   model.supports = rehearsal::usual_supports();
 
   const auto structures = read_structures(patient);

@@ -36,7 +36,8 @@ struct FromAtlas {
 using StiffnessChoice = std::variant<FromMre, Uniform, FromAtlas>;
 
 // Gives each cell of meshes/liver its Young's modulus and saves meshes/model.vtu with the cell fields
-// "youngs_modulus_kPa" and "stiffness_source" (0 measured, 1 filled, 2 chosen).
+// "youngs_modulus_kPa", "stiffness_source" (0 measured, 1 filled, 2 chosen) and, where they were made of shear moduli,
+// "poisson_ratio" (mechanics/scenario/mesh_moduli.h).
 Result<elastography::CellStiffness> assign_stiffness(Case& patient, const StiffnessChoice& choice,
                                                      const elastography::StiffnessOptions& options = {},
                                                      const Progress& progress = {});
@@ -53,8 +54,7 @@ struct StructureSurface {
   double volume_ml = 0;  // of the outline that it is made from
 };
 struct PatientModel {
-  geometry::TetMesh mesh;          // with youngs_modulus_kPa (as below), bare_area, diaphragm
-  std::vector<double> youngs_kPa;  // one a cell
+  geometry::TetMesh mesh;  // with youngs_modulus_kPa, bare_area, diaphragm
   // Where nobody measured that stiffness: what was assumed. Such a model is not compared with the atlas.
   std::optional<Sentence> assumed = {};
   double atlas_youngs_kPa = 0;  // of the reference body that it is compared with
@@ -68,6 +68,9 @@ struct PatientModel {
   StructureSurface liver;                    // its smooth surface, for pictures
 };
 Result<PatientModel> read_model(const Case& patient);
+
+// One a cell, from the mesh.
+[[nodiscard]] const std::vector<double>& youngs_kPa(const PatientModel& model);
 
 // As elastography says, whatever evidence was accepted; and what of it evidence may change.
 Result<PatientModel> read_model_before_evidence(const Case& patient);

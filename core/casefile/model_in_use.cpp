@@ -3,18 +3,24 @@
 #include <algorithm>
 
 #include "casefile/model.h"
+#include "mechanics/scenario/mesh_moduli.h"
 #include "mechanics/simulation.h"
 
 namespace glisson::casefile {
 
+const std::vector<double>& youngs_kPa(const PatientModel& model) {
+  return geometry::find_field(model.mesh.cell_fields, mechanics::youngs_modulus_field)->values;
+}
+
 closedloop::OrganModel organ_of(const PatientModel& model) {
-  return {model.youngs_kPa, model.supports, model.capsule, model.anisotropy, model.standing_loads};
+  return {youngs_kPa(model), model.supports, model.capsule, model.anisotropy, model.standing_loads};
 }
 
 rehearsal::RehearsalSetup rehearsal_setup(PatientModel model) {
   rehearsal::RehearsalSetup setup;
+  setup.patient_youngs_kPa = youngs_kPa(model);
+  if (const auto ratio = mechanics::poisson_ratio_of(model.mesh)) setup.options.poisson_ratio = *ratio;
   setup.mesh = std::move(model.mesh);
-  setup.patient_youngs_kPa = std::move(model.youngs_kPa);
   if (!model.assumed) setup.atlas_youngs_kPa = model.atlas_youngs_kPa;
   setup.supports = std::move(model.supports);
   setup.standing_loads = std::move(model.standing_loads);

@@ -1,5 +1,7 @@
 #include "casefile/resection_folder.h"
 
+#include <utility>
+
 #include "base/json.h"
 #include "base/write_file.h"
 #include "casefile/structures.h"
@@ -44,7 +46,7 @@ rehearsal::StructureKind resection_kind(const std::string& structure) {
   return structure.starts_with("cyst") ? rehearsal::StructureKind::cyst : rehearsal::StructureKind::tumour;
 }
 
-std::string resection_text(const PlannedCut& cut, const rehearsal::Resection& plan) {
+Json resection_json(const PlannedCut& cut, const rehearsal::Resection& plan) {
   Json document{{"format", "glisson-resection/1"}, {"cut", json_of_cut(cut, plan)}};
   document.update(json_of_plan(plan));
   if (plan.retraction) {
@@ -52,7 +54,7 @@ std::string resection_text(const PlannedCut& cut, const rehearsal::Resection& pl
                               {"largest_strain", plan.retraction->largest_strain},
                               {"inverted_cells", plan.retraction->inverted_cells}};
   }
-  return document.dump(2) + "\n";
+  return null_where_not_finite(std::move(document));
 }
 
 Result<void> write_resection(const fs::path& folder, const PlannedCut& cut, const rehearsal::Resection& plan) {
@@ -63,7 +65,7 @@ Result<void> write_resection(const fs::path& folder, const PlannedCut& cut, cons
         .and_then([&] {
           return geometry::write_surface(folder / "cut.vtp", at_rest ? plan.cut : rehearsal::put_to_rest(plan.cut));
         })
-        .and_then([&] { return write_file(folder / "resection.json", resection_text(cut, plan)); });
+        .and_then([&] { return write_file(folder / "resection.json", resection_json(cut, plan).dump(2) + "\n"); });
   });
 }
 

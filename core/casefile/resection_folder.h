@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json_forward.h"
 #include "base/result.h"
 #include "rehearsal/resection.h"
 
@@ -33,8 +34,8 @@ Result<rehearsal::Resection> plan_resection(const rehearsal::LyingLiver& liver, 
 // By its name in a case: "portal-vein" is a vessel, "cyst-2" a cyst, anything else a tumour.
 [[nodiscard]] rehearsal::StructureKind resection_kind(const std::string& structure);
 
-// What resection.json holds, as text.
-[[nodiscard]] std::string resection_text(const PlannedCut& cut, const rehearsal::Resection& plan);
+// What resection.json holds.
+[[nodiscard]] Json resection_json(const PlannedCut& cut, const rehearsal::Resection& plan);
 
 // The folder is made where absent; files of these names are replaced, each whole. Parts and cut are written at rest,
 // with the point field "displacement_mm" where the liver was held aside.

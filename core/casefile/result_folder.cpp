@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "base/json_value.h"
 #include "base/write_file.h"
@@ -31,11 +32,11 @@ Result<void> write_result(const fs::path& folder, const mechanics::Simulation& s
   return write_together([&] {
     return geometry::write_tetrahedra(folder / "result.vtu", simulation.mesh)
         .and_then([&] { return write_file(folder / "scenario.json", mechanics::scenario_text(simulation.scenario)); })
-        .and_then([&] { return write_file(folder / "result.json", result_text(simulation)); });
+        .and_then([&] { return write_file(folder / "result.json", result_json(simulation).dump(2) + "\n"); });
   });
 }
 
-std::string result_text(const mechanics::Simulation& simulation) {
+Json result_json(const mechanics::Simulation& simulation) {
   const mechanics::StaticResult& result = simulation.result;
   const mechanics::Validity validity = validity_of(simulation);
   Json document{{"format", "glisson-result/1"},
@@ -83,7 +84,7 @@ std::string result_text(const mechanics::Simulation& simulation) {
                        {"largest_overlap_mm", simulation.cut->largest_overlap_mm}};
   }
   if (!simulation.steps.empty()) document["steps"] = steps_of(simulation);
-  return document.dump(2) + "\n";
+  return null_where_not_finite(std::move(document));
 }
 
 namespace {

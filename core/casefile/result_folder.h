@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "base/json_forward.h"
 #include "base/result.h"
 #include "mechanics/simulation.h"
 #include "rehearsal/comparison.h"
@@ -21,7 +22,7 @@ Result<rehearsal::ComparedResult> read_result(const std::filesystem::path& folde
 // What the result in that folder is worth; nothing where there is no result.json. Fails where that is no JSON.
 Result<std::optional<mechanics::Validity>> read_validity(const std::filesystem::path& folder);
 
-// The summary that `simulate --json` prints and result.json holds, as JSON text.
-std::string result_text(const mechanics::Simulation& simulation);
+// The summary that `simulate --json` prints and result.json holds.
+[[nodiscard]] Json result_json(const mechanics::Simulation& simulation);
 
 }  // namespace glisson::casefile

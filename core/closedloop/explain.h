@@ -20,7 +20,7 @@ struct Explained {
   Explanation explanation;
 };
 
-// Failures: those of read_experiment, forward_model and trace.
+// Failures: those of read_experiment, forward_model and diagnose.
 Result<Explained> explain(const std::filesystem::path& experiment, const Progress& progress = {});
 
 }  // namespace glisson::closedloop

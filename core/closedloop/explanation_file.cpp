@@ -23,9 +23,9 @@ class Names {
 };
 
 Json json_of(const ErrorFigures& figures, const Observations& observations);
-Json json_of(const Judgement& judgement);
+Json json_of(const ResidualDiagnostics& diagnostics);
 Json json_of(const FoundEffect& effect, const Names& named);
-Json json_of(const Suspect& suspect, const Names& named);
+Json json_of(const RankedCandidate& candidate, const Names& named);
 Json parameters_json(const std::vector<FoundParameter>& parameters);
 Json numbers(const Eigen::VectorXd& values);
 
@@ -43,7 +43,7 @@ std::string kind_of(const Experiment& experiment) {
   return experiment.setup.index() == 0 ? "palpation" : experiment.setup.index() == 1 ? "material" : "platform";
 }
 
-std::string report_text(const Explanation& explanation, const Observations& observations) {
+Json report_json(const Explanation& explanation, const Observations& observations) {
   const Names named(observations);
   Json json{{"verdict", name_of(explanation.verdict)}, {"unit", observations.unit}};
   json["before"] = json_of(explanation.before, observations);
@@ -79,9 +79,8 @@ std::string report_text(const Explanation& explanation, const Observations& obse
     json["effects"].push_back(std::move(smooth));
   }
   json["ranking"] = Json::array();
-  for (const Suspect& suspect : explanation.ranking) json["ranking"].push_back(json_of(suspect, named));
-  json["residual"] = {{"before", json_of(explanation.judgement_before)},
-                      {"after", json_of(explanation.judgement_after)}};
+  for (const RankedCandidate& candidate : explanation.ranking) json["ranking"].push_back(json_of(candidate, named));
+  json["residual"] = {{"before", json_of(explanation.residual_before)}, {"after", json_of(explanation.residual_after)}};
   json["next_measurement"] = nullptr;
   if (explanation.next) {
     std::string rivals;
@@ -89,7 +88,7 @@ std::string report_text(const Explanation& explanation, const Observations& obse
     json["next_measurement"] = explanation.next->sentence + " It would tell what was found from: " + rivals + ".";
   }
   json["notes"] = explanation.notes;
-  return json.dump(2) + "\n";
+  return null_where_not_finite(std::move(json));
 }
 
 std::string model_text(const Explanation& explanation, const ForwardModel& model, const Experiment& experiment) {
@@ -255,9 +254,9 @@ Json json_of(const ErrorFigures& figures, const Observations& observations) {
   return json;
 }
 
-Json json_of(const Judgement& judgement) {
-  Json json{{"is_noise", judgement.is_noise}, {"smallest_p", judgement.smallest_p}, {"shape", judgement.shape()}};
-  for (const NoiseTest& test : judgement.tests)
+Json json_of(const ResidualDiagnostics& diagnostics) {
+  Json json{{"is_noise", diagnostics.is_noise}, {"smallest_p", diagnostics.smallest_p}, {"shape", diagnostics.shape()}};
+  for (const NoiseTest& test : diagnostics.tests)
     json["tests"].push_back({{"name", test.name}, {"statistic", test.statistic}, {"p_value", test.p_value}});
   return json;
 }
@@ -298,17 +297,17 @@ Json json_of(const FoundEffect& effect, const Names& named) {
   return json;
 }
 
-Json json_of(const Suspect& suspect, const Names& named) {
-  Json json{{"kind", suspect.kind}};
-  if (!suspect.form.empty()) json["law"] = suspect.form;
-  if (!suspect.removed.empty()) {
-    json["removed"] = suspect.removed;
+Json json_of(const RankedCandidate& candidate, const Names& named) {
+  Json json{{"kind", candidate.kind}};
+  if (!candidate.form.empty()) json["law"] = candidate.form;
+  if (!candidate.removed.empty()) {
+    json["removed"] = candidate.removed;
     return json;
   }
-  json[named("rms")] = suspect.rms;
-  if (suspect.held_out_rms) json[named("held_out_rms")] = *suspect.held_out_rms;
-  json["delta_bic"] = suspect.delta_bic;
-  json["alike"] = suspect.alike;
+  json[named("rms")] = candidate.rms;
+  if (candidate.held_out_rms) json[named("held_out_rms")] = *candidate.held_out_rms;
+  json["delta_bic"] = candidate.delta_bic;
+  json["alike"] = candidate.alike;
   return json;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/json_forward.h"
 #include "base/result.h"
 #include "closedloop/experiment/forward_model.h"
 #include "closedloop/inference/explanation.h"
@@ -21,8 +22,8 @@ struct BetterModel {
 
 [[nodiscard]] std::string name_of(Verdict verdict);  // "nothing-missing", "explained", "unexplained"
 
-// The contract's report as JSON text; figures carry "_mm" for palpation and stand without it elsewhere.
-[[nodiscard]] std::string report_text(const Explanation& explanation, const Observations& observations);
+// The contract's report; figures carry "_mm" for palpation and stand without it elsewhere.
+[[nodiscard]] Json report_json(const Explanation& explanation, const Observations& observations);
 
 // Needs the model for the names of parameters.
 [[nodiscard]] std::string model_text(const Explanation& explanation, const ForwardModel& model,

@@ -1,5 +1,5 @@
 #pragma once
-// What tracing learnt from a platform's recordings, as figures of a device that can be planned with.
+// What a diagnosis learnt from a platform's recordings, as figures of a device that can be planned with.
 
 #include <filesystem>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// What tracing learnt from a specimen, as changes of the organ that is rehearsed.
+// What a diagnosis learnt from a specimen, as changes of the organ that is rehearsed.
 //
 // | effect             | what it changes of the organ                                                                |
 // |--------------------|---------------------------------------------------------------------------------------------|

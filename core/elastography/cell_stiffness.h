@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "base/tissue.h"
 #include "imaging/image.h"
 
 namespace glisson::elastography {
@@ -16,8 +17,8 @@ enum class Filling {
 };
 
 struct StiffnessOptions {
-  // E = 2 G (1 + nu). Liver is nearly incompressible; 0.45 is what the dissertation's simulations take.
-  double poisson_ratio = 0.45;
+  // E = 2 G (1 + nu).
+  double poisson_ratio = usual_poisson_ratio;
 
   // A voxel nearer than this to the organ's border is not trusted: the wave is reflected there, and the inversion
   // differentiates over a window that reaches out of the organ. 5 mm is three voxels of the dissertation's scans
@@ -70,6 +71,6 @@ enum class Atlas {
   published_cohort      // 2.6 kPa, reference 212 there
 };
 [[nodiscard]] double atlas_shear_kPa(Atlas atlas);
-[[nodiscard]] double atlas_youngs_kPa(Atlas atlas, double poisson_ratio = 0.45);
+[[nodiscard]] double atlas_youngs_kPa(Atlas atlas, double poisson_ratio = usual_poisson_ratio);
 
 }  // namespace glisson::elastography

@@ -83,13 +83,6 @@ Json json_of_frame(const GuidanceCase& guidance, const FrameAnswer& frame) {
   return json;
 }
 
-Json json_of_answer(const GuidanceCase& guidance, const GuidanceAnswer& answer) {
-  Json json{{"format", "glisson-guidance-answer/1"}, {"title", guidance.title}, {"frames", Json::array()}};
-  for (const FrameAnswer& frame : answer.frames) json["frames"].push_back(json_of_frame(guidance, frame));
-  if (!answer.notes.empty()) json["notes"] = answer.notes;
-  return json;
-}
-
 }  // namespace
 
 Result<GuidanceAnswer> answer(const GuidanceCase& guidance, const Progress& progress) {
@@ -111,8 +104,11 @@ Result<GuidanceAnswer> answer(const GuidanceCase& guidance, const Progress& prog
   return answer;
 }
 
-std::string answer_text(const GuidanceCase& guidance, const GuidanceAnswer& answer) {
-  return json_of_answer(guidance, answer).dump(1);
+Json answer_json(const GuidanceCase& guidance, const GuidanceAnswer& answer) {
+  Json json{{"format", "glisson-guidance-answer/1"}, {"title", guidance.title}, {"frames", Json::array()}};
+  for (const FrameAnswer& frame : answer.frames) json["frames"].push_back(json_of_frame(guidance, frame));
+  if (!answer.notes.empty()) json["notes"] = answer.notes;
+  return json;
 }
 
 Result<void> write_answer(const std::filesystem::path& folder, const GuidanceCase& guidance,
@@ -132,7 +128,7 @@ Result<void> write_answer(const std::filesystem::path& folder, const GuidanceCas
     mesh.point_fields.push_back(std::move(field));
     if (auto written = geometry::write_tetrahedra(folder / (frame.id + ".vtu"), mesh); !written) return written;
   }
-  return write_json_file(folder / "guidance.json", json_of_answer(guidance, answer));
+  return write_json_file(folder / "guidance.json", answer_json(guidance, answer));
 }
 
 }  // namespace glisson::guidance

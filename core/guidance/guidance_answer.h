@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json_forward.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "guidance/elastic_registration.h"
@@ -35,8 +36,8 @@ struct GuidanceAnswer {
 // ForceModes::create; "cancelled".
 Result<GuidanceAnswer> answer(const GuidanceCase& guidance, const Progress& progress = {});
 
-// The document as it is written, as JSON text.
-[[nodiscard]] std::string answer_text(const GuidanceCase& guidance, const GuidanceAnswer& answer);
+// The document as it is written.
+[[nodiscard]] Json answer_json(const GuidanceCase& guidance, const GuidanceAnswer& answer);
 
 // Makes the folder where it is missing.
 Result<void> write_answer(const std::filesystem::path& folder, const GuidanceCase& guidance,

@@ -12,6 +12,7 @@
 #include "base/units.h"
 #include "geometry/mesh_file.h"
 #include "geometry/ply_file.h"
+#include "mechanics/scenario/mesh_moduli.h"
 
 namespace glisson::guidance {
 
@@ -216,11 +217,12 @@ void read_model(const Json& json, const fs::path& folder, GuidanceCase& guidance
   guidance.poisson_ratio = number_or(json, "poisson_ratio", guidance.poisson_ratio, "model");
   const Json& modulus = member(json, "youngs_modulus_kPa", "model");
   if (modulus.is_string()) {
-    const auto* field = geometry::find_field(guidance.mesh.cell_fields, modulus.get<std::string>());
-    if (field == nullptr || field->components != 1) {
-      refuse("model", "the mesh has no cell array \"" + modulus.get<std::string>() + "\"");
-    }
-    guidance.youngs_kPa = field->values;
+    const auto name = modulus.get<std::string>();
+    const auto* field = geometry::find_field(guidance.mesh.cell_fields, name);
+    if (field == nullptr || field->components != 1) refuse("model", "the mesh has no cell array \"" + name + "\"");
+    auto moduli = taken(mechanics::moduli_of(guidance.mesh, name, guidance.poisson_ratio));
+    guidance.youngs_kPa = std::move(moduli.youngs_kPa);
+    if (moduli.note) guidance.notes.push_back(std::move(*moduli.note));
   } else {
     guidance.youngs_kPa.assign(guidance.mesh.cells.size(),
                                positive(number(modulus, "model", "youngs_modulus_kPa"), "model", "youngs_modulus_kPa"));

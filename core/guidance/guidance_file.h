@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "base/tissue.h"
 #include "geometry/tetrahedra.h"
 #include "guidance/frame.h"
 
@@ -34,7 +35,7 @@ struct GuidanceCase {
   std::string title;
   geometry::TetMesh mesh;
   std::vector<double> youngs_kPa;  // one a cell
-  double poisson_ratio = 0.45;
+  double poisson_ratio = usual_poisson_ratio;
   Eigen::Vector3d gravity_mm_s2{0, 0, 0};  // in the scan's frame, beyond that of the scan itself
   std::vector<SeenFrame> frames;
   std::vector<Target> targets;

@@ -9,6 +9,7 @@
 #include "mechanics/internal/simulation_answer.h"
 #include "mechanics/meshfree/meshfree_model.h"
 #include "mechanics/potentials/elastic.h"
+#include "mechanics/scenario/mesh_moduli.h"
 #include "mechanics/statics/data_driven.h"
 #include "mechanics/statics/displacements.h"
 #include "mechanics/statics/equilibrium.h"
@@ -26,9 +27,9 @@ Result<Answer> answer_to(const Question& question, const OpenedBody& body, const
                          const Progress& progress);
 Result<Answer> linear_equilibrium(const Question& question, const Progress& progress);
 Result<Answer> equilibrium_from_data(const Question& question, const MaterialData& data, const Progress& progress);
-std::string names_of(const geometry::Fields& fields);
-void set_result_fields(const StaticResult& result, std::vector<double> youngs_kPa, std::vector<double> von_mises_kPa,
-                       geometry::TetMesh& mesh);
+Result<MeshModuli> moduli_for(const geometry::TetMesh& mesh, const Scenario& scenario);
+void set_result_fields(const StaticResult& result, const Scenario& scenario, std::vector<double> youngs_kPa,
+                       std::vector<double> von_mises_kPa, geometry::TetMesh& mesh);
 
 }  // namespace
 
@@ -42,14 +43,13 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   const auto body = open_cuts(whole, scenario.cuts, meshfree ? Along::exactly : Along::nearly);
   if (!body) return failure(body.error());
   const geometry::TetMesh& mesh = body->mesh;
-  auto youngs_kPa = options.data
-                        ? Result<std::vector<double>>(std::vector<double>(mesh.cells.size(), options.data->slope_kPa()))
-                        : youngs_modulus_of_cells(mesh, scenario);
-  if (!youngs_kPa) return failure(std::move(youngs_kPa.error()));
+  auto moduli = options.data ? MeshModuli{std::vector<double>(mesh.cells.size(), options.data->slope_kPa()), {}}
+                             : moduli_for(mesh, scenario);
+  if (!moduli) return failure(std::move(moduli.error()));
   auto places = locate_landmarks(mesh, scenario.landmarks, options.landmark_tolerance_mm);
   if (!places) return failure(std::move(places.error()));
 
-  auto answer = answer_to({mesh, *youngs_kPa, scenario, *places}, *body, options, progress);
+  auto answer = answer_to({mesh, moduli->youngs_kPa, scenario, *places}, *body, options, progress);
   if (!answer) return failure(std::move(answer.error()));
   progress.report(1.0, GLISSON_TEXT("Solved"));
 
@@ -60,8 +60,10 @@ Result<Simulation> simulate(const geometry::TetMesh& whole, const Scenario& scen
   simulation.tools = std::move(answer->tools);
   simulation.contact = answer->contact;
   simulation.mesh = mesh;
-  set_result_fields(answer->result, std::move(*youngs_kPa), std::move(answer->von_mises_kPa), simulation.mesh);
+  set_result_fields(answer->result, scenario, std::move(moduli->youngs_kPa), std::move(answer->von_mises_kPa),
+                    simulation.mesh);
   simulation.result = std::move(answer->result);
+  if (moduli->note) simulation.result.notes.push_back(std::move(*moduli->note));
   if (!scenario.cuts.empty()) {
     simulation.cut = opening_of(*body, simulation.result.displacement_mm);
     if (scenario.cut_walls == Scenario::Walls::apart && simulation.contact)
@@ -94,21 +96,7 @@ Validity validity_of(const Simulation& simulation) {
 }
 
 Result<std::vector<double>> youngs_modulus_of_cells(const geometry::TetMesh& mesh, const Scenario& scenario) {
-  const YoungsModulus modulus = scenario.youngs_modulus.value_or(youngs_modulus_field);
-  if (const double* uniform_kPa = std::get_if<double>(&modulus)) {
-    return std::vector<double>(mesh.cells.size(), *uniform_kPa);
-  }
-  const std::string& name = std::get<std::string>(modulus);
-  const geometry::Field* field = geometry::find_field(mesh.cell_fields, name);
-  if (field == nullptr || field->components != 1 || field->values.size() != mesh.cells.size()) {
-    return failure(Error{"modulus-missing",
-                         GLISSON_TEXT("The mesh has no cell array {0} with one value a cell."),
-                         {name, names_of(mesh.cell_fields)},
-                         GLISSON_TEXT("Give the scenario \"youngs_modulus_kPa\", a number or the name of a cell array; "
-                                      "the mesh's cell arrays are: {1}."),
-                         {}});
-  }
-  return field->values;
+  return moduli_for(mesh, scenario).map([](MeshModuli moduli) { return std::move(moduli.youngs_kPa); });
 }
 
 Result<std::vector<PointInMesh>> locate_landmarks(const geometry::TetMesh& mesh, const std::vector<Landmark>& landmarks,
@@ -224,10 +212,11 @@ Result<void> check_walls(const Scenario& scenario, const SimulationOptions& opti
                    "not straight from data."));
 }
 
-std::string names_of(const geometry::Fields& fields) {
-  std::string names;
-  for (const geometry::Field& field : fields) names += (names.empty() ? "" : ", ") + field.name;
-  return names.empty() ? "none" : names;
+Result<MeshModuli> moduli_for(const geometry::TetMesh& mesh, const Scenario& scenario) {
+  const YoungsModulus modulus = scenario.youngs_modulus.value_or(youngs_modulus_field);
+  if (const double* uniform_kPa = std::get_if<double>(&modulus))
+    return MeshModuli{std::vector<double>(mesh.cells.size(), *uniform_kPa), {}};
+  return moduli_of(mesh, std::get<std::string>(modulus), scenario.poisson_ratio);
 }
 
 // A body whose forces answer linearly keeps its factor; all others go to the minimum of their potential energy, or step
@@ -290,15 +279,19 @@ Result<Answer> equilibrium_from_data(const Question& question, const MaterialDat
   return Answer{std::move(found->result), std::move(landmarks_mm), std::move(found->von_mises_kPa), {}, {}, {}};
 }
 
-void set_result_fields(const StaticResult& result, std::vector<double> youngs_kPa, std::vector<double> von_mises_kPa,
-                       geometry::TetMesh& mesh) {
+void set_result_fields(const StaticResult& result, const Scenario& scenario, std::vector<double> youngs_kPa,
+                       std::vector<double> von_mises_kPa, geometry::TetMesh& mesh) {
   geometry::Field displacement{displacement_field, 3, {}};
   displacement.values.reserve(3 * result.displacement_mm.size());
   for (const Eigen::Vector3d& u : result.displacement_mm) {
     displacement.values.insert(displacement.values.end(), u.data(), u.data() + 3);
   }
   geometry::set_field(mesh.point_fields, std::move(displacement));
-  geometry::set_field(mesh.cell_fields, {youngs_modulus_field, 1, std::move(youngs_kPa)});
+  // Moduli that are the scenario's own were not made of shear moduli.
+  const bool from_mesh =
+      scenario.youngs_modulus.value_or(youngs_modulus_field) == YoungsModulus(youngs_modulus_field) &&
+      poisson_ratio_of(mesh);
+  set_moduli(mesh, std::move(youngs_kPa), from_mesh ? std::optional(scenario.poisson_ratio) : std::nullopt);
   geometry::set_field(mesh.cell_fields, {"von_mises_kPa", 1, std::move(von_mises_kPa)});
 }
 

@@ -1,5 +1,6 @@
 #include "report/explanation_folder.h"
 
+#include "base/json.h"
 #include "base/write_file.h"
 #include "closedloop/explanation_file.h"
 #include "report/explanation_page.h"
@@ -10,7 +11,7 @@ namespace glisson::report {
 Result<void> write_explanation(const std::filesystem::path& folder, const closedloop::Explained& explained) {
   const closedloop::Observations& observations = explained.model->observations();
   return write_together([&] {
-    return write_file(folder / "report.json", closedloop::report_text(explained.explanation, observations))
+    return write_file(folder / "report.json", closedloop::report_json(explained.explanation, observations).dump(2) + "\n")
         .and_then([&] {
           return write_file(folder / "model.json",
                             closedloop::model_text(explained.explanation, *explained.model, explained.experiment));

@@ -37,8 +37,8 @@ std::string answer(const Explanation& explanation) {
 
 Table errors_table(const Explanation& explanation, const Observations& observations);
 Table effects_table(const Explanation& explanation);
-Table suspects_table(const Explanation& explanation, const Observations& observations);
-std::string shape_sentence(const closedloop::Judgement& judgement);
+Table candidates_table(const Explanation& explanation, const Observations& observations);
+std::string shape_sentence(const closedloop::ResidualDiagnostics& diagnostics);
 
 }  // namespace
 
@@ -49,7 +49,7 @@ Page explanation_page(const Explanation& explanation, const Observations& observ
   page.blocks.push_back(Paragraph{answer(explanation)});
   page.blocks.push_back(errors_table(explanation, observations));
   page.blocks.push_back(Heading{"Before"});
-  page.blocks.push_back(Paragraph{shape_sentence(explanation.judgement_before)});
+  page.blocks.push_back(Paragraph{shape_sentence(explanation.residual_before)});
   page.blocks.push_back(DrawingRow{explanation_pictures(explanation, observations)});
   if (!explanation.effects.empty()) {
     page.blocks.push_back(Heading{"What was found"});
@@ -62,11 +62,11 @@ Page explanation_page(const Explanation& explanation, const Observations& observ
         Paragraph{"A smooth correction over load and place predicts trials better that it was not "
                   "fitted to. It claims no cause."});
   if (!explanation.ranking.empty()) {
-    page.blocks.push_back(Heading{"Suspects, each by itself"});
-    page.blocks.push_back(suspects_table(explanation, observations));
+    page.blocks.push_back(Heading{"Candidates, each by itself"});
+    page.blocks.push_back(candidates_table(explanation, observations));
   }
   page.blocks.push_back(Heading{"After"});
-  page.blocks.push_back(Paragraph{shape_sentence(explanation.judgement_after)});
+  page.blocks.push_back(Paragraph{shape_sentence(explanation.residual_after)});
   page.blocks.push_back(Heading{"What to measure next"});
   if (explanation.next) {
     std::string rivals;
@@ -87,11 +87,11 @@ Page explanation_page(const Explanation& explanation, const Observations& observ
 
 namespace {
 
-std::string shape_sentence(const closedloop::Judgement& judgement) {
-  if (judgement.is_noise) return "What is left is noise: no test finds anything that noise would not do.";
+std::string shape_sentence(const closedloop::ResidualDiagnostics& diagnostics) {
+  if (diagnostics.is_noise) return "What is left is noise: no test finds anything that noise would not do.";
   std::string sentence = "What is left is not noise: ";
   bool first = true;
-  for (const std::string& feature : judgement.shape()) {
+  for (const std::string& feature : diagnostics.shape()) {
     sentence += (first ? "" : "; ") + feature;
     first = false;
   }
@@ -141,22 +141,22 @@ Table effects_table(const Explanation& explanation) {
   return table;
 }
 
-Table suspects_table(const Explanation& explanation, const Observations& observations) {
+Table candidates_table(const Explanation& explanation, const Observations& observations) {
   Table table{fmt::format("Errors in {}; the lower the BIC, the better", unit_of(observations)),
               {"effect", "error fitted", "error on trials left out", "change of BIC", "remark"},
               {}};
-  for (const auto& suspect : explanation.ranking) {
-    const std::string name = suspect.kind + (suspect.form.empty() ? "" : " (" + suspect.form + ")");
-    if (!suspect.removed.empty()) {
-      table.rows.push_back({{name}, {""}, {""}, {""}, {"left out: " + suspect.removed}});
+  for (const auto& candidate : explanation.ranking) {
+    const std::string name = candidate.kind + (candidate.form.empty() ? "" : " (" + candidate.form + ")");
+    if (!candidate.removed.empty()) {
+      table.rows.push_back({{name}, {""}, {""}, {""}, {"left out: " + candidate.removed}});
       continue;
     }
     std::string alike;
-    for (const std::string& kind : suspect.alike) alike += (alike.empty() ? "like " : ", ") + kind;
+    for (const std::string& kind : candidate.alike) alike += (alike.empty() ? "like " : ", ") + kind;
     table.rows.push_back({{name},
-                          {figure(suspect.rms)},
-                          {suspect.held_out_rms ? figure(*suspect.held_out_rms) : "-"},
-                          {fmt::format("{:.0f}", suspect.delta_bic)},
+                          {figure(candidate.rms)},
+                          {candidate.held_out_rms ? figure(*candidate.held_out_rms) : "-"},
+                          {fmt::format("{:.0f}", candidate.delta_bic)},
                           {alike}});
   }
   return table;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -45,7 +46,8 @@ Result<CohortSummary> run_cohort(const fs::path& folder, const fs::path& out, co
                          folder});
   }
   if (auto saved = write_batch_csv(out / "cohort.csv", summary.rows); !saved) return failure(saved.error());
-  if (auto saved = write_text_file(out / "summary.json", summary_text(summary)); !saved) return failure(saved.error());
+  if (auto saved = write_text_file(out / "summary.json", summary_json(summary).dump(2) + "\n"); !saved)
+    return failure(saved.error());
   if (auto saved = write_report(out / "report.html", summary, options); !saved) return failure(saved.error());
   return summary;
 }
@@ -58,7 +60,7 @@ Result<std::vector<std::string>> cohort_patients(const fs::path& folder) {
   });
 }
 
-std::string summary_text(const CohortSummary& summary) {
+Json summary_json(const CohortSummary& summary) {
   Json document{{"patients", summary.patients},
                 {"failed", summary.failed},
                 {"reused", summary.reused},
@@ -76,7 +78,7 @@ std::string summary_text(const CohortSummary& summary) {
     if (bin.patients > 0) json["mean_sd_kPa"] = bin.mean_sd_kPa;
     document["bins"].push_back(std::move(json));
   }
-  return document.dump(2) + "\n";
+  return null_where_not_finite(std::move(document));
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json_forward.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "studies/batch.h"
@@ -54,7 +55,7 @@ Result<CohortSummary> run_cohort(const std::filesystem::path& folder, const std:
 Result<std::vector<std::string>> cohort_patients(const std::filesystem::path& folder);
 
 // What summary.json holds, as JSON text.
-std::string summary_text(const CohortSummary& summary);
+Json summary_json(const CohortSummary& summary);
 
 // Writes a SIMULATED cohort of liver maps as NRRD into the folder: the shape of one real patient's liver
 // (resources/demo/anatomy) in several sizes, slices 10 mm apart, stiffness drawn so that 64 % of the patients lie

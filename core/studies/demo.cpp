@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -64,13 +65,13 @@ Result<DemoSummary> run_demo(const fs::path& out, const DemoRunOptions& options,
   run.summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   run.summary.report = out / "report.html";
   done = write_demo_report(run.summary).and_then([&] {
-    return write_text_file(out / "summary.json", summary_text(run.summary));
+    return write_text_file(out / "summary.json", summary_json(run.summary).dump(2) + "\n");
   });
   if (!done) return failure(done.error());
   return std::move(run.summary);
 }
 
-std::string summary_text(const DemoSummary& summary) {
+Json summary_json(const DemoSummary& summary) {
   const auto& comparison = summary.atlas_against_mre;
   Json document{
       {"simulated", demo_is_simulated},
@@ -108,7 +109,7 @@ std::string summary_text(const DemoSummary& summary) {
                                      {"difference_mm", landmark.difference_mm},
                                      {"significant", landmark.significant()}});
   }
-  return document.dump(2) + "\n";
+  return null_where_not_finite(std::move(document));
 }
 
 namespace {

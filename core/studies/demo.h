@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json_forward.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "elastography/cell_stiffness.h"
@@ -47,6 +48,6 @@ Result<DemoSummary> run_demo(const std::filesystem::path& out, const DemoRunOpti
                              const Progress& progress = {});
 
 // The summary as JSON text, as summary.json holds it and `demo --json` prints it.
-std::string summary_text(const DemoSummary& summary);
+Json summary_json(const DemoSummary& summary);
 
 }  // namespace glisson::studies

@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -59,7 +60,7 @@ Result<LandmarksSummary> run_landmarks(const fs::path& folder, const fs::path& o
   if (!pictures) return failure(pictures.error());
   return write_together([&] {
            return write_batch_csv(out / "landmarks.csv", summary.rows)
-               .and_then([&] { return write_text_file(out / "summary.json", summary_text(summary)); })
+               .and_then([&] { return write_text_file(out / "summary.json", summary_json(summary).dump(2) + "\n"); })
                .and_then([&] {
                  return report::write_html(out / "report.html", landmarks_page(summary, options, *pictures));
                });
@@ -74,7 +75,7 @@ Result<BeamRow> beams_of(const std::string& patient, const MeasuredLiver& liver,
                        units::youngs_from_shear(mean_shear_kPa, poisson_ratio), options.beams);
 }
 
-std::string summary_text(const LandmarksSummary& summary) {
+Json summary_json(const LandmarksSummary& summary) {
   const auto json_of = [](const std::vector<LandmarksSpread>& spreads) {
     Json list = Json::array();
     for (const LandmarksSpread& spread : spreads) {
@@ -100,7 +101,7 @@ std::string summary_text(const LandmarksSummary& summary) {
                       {"intra_organ", json_of(summary.within)},
                       {"intra_organ_any_region_significant_fraction", summary.any_region_fraction},
                       {"slowest_patient_s", summary.slowest_s}};
-  return document.dump(2) + "\n";
+  return null_where_not_finite(std::move(document));
 }
 
 namespace {

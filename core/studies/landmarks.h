@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json_forward.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "elastography/region_statistics.h"
@@ -55,6 +56,6 @@ Result<BeamRow> beams_of(const std::string& patient, const MeasuredLiver& liver,
                          const LandmarksOptions& options);
 
 // What summary.json holds, as JSON text.
-std::string summary_text(const LandmarksSummary& summary);
+Json summary_json(const LandmarksSummary& summary);
 
 }  // namespace glisson::studies

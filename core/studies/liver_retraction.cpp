@@ -4,6 +4,7 @@
 
 #include "base/units.h"
 #include "elastography/cell_stiffness.h"
+#include "mechanics/scenario/mesh_moduli.h"
 #include "meshing/mesh_labels.h"
 #include "rehearsal/liver_supports.h"
 #include "rehearsal/tool_presets.h"
@@ -32,7 +33,7 @@ Result<double> set_measured_stiffness(geometry::TetMesh& mesh, const MeasuredLiv
   options.poisson_ratio = poisson_ratio;
   auto stiffness = elastography::cell_stiffness(centroids_mm, liver.shear_kPa, liver.reliability(), options);
   if (!stiffness) return failure(stiffness.error());
-  geometry::set_field(mesh.cell_fields, {mechanics::youngs_modulus_field, 1, std::move(stiffness->youngs_kPa)});
+  mechanics::set_moduli(mesh, std::move(stiffness->youngs_kPa), poisson_ratio);
   return stiffness->mean_kPa;
 }
 

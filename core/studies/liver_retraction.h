@@ -3,6 +3,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "base/tissue.h"
 #include "mechanics/simulation.h"
 #include "rehearsal/comparison.h"
 #include "studies/subjects.h"
@@ -13,7 +14,7 @@ struct RetractionOptions {
   // Shear modulus of the atlas: the published mean of healthy livers that section 4.3 compares with.
   double atlas_kPa = 2.6;
   double force_N = 2;  // of the Nathanson retractor under segment VI: the preset's (rehearsal/tool_presets.h)
-  double poisson_ratio = 0.45;
+  double poisson_ratio = usual_poisson_ratio;
   // A coarse mesh: cells of some 14 mm. In two patients tried, differences at the tool were within 2 % of those with
   // 20,000 cells, and within 15 % on average over the surface.
   int target_cells = 5000;

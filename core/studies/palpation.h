@@ -14,6 +14,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "base/tissue.h"
 #include "geometry/surface.h"
 #include "studies/batch.h"
 
@@ -32,7 +33,7 @@ constexpr double reported_mean_in_text_mm = 2.14;
 
 struct PalpationOptions {
   double soft_kPa = 17.47, stiff_kPa = 36.81;  // Young's moduli by MRE
-  double poisson_ratio = 0.45;
+  double poisson_ratio = usual_poisson_ratio;
   double tool_radius_mm = 20;  // our assumption
 
   // Scanned surfaces, PLY or any format of geometry/mesh_file.h, in mm: A-rest.ply, A-1.69N.ply, and so on, for the

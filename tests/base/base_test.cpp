@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <atomic>
+#include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "base/error_file.h"
 #include "base/files.h"
@@ -66,6 +68,12 @@ TEST(Json, SuggestsTheKeyThatWasMeant) {
   const auto checked = refuse_unknown_keys(Json{{"poison_ratio", 0.4}}, {"poisson_ratio", "engine"}, "scenario.json");
   ASSERT_FALSE(checked);
   EXPECT_THAT(checked.error().advice(), HasSubstr("poisson_ratio"));
+}
+
+TEST(Json, ADocumentIsAsItsTextReads) {
+  const double beyond = std::numeric_limits<double>::infinity();
+  const Json document{{"a", 1.5}, {"b", {1, std::nan("")}}, {"c", {{"d", beyond}}}};
+  EXPECT_EQ(null_where_not_finite(document), parse_json(document.dump()).value());
 }
 
 TEST(Json, RefusesNestingThatWouldExhaustTheStack) {

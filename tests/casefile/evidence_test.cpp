@@ -76,7 +76,7 @@ TEST_F(EvidenceTest, AcceptedItChangesTheRehearsalByTheRightAmountTakenBackNotAt
   for (std::size_t p = 0; p < rest.size(); ++p) largest_mm = std::max(largest_mm, (before[p] - rest[p]).norm());
   ASSERT_GT(largest_mm, 1.0);
   const PatientModel stiff = read_model(open()).value();
-  EXPECT_EQ(stiff.youngs_kPa.front(), 12.0);
+  EXPECT_EQ(youngs_kPa(stiff).front(), 12.0);
   rehearsal::RehearsalSetup by_hand = rehearsal_setup(read_model_before_evidence(open()).value());
   for (double& youngs_kPa : by_hand.patient_youngs_kPa) youngs_kPa *= 2;
   const auto expected = rehearsal::StaticRehearsal::create(by_hand)
@@ -114,7 +114,7 @@ TEST_F(EvidenceTest, OneEffectIsTakenBackAndTheOtherStays) {
   ASSERT_TRUE(left) << left.error().message();
   ASSERT_THAT(left->effects, SizeIs(1));
   const PatientModel model_now = read_model(open()).value();
-  EXPECT_EQ(model_now.youngs_kPa.front(), 6.0);
+  EXPECT_EQ(youngs_kPa(model_now).front(), 6.0);
   EXPECT_NEAR(model_now.capsule->youngs_modulus_kPa * model_now.capsule->thickness_mm, 500, 1e-9);  // mN/mm
   EXPECT_EQ(take_back_evidence(patient, {"stiffness-scale"}).error().code, "effect-missing");
   ASSERT_TRUE(take_back_evidence(patient, {"capsule"}));
@@ -125,7 +125,7 @@ TEST_F(EvidenceTest, AnotherModelTakesItsPlace) {
   Case patient = open();
   ASSERT_TRUE(accept(patient, model({scaled})));
   ASSERT_TRUE(accept(patient, model({skin})));
-  EXPECT_EQ(read_model(open())->youngs_kPa.front(), 6.0);
+  EXPECT_EQ(youngs_kPa(read_model(open()).value()).front(), 6.0);
   EXPECT_TRUE(read_model(open())->capsule.has_value());
 }
 
@@ -190,7 +190,7 @@ TEST_F(EvidenceTest, AModelMadeAnewIsRemarkedOn) {
   ASSERT_TRUE(patient.add("meshes/model", ".vtu", {"stiffness", {}, {}, {}, {}},
                           [&](const fs::path& file) { return geometry::write_tetrahedra(file, mesh); }));
   const PatientModel now = read_model(open()).value();
-  EXPECT_EQ(now.youngs_kPa.front(), 14.0);
+  EXPECT_EQ(youngs_kPa(now).front(), 14.0);
   ASSERT_THAT(now.evidence.remarks, SizeIs(1));
   EXPECT_THAT(now.evidence.remarks.front().message(), HasSubstr("made anew"));
 }

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 
 #include "base/files.h"
+#include "base/tissue.h"
+#include "base/units.h"
 #include "casefile/structures.h"
 #include "geometry/mesh_file.h"
 #include "mechanics/bodies.h"
@@ -92,6 +94,22 @@ TEST_F(ModelUpkeep, KnowsWhoseStiffnessItHas) {
     ASSERT_TRUE(assign_stiffness(patient, FromAtlas{atlas}));
     EXPECT_EQ(std::get<FromAtlas>(stiffness_choice_of(patient)).atlas, atlas);
   }
+}
+
+TEST_F(ModelUpkeep, TheShearModulusIsRehearsedWithThePoissonsRatioThatTheMeshWasMadeWith) {
+  auto patient = open();
+  elastography::StiffnessOptions options;
+  options.poisson_ratio = 0.49;
+  ASSERT_TRUE(assign_stiffness(patient, FromAtlas{}, options));
+  const auto setup = rehearsal_setup(read_model(patient).value());
+  EXPECT_EQ(setup.options.poisson_ratio, 0.49);
+  const double shear_kPa = elastography::atlas_shear_kPa(elastography::Atlas::dissertation_cohort);
+  EXPECT_DOUBLE_EQ(setup.patient_youngs_kPa.front(), units::youngs_from_shear(shear_kPa, 0.49));
+  // One value that a person states is Young's modulus itself.
+  ASSERT_TRUE(assign_stiffness(patient, Uniform{5.0}, options));
+  const auto stated = rehearsal_setup(read_model(patient).value());
+  EXPECT_EQ(stated.options.poisson_ratio, usual_poisson_ratio);
+  EXPECT_EQ(stated.patient_youngs_kPa.front(), 5.0);
 }
 
 TEST_F(ModelUpkeep, OnlyTheStiffnessIsGivenAnewWhereTheCellsAreCurrent) {

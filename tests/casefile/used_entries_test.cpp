@@ -69,7 +69,7 @@ TEST_F(UsedEntries, AModelWithOtherStiffnessIsTakenAndToldOf) {
   replace_mesh("meshes/model", {0, 0, 0}, 9);
   const auto read = model();
   ASSERT_TRUE(read) << read.error().message();
-  EXPECT_EQ(read->youngs_kPa.front(), 9);
+  EXPECT_EQ(youngs_kPa(*read).front(), 9);
   EXPECT_THAT(said(), Contains(HasSubstr("Another program has changed meshes/model")));
   EXPECT_THAT(messages(export_remarks(Case::open(folder_).value(), ExportFormat::vtu)),
               Contains(HasSubstr("meshes/model")));

@@ -30,7 +30,7 @@ bool names(const Explanation& explanation, const std::string& kind) {
   });
 }
 
-TEST(Tracing, NothingIsAddedToAModelThatIsRight) {
+TEST(Diagnosis, NothingIsAddedToAModelThatIsRight) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const Explanation e = explained(test::compression_tests(test::straight_line, 0.1, seed));
     EXPECT_EQ(e.verdict, Verdict::nothing_missing) << seed;
@@ -45,7 +45,7 @@ struct Case {
   Answer answer;
 };
 
-TEST(Tracing, OneUndeclaredEffectIsNamedAndPredictsTrialsLeftOut) {
+TEST(Diagnosis, OneUndeclaredEffectIsNamedAndPredictsTrialsLeftOut) {
   const std::vector<Case> cases{
       {"stiffness-scale", 0.1, [](const auto& trial) { return Eigen::VectorXd(1.25 * test::straight_line(trial)); }},
       {"strain-stiffening", 0.1,
@@ -85,7 +85,7 @@ TEST(Tracing, OneUndeclaredEffectIsNamedAndPredictsTrialsLeftOut) {
   }
 }
 
-TEST(Tracing, ParametersComeWithAnUncertaintyThatHoldsTheTruth) {
+TEST(Diagnosis, ParametersComeWithAnUncertaintyThatHoldsTheTruth) {
   int inside = 0;
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const Explanation e = explained(test::compression_tests(
@@ -100,7 +100,7 @@ TEST(Tracing, ParametersComeWithAnUncertaintyThatHoldsTheTruth) {
   EXPECT_GE(inside, 16);  // 19 of 20 are expected
 }
 
-TEST(Tracing, TwoEffectsThatActTogetherAreBothNamed) {
+TEST(Diagnosis, TwoEffectsThatActTogetherAreBothNamed) {
   const Explanation e = explained(test::compression_tests(
       [](const auto& trial) {
         const Eigen::ArrayXd strain = trial.stretch.array() - 1;
@@ -114,14 +114,14 @@ TEST(Tracing, TwoEffectsThatActTogetherAreBothNamed) {
   EXPECT_GE(e.effects[0].removed_rms, e.effects[1].removed_rms);
 }
 
-TEST(Tracing, WhatTheseDataCannotTellApartIsNamedTogether) {
+TEST(Diagnosis, WhatTheseDataCannotTellApartIsNamedTogether) {
   const Explanation e = explained(test::compression_tests(
       [](const auto& trial) { return Eigen::VectorXd(1.2 * test::straight_line(trial)); }, 0.1));
   EXPECT_TRUE(names(e, "stiffness-scale"));
   EXPECT_TRUE(names(e, "force-bias"));  // a load cell that reads a fifth too much
 }
 
-TEST(Tracing, WhatIsInNoCatalogueIsNotGivenAName) {
+TEST(Diagnosis, WhatIsInNoCatalogueIsNotGivenAName) {
   const std::vector<Answer> answers{
       [](const auto& trial) {  // a machine that rings
         return Eigen::VectorXd(test::straight_line(trial).array() + 0.5 * (1.7 * trial.time_s.array()).sin());
@@ -134,7 +134,7 @@ TEST(Tracing, WhatIsInNoCatalogueIsNotGivenAName) {
   for (const Answer& answer : answers) {
     const Explanation e = explained(test::compression_tests(answer, 0.1));
     EXPECT_EQ(e.verdict, Verdict::unexplained);
-    EXPECT_FALSE(e.judgement_after.shape().empty());
+    EXPECT_FALSE(e.residual_after.shape().empty());
   }
 }
 
@@ -149,7 +149,7 @@ Eigen::VectorXd with_friction(const MaterialTrial& trial, double factor, double 
   return stress;
 }
 
-TEST(Tracing, WhatFitsBestAloneMakesWayForTwoThatAreThere) {
+TEST(Diagnosis, WhatFitsBestAloneMakesWayForTwoThatAreThere) {
   // A wide slider looks like more stiffness: alone it does best, and the steps from there do not reach the narrow one.
   for (const double factor : {0.6, 1.8}) {
     const Explanation e = explained(
@@ -162,7 +162,7 @@ TEST(Tracing, WhatFitsBestAloneMakesWayForTwoThatAreThere) {
   }
 }
 
-TEST(Tracing, CausesThatASmoothFunctionReplacesAreNotNamedWithConfidence) {
+TEST(Diagnosis, CausesThatASmoothFunctionReplacesAreNotNamedWithConfidence) {
   // A grip that loses 0.8 % of strain each time the stress passes a further 1.2 kPa, at about twice the noise: three
   // causes of the catalogue bent together come as near to it as anything.
   const auto slipping = [](const MaterialTrial& trial) {
@@ -183,7 +183,7 @@ TEST(Tracing, CausesThatASmoothFunctionReplacesAreNotNamedWithConfidence) {
   }
 }
 
-TEST(Tracing, ASingleTrialIsExplainedWithoutClaimsAboutOthers) {
+TEST(Diagnosis, ASingleTrialIsExplainedWithoutClaimsAboutOthers) {
   Material material =
       test::compression_tests([](const auto& trial) { return Eigen::VectorXd(1.3 * test::straight_line(trial)); }, 0.1);
   material.trials.resize(1);
@@ -213,7 +213,7 @@ class WithoutSolution : public ForwardModel {
   std::vector<Effect> catalogue_;
 };
 
-TEST(Tracing, ACandidateThatCannotBeSolvedLeavesAloneAndSaysWhy) {
+TEST(Diagnosis, ACandidateThatCannotBeSolvedLeavesAloneAndSaysWhy) {
   const WithoutSolution model(
       material_model(test::compression_tests(
                          [](const auto& trial) { return Eigen::VectorXd(1.3 * test::straight_line(trial)); }, 0.1))
@@ -222,7 +222,7 @@ TEST(Tracing, ACandidateThatCannotBeSolvedLeavesAloneAndSaysWhy) {
   ASSERT_TRUE(e);
   EXPECT_EQ(e->verdict, Verdict::explained);
   const auto gone = std::find_if(e->ranking.begin(), e->ranking.end(),
-                                 [](const Suspect& suspect) { return suspect.kind == "anisotropy"; });
+                                 [](const RankedCandidate& candidate) { return candidate.kind == "anisotropy"; });
   ASSERT_NE(gone, e->ranking.end());
   EXPECT_FALSE(gone->removed.empty());
 }
@@ -234,7 +234,7 @@ TEST(Explanation, ItsReportIsTheContractsAndItsModelPredictsWhatWasFitted) {
   const Experiment experiment{"e.json", "creep", material};
   const auto model = material_model(material).value();
   const Explanation e = diagnose(*model).value();
-  const Json report = parse_json(report_text(e, model->observations())).value();
+  const Json report = report_json(e, model->observations());
   EXPECT_EQ(report["verdict"], "explained");
   EXPECT_EQ(report["unit"], "kPa");
   for (const char* key : {"before", "after", "effects", "ranking", "next_measurement"})

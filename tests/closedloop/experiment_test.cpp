@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "geometry/mesh_file.h"
+#include "mechanics/scenario/mesh_moduli.h"
 #include "support/shapes.h"
 
 namespace glisson::closedloop {
@@ -97,6 +98,18 @@ TEST_F(ExperimentFile, APalpationIsReadInTheUnitsInside) {
   EXPECT_DOUBLE_EQ(read.trials[0].samples[1].force_mN, 1700);
   EXPECT_EQ(read.trials[0].samples[1].markers[1].id, "m2");
   EXPECT_EQ(read.cell_young_kPa.size(), read.mesh.cells.size());
+}
+
+TEST_F(ExperimentFile, ModuliMadeByAnotherPoissonsRatioAreRefused) {
+  Json json = palpation();
+  const auto file = folder.path() / "specimen.vtu";
+  auto mesh = geometry::read_tetrahedra(file).value();
+  mechanics::set_moduli(mesh, std::vector<double>(mesh.cells.size(), 17.5), 0.49);
+  ASSERT_TRUE(geometry::write_tetrahedra(file, mesh));
+  json["specimen"]["youngs_modulus_kPa"] = mechanics::youngs_modulus_field;
+  EXPECT_THAT(refusal(json), HasSubstr("by a Poisson's ratio of 0.49, not 0.45. Say \"poisson_ratio\": 0.49"));
+  json["specimen"]["poisson_ratio"] = 0.49;
+  EXPECT_TRUE(read(json));
 }
 
 TEST_F(ExperimentFile, WhatIsNotThereIsRefusedWithTheLineThatNamesIt) {

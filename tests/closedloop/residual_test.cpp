@@ -16,29 +16,17 @@ Observations pad(int trials, int samples, int side) {
   Observations all;
   all.unit = "mm";
   all.directions = {"x", "y", "z"};
-  const int rows = trials * samples * side * side * 3;
-  all.measured = Eigen::VectorXd::Zero(rows);
-  all.noise = Eigen::VectorXd::Constant(rows, 0.1);
-  all.time_s.resize(rows);
-  all.load.resize(rows);
-  all.place_mm.resize(rows, 3);
-  all.conditions.resize(rows, 0);
-  Eigen::Index row = 0;
+  int points = 0;
   for (int t = 0; t < trials; ++t) {
     all.trials.push_back(std::to_string(t));
+    std::vector<Observation> rows;
     for (int s = 0; s < samples; ++s) {
-      for (int m = 0; m < side * side; ++m) {
-        for (int d = 0; d < 3; ++d, ++row) {
-          all.trial.push_back(t);
-          all.sample.push_back(s);
-          all.direction.push_back(d);
-          all.point.push_back(static_cast<int>(row) / 3);
-          all.time_s[row] = s;
-          all.load[row] = 1 + s;
-          all.place_mm.row(row) << 5 * (m % side), 5 * (m / side), 0;
-        }
+      for (int m = 0; m < side * side; ++m, ++points) {
+        const Eigen::Vector3d place_mm(5 * (m % side), 5 * (m / side), 0);
+        for (int d = 0; d < 3; ++d) rows.push_back({0, 0.1, t, s, d, points, double(s), 1.0 + s, place_mm, {}});
       }
     }
+    all.add(rows);
   }
   return all;
 }
@@ -53,7 +41,8 @@ TEST(Residual, NoiseIsCalledNoise) {
   const Observations all = pad(3, 3, 6);
   int alarms = 0;
   for (unsigned seed = 0; seed < 300; ++seed) {
-    alarms += judge(all, white_noise(all.rows(), seed), Eigen::VectorXd::Zero(all.rows())).is_noise ? 0 : 1;
+    alarms +=
+        residual_diagnostics(all, white_noise(all.rows(), seed), Eigen::VectorXd::Zero(all.rows())).is_noise ? 0 : 1;
   }
   EXPECT_LE(alarms, 2);  // one in a thousand is expected
 }
@@ -62,8 +51,9 @@ TEST(Residual, StructureFarBelowTheNoiseOfAPointIsFound) {
   const Observations all = pad(3, 3, 6);
   const Eigen::VectorXd noise = white_noise(all.rows(), 7);
   const auto said = [&](const Eigen::VectorXd& structure) {
-    const Judgement judgement = judge(all, noise + structure, Eigen::VectorXd::Zero(all.rows()));
-    return judgement.is_noise ? "noise" : judgement.shape().front();
+    const ResidualDiagnostics diagnostics =
+        residual_diagnostics(all, noise + structure, Eigen::VectorXd::Zero(all.rows()));
+    return diagnostics.is_noise ? "noise" : diagnostics.shape().front();
   };
   EXPECT_EQ(said(0.3 * (all.load.array() - 2).matrix()), "it changes with the load");
   // A bump: neither trend nor mean, but neighbours agree.
@@ -72,6 +62,20 @@ TEST(Residual, StructureFarBelowTheNoiseOfAPointIsFound) {
     return std::sin(all.place_mm(row, 0) / 8 + all.trial[i]) * std::cos(all.place_mm(row, 1) / 8 + all.sample[i]);
   });
   EXPECT_EQ(said(bump), "neighbours are off in the same way");
+}
+
+TEST(Residual, RowsThatAreAddedLeaveThoseBeforeAsTheyAre) {
+  Observations all;
+  all.add({{.measured = 1, .noise = 0.1, .load = 2, .conditions = {7, 8}}});
+  all.add({});
+  all.add({{.measured = 3, .noise = 0.2, .trial = 1, .point = 1, .time_s = 4, .conditions = {9, 10}}});
+  EXPECT_EQ(all.measured, Eigen::Vector2d(1, 3));
+  EXPECT_EQ(all.noise, Eigen::Vector2d(0.1, 0.2));
+  EXPECT_EQ(all.trial, (std::vector{0, 1}));
+  EXPECT_EQ(all.time_s, Eigen::Vector2d(0, 4));
+  EXPECT_EQ(all.load, Eigen::Vector2d(2, 0));
+  EXPECT_EQ(all.conditions, (Eigen::Matrix2d() << 7, 8, 9, 10).finished());
+  EXPECT_FALSE(all.has_places());
 }
 
 TEST(Residual, FiguresAreOverCoordinatesAndOverMarkers) {

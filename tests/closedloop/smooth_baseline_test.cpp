@@ -15,7 +15,7 @@ Observations observations_of(const test::Answer& answer, double noise_kPa, unsig
   return material_model(test::compression_tests(answer, noise_kPa, seed)).value()->observations();
 }
 
-TEST(SmoothRival, ALawThatIsRightIsBetterEvidenceThanASmoothFunction) {
+TEST(SmoothBaseline, ALawThatIsRightIsBetterEvidenceThanASmoothFunction) {
   const auto stiffer = [](const MaterialTrial& trial) { return Eigen::VectorXd(1.2 * test::straight_line(trial)); };
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const Observations all = observations_of(stiffer, 0.2, seed);
@@ -24,7 +24,7 @@ TEST(SmoothRival, ALawThatIsRightIsBetterEvidenceThanASmoothFunction) {
   }
 }
 
-TEST(SmoothRival, ALawThatIsWrongIsNot) {
+TEST(SmoothBaseline, ALawThatIsWrongIsNot) {
   // Drift with time, "explained" by the stiffness that comes nearest to it.
   const auto drifting = [](const MaterialTrial& trial) {
     return Eigen::VectorXd(test::straight_line(trial) + 0.02 * trial.time_s);
@@ -37,10 +37,10 @@ TEST(SmoothRival, ALawThatIsWrongIsNot) {
   }
 }
 
-TEST(SmoothRival, OfNothingButNoiseNeitherIsEvidence) {
+TEST(SmoothBaseline, OfNothingButNoiseNeitherIsEvidence) {
   const Observations all = observations_of(test::straight_line, 0.2, 1);
   const Eigen::VectorXd noise = all.measured - 20 * all.load;
-  // The rival's function vanishes; what is left between the two is what their numbers cost: 1 amplitude and 5 lengths
+  // The baseline's function vanishes; what is left between the two is what their numbers cost: 1 amplitude and 5 lengths
   // (load, rate, way, time, largest load) of ln 400 against none.
   EXPECT_NEAR(evidence_over_smooth(all, noise, noise, 0, 1), 6 * std::log(400.0), 6);
 }

@@ -18,22 +18,15 @@ closedloop::Observations two_markers() {
   all.unit = "mm";
   all.directions = {"x", "y", "z"};
   all.trials = {"p<01>"};
-  all.measured.resize(6);
-  all.measured << 1, 0, 0, 0, 2, 0;
-  all.noise = Eigen::VectorXd::Constant(6, 0.1);
-  all.trial.assign(6, 0);
-  all.sample.assign(6, 0);
-  all.direction = {0, 1, 2, 0, 1, 2};
-  all.point = {0, 0, 0, 1, 1, 1};
-  all.time_s = all.load = Eigen::VectorXd::Ones(6);
-  all.place_mm = Eigen::MatrixXd::Zero(6, 3);
-  all.place_mm.bottomRows(3).col(0).setConstant(30);
-  all.place_mm.bottomRows(3).col(1).setConstant(20);
-  all.conditions.resize(6, 0);
+  const Eigen::Vector3d moved_mm[] = {{1, 0, 0}, {0, 2, 0}}, at_mm[] = {{0, 0, 0}, {30, 20, 0}};
+  std::vector<closedloop::Observation> rows;
+  for (int marker = 0; marker < 2; ++marker)
+    for (int d = 0; d < 3; ++d) rows.push_back({moved_mm[marker][d], 0.1, 0, 0, d, marker, 1, 1, at_mm[marker], {}});
+  all.add(rows);
   return all;
 }
 
-TEST(ExplanationPage, SaysTheVerdictTheSuspectsAndWhatToMeasureNext) {
+TEST(ExplanationPage, SaysTheVerdictTheCandidatesAndWhatToMeasureNext) {
   const TemporaryFolder folder;
   closedloop::Explanation e;
   e.verdict = closedloop::Verdict::explained;

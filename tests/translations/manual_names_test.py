@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The manual names what the window shows as the window does: manual_names_test.py RESOURCES_FOLDER. Where an English page
+"""The manual names what the window shows as the window does: manual_names_test.py PROJECT_FOLDER. Where an English page
 has a button, menu or workspace in *italics* or **bold**, each translated page has its translation from the .ts file."""
 import pathlib
 import re
@@ -7,7 +7,7 @@ import sys
 import unittest
 import xml.etree.ElementTree as xml
 
-RESOURCES = pathlib.Path(sys.argv.pop(1))
+PROJECT = pathlib.Path(sys.argv.pop(1))
 
 
 def name(text):
@@ -26,10 +26,10 @@ class ManualNames(unittest.TestCase):
     def test_names_are_those_of_the_window(self):
         for language in ["de", "fr", "es"]:
             translations = {}
-            for message in xml.parse(RESOURCES / "translations" / f"glisson_{language}.ts").iter("message"):
+            for message in xml.parse(PROJECT / "translations" / f"glisson_{language}.ts").iter("message"):
                 translations.setdefault(name(message.findtext("source")), set()).add(name(message.findtext("translation")))
             found = 0
-            for english in sorted((RESOURCES / "manual").glob("*.md")):
+            for english in sorted((PROJECT / "resources/manual").glob("*.md")):
                 page = english.parent / language / english.name
                 for shown in names_on(english) & translations.keys():
                     with self.subTest(page=str(page), name=shown):

@@ -40,7 +40,7 @@ class Words(unittest.TestCase):
         self.write("widgets/panel.cpp", PANEL)
         self.write("core/room/file.cpp", CORE)
         (self.root / "app").mkdir()
-        self.write("resources/translations/glisson_de.ts", TRANSLATIONS)
+        self.write("translations/glisson_de.ts", TRANSLATIONS)
 
     def tearDown(self):
         self.folder.cleanup()
@@ -73,7 +73,7 @@ class Words(unittest.TestCase):
         self.assert_found("{0} is full.", "is not translated")
 
     def test_finds_a_lost_placeholder(self):
-        self.write("resources/translations/glisson_de.ts", TRANSLATIONS.replace("„%2“", "ihm"))
+        self.write("translations/glisson_de.ts", TRANSLATIONS.replace("„%2“", "ihm"))
         self.assert_found("%2", "other placeholders")
 
     def test_finds_an_unmarked_text_of_the_window(self):
@@ -91,7 +91,7 @@ class Words(unittest.TestCase):
     def test_takes_new_texts_in_and_keeps_what_is_translated(self):
         self.write("core/room/file.cpp", CORE + 'Failure g() { return failure("f", GLISSON_TEXT("It is full.")); }\n')
         self.assertEqual(self.words()[0], 1)  # there is something to translate now
-        kept = (self.root / "resources/translations/glisson_de.ts").read_text()
+        kept = (self.root / "translations/glisson_de.ts").read_text()
         self.assertIn("It is full.", kept)
         self.assertIn("{0} ist leer.", kept)
         self.assertIn("der Zellen von", kept)

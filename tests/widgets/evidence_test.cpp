@@ -116,16 +116,16 @@ class EvidenceTest : public QObject {
     QVERIFY2(verdict.contains("Silicone EF10_75T in compression") && verdict.contains("Stiffens as it deforms") &&
                  QRegularExpression("takes away 9\\d %").match(verdict).hasMatch(),
              qPrintable(verdict));
-    const auto* suspects = child<QTableWidget>("evidence_suspects");
-    QVERIFY(!suspects->isVisible());
+    const auto* candidates = child<QTableWidget>("evidence_candidates");
+    QVERIFY(!candidates->isVisible());
     child<QCheckBox>("evidence_details")->click();
-    QVERIFY(suspects->isVisible());
-    QCOMPARE(suspects->item(0, SuspectsTable::delta_bic)->text(), QString("very strong"));
-    QCOMPARE(suspects->rowCount(), int(view_->record()->ranking.size()));
-    QCOMPARE(suspects->item(0, SuspectsTable::name)->text().section(" (", 0, 0), QString("Stiffens as it deforms"));
+    QVERIFY(candidates->isVisible());
+    QCOMPARE(candidates->item(0, CandidatesTable::delta_bic)->text(), QString("very strong"));
+    QCOMPARE(candidates->rowCount(), int(view_->record()->ranking.size()));
+    QCOMPARE(candidates->item(0, CandidatesTable::name)->text().section(" (", 0, 0), QString("Stiffens as it deforms"));
     // By how well they predict what they were not fitted to.
-    QVERIFY(suspects->item(0, SuspectsTable::held_out)->text().toDouble() <
-            suspects->item(1, SuspectsTable::held_out)->text().toDouble());
+    QVERIFY(candidates->item(0, CandidatesTable::held_out)->text().toDouble() <
+            candidates->item(1, CandidatesTable::held_out)->text().toDouble());
     QVERIFY(child<QPushButton>("evidence_save")->isEnabled());
     QVERIFY(child<QPushButton>("evidence_accept")->toolTip().contains("case"));
     QTest::qWait(200);

@@ -50,10 +50,10 @@ EvidenceAnswer::EvidenceAnswer(QWidget* parent) : QScrollArea(parent) {
   across_->addWidget(make_numbers());
   for (int part = 0; part < 3; ++part) across_->setStretchFactor(part, 1);
   column->addWidget(across_, 1);
-  suspects_title_ = label("heading", page);
-  column->addWidget(suspects_title_);
-  suspects_ = new SuspectsTable(page);
-  column->addWidget(suspects_);
+  candidates_title_ = label("heading", page);
+  column->addWidget(candidates_title_);
+  candidates_ = new CandidatesTable(page);
+  column->addWidget(candidates_);
   next_title_ = label("heading", page);
   column->addWidget(next_title_);
   next_ = label("next_measurement", page);
@@ -169,8 +169,8 @@ void EvidenceAnswer::word() {
   before_->setText(tr("Before"));
   after_->setText(tr("After"));
   details_->setText(tr("Details"));
-  suspects_title_->setText(tr("Suspects"));
-  suspects_->setAccessibleName(tr("Suspects"));
+  candidates_title_->setText(tr("Suspects"));
+  candidates_->setAccessibleName(tr("Suspects"));
   trial_->setAccessibleName(tr("Trial that is shown"));
   space_->setAccessibleName(tr("What is left, in space"));
   errors_->setAccessibleName(tr("The error before and after"));
@@ -205,8 +205,8 @@ void EvidenceAnswer::word() {
                                  : " " + tr("What is left at the end: %1.").arg(shape(record.shape_after))));
   errors_->show_record(record);
   found_->show_record(record);
-  suspects_->show_record(record);
-  for (QWidget* each : std::initializer_list<QWidget*>{suspects_title_, suspects_}) {
+  candidates_->show_record(record);
+  for (QWidget* each : std::initializer_list<QWidget*>{candidates_title_, candidates_}) {
     each->setVisible(!record.ranking.empty() && details_->isChecked());
   }
   for (QWidget* each : std::initializer_list<QWidget*>{shape_, errors_}) each->setVisible(details_->isChecked());

@@ -1,6 +1,6 @@
 #pragma once
 // What measurements showed, to be read from top to bottom: the verdict, the errors before and after with pictures of
-// what is left, the suspects with their evidence, and what to measure next.
+// what is left, the candidates with their evidence, and what to measure next.
 
 #include <memory>
 #include <QCheckBox>
@@ -41,7 +41,7 @@ class EvidenceAnswer : public QScrollArea {
   std::shared_ptr<const EvidenceRecord> record_;
   std::shared_ptr<const closedloop::Explained> explained_;
   QLabel* verdict_;
-  QCheckBox* details_;  // numbers and suspects: hidden until asked for
+  QCheckBox* details_;  // numbers and candidates: hidden until asked for
   QLabel* shape_;
   QSplitter* across_;
   QWidget* residual_;
@@ -53,8 +53,8 @@ class EvidenceAnswer : public QScrollArea {
   QWidget* drawings_;
   ErrorsTable* errors_;
   FoundTree* found_;
-  SuspectsTable* suspects_;
-  QLabel* suspects_title_;
+  CandidatesTable* candidates_;
+  QLabel* candidates_title_;
   QLabel* next_title_;
   QLabel* next_;
   QLabel* notes_;

@@ -32,7 +32,7 @@ struct EvidenceEffect {
   std::vector<std::string> alike;
 };
 
-struct EvidenceSuspect {
+struct EvidenceCandidate {
   std::string kind;
   std::string law;
   std::optional<double> rms, held_out_rms, delta_bic;
@@ -55,7 +55,7 @@ struct EvidenceRecord {
   EvidenceErrors before, after;
   std::vector<std::string> shape_before, shape_after;  // in what the rest is not noise; empty for noise
   std::vector<EvidenceEffect> effects;
-  std::vector<EvidenceSuspect> ranking;
+  std::vector<EvidenceCandidate> ranking;
   std::string next_measurement;  // empty for none
   std::vector<std::string> notes;
   std::vector<EvidenceDrawing> drawings;

@@ -36,10 +36,10 @@ void put(QTableWidget& table, int row, int column, const QString& text, bool num
 // In the words of Kass and Raftery, Bayes factors, J Am Stat Assoc 90 (1995) 773-795, table 2: a BIC that falls by 2, 6
 // and 10.
 QString strength(double delta_bic) {
-  return delta_bic < -10  ? SuspectsTable::tr("very strong")
-         : delta_bic < -6 ? SuspectsTable::tr("strong")
-         : delta_bic < -2 ? SuspectsTable::tr("weak")
-                          : SuspectsTable::tr("none");
+  return delta_bic < -10  ? CandidatesTable::tr("very strong")
+         : delta_bic < -6 ? CandidatesTable::tr("strong")
+         : delta_bic < -2 ? CandidatesTable::tr("weak")
+                          : CandidatesTable::tr("none");
 }
 
 void fit_height(QTableWidget& table) {
@@ -149,15 +149,15 @@ std::vector<std::string> FoundTree::ticked_kinds() const {
   return kinds;
 }
 
-SuspectsTable::SuspectsTable(QWidget* parent) : QTableWidget(0, 5, parent) {
-  setObjectName("evidence_suspects");
+CandidatesTable::CandidatesTable(QWidget* parent) : QTableWidget(0, 5, parent) {
+  setObjectName("evidence_candidates");
   plain_table(*this);
   horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   horizontalHeader()->setSectionResizeMode(name, QHeaderView::Stretch);
   horizontalHeader()->setSectionResizeMode(alike, QHeaderView::Stretch);
 }
 
-void SuspectsTable::show_record(const EvidenceRecord& record) {
+void CandidatesTable::show_record(const EvidenceRecord& record) {
   setHorizontalHeaderLabels({tr("Suspect, each by itself"), tr("Error"), tr("On trials left out"), tr("Evidence"),
                              tr("These data cannot tell it from")});
   horizontalHeaderItem(rms)->setToolTip(tr("Root mean square on the trials that it was fitted to"));
@@ -166,18 +166,18 @@ void SuspectsTable::show_record(const EvidenceRecord& record) {
   horizontalHeaderItem(delta_bic)->setToolTip(tr("Against the declared model, by the difference of BIC"));
   setRowCount(static_cast<int>(record.ranking.size()));
   int row = 0;
-  for (const EvidenceSuspect& suspect : record.ranking) {
+  for (const EvidenceCandidate& candidate : record.ranking) {
     put(*this, row, name,
-        suspect.law.empty() ? effect_label(suspect.kind)
-                            : tr("%1 (%2)").arg(effect_label(suspect.kind), QString::fromStdString(suspect.law)),
+        candidate.law.empty() ? effect_label(candidate.kind)
+                              : tr("%1 (%2)").arg(effect_label(candidate.kind), QString::fromStdString(candidate.law)),
         false);
-    put(*this, row, rms, figure(suspect.rms));
-    put(*this, row, held_out, figure(suspect.held_out_rms));
-    put(*this, row, delta_bic, suspect.delta_bic ? strength(*suspect.delta_bic) : QString("–"), false);
-    if (suspect.delta_bic) item(row, delta_bic)->setToolTip(tr("ΔBIC %1").arg(*suspect.delta_bic, 0, 'f', 0));
+    put(*this, row, rms, figure(candidate.rms));
+    put(*this, row, held_out, figure(candidate.held_out_rms));
+    put(*this, row, delta_bic, candidate.delta_bic ? strength(*candidate.delta_bic) : QString("–"), false);
+    if (candidate.delta_bic) item(row, delta_bic)->setToolTip(tr("ΔBIC %1").arg(*candidate.delta_bic, 0, 'f', 0));
     put(*this, row, alike,
-        suspect.removed.empty() ? effect_labels(suspect.alike)
-                                : tr("out of the running: %1").arg(told(suspect.removed)),
+        candidate.removed.empty() ? effect_labels(candidate.alike)
+                                  : tr("out of the running: %1").arg(told(candidate.removed)),
         false);
     ++row;
   }

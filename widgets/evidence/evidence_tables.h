@@ -1,5 +1,5 @@
 #pragma once
-// The numbers of a report of measurements: errors before and after, what was found, and the suspects in their order.
+// The numbers of a report of measurements: errors before and after, what was found, and the candidates in their order.
 
 #include <QTableWidget>
 #include <QTreeWidget>
@@ -32,13 +32,13 @@ class FoundTree : public QTreeWidget {
   void ticked();
 };
 
-class SuspectsTable : public QTableWidget {
+class CandidatesTable : public QTableWidget {
   Q_OBJECT
 
  public:
   enum Column { name, rms, held_out, delta_bic, alike };
 
-  explicit SuspectsTable(QWidget* parent = nullptr);
+  explicit CandidatesTable(QWidget* parent = nullptr);
   void show_record(const EvidenceRecord& record);
 };
 

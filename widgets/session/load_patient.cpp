@@ -69,8 +69,9 @@ Result<void> prepare_rehearsal(const casefile::Case& from, Patient& patient, con
   if (!model) return failure(model.error());
   patient.structures.push_back(structure_of(model->liver));
   for (const auto& structure : model->structures) patient.structures.push_back(structure_of(structure));
-  patient.mean_youngs_kPa = std::accumulate(model->youngs_kPa.begin(), model->youngs_kPa.end(), 0.0) /
-                            static_cast<double>(std::max<std::size_t>(1, model->youngs_kPa.size()));
+  const std::vector<double>& youngs_kPa = casefile::youngs_kPa(*model);
+  patient.mean_youngs_kPa = std::accumulate(youngs_kPa.begin(), youngs_kPa.end(), 0.0) /
+                            static_cast<double>(std::max<std::size_t>(1, youngs_kPa.size()));
   patient.assumed_stiffness = model->assumed;
   patient.evidence = model->evidence;
   if (auto shown = show_around(from, patient); !shown) return shown;

@@ -1,7 +1,7 @@
 #pragma once
 // The language of the window: the system's or the person's choice, kept between runs and switched while running.
 //
-// The texts stand in English in the sources; resources/translations/ holds the others, and packaging/words keeps them
+// The texts stand in English in the sources; translations/ holds the others, and packaging/words keeps them
 // complete.
 
 #include <QString>

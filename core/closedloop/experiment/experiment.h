@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "base/tissue.h"
 #include "geometry/tetrahedra.h"
 #include "mechanics/scenario/scenario.h"
 
@@ -45,7 +46,7 @@ struct PalpationTrial {
 struct Palpation {
   geometry::TetMesh mesh;              // at rest; has passed check_tetrahedra
   std::vector<double> cell_young_kPa;  // the declared modulus, one a cell
-  double poisson_ratio = 0.45;
+  double poisson_ratio = usual_poisson_ratio;
   double density_kg_mm3 = 1e-6;
   std::vector<mechanics::Support> supports;
   Eigen::Vector3d gravity_mm_s2{0, 0, 0};

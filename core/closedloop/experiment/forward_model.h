@@ -1,6 +1,6 @@
 #pragma once
 // A model that predicts what an experiment measured, with any set of effects switched on. One class for each sort of
-// experiment; tracing, reports and prediction know this interface alone.
+// experiment; diagnosis, reports and prediction know this interface alone.
 
 #include <Eigen/Core>
 #include <limits>

@@ -4,15 +4,34 @@
 // against this alone.
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace glisson::closedloop {
 
+// One measured number: a row of Observations, whose members say more of each.
+struct Observation {
+  double measured = 0;
+  double noise = 0;
+  int trial = 0;
+  int sample = 0;
+  int direction = 0;
+  int point = 0;
+  double time_s = 0;
+  double load = 0;
+  std::optional<Eigen::Vector3d> place_mm = {};
+  std::vector<double> conditions = {};
+};
+
 struct Observations {
   std::string unit;                     // "mm", "kPa"; "noise" where quantities of several units are joined
   std::vector<std::string> directions;  // what the components of a point are called: {"x","y","z"}, {"stress"}, ...
   std::vector<std::string> trials;      // ids
+
+  // Appends rows. All rows of all calls have a place or none has, and have as many conditions. Takes as long as there
+  // are rows already: give those of a trial, or all, at once.
+  void add(const std::vector<Observation>& more);
 
   // Row after row, grouped by trial and within it by time; all have as many rows.
   Eigen::VectorXd measured;    // NaN where predict() was asked for what nobody measured

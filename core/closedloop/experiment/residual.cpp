@@ -77,14 +77,15 @@ ErrorFigures error_figures(const Observations& observations, const Eigen::Vector
   return figures;
 }
 
-Judgement judge(const Observations& observations, const Eigen::VectorXd& white, const Eigen::VectorXd& predicted) {
+ResidualDiagnostics residual_diagnostics(const Observations& observations, const Eigen::VectorXd& white,
+                                         const Eigen::VectorXd& predicted) {
   GLISSON_ASSERT(white.size() == observations.rows());
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(white.size());
   const auto about_the_mean = [](const Eigen::VectorXd& values) {
     return Eigen::VectorXd(values.array() - values.mean());
   };
-  Judgement judgement;
-  auto& tests = judgement.tests;
+  ResidualDiagnostics diagnostics;
+  auto& tests = diagnostics.tests;
   tests.push_back(size_test(white));
   tests.push_back(observations.has_places() ? place_neighbours_test(observations, white)
                                             : time_neighbours_test(observations, white));
@@ -108,12 +109,12 @@ Judgement judge(const Observations& observations, const Eigen::VectorXd& white, 
                                observations, white));
   const auto least =
       std::min_element(tests.begin(), tests.end(), [](const auto& a, const auto& b) { return a.p_value < b.p_value; });
-  judgement.smallest_p = std::min(1.0, least->p_value * static_cast<double>(tests.size()));
-  judgement.is_noise = judgement.smallest_p >= improbable;
-  return judgement;
+  diagnostics.smallest_p = std::min(1.0, least->p_value * static_cast<double>(tests.size()));
+  diagnostics.is_noise = diagnostics.smallest_p >= improbable;
+  return diagnostics;
 }
 
-std::vector<std::string> Judgement::shape() const {
+std::vector<std::string> ResidualDiagnostics::shape() const {
   std::vector<NoiseTest> significant;
   for (const NoiseTest& test : tests) {
     if (test.p_value * static_cast<double>(tests.size()) < improbable) significant.push_back(test);

@@ -34,7 +34,7 @@ struct NoiseTest {
   double p_value = 1;
 };
 
-struct Judgement {
+struct ResidualDiagnostics {
   std::vector<NoiseTest> tests;
   double smallest_p = 1;  // of all tests, times their number (Bonferroni)
   bool is_noise = true;
@@ -47,8 +47,8 @@ struct Judgement {
 //   neighbours  Moran's I over the nearest markers of the same moment; without places, over neighbours in time;
 //   others      score tests: the part of the residual along a few functions of the covariate, against chi-squared.
 // A residual is noise when no test is as improbable as one in a thousand, all tests taken together.
-[[nodiscard]] Judgement judge(const Observations& observations, const Eigen::VectorXd& white,
-                              const Eigen::VectorXd& predicted);
+[[nodiscard]] ResidualDiagnostics residual_diagnostics(const Observations& observations, const Eigen::VectorXd& white,
+                                                       const Eigen::VectorXd& predicted);
 
 // How many neighbouring rows in time repeat each other: 1 + 2 sum of autocorrelations (to the first below 0.05) within
 // trials and directions, at least 1. n rows are worth n over this.

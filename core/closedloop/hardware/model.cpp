@@ -28,7 +28,7 @@ class PlatformModel : public ForwardModel {
  private:
   [[nodiscard]] Eigen::VectorXd predicted_by(const PlatformBehaviour& behaviour, Hold hold) const;
   [[nodiscard]] Result<PlatformBehaviour> behaviour(const Settings& settings) const;
-  [[nodiscard]] bool judged(const PlatformTrial& trial, std::size_t quantity) const;
+  [[nodiscard]] bool is_compared(const PlatformTrial& trial, std::size_t quantity) const;
   void observe(const PlatformTrial& trial);
   void blur_the_end(const PlatformTrial& trial, const std::vector<std::size_t>& seen, Eigen::Index first);
 
@@ -71,8 +71,8 @@ PlatformModel::PlatformModel(Platform platform)
   for (const PlatformTrial& trial : platform_.trials) observe(trial);
 }
 
-// A quantity is judged where it was recorded, its noise is known and the declared model predicts it.
-bool PlatformModel::judged(const PlatformTrial& trial, std::size_t quantity) const {
+// A quantity is compared where it was recorded, its noise is known and the declared model predicts it.
+bool PlatformModel::is_compared(const PlatformTrial& trial, std::size_t quantity) const {
   const std::array noises{platform_.noise_V, platform_.noise_C, platform_.noise_W};
   if (!noises[quantity] || measured(trial, quantity).size() == 0) return false;
   return in_order(readings(declared_behaviour(platform_), platform_, trial))[quantity].size() > 0;
@@ -83,35 +83,29 @@ void PlatformModel::observe(const PlatformTrial& trial) {
   const std::array noises{platform_.noise_V, platform_.noise_C, platform_.noise_W};
   std::vector<std::size_t> seen;
   for (std::size_t quantity = 0; quantity < quantities; ++quantity) {
-    if (judged(trial, quantity)) seen.push_back(quantity);
+    if (is_compared(trial, quantity)) seen.push_back(quantity);
   }
   const Eigen::VectorXd charge = charge_drawn_Ah(trial);
   const Eigen::VectorXd& load = trial.current_A.size() > 0 ? trial.current_A
                                 : trial.load.size() > 0    ? trial.load
                                                            : trial.power_W;
   const Eigen::Index first = all.rows();
-  const Eigen::Index rows = first + trial.time_s.size() * static_cast<Eigen::Index>(seen.size());
-  all.measured.conservativeResize(rows);
-  all.noise.conservativeResize(rows);
-  all.time_s.conservativeResize(rows);
-  all.load.conservativeResize(rows);
-  all.conditions.conservativeResize(rows, 2);
-  Eigen::Index row = first;
+  std::vector<Observation> rows;
   for (Eigen::Index i = 0; i < trial.time_s.size(); ++i) {
     for (const std::size_t quantity : seen) {
-      all.measured[row] = measured(trial, quantity)[i];
-      all.noise[row] = *noises[quantity];
-      all.time_s[row] = trial.time_s[i] - trial.time_s[0];
-      all.load[row] = load.size() > 0 ? load[i] : 0;
-      all.conditions(row, 0) = charge[i];
-      all.conditions(row, 1) = std::log1p(all.time_s[row]);
-      all.trial.push_back(all.trial_count());
-      all.sample.push_back(static_cast<int>(i));
-      all.direction.push_back(static_cast<int>(quantity));
-      all.point.push_back(static_cast<int>(row));
-      ++row;
+      const double time_s = trial.time_s[i] - trial.time_s[0];
+      rows.push_back({.measured = measured(trial, quantity)[i],
+                      .noise = *noises[quantity],
+                      .trial = all.trial_count(),
+                      .sample = static_cast<int>(i),
+                      .direction = static_cast<int>(quantity),
+                      .point = static_cast<int>(first) + static_cast<int>(rows.size()),
+                      .time_s = time_s,
+                      .load = load.size() > 0 ? load[i] : 0,
+                      .conditions = {charge[i], std::log1p(time_s)}});
     }
   }
+  all.add(rows);
   blur_the_end(trial, seen, first);
   all.trials.push_back(trial.id);
 }

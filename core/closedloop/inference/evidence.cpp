@@ -60,7 +60,7 @@ double bic(double chi2, Eigen::Index rows, Eigen::Index parameters, double corre
   return worth * (std::log(variance) + mean_square / variance) + static_cast<double>(parameters) * std::log(worth);
 }
 
-CrossValidationFolds::CrossValidationFolds(const ForwardModel& model) {
+CrossValidationFolds::CrossValidationFolds(const ForwardModel& model, const EvidenceOptions& options) {
   const Observations& all = model.observations();
   const auto count = static_cast<std::size_t>(all.trial_count());
   if (count < 2) return;
@@ -70,7 +70,7 @@ CrossValidationFolds::CrossValidationFolds(const ForwardModel& model) {
     left_out[trial] = true;
     trials_.push_back(fold_without(model, systematic, left_out));
   }
-  // Trials whose load goes beyond that of the others by a tenth; where all go as far there is none.
+  // Trials whose load goes beyond that of the others; where all go about as far there is none.
   std::vector<double> largest(count, 0.0);
   for (Eigen::Index row = 0; row < all.rows(); ++row) {
     double& of_trial = largest[static_cast<std::size_t>(all.trial[static_cast<std::size_t>(row)])];
@@ -78,7 +78,7 @@ CrossValidationFolds::CrossValidationFolds(const ForwardModel& model) {
   }
   const double top = *std::max_element(largest.begin(), largest.end());
   std::vector<bool> left_out(count, false);
-  for (std::size_t trial = 0; trial < count; ++trial) left_out[trial] = largest[trial] > 0.9 * top;
+  for (std::size_t trial = 0; trial < count; ++trial) left_out[trial] = largest[trial] > options.top_load * top;
   if (std::count(left_out.begin(), left_out.end(), false) >= 1)
     largest_load_ = fold_without(model, systematic, left_out);
 }
@@ -88,20 +88,19 @@ namespace {
 // To the rows that a fold keeps: a few steps from where the first order leads; where solves are quick, more of them,
 // and from the fit to all rows if that is nearer.
 Result<Fit> refitted_to(const ForwardModel& model, const Fit& fit, const CrossValidationFolds::Fold& fold,
-                        const Progress& progress) {
-  constexpr int few_steps = 3, more_steps = 10;
+                        const EvidenceOptions& options, const Progress& progress) {
   if (parameter_count(fit.settings) == 0) return without_fitting(model, fit.settings, fold.kept);
   const Eigen::VectorXd& measured = model.observations().measured;
   Settings start =
       with_values(fit.settings, within_bounds(ranges_of(model, fit.settings),
                                               values_of(fit.settings) + first_order_change(fit, measured, fold.kept)));
   if (!model.predicts_quickly())
-    return closedloop::fit(model, start, fold.kept, {.most_iterations = few_steps}, progress);
+    return closedloop::fit(model, start, fold.kept, {.most_iterations = options.refit_iterations}, progress);
   const auto ahead = model.predict(start);
   if (!ahead ||
       fold.kept.whiten(measured - *ahead).squaredNorm() > fold.kept.whiten(measured - fit.predicted).squaredNorm())
     start = fit.settings;
-  return closedloop::fit(model, start, fold.kept, {.most_iterations = more_steps}, progress);
+  return closedloop::fit(model, start, fold.kept, {.most_iterations = options.refit_iterations_where_quick}, progress);
 }
 
 }  // namespace
@@ -113,8 +112,7 @@ LeftOut leave_out(const ForwardModel& model, const Fit& fit, const CrossValidati
 }
 
 double share_of(const Eigen::VectorXd& expected, const Eigen::VectorXd& residual, const Eigen::VectorXd& noise,
-                const std::vector<Eigen::Index>& rows) {
-  constexpr double most = 1.5;
+                const std::vector<Eigen::Index>& rows, const EvidenceOptions& options) {
   double along = 0, square = 0, left = 0;
   for (const Eigen::Index row : rows) {
     if (!std::isfinite(residual[row])) continue;
@@ -124,7 +122,7 @@ double share_of(const Eigen::VectorXd& expected, const Eigen::VectorXd& residual
     left += r * r;
   }
   if (square == 0) return 0;
-  const double share = std::clamp(along / square, 0.0, most);
+  const double share = std::clamp(along / square, 0.0, options.most_of_expected_error);
   const auto n = static_cast<double>(rows.size());
   const double variance = std::max(1.0, left / n);
   const double gain = 2 * share * along - share * share * square;
@@ -132,26 +130,27 @@ double share_of(const Eigen::VectorXd& expected, const Eigen::VectorXd& residual
 }
 
 Result<LeftOut> leave_out_with_refits(const ForwardModel& model, const Fit& fit, const CrossValidationFolds& folds,
-                                      const Progress& progress) {
+                                      const EvidenceOptions& options, const Progress& progress) {
   if (parameter_count(fit.settings) == 0) return leave_out(model, fit, folds);
   return over_folds(model, fit, folds, [&](const CrossValidationFolds::Fold& fold) -> Result<Eigen::VectorXd> {
-    auto refitted = refitted_to(model, fit, fold, progress);
+    auto refitted = refitted_to(model, fit, fold, options, progress);
     if (!refitted) return failure(std::move(refitted.error()));
     return Eigen::VectorXd(refitted->predicted(fold.left_out.rows()));
   });
 }
 
 std::optional<double> largest_load_chi2(const ForwardModel& model, const Fit& fit, const CrossValidationFolds& folds,
-                                        const Progress& progress) {
+                                        const EvidenceOptions& options, const Progress& progress) {
   const auto& fold = folds.largest_load();
   if (!fold) return std::nullopt;
-  const auto refitted = refitted_to(model, fit, *fold, progress);
+  const auto refitted = refitted_to(model, fit, *fold, options, progress);
   if (!refitted) return std::nullopt;
   return fold->left_out.whiten(model.observations().measured - refitted->predicted).squaredNorm();
 }
 
-HeldOut held_out_error(const Observations& observations, const Eigen::VectorXd& predicted) {
-  constexpr int resamplings = 1000;
+HeldOut held_out_error(const Observations& observations, const Eigen::VectorXd& predicted,
+                       const EvidenceOptions& options) {
+  const auto resamplings = static_cast<std::size_t>(options.resamplings_of_error);
   const ErrorFigures whole = error_figures(observations, predicted);
   HeldOut error{whole.rms, whole.rms, whole.rms, whole.mean, whole.p95};
   const auto trials = static_cast<std::size_t>(observations.trial_count());
@@ -168,7 +167,7 @@ HeldOut held_out_error(const Observations& observations, const Eigen::VectorXd& 
   std::mt19937 random(1);
   std::uniform_int_distribution<Eigen::Index> any_trial(0, static_cast<Eigen::Index>(trials) - 1);
   std::vector<double> rms;
-  for (int i = 0; i < resamplings; ++i) {
+  for (std::size_t i = 0; i < resamplings; ++i) {
     double sum = 0;
     double count = 0;
     for (std::size_t t = 0; t < trials; ++t) {
@@ -184,8 +183,9 @@ HeldOut held_out_error(const Observations& observations, const Eigen::VectorXd& 
   return error;
 }
 
-Eigen::MatrixXd bootstrapped_parameters(const ForwardModel& model, const Fit& fit, const Whitening& whitening) {
-  constexpr int resamplings = 400;
+Eigen::MatrixXd bootstrapped_parameters(const ForwardModel& model, const Fit& fit, const Whitening& whitening,
+                                        const EvidenceOptions& options) {
+  const int resamplings = options.resamplings_of_parameters;
   const Observations& all = model.observations();
   const ParameterRanges ranges = ranges_of(model, fit.settings);
   const Eigen::VectorXd values = values_of(fit.settings);
@@ -203,8 +203,7 @@ Eigen::MatrixXd bootstrapped_parameters(const ForwardModel& model, const Fit& fi
   std::uniform_int_distribution<std::size_t> any_trial(0, trials - 1);
   Eigen::MatrixXd samples(values.size(), resamplings);
   for (int b = 0; b < resamplings; ++b) {
-    // The weakest of priors keeps a resampling solvable that drew one trial again and again.
-    Eigen::MatrixXd sum = 1e-6 * Eigen::MatrixXd::Identity(values.size(), values.size());
+    Eigen::MatrixXd sum = options.resampling_prior * Eigen::MatrixXd::Identity(values.size(), values.size());
     Eigen::VectorXd right = Eigen::VectorXd::Zero(values.size());
     for (std::size_t t = 0; t < trials; ++t) {
       const std::size_t trial = any_trial(random);

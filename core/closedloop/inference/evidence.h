@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "closedloop/inference/diagnosis_options.h"
 #include "closedloop/inference/explanation.h"
 #include "closedloop/inference/fit.h"
 
@@ -21,7 +22,7 @@ namespace glisson::closedloop {
 // The ways in which trials are left out whole: each by itself, and the one under the largest load.
 class CrossValidationFolds {
  public:
-  explicit CrossValidationFolds(const ForwardModel& model);
+  explicit CrossValidationFolds(const ForwardModel& model, const EvidenceOptions& options = {});
 
   struct Fold {
     Whitening kept;
@@ -46,22 +47,26 @@ struct LeftOut {
 // How much of an error of this shape the residual shows over these rows: a share from none to one and a half of it, for
 // its size is known roughly; none where BIC says that it does not pay.
 [[nodiscard]] double share_of(const Eigen::VectorXd& expected, const Eigen::VectorXd& residual,
-                              const Eigen::VectorXd& noise, const std::vector<Eigen::Index>& rows);
+                              const Eigen::VectorXd& noise, const std::vector<Eigen::Index>& rows,
+                              const EvidenceOptions& options = {});
 
 // The same with a new fit for each trial.
 Result<LeftOut> leave_out_with_refits(const ForwardModel& model, const Fit& fit, const CrossValidationFolds& folds,
-                                      const Progress& progress = {});
+                                      const EvidenceOptions& options = {}, const Progress& progress = {});
 
 // Chi-squared of the trials under the largest load, predicted by a fit to the others that begins at `fit`; nothing
 // where all trials go about as far, or where that fit fails.
 [[nodiscard]] std::optional<double> largest_load_chi2(const ForwardModel& model, const Fit& fit,
-                                                      const CrossValidationFolds& folds, const Progress& progress = {});
+                                                      const CrossValidationFolds& folds,
+                                                      const EvidenceOptions& options = {},
+                                                      const Progress& progress = {});
 
-// Error with a 95 % interval from 1000 resamplings of the trials.
-[[nodiscard]] HeldOut held_out_error(const Observations& observations, const Eigen::VectorXd& predicted);
+// Error with a 95 % interval from resamplings of the trials.
+[[nodiscard]] HeldOut held_out_error(const Observations& observations, const Eigen::VectorXd& predicted,
+                                     const EvidenceOptions& options = {});
 
-// Parameters refitted, to first order, to 400 resamplings of the trials: a column each.
+// Parameters refitted, to first order, to resamplings of the trials: a column each.
 [[nodiscard]] Eigen::MatrixXd bootstrapped_parameters(const ForwardModel& model, const Fit& fit,
-                                                      const Whitening& whitening);
+                                                      const Whitening& whitening, const EvidenceOptions& options = {});
 
 }  // namespace glisson::closedloop

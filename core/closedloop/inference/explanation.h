@@ -1,6 +1,6 @@
 #pragma once
-// What tracing found: the verdict, the errors before and after, the effects with their evidence, and what to do next.
-// Errors are in the experiment's unit.
+// What a diagnosis found: the verdict, the errors before and after, the effects with their evidence, and what to do
+// next. Errors are in the experiment's unit.
 
 #include <Eigen/Core>
 #include <optional>
@@ -51,7 +51,7 @@ struct FoundEffect {
 };
 
 // How each kind does alone, against the declared model.
-struct Suspect {
+struct RankedCandidate {
   std::string kind;
   std::string form;
   Settings settings;
@@ -75,11 +75,11 @@ struct Explanation {
   ErrorFigures after;
   std::optional<HeldOut> held_out;         // absent for a single trial
   std::optional<HeldOut> held_out_before;  // of the declared model: no fit, so it only adds the interval
-  Judgement judgement_before;
-  Judgement judgement_after;
-  std::vector<FoundEffect> effects;  // by what they remove, the largest first
-  Settings settings;                 // the same, for ForwardModel::predict
-  std::vector<Suspect> ranking;      // the best first
+  ResidualDiagnostics residual_before;
+  ResidualDiagnostics residual_after;
+  std::vector<FoundEffect> effects;      // by what they remove, the largest first
+  Settings settings;                     // the same, for ForwardModel::predict
+  std::vector<RankedCandidate> ranking;  // the best first
   // Of what was found, over a smooth function of what was done that names no cause (smooth_baseline.h); absent where
   // nothing would have been called explained.
   std::optional<double> evidence_over_smooth;

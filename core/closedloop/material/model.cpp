@@ -125,31 +125,26 @@ Observations observations_of(const Material& material) {
   Observations all;
   all.unit = "kPa";
   all.directions = {"stress"};
-  Eigen::Index rows = 0;
-  for (const MaterialTrial& trial : material.trials) rows += trial.time_s.size();
-  all.measured.resize(rows);
-  all.noise = Eigen::VectorXd::Constant(rows, material.noise_kPa);
-  all.direction.assign(static_cast<std::size_t>(rows), 0);
-  all.time_s.resize(rows);
-  all.load.resize(rows);
-  all.conditions.resize(rows, 1);
-  Eigen::Index row = 0;
+  std::vector<Observation> rows;
   for (const MaterialTrial& trial : material.trials) {
-    for (Eigen::Index i = 0; i < trial.time_s.size(); ++i, ++row) {
-      const bool measured = trial.stress_kPa.size() > 0;
-      all.measured[row] = measured ? trial.stress_kPa[i] : std::numeric_limits<double>::quiet_NaN();
-      all.trial.push_back(all.trial_count());
-      all.sample.push_back(static_cast<int>(i));
-      all.point.push_back(static_cast<int>(row));
-      all.time_s[row] = trial.time_s[i];
-      all.load[row] = trial.stretch[i] - 1;
+    for (Eigen::Index i = 0; i < trial.time_s.size(); ++i) {
       // The rate tells loading from unloading and fast from slow.
       const Eigen::Index before = std::max<Eigen::Index>(0, i - 1);
       const double passed_s = trial.time_s[i] - trial.time_s[before];
-      all.conditions(row, 0) = passed_s > 0 ? (trial.stretch[i] - trial.stretch[before]) / passed_s : 0;
+      const double rate = passed_s > 0 ? (trial.stretch[i] - trial.stretch[before]) / passed_s : 0;
+      const bool measured = trial.stress_kPa.size() > 0;
+      rows.push_back({.measured = measured ? trial.stress_kPa[i] : std::numeric_limits<double>::quiet_NaN(),
+                      .noise = material.noise_kPa,
+                      .trial = all.trial_count(),
+                      .sample = static_cast<int>(i),
+                      .point = static_cast<int>(rows.size()),
+                      .time_s = trial.time_s[i],
+                      .load = trial.stretch[i] - 1,
+                      .conditions = {rate}});
     }
     all.trials.push_back(trial.id);
   }
+  all.add(rows);
   return all;
 }
 

@@ -1,5 +1,6 @@
 // Palpations from JSON, the specimen's mesh and the tables of markers.
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -12,6 +13,7 @@
 #include "closedloop/experiment/internal/experiment_source.h"
 #include "geometry/mesh_file.h"
 #include "mechanics/elements/point_location.h"
+#include "mechanics/scenario/mesh_moduli.h"
 #include "mechanics/scenario/scenario_file.h"
 
 namespace glisson::closedloop {
@@ -65,6 +67,7 @@ void read_specimen(const Json& json, const Source& source, Palpation& palpation)
            file);
 
   const Json& modulus = required(json, "youngs_modulus_kPa", "The specimen");
+  std::string modulus_name;
   if (modulus.is_string()) {
     const auto name = modulus.get<std::string>();
     const geometry::Field* field = geometry::find_field(palpation.mesh.cell_fields, name);
@@ -72,6 +75,7 @@ void read_specimen(const Json& json, const Source& source, Palpation& palpation)
       refuse("experiment-invalid", GLISSON_TEXT("{0} has no cell array \"{1}\" with one number a cell."),
              {file.filename().string(), name}, {}, file);
     palpation.cell_young_kPa = field->values;
+    modulus_name = name;
   } else {
     palpation.cell_young_kPa.assign(palpation.mesh.cells.size(), positive_in(modulus, where));
   }
@@ -83,6 +87,12 @@ void read_specimen(const Json& json, const Source& source, Palpation& palpation)
   if (json.contains("poisson_ratio")) palpation.poisson_ratio = number_in(json["poisson_ratio"], "poisson_ratio");
   if (!(palpation.poisson_ratio > -1 && palpation.poisson_ratio < 0.5))
     refuse("experiment-invalid", GLISSON_TEXT("{0} must lie between -1 and 0.5, both excluded."), {"poisson_ratio"});
+  const auto made_by = mechanics::poisson_ratio_of(palpation.mesh);
+  if (modulus_name == mechanics::youngs_modulus_field && made_by && *made_by != palpation.poisson_ratio)
+    refuse("experiment-invalid",
+           GLISSON_TEXT("The moduli in {0} were made of shear moduli by a Poisson's ratio of {1}, not {2}."),
+           {file.filename().string(), fmt::format("{:g}", *made_by), fmt::format("{:g}", palpation.poisson_ratio)},
+           GLISSON_TEXT("Say \"poisson_ratio\": {1} in the specimen."), file);
   if (json.contains("density_kg_m3"))
     palpation.density_kg_mm3 = units::kg_mm3_from_kg_m3(positive_in(json["density_kg_m3"], "specimen, density_kg_m3"));
 }

@@ -110,12 +110,7 @@ Result<std::unique_ptr<ForwardModel>> palpation_model(Palpation experiment, cons
   Observations seen;
   seen.unit = "mm";
   seen.directions = {"x", "y", "z"};
-  struct Row {
-    double measured, time_s, load_N;
-    int trial, sample, direction, point;
-    Eigen::Vector3d place_mm, tool_mm;
-  };
-  std::vector<Row> rows;
+  std::vector<Observation> rows;
   std::map<std::array<double, 3>, Eigen::Index> known_places;
   for (std::size_t t = 0; t < experiment.trials.size(); ++t) {
     const PalpationTrial& trial = experiment.trials[t];
@@ -131,9 +126,18 @@ Result<std::unique_ptr<ForwardModel>> palpation_model(Palpation experiment, cons
         if (is_new) places_mm.push_back(at);
         shot.markers.push_back(place->second);
         const int point = static_cast<int>(rows.size() / 3);
+        const Eigen::Vector3d& tool_mm = trial.tool.center_mm;
         for (int d = 0; d < 3; ++d) {
-          rows.push_back({marker.position_mm[d] - at[d], sample.time_s, units::N_from_mN(sample.force_mN),
-                          static_cast<int>(t), static_cast<int>(s), d, point, at, trial.tool.center_mm});
+          rows.push_back({.measured = marker.position_mm[d] - at[d],
+                          .noise = experiment.noise_mm,
+                          .trial = static_cast<int>(t),
+                          .sample = static_cast<int>(s),
+                          .direction = d,
+                          .point = point,
+                          .time_s = sample.time_s,
+                          .load = units::N_from_mN(sample.force_mN),
+                          .place_mm = at,
+                          .conditions = {tool_mm.x(), tool_mm.y(), tool_mm.z()}});
         }
       }
       shots.push_back(std::move(shot));
@@ -141,25 +145,7 @@ Result<std::unique_ptr<ForwardModel>> palpation_model(Palpation experiment, cons
   }
   if (rows.empty()) return failure("no-measurement", GLISSON_TEXT("No sample of the experiment has markers."));
 
-  const auto count = static_cast<Eigen::Index>(rows.size());
-  seen.measured.resize(count);
-  seen.noise = Eigen::VectorXd::Constant(count, experiment.noise_mm);
-  seen.time_s.resize(count);
-  seen.load.resize(count);
-  seen.place_mm.resize(count, 3);
-  seen.conditions.resize(count, 3);
-  for (Eigen::Index r = 0; r < count; ++r) {
-    const Row& row = rows[static_cast<std::size_t>(r)];
-    seen.measured[r] = row.measured;
-    seen.time_s[r] = row.time_s;
-    seen.load[r] = row.load_N;
-    seen.trial.push_back(row.trial);
-    seen.sample.push_back(row.sample);
-    seen.direction.push_back(row.direction);
-    seen.point.push_back(row.point);
-    seen.place_mm.row(r) = row.place_mm;
-    seen.conditions.row(r) = row.tool_mm;
-  }
+  seen.add(rows);
 
   Interpolation markers(specimen->body.layout, mechanics::locate_points(specimen->body.mesh, places_mm));
   auto solver =

@@ -12,27 +12,6 @@
 namespace glisson::closedloop {
 namespace {
 
-// All candidates get so many steps; those that are then near the best are fitted to the end. A solve can take seconds.
-constexpr int first_iterations = 5, first_iterations_where_quick = 15;
-// The first order says of trials left out what a new fit would say while parameters move little; where it makes the
-// error so much larger than the fit's, it is not believed.
-constexpr double beyond_first_order = 1.3;
-constexpr double clearly_worse = 1.25;  // of chi-squared on trials left out
-constexpr double near_the_best = 1.5;   // in chi-squared
-constexpr double hopeless = 0.1;        // a second start ten times as far as where the first one ended
-// Shares of what the best takes of the error: what promises less than the one is not fitted, and slow forms are tried
-// of kinds that reach the other.
-constexpr double far_less = 0.3, about_as_well = 0.6;
-// ... and what promises less than half of what a finer mesh may change of the prediction cannot be told from that.
-constexpr double half_of_indistinct = 0.25;
-// From the third effect on, what leaves so much of what exceeded the noise names nothing; one that promises less than
-// half of that is not fitted.
-constexpr double a_little = 0.8;
-constexpr double half_of_more_than_a_little = 0.5 * (1 - a_little * a_little);
-// Where two effects leave so much of what exceeded the noise, a third does not make them an explanation; where solves
-// take long, it is not tried.
-constexpr double most_of_the_error = 0.7;
-
 Settings without_kind(Settings settings, const std::string& kind) {
   std::erase_if(settings, [&](const Setting& setting) { return setting.kind == kind; });
   return settings;
@@ -57,7 +36,7 @@ Search::Search(const ForwardModel& model, const DiagnosisOptions& options, const
       progress_(progress),
       systematic_(model.systematic_uncertainty()),
       whitening_(model.observations().noise, systematic_, all_rows(model.observations())),
-      folds_(model) {}
+      folds_(model, options.evidence) {}
 
 double Search::bic_of(const Candidate& candidate) const {
   return bic(candidate.fit.chi2, candidate.fit.white.size(), parameter_count(candidate.fit.settings), correlation_);
@@ -69,10 +48,11 @@ double Search::cost_of_choice(const Candidate& candidate) const {
   return 2 * (std::lgamma(forms + 1) - std::lgamma(chosen + 1) - std::lgamma(forms - chosen + 1));
 }
 
-Candidate Search::judged(Fit fit) const {
+Candidate Search::evaluated(Fit fit) const {
   LeftOut left_out = leave_out(model_, fit, folds_);
-  if (model_.predicts_quickly() && left_out.chi2 > beyond_first_order * fit.chi2) {
-    if (auto refitted = leave_out_with_refits(model_, fit, folds_, progress_)) left_out = std::move(*refitted);
+  if (model_.predicts_quickly() && left_out.chi2 > options_.search.beyond_first_order * fit.chi2) {
+    if (auto refitted = leave_out_with_refits(model_, fit, folds_, options_.evidence, progress_))
+      left_out = std::move(*refitted);
   }
   return {{}, {}, std::move(fit), std::move(left_out), {}, false};
 }
@@ -80,7 +60,7 @@ Candidate Search::judged(Fit fit) const {
 Result<Candidate> Search::declared() const {
   auto fit = without_fitting(model_, {}, whitening_);
   if (!fit) return failure(std::move(fit.error()));
-  return judged(std::move(*fit));
+  return evaluated(std::move(*fit));
 }
 
 std::vector<const Effect*> Search::additions(const Settings& active) const {
@@ -107,7 +87,7 @@ Search::Attempt Search::begin(const Settings& active, const Effect& effect, cons
 }
 
 Candidate Search::fit_from(const Attempt& attempt) const {
-  constexpr std::size_t most_searches = 2;
+  const SearchOptions& options = options_.search;
   std::vector<std::pair<double, const Settings*>> starts;
   std::string problem;
   for (const Settings& start : attempt.starts) {
@@ -123,12 +103,12 @@ Candidate Search::fit_from(const Attempt& attempt) const {
     starts.emplace_back(chi2, &start);
   }
   std::stable_sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  if (starts.size() > most_searches) starts.resize(most_searches);
+  if (starts.size() > options.searches_per_effect) starts.resize(options.searches_per_effect);
 
   std::optional<Fit> best;
   for (const auto& [chi2, start] : starts) {
-    if (best && best->chi2 < hopeless * chi2) continue;
-    const int iterations = model_.predicts_quickly() ? first_iterations_where_quick : first_iterations;
+    if (best && best->chi2 < options.hopeless_start * chi2) continue;
+    const int iterations = model_.predicts_quickly() ? options.first_iterations_where_quick : options.first_iterations;
     auto fitted = fit(model_, *start, whitening_, {.most_iterations = iterations}, progress_);
     if (!fitted) {
       problem = fitted.error().message();
@@ -136,7 +116,7 @@ Candidate Search::fit_from(const Attempt& attempt) const {
       best = std::move(*fitted);
     }
   }
-  Candidate candidate = best ? judged(std::move(*best)) : Candidate{};
+  Candidate candidate = best ? evaluated(std::move(*best)) : Candidate{};
   if (!best) {
     candidate.removed = problem.empty() ? "there is nowhere to begin" : problem;
     candidate.failed = true;
@@ -152,7 +132,7 @@ void Search::finish_near_the_best(std::vector<Candidate>& candidates, double chi
     for (std::size_t i = begin; i < end && !progress_.cancelled(); ++i) {
       const Candidate& candidate = candidates[i];
       if (candidate.fitted() && !candidate.fit.converged && candidate.fit.chi2 < chi2_without &&
-          candidate.fit.chi2 <= near_the_best * best)
+          candidate.fit.chi2 <= options_.search.near_the_best * best)
         finish(candidates[i]);
     }
   });
@@ -161,7 +141,7 @@ void Search::finish_near_the_best(std::vector<Candidate>& candidates, double chi
 void Search::finish(Candidate& candidate) const {
   auto finished = fit(model_, candidate.fit.settings, whitening_, {}, progress_);
   if (!finished) return;
-  Candidate better = judged(std::move(*finished));
+  Candidate better = evaluated(std::move(*finished));
   better.kind = candidate.kind;
   better.form = candidate.form;
   candidate = std::move(better);
@@ -214,13 +194,14 @@ Result<std::vector<Candidate>> Search::fit_each(const Settings& active, const st
   for (const Attempt& attempt : attempts) {
     if (std::isfinite(attempt.promise)) worth_trying = std::max(worth_trying, attempt.promise);
   }
-  worth_trying *= far_less;
+  worth_trying *= options_.search.least_promise;
   if (!active.empty()) {
-    worth_trying =
-        std::max(worth_trying, half_of_indistinct * indistinct() * indistinct() * static_cast<double>(residual.size()));
+    worth_trying = std::max(worth_trying, options_.search.promise_over_mesh_error * indistinct() * indistinct() *
+                                              static_cast<double>(residual.size()));
   }
   if (active.size() >= 2)
-    worth_trying = std::max(worth_trying, half_of_more_than_a_little * (square - static_cast<double>(residual.size())));
+    worth_trying = std::max(
+        worth_trying, options_.search.promise_of_third_effect() * (square - static_cast<double>(residual.size())));
   each(
       [&](std::size_t i) {
         return !effects[i]->late && std::isfinite(attempts[i].promise) && attempts[i].promise >= worth_trying;
@@ -228,7 +209,7 @@ Result<std::vector<Candidate>> Search::fit_each(const Settings& active, const st
       try_one);
   if (progress_.cancelled()) return cancelled();
 
-  const double did_well = about_as_well * most_taken();
+  const double did_well = options_.search.promise_for_slow_form * most_taken();
   const auto kind_did_well = [&](const Effect& effect) {
     for (std::size_t i = 0; i < effects.size(); ++i) {
       if (effects[i]->kind == effect.kind && is_fitted(i) &&
@@ -262,7 +243,7 @@ double Search::excess(const Candidate& candidate) const {
 }
 
 bool Search::leaves_nothing(const Candidate& candidate) const {
-  return judge(model_.observations(), candidate.fit.white, candidate.fit.predicted).is_noise ||
+  return residual_diagnostics(model_.observations(), candidate.fit.white, candidate.fit.predicted).is_noise ||
          excess(candidate) <= indistinct();
 }
 
@@ -280,16 +261,15 @@ bool Search::shows(const Candidate& candidate, const Candidate& current) const {
 // On trials left out one by one.
 bool Search::predicts_better(const Candidate& candidate, const Candidate& current) const {
   if (!folds_.any()) return true;
-  constexpr double by_more_than_luck = 5;  // of chi-squared, in units of what the fit leaves
   const double variance = std::max(1.0, candidate.fit.chi2 / static_cast<double>(candidate.fit.white.size()));
-  return candidate.left_out.chi2 < current.left_out.chi2 - by_more_than_luck * variance * correlation_;
+  return candidate.left_out.chi2 < current.left_out.chi2 - options_.search.gain_beyond_luck * variance * correlation_;
 }
 
 // On them and on those under the largest load, together: while other effects are still missing, one alone may reach
 // less far than none, and yet be right.
 bool Search::pays_beyond(const Candidate& candidate, const Candidate& current) const {
-  const auto with = largest_load_chi2(model_, candidate.fit, folds_, progress_);
-  const auto without = largest_load_chi2(model_, current.fit, folds_, progress_);
+  const auto with = largest_load_chi2(model_, candidate.fit, folds_, options_.evidence, progress_);
+  const auto without = largest_load_chi2(model_, current.fit, folds_, options_.evidence, progress_);
   return !with || !without || candidate.left_out.chi2 + *with < current.left_out.chi2 + *without;
 }
 
@@ -299,7 +279,7 @@ bool Search::ran_out_of_range(const Setting& setting) const {
   if (setting.parameters.size() == 0) return false;
   const Parameter& parameter = effect_of(model_, setting)->parameters.front();
   const double size = setting.parameters[0];
-  constexpr double close = 1e-6;
+  const double close = options_.search.end_of_range;
   const double margin = close * (parameter.upper - parameter.lower);
   return size < parameter.lower * (1 + close) + margin * (parameter.scale == Scale::linear) ||
          size > parameter.upper - margin;
@@ -327,7 +307,8 @@ Result<Candidate> Search::select(const Candidate& declared, std::vector<Candidat
 Result<Candidate> Search::forward(Candidate current, std::vector<Candidate>* singles) {
   const double at_first = excess(current);
   for (std::size_t step = 0; step < 2 * options_.most_effects; ++step) {
-    const bool in_vain = current.fit.settings.size() >= 2 && excess(current) > most_of_the_error * at_first;
+    const bool in_vain =
+        current.fit.settings.size() >= 2 && excess(current) > options_.search.excess_worth_a_third_effect * at_first;
     if (in_vain && !model_.predicts_quickly()) return current;
     const double begin = std::min(0.9, 0.3 * static_cast<double>(step));
     auto candidates = fit_each(current.fit.settings, additions(current.fit.settings),
@@ -347,7 +328,8 @@ Result<Candidate> Search::forward(Candidate current, std::vector<Candidate>* sin
     if (next == candidates->end()) return current;
     auto checked = backward(std::move(*next));
     if (!checked) return checked;
-    if (current.fit.settings.size() >= 2 && excess(*checked) > a_little * excess(current) && !leaves_nothing(*checked))
+    if (current.fit.settings.size() >= 2 &&
+        excess(*checked) > options_.search.excess_after_third_effect * excess(current) && !leaves_nothing(*checked))
       return current;
     current = std::move(*checked);
     if (leaves_nothing(current)) return current;
@@ -360,7 +342,7 @@ Result<Candidate> Search::without(const Candidate& chosen, std::size_t which) co
   settings.erase(settings.begin() + static_cast<std::ptrdiff_t>(which));
   auto fitted = fit(model_, settings, whitening_, {}, progress_);
   if (!fitted) return failure(std::move(fitted.error()));
-  return judged(std::move(*fitted));
+  return evaluated(std::move(*fitted));
 }
 
 // Effects that do not pay any more, now that others are there, leave. Where what is left repeats itself from row to
@@ -371,8 +353,8 @@ Result<Candidate> Search::backward(Candidate chosen) const {
     if (!smaller) {
       if (progress_.cancelled()) return cancelled();
       ++which;
-    } else if (bic_of(*smaller) < bic_of(chosen) + options_.entry_bic / 2 &&
-               smaller->left_out.chi2 < clearly_worse * chosen.left_out.chi2) {
+    } else if (bic_of(*smaller) < bic_of(chosen) + options_.search.exit_bic_share * options_.entry_bic &&
+               smaller->left_out.chi2 < options_.search.clearly_worse_left_out * chosen.left_out.chi2) {
       chosen = std::move(*smaller);
       which = 0;
     } else {

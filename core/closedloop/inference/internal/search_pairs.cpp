@@ -22,8 +22,7 @@ std::vector<Setting> beginnings_of(const ForwardModel& model, const Candidate& a
 
 // Of each kind the forms that did best alone and the first of the catalogue, for what does nothing alone may do so in
 // company (friction in a specimen that is softer than declared).
-std::vector<const Candidate*> forms_to_pair(const std::vector<Candidate>& singles) {
-  constexpr std::size_t of_a_kind = 2;
+std::vector<const Candidate*> forms_to_pair(const std::vector<Candidate>& singles, std::size_t of_a_kind) {
   std::vector<const Candidate*> by_chi2;
   for (const Candidate& single : singles) {
     if (single.fitted() && single.fit.settings.size() == 1) by_chi2.push_back(&single);
@@ -73,7 +72,7 @@ Result<Candidate> Search::with_best_pair(Candidate chosen, const Candidate& decl
 
 // Each two of different kinds, from where each began or ended alone.
 std::vector<Candidate> Search::pairs_of(const std::vector<Candidate>& singles) const {
-  const std::vector<const Candidate*> forms = forms_to_pair(singles);
+  const std::vector<const Candidate*> forms = forms_to_pair(singles, options_.search.forms_per_kind_in_pairs);
   std::vector<Attempt> attempts;
   for (std::size_t b = 1; b < forms.size(); ++b) {
     for (std::size_t a = 0; a < b; ++a) {

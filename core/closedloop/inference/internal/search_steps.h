@@ -1,11 +1,13 @@
 #pragma once
-// The search for effects: candidates fitted, judged by evidence, and let in or sent away. diagnosis.cpp tells its
+// The search for effects: candidates fitted, weighed by evidence, and let in or sent away. diagnosis.cpp tells its
 // outcome.
 
 #include <string>
 #include <vector>
 
-#include "closedloop/inference/diagnosis.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "closedloop/inference/diagnosis_options.h"
 #include "closedloop/inference/evidence.h"
 
 namespace glisson::closedloop {
@@ -53,6 +55,8 @@ class Search {
   [[nodiscard]] const CrossValidationFolds& folds() const { return folds_; }
   [[nodiscard]] const Whitening& whitening() const { return whitening_; }
   [[nodiscard]] double correlation() const { return correlation_; }
+  [[nodiscard]] const ForwardModel& model() const { return model_; }
+  [[nodiscard]] const DiagnosisOptions& options() const { return options_; }
 
  private:
   Result<Candidate> forward(Candidate current, std::vector<Candidate>* singles);
@@ -73,7 +77,7 @@ class Search {
   [[nodiscard]] Candidate fit_from(const Attempt& attempt) const;
   void finish(Candidate& candidate) const;
   void finish_near_the_best(std::vector<Candidate>& candidates, double chi2_without) const;
-  [[nodiscard]] Candidate judged(Fit fit) const;
+  [[nodiscard]] Candidate evaluated(Fit fit) const;
   [[nodiscard]] double plain_square(const Eigen::VectorXd& predicted) const;
   [[nodiscard]] bool shows(const Candidate& candidate, const Candidate& current) const;
   [[nodiscard]] bool predicts_better(const Candidate& candidate, const Candidate& current) const;

@@ -13,13 +13,13 @@ namespace glisson::closedloop {
 namespace {
 
 std::vector<Start> compliance_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
-                                     const ResidualField& left);
+                                     const ResidualField& left, const PalpationStartOptions& options);
 std::vector<Start> capsule_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
-                                  const ResidualField& left);
+                                  const ResidualField& left, const PalpationStartOptions& options);
 std::vector<Start> anisotropy_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
-                                     const ResidualField& left);
+                                     const ResidualField& left, const PalpationStartOptions& options);
 std::vector<Start> inclusion_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
-                                    const ResidualField& left);
+                                    const ResidualField& left, const PalpationStartOptions& options);
 
 Match match_response(const ResidualField& left, const Eigen::MatrixXd& response_change) {
   return match(left, response_change * left.amounts);
@@ -34,9 +34,7 @@ Match match(const ResidualField& left, const Eigen::MatrixXd& change_mm) {
   return {along / size, along * along / size};
 }
 
-bool bends_with_the_load(const ResidualField& left, double noise_mm) {
-  constexpr int fewest = 4;  // shots that leave something to a square beside a line
-  constexpr double standard_deviations = 4;
+bool bends_with_the_load(const ResidualField& left, double noise_mm, const PalpationStartOptions& options) {
   double gain_mm2 = 0, looked_at = 0;
   for (Eigen::Index load = 0; load < left.amounts.rows(); ++load) {
     const double largest = left.amounts.row(load).cwiseAbs().maxCoeff();
@@ -45,27 +43,27 @@ bool bends_with_the_load(const ResidualField& left, double noise_mm) {
       for (Eigen::Index s = 0; s < left.seen.cols(); ++s) {
         if (left.seen(row, s) > 0 && left.amounts(load, s) != 0) shots.push_back(s);
       }
-      if (static_cast<int>(shots.size()) < fewest) continue;
+      if (shots.size() < options.fewest_shots) continue;
       const Eigen::VectorXd amount = left.amounts.row(load)(shots).transpose() / largest;
       Eigen::MatrixXd line(amount.size(), 2);
       line << Eigen::VectorXd::Ones(amount.size()), amount;
       const Eigen::VectorXd square = amount.cwiseAbs2();
       const Eigen::VectorXd bend = square - line * line.colPivHouseholderQr().solve(square);
-      if (bend.squaredNorm() < 1e-6) continue;
+      if (bend.squaredNorm() < options.least_curvature) continue;
       const double along = bend.dot(left.residual_mm.row(row)(shots).transpose());
       gain_mm2 += along * along / bend.squaredNorm();
       looked_at += 1;
     }
   }
-  return gain_mm2 > noise_mm * noise_mm * (looked_at + standard_deviations * std::sqrt(2 * looked_at));
+  return gain_mm2 > noise_mm * noise_mm * (looked_at + options.bend_in_deviations * std::sqrt(2 * looked_at));
 }
 
 std::vector<Start> palpation_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
-                                    const ResidualField& left) {
-  if (effect.kind == palpation::support_compliance) return compliance_starts(effect, solver, state, left);
-  if (effect.kind == palpation::capsule) return capsule_starts(effect, solver, state, left);
-  if (effect.kind == palpation::anisotropy) return anisotropy_starts(effect, solver, state, left);
-  if (effect.kind == palpation::stiff_inclusion) return inclusion_starts(effect, solver, state, left);
+                                    const ResidualField& left, const PalpationStartOptions& options) {
+  if (effect.kind == palpation::support_compliance) return compliance_starts(effect, solver, state, left, options);
+  if (effect.kind == palpation::capsule) return capsule_starts(effect, solver, state, left, options);
+  if (effect.kind == palpation::anisotropy) return anisotropy_starts(effect, solver, state, left, options);
+  if (effect.kind == palpation::stiff_inclusion) return inclusion_starts(effect, solver, state, left, options);
   return {};
 }
 
@@ -77,7 +75,7 @@ Eigen::VectorXd one(double value) { return Eigen::VectorXd::Constant(1, value); 
 
 // Springs as soft as usual, as a measure: what they change, and how much of that is left over.
 std::vector<Start> compliance_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
-                                     const ResidualField& left) {
+                                     const ResidualField& left, const PalpationStartOptions& options) {
   Structure soft = state.scaled_structure();
   const double usual = 1.0 / effect.starts.front()[0];
   soft.compliance_mm_per_kPa += usual * state.stiffness_factor;
@@ -85,16 +83,16 @@ std::vector<Start> compliance_starts(const Effect& effect, const PalpationSolver
   const auto after = solver.at_markers(soft);
   if (!before || !after) return {};
   const Match found = match_response(left, *after - *before);
-  const double compliance = usual * std::clamp(found.amount, 1e-2, 30.0);
+  const double compliance = usual * std::clamp(found.amount, options.least_compliance, options.most_compliance);
   return {{one(clamped(1.0 / compliance, effect.parameters[0])), found.gain_mm2}};
 }
 
 std::vector<Start> capsule_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
-                                  const ResidualField& left) {
+                                  const ResidualField& left, const PalpationStartOptions& options) {
   const auto slope = solver.derivatives_at_markers(state.scaled_structure(), {StructureParameter::capsule});
   if (!slope) return {};
   const Match found = match_response(left, slope->front());
-  const double least = 0.1 * effect.starts.front()[0];
+  const double least = options.least_capsule * effect.starts.front()[0];
   const double size_N_per_mm = std::max(least, units::N_from_mN(found.amount * state.stiffness_factor));
   return {{one(clamped(size_N_per_mm, effect.parameters[0])), found.gain_mm2}};
 }
@@ -114,7 +112,7 @@ std::vector<Eigen::Vector3d> directions() {
 }
 
 std::vector<Start> anisotropy_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
-                                     const ResidualField& left) {
+                                     const ResidualField& left, const PalpationStartOptions& options) {
   const Structure structure = state.scaled_structure();
   const auto solution = solver.solution(structure);
   if (!solution) return {};
@@ -142,14 +140,17 @@ std::vector<Start> anisotropy_starts(const Effect& effect, const PalpationSolver
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return matches[a].gain_mm2 > matches[b].gain_mm2; });
-  // A strong fibre direction does not act as a weak one: several are worth a closer look.
-  constexpr std::size_t most_starts = 6;
   std::vector<Start> starts;
   for (const std::size_t a : order) {
-    if (starts.size() == most_starts || matches[a].gain_mm2 < 0.4 * matches[order.front()].gain_mm2) break;
+    if (starts.size() == options.most_axes ||
+        matches[a].gain_mm2 < options.worth_of_axis * matches[order.front()].gain_mm2)
+      break;
     Eigen::VectorXd start(4);
-    start << axes[a], clamped(std::clamp(std::exp(matches[a].amount), 0.5, 4.0), effect.parameters[3]);
-    if (std::abs(start[3] - 1.0) < 0.02) start[3] = matches[a].amount > 0 ? 1.02 : 0.98;
+    start << axes[a],
+        clamped(std::clamp(std::exp(matches[a].amount), options.least_fibre_ratio, options.most_fibre_ratio),
+                effect.parameters[3]);
+    const double away = options.away_from_isotropic;
+    if (std::abs(start[3] - 1.0) < away) start[3] = matches[a].amount > 0 ? 1 + away : 1 - away;
     starts.push_back({std::move(start), matches[a].gain_mm2});
   }
   return starts;
@@ -162,23 +163,20 @@ struct Influence {
   std::vector<Eigen::Index> loads;
   std::vector<Eigen::MatrixXf> of_cell;  // rows x loads
 };
-Influence influence(const PalpationSolver& solver, const PalpationSolver::Solution& solution,
-                    const ResidualField& left);
+Influence influence(const PalpationSolver& solver, const PalpationSolver::Solution& solution, const ResidualField& left,
+                    Eigen::Index most_places);
 
 struct Ball {
   Eigen::Vector3d center_mm;
   double radius_mm = 0;  // 0: not matched
   Match match;
-
-  // Lumps are stiff before they are soft: a soft one must explain much more.
-  [[nodiscard]] double worth_mm2() const { return match.amount > 0 ? match.gain_mm2 : 0.5 * match.gain_mm2; }
 };
 
 std::vector<Start> inclusion_starts(const Effect& effect, const PalpationSolver& solver, const PalpationState& state,
-                                    const ResidualField& left) {
+                                    const ResidualField& left, const PalpationStartOptions& options) {
   const auto solution = solver.solution(state.scaled_structure());
   if (!solution) return {};
-  const Influence on = influence(solver, **solution, left);
+  const Influence on = influence(solver, **solution, left, options.most_places);
   const auto rows = static_cast<Eigen::Index>(on.rows.size()), loads = static_cast<Eigen::Index>(on.loads.size());
   if (rows == 0 || loads == 0) return {};
 
@@ -206,30 +204,35 @@ std::vector<Start> inclusion_starts(const Effect& effect, const PalpationSolver&
   std::vector<Eigen::Vector3d> centroids;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) centroids.push_back(geometry::cell_centroid_mm(mesh, c));
   std::vector<Ball> balls;
-  const double spacing_mm = 0.25 * largest_mm;
+  const double spacing_mm = options.ball_spacing * largest_mm;
   for (const Eigen::Vector3d& centroid : centroids) {
     const bool apart = std::all_of(balls.begin(), balls.end(), [&](const Ball& other) {
       return (other.center_mm - centroid).squaredNorm() > spacing_mm * spacing_mm;
     });
     if (apart) balls.push_back({centroid, 0, {}});
   }
+  const auto worth_mm2 = [&](const Ball& ball) {
+    return ball.match.amount > 0 ? ball.match.gain_mm2 : options.worth_if_soft * ball.match.gain_mm2;
+  };
   parallel_for(balls.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) {
-      for (const double share : {0.25, 0.4, 0.6}) {
+      for (const double share : options.ball_radii) {
         const double radius_mm = std::max(smallest_mm, share * largest_mm);
         Eigen::MatrixXf sum = Eigen::MatrixXf::Zero(rows, loads);
         for (std::size_t c = 0; c < centroids.size(); ++c) {
           if ((centroids[c] - balls[b].center_mm).squaredNorm() < radius_mm * radius_mm) sum += on.of_cell[c];
         }
         const Ball ball{balls[b].center_mm, radius_mm, match_of(sum.cast<double>())};
-        if (ball.worth_mm2() > balls[b].worth_mm2()) balls[b] = ball;
+        if (worth_mm2(ball) > worth_mm2(balls[b])) balls[b] = ball;
       }
     }
   });
-  std::sort(balls.begin(), balls.end(), [](const Ball& a, const Ball& b) { return a.worth_mm2() > b.worth_mm2(); });
+  std::sort(balls.begin(), balls.end(), [&](const Ball& a, const Ball& b) { return worth_mm2(a) > worth_mm2(b); });
   std::vector<Ball> best;
   for (const Ball& ball : balls) {
-    if (best.size() == 3 || ball.radius_mm == 0 || ball.worth_mm2() < 0.6 * balls.front().worth_mm2()) break;
+    if (best.size() == options.most_balls || ball.radius_mm == 0 ||
+        worth_mm2(ball) < options.worth_of_ball * worth_mm2(balls.front()))
+      break;
     const bool apart = std::all_of(best.begin(), best.end(), [&](const Ball& other) {
       return (other.center_mm - ball.center_mm).norm() > std::max(other.radius_mm, ball.radius_mm);
     });
@@ -238,9 +241,10 @@ std::vector<Start> inclusion_starts(const Effect& effect, const PalpationSolver&
   std::vector<Start> starts;
   for (const Ball& ball : best) {
     Eigen::VectorXd start(5);
-    const double ratio = std::exp(std::clamp(ball.match.amount, -1.0, 1.5));
+    const double ratio = std::exp(std::clamp(ball.match.amount, options.least_log_ratio, options.most_log_ratio));
     start << ball.center_mm, clamped(ball.radius_mm, effect.parameters[3]),
-        clamped(ball.match.amount > 0 ? std::max(1.3, ratio) : std::min(0.8, ratio), effect.parameters[4]);
+        clamped(ball.match.amount > 0 ? std::max(options.stiff_from, ratio) : std::min(options.soft_to, ratio),
+                effect.parameters[4]);
     for (int d = 0; d < 3; ++d) start[d] = clamped(start[d], effect.parameters[static_cast<std::size_t>(d)]);
     starts.push_back({std::move(start), ball.match.gain_mm2});
   }
@@ -260,9 +264,8 @@ std::vector<Eigen::Index> places_looked_at(const ResidualField& left, Eigen::Ind
   return spread;
 }
 
-Influence influence(const PalpationSolver& solver, const PalpationSolver::Solution& solution,
-                    const ResidualField& left) {
-  constexpr Eigen::Index most_places = 60;
+Influence influence(const PalpationSolver& solver, const PalpationSolver::Solution& solution, const ResidualField& left,
+                    Eigen::Index most_places) {
   Influence on;
   for (const Eigen::Index place : places_looked_at(left, most_places)) {
     for (int d = 0; d < 3; ++d) on.rows.push_back(3 * place + d);

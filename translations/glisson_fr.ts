@@ -1,2784 +1,2784 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
-<TS version="2.1" language="de" sourcelanguage="en">
+<TS version="2.1" language="fr" sourcelanguage="en">
 <context>
     <name>AskPath</name>
     <message>
         <source>Take this folder</source>
-        <translation>Diesen Ordner nehmen</translation>
+        <translation>Prendre ce dossier</translation>
     </message>
 </context>
 <context>
     <name>Workspace</name>
     <message>
         <source>Needs a model of the liver: build it first.</source>
-        <translation>Braucht ein Modell der Leber: Erstellen Sie es zuerst.</translation>
+        <translation>Il faut un modèle du foie&#xa0;: construisez-le d’abord.</translation>
     </message>
     <message>
         <source>The model is being prepared.</source>
-        <translation>Das Modell wird vorbereitet.</translation>
+        <translation>Le modèle est en cours de préparation.</translation>
     </message>
 </context>
 <context>
     <name>effects</name>
     <message>
         <source>Stiffer or softer throughout</source>
-        <translation>Überall steifer oder weicher</translation>
+        <translation>Partout plus rigide ou plus souple</translation>
     </message>
     <message>
         <source>Stiffens as it deforms</source>
-        <translation>Versteift sich bei Verformung</translation>
+        <translation>Se raidit en se déformant</translation>
     </message>
     <message>
         <source>The support gives way</source>
-        <translation>Die Lagerung gibt nach</translation>
+        <translation>L’appui cède</translation>
     </message>
     <message>
         <source>A hidden stiffer region</source>
-        <translation>Ein verborgener steiferer Bereich</translation>
+        <translation>Une région plus rigide cachée</translation>
     </message>
     <message>
         <source>Creeps under load</source>
-        <translation>Kriecht unter Last</translation>
+        <translation>Flue sous la charge</translation>
     </message>
     <message>
         <source>The force sensor is off</source>
-        <translation>Der Kraftsensor misst falsch</translation>
+        <translation>Le capteur de force est faussé</translation>
     </message>
     <message>
         <source>Camera and specimen misaligned</source>
-        <translation>Kamera und Prüfkörper verschoben</translation>
+        <translation>Caméra et échantillon mal alignés</translation>
     </message>
     <message>
         <source>Stiffer along one direction</source>
-        <translation>Steifer in einer Richtung</translation>
+        <translation>Plus rigide dans une direction</translation>
     </message>
     <message>
         <source>A stiff capsule around it</source>
-        <translation>Eine steife Kapsel darum</translation>
+        <translation>Une capsule rigide autour</translation>
     </message>
     <message>
         <source>Already loaded at the start</source>
-        <translation>Schon zu Beginn belastet</translation>
+        <translation>Déjà chargé au départ</translation>
     </message>
     <message>
         <source>Softer once it was stretched</source>
-        <translation>Weicher, nachdem es gedehnt wurde</translation>
+        <translation>Plus souple après un premier étirement</translation>
     </message>
     <message>
         <source>Loading and unloading differ</source>
-        <translation>Be- und Entlastung unterscheiden sich</translation>
+        <translation>Charge et décharge diffèrent</translation>
     </message>
     <message>
         <source>Tension and compression differ</source>
-        <translation>Zug und Druck unterscheiden sich</translation>
+        <translation>Traction et compression diffèrent</translation>
     </message>
     <message>
         <source>The battery&apos;s own resistance</source>
-        <translation>Der Widerstand des Akkus selbst</translation>
+        <translation>La résistance propre de la batterie</translation>
     </message>
     <message>
         <source>Less charge when emptied fast</source>
-        <translation>Weniger Ladung bei schneller Entladung</translation>
+        <translation>Moins de charge si vidée vite</translation>
     </message>
     <message>
         <source>It warms itself</source>
-        <translation>Es erwärmt sich selbst</translation>
+        <translation>Il se réchauffe lui-même</translation>
     </message>
     <message>
         <source>Voltage falls as it empties</source>
-        <translation>Spannung fällt beim Entladen</translation>
+        <translation>La tension baisse en se vidant</translation>
     </message>
     <message>
         <source>Power drawn at rest</source>
-        <translation>Leistung im Leerlauf</translation>
+        <translation>Puissance au repos</translation>
     </message>
     <message>
         <source>Power drawn by the work</source>
-        <translation>Leistung durch die Arbeit</translation>
+        <translation>Puissance due au travail</translation>
     </message>
     <message>
         <source>Slows down when hot</source>
-        <translation>Wird heiß langsamer</translation>
+        <translation>Ralentit à chaud</translation>
     </message>
     <message>
         <source>Sheds heat better or worse</source>
-        <translation>Gibt Wärme besser oder schlechter ab</translation>
+        <translation>Évacue la chaleur mieux ou moins bien</translation>
     </message>
     <message>
         <source>Takes time to warm up</source>
-        <translation>Braucht Zeit zum Warmwerden</translation>
+        <translation>Met du temps à chauffer</translation>
     </message>
     <message>
         <source>Power lost in the supply</source>
-        <translation>Verlust in der Versorgung</translation>
+        <translation>Pertes dans l’alimentation</translation>
     </message>
     <message>
         <source>A smooth correction, no cause</source>
-        <translation>Eine glatte Korrektur, keine Ursache</translation>
+        <translation>Une correction lisse, pas une cause</translation>
     </message>
 </context>
 <context>
     <name>errors</name>
     <message>
         <source>There is no column &quot;{0}&quot;.</source>
-        <translation>Es gibt keine Spalte „{0}“.</translation>
+        <translation>Il n’y a pas de colonne «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>The columns are {1}.</source>
-        <translation>Die Spalten sind {1}.</translation>
+        <translation>Les colonnes sont {1}.</translation>
     </message>
     <message>
         <source>{0} has too many columns.</source>
-        <translation>{0} hat zu viele Spalten.</translation>
+        <translation>{0} a trop de colonnes.</translation>
     </message>
     <message>
         <source>{0} holds no rows of numbers.</source>
-        <translation>{0} enthält keine Zeilen mit Zahlen.</translation>
+        <translation>{0} ne contient aucune ligne de nombres.</translation>
     </message>
     <message>
         <source>The file {0} cannot be read.</source>
-        <translation>Die Datei {0} kann nicht gelesen werden.</translation>
+        <translation>Le fichier {0} ne peut pas être lu.</translation>
     </message>
     <message>
         <source>Check that it exists and that you may read it.</source>
-        <translation>Prüfen Sie, ob sie vorhanden ist und Sie sie lesen dürfen.</translation>
+        <translation>Vérifiez qu’il existe et que vous avez le droit de le lire.</translation>
     </message>
     <message>
         <source>{0} cannot be written: {1}.</source>
-        <translation>{0} kann nicht geschrieben werden: {1}.</translation>
+        <translation>{0} ne peut pas être écrit&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Check the folder, your rights there and the free space.</source>
-        <translation>Prüfen Sie den Ordner, Ihre Rechte dort und den freien Speicherplatz.</translation>
+        <translation>Vérifiez le dossier, vos droits sur celui-ci et l’espace libre.</translation>
     </message>
     <message>
         <source>The file {0} has {1} bytes; at most {2} are read.</source>
-        <translation>Die Datei {0} hat {1} Bytes; höchstens {2} werden gelesen.</translation>
+        <translation>Le fichier {0} a {1} octets&#xa0;; {2} au plus sont lus.</translation>
     </message>
     <message>
         <source>The files that ship with Glisson were not found.</source>
-        <translation>Die mit Glisson gelieferten Dateien wurden nicht gefunden.</translation>
+        <translation>Les fichiers livrés avec Glisson n’ont pas été trouvés.</translation>
     </message>
     <message>
         <source>Set GLISSON_RESOURCES to the folder named resources.</source>
-        <translation>Setzen Sie GLISSON_RESOURCES auf den Ordner namens resources.</translation>
+        <translation>Donnez à GLISSON_RESOURCES le chemin du dossier resources.</translation>
     </message>
     <message>
         <source>{0} is nested too deep to be one of our files.</source>
-        <translation>{0} ist zu tief verschachtelt, um eine unserer Dateien zu sein.</translation>
+        <translation>{0} est imbriqué trop profondément pour être un de nos fichiers.</translation>
     </message>
     <message>
         <source>{0} is not valid JSON at line {1}.</source>
-        <translation>{0} ist in Zeile {1} kein gültiges JSON.</translation>
+        <translation>{0} n’est pas du JSON valide à la ligne {1}.</translation>
     </message>
     <message>
         <source>Look for a missing comma, quote or bracket there.</source>
-        <translation>Suchen Sie dort nach einem fehlenden Komma, Anführungszeichen oder einer fehlenden Klammer.</translation>
+        <translation>Cherchez-y une virgule, un guillemet ou un crochet manquant.</translation>
     </message>
     <message>
         <source>{0} holds a number too large for a computer&apos;s arithmetic.</source>
-        <translation>{0} enthält eine Zahl, die zu groß für die Rechnung eines Computers ist.</translation>
+        <translation>{0} contient un nombre trop grand pour l’arithmétique d’un ordinateur.</translation>
     </message>
     <message>
         <source>{0} should be an object in braces.</source>
-        <translation>{0} muss ein Objekt in geschweiften Klammern sein.</translation>
+        <translation>{0} doit être un objet entre accolades.</translation>
     </message>
     <message>
         <source>{0} has a key that is not known: &quot;{1}&quot;.</source>
-        <translation>{0} hat einen unbekannten Schlüssel: „{1}“.</translation>
+        <translation>{0} a une clé inconnue&#xa0;: «&#xa0;{1}&#xa0;».</translation>
     </message>
     <message>
         <source>Did you mean &quot;{2}&quot;?</source>
-        <translation>Meinten Sie „{2}“?</translation>
+        <translation>Vouliez-vous dire «&#xa0;{2}&#xa0;»&#xa0;?</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
+        <translation>Annulé.</translation>
     </message>
     <message>
         <source>{0} is there already.</source>
-        <translation>{0} ist schon vorhanden.</translation>
+        <translation>{0} existe déjà.</translation>
     </message>
     <message>
         <source>Choose another name, or remove it first.</source>
-        <translation>Wählen Sie einen anderen Namen, oder entfernen Sie es zuerst.</translation>
+        <translation>Choisissez un autre nom, ou supprimez-le d’abord.</translation>
     </message>
     <message>
         <source>The folder {0} cannot be made: {1}.</source>
-        <translation>Der Ordner {0} kann nicht angelegt werden: {1}.</translation>
+        <translation>Le dossier {0} ne peut pas être créé&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>it holds no case.json</source>
-        <translation>er enthält keine case.json</translation>
+        <translation>il ne contient pas de case.json</translation>
     </message>
     <message>
         <source>case.json does not say &quot;format&quot;: &quot;glisson-case/1&quot;</source>
-        <translation>case.json sagt nicht &quot;format&quot;: &quot;glisson-case/1&quot;</translation>
+        <translation>case.json n’indique pas &quot;format&quot;: &quot;glisson-case/1&quot;</translation>
     </message>
     <message>
         <source>The case {0} has no {1} yet.</source>
-        <translation>Der Fall {0} hat noch kein {1}.</translation>
+        <translation>Le cas {0} n’a pas encore de {1}.</translation>
     </message>
     <message>
         <source>Import a study first (glisson-cli import).</source>
-        <translation>Importieren Sie zuerst eine Studie (glisson-cli import).</translation>
+        <translation>Importez d’abord une étude (glisson-cli import).</translation>
     </message>
     <message>
         <source>Segment it first (glisson-cli segment).</source>
-        <translation>Segmentieren Sie es zuerst (glisson-cli segment).</translation>
+        <translation>Segmentez-le d’abord (glisson-cli segment).</translation>
     </message>
     <message>
         <source>Mesh the liver first (glisson-cli mesh).</source>
-        <translation>Vernetzen Sie zuerst die Leber (glisson-cli mesh).</translation>
+        <translation>Maillez d’abord le foie (glisson-cli mesh).</translation>
     </message>
     <message>
         <source>{0} cannot be put in its place: {1}.</source>
-        <translation>{0} kann nicht an seinen Platz gebracht werden: {1}.</translation>
+        <translation>{0} ne peut pas être mis à sa place&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: {1}.</source>
-        <translation>{0} ist beschädigt: {1}.</translation>
+        <translation>{0} est endommagé&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>{0} is not a Glisson case: {1}.</source>
-        <translation>{0} ist kein Glisson-Fall: {1}.</translation>
+        <translation>{0} n’est pas un cas Glisson&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Make one with: glisson-cli import STUDY --case NAME.glisson</source>
-        <translation>Legen Sie einen an mit: glisson-cli import STUDIE --case NAME.glisson</translation>
+        <translation>Créez-en un avec&#xa0;: glisson-cli import ETUDE --case NOM.glisson</translation>
     </message>
     <message>
         <source>{0} holds nothing that could be written as {1}.</source>
-        <translation>{0} enthält nichts, was als {1} geschrieben werden könnte.</translation>
+        <translation>{0} ne contient rien qui puisse être écrit en {1}.</translation>
     </message>
     <message>
         <source>Run the stage that makes it first.</source>
-        <translation>Führen Sie zuerst den Schritt aus, der es erzeugt.</translation>
+        <translation>Exécutez d’abord l’étape qui le produit.</translation>
     </message>
     <message>
         <source>Writing</source>
-        <translation>Schreiben</translation>
+        <translation>Écriture</translation>
     </message>
     <message>
         <source>SIMULATED from a real patient&apos;s anatomy, not measured</source>
-        <translation>SIMULIERT nach der Anatomie eines wirklichen Patienten, nicht gemessen</translation>
+        <translation>SIMULÉ d’après l’anatomie d’un vrai patient, non mesuré</translation>
     </message>
     <message>
         <source>The study has no series {0}.</source>
-        <translation>Die Studie hat keine Serie {0}.</translation>
+        <translation>L’étude n’a pas de série {0}.</translation>
     </message>
     <message>
         <source>glisson-cli scan lists them.</source>
-        <translation>glisson-cli scan führt sie auf.</translation>
+        <translation>glisson-cli scan en donne la liste.</translation>
     </message>
     <message>
         <source>{0} series could be the {1}:{2}</source>
-        <translation>{0} Serien kommen als {1} infrage:{2}</translation>
+        <translation>{0} séries pourraient être {1}&#xa0;:{2}</translation>
     </message>
     <message>
         <source>Name one with {3} UID.</source>
-        <translation>Nennen Sie eine mit {3} UID.</translation>
+        <translation>Indiquez-en une avec {3} UID.</translation>
     </message>
     <message>
         <source>No series is recognised as the anatomy.{0}</source>
-        <translation>Keine Serie ist als Anatomie erkannt.{0}</translation>
+        <translation>Aucune série n’est reconnue comme anatomie.{0}</translation>
     </message>
     <message>
         <source>glisson-cli scan says what is there, and what was skipped.</source>
-        <translation>glisson-cli scan sagt, was da ist und was übergangen wurde.</translation>
+        <translation>glisson-cli scan indique ce qui s’y trouve et ce qui a été ignoré.</translation>
     </message>
     <message>
         <source>Name one with --anatomy UID.</source>
-        <translation>Nennen Sie eine mit --anatomy UID.</translation>
+        <translation>Indiquez-en une avec --anatomy UID.</translation>
     </message>
     <message>
         <source>Reading the structures</source>
-        <translation>Strukturen werden gelesen</translation>
+        <translation>Lecture des structures</translation>
     </message>
     <message>
         <source>Saving the mesh</source>
-        <translation>Netz wird gespeichert</translation>
+        <translation>Enregistrement du maillage</translation>
     </message>
     <message>
         <source>Reading the mesh</source>
-        <translation>Netz wird gelesen</translation>
+        <translation>Lecture du maillage</translation>
     </message>
     <message>
         <source>Stiffness of each cell from the MRE map</source>
-        <translation>Steifigkeit jeder Zelle aus der MRE-Karte</translation>
+        <translation>Rigidité de chaque cellule d’après la carte d’ERM</translation>
     </message>
     <message>
         <source>A Young&apos;s modulus of {0} kPa is not possible.</source>
-        <translation>Ein Elastizitätsmodul von {0} kPa ist nicht möglich.</translation>
+        <translation>Un module de Young de {0} kPa n’est pas possible.</translation>
     </message>
     <message>
         <source>Saving the model</source>
-        <translation>Modell wird gespeichert</translation>
+        <translation>Enregistrement du modèle</translation>
     </message>
     <message>
         <source>Give the mesh its stiffness first (glisson-cli stiffness).</source>
-        <translation>Geben Sie dem Netz zuerst seine Steifigkeit (glisson-cli stiffness).</translation>
+        <translation>Donnez d’abord sa rigidité au maillage (glisson-cli stiffness).</translation>
     </message>
     <message>
         <source>The model of {0} has no stiffness.</source>
-        <translation>Das Modell von {0} hat keine Steifigkeit.</translation>
+        <translation>Le modèle de {0} n’a pas de rigidité.</translation>
     </message>
     <message>
         <source>Run glisson-cli stiffness again.</source>
-        <translation>Führen Sie glisson-cli stiffness erneut aus.</translation>
+        <translation>Exécutez de nouveau glisson-cli stiffness.</translation>
     </message>
     <message>
         <source>Import a study with MR elastography, or choose --uniform-kPa or --atlas.</source>
-        <translation>Importieren Sie eine Studie mit MR-Elastographie, oder wählen Sie --uniform-kPa oder --atlas.</translation>
+        <translation>Importez une étude avec élastographie par RM, ou choisissez --uniform-kPa ou --atlas.</translation>
     </message>
     <message>
         <source>{0} does not hold a simulation&apos;s result: {1}.</source>
-        <translation>{0} enthält kein Ergebnis einer Simulation: {1}.</translation>
+        <translation>{0} ne contient pas de résultat de simulation&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Make one with glisson-cli simulate --out DIR.</source>
-        <translation>Erzeugen Sie eines mit glisson-cli simulate --out ORDNER.</translation>
+        <translation>Produisez-en un avec glisson-cli simulate --out DOSSIER.</translation>
     </message>
     <message>
         <source>result.vtu is missing</source>
-        <translation>result.vtu fehlt</translation>
+        <translation>result.vtu manque</translation>
     </message>
     <message>
         <source>result.json does not say &quot;format&quot;: &quot;glisson-result/1&quot;</source>
-        <translation>result.json sagt nicht &quot;format&quot;: &quot;glisson-result/1&quot;</translation>
+        <translation>result.json n’indique pas &quot;format&quot;: &quot;glisson-result/1&quot;</translation>
     </message>
     <message>
         <source>the computation did not converge</source>
-        <translation>die Rechnung ist nicht konvergiert</translation>
+        <translation>le calcul n’a pas convergé</translation>
     </message>
     <message>
         <source>The growing left {0} out; it was added to the liver.</source>
-        <translation>{0} wurde beim Wachsen ausgelassen und der Leber hinzugefügt.</translation>
+        <translation>La croissance avait laissé de côté {0}&#xa0;; la structure a été ajoutée au foie.</translation>
     </message>
     <message>
         <source>Reading the labels</source>
-        <translation>Segmentierung wird gelesen</translation>
+        <translation>Lecture de la segmentation</translation>
     </message>
     <message>
         <source>No voxel of label {0} in {1} lies inside the anatomy.</source>
-        <translation>Kein Voxel des Labels {0} in {1} liegt innerhalb der Anatomie.</translation>
+        <translation>Aucun voxel de l’étiquette {0} de {1} ne se trouve dans l’anatomie.</translation>
     </message>
     <message>
         <source>Check that both belong to the same patient and frame of reference.</source>
-        <translation>Prüfen Sie, ob beide zum selben Patienten und Bezugssystem gehören.</translation>
+        <translation>Vérifiez que les deux appartiennent au même patient et au même référentiel.</translation>
     </message>
     <message>
         <source>{0} has no labelled voxel.</source>
-        <translation>{0} hat kein markiertes Voxel.</translation>
+        <translation>{0} n’a aucun voxel étiqueté.</translation>
     </message>
     <message>
         <source>{0} has no label {2}; it holds {1}.</source>
-        <translation>{0} hat kein Label {2}; enthalten ist {1}.</translation>
+        <translation>{0} n’a pas d’étiquette {2}&#xa0;; il contient {1}.</translation>
     </message>
     <message>
         <source>{0} holds several labels: {1}.</source>
-        <translation>{0} enthält mehrere Labels: {1}.</translation>
+        <translation>{0} contient plusieurs étiquettes&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Choose one with --label-value.</source>
-        <translation>Wählen Sie eines mit --label-value.</translation>
+        <translation>Choisissez-en une avec --label-value.</translation>
     </message>
     <message>
         <source>The magnitude images do not lie on the grid of the waves.</source>
-        <translation>Die Magnitudenbilder liegen nicht auf dem Gitter der Wellen.</translation>
+        <translation>Les images de magnitude ne sont pas sur la grille des ondes.</translation>
     </message>
     <message>
         <source>{0} holds no wave or phase images.</source>
-        <translation>{0} enthält keine Wellen- oder Phasenbilder.</translation>
+        <translation>{0} ne contient pas d’images d’ondes ni de phase.</translation>
     </message>
     <message>
         <source>Import the phase series of an elastography scan (glisson-cli import --phase).</source>
-        <translation>Importieren Sie die Phasenserie einer Elastographie (glisson-cli import --phase).</translation>
+        <translation>Importez la série de phase d’une élastographie (glisson-cli import --phase).</translation>
     </message>
     <message>
         <source>Reading the waves</source>
-        <translation>Wellen werden gelesen</translation>
+        <translation>Lecture des ondes</translation>
     </message>
     <message>
         <source>Saving the maps</source>
-        <translation>Karten werden gespeichert</translation>
+        <translation>Enregistrement des cartes</translation>
     </message>
     <message>
         <source>{0} is not an experiment of the format &quot;glisson-experiment/1&quot;.</source>
-        <translation>{0} ist kein Experiment im Format &quot;glisson-experiment/1&quot;.</translation>
+        <translation>{0} n’est pas une expérience au format &quot;glisson-experiment/1&quot;.</translation>
     </message>
     <message>
         <source>An experiment begins with &quot;format&quot;: &quot;glisson-experiment/1&quot; and &quot;kind&quot;.</source>
-        <translation>Ein Experiment beginnt mit &quot;format&quot;: &quot;glisson-experiment/1&quot; und &quot;kind&quot;.</translation>
+        <translation>Une expérience commence par &quot;format&quot;: &quot;glisson-experiment/1&quot; et &quot;kind&quot;.</translation>
     </message>
     <message>
         <source>There is no kind of experiment called &quot;{0}&quot;.</source>
-        <translation>Es gibt keine Art von Experiment namens „{0}“.</translation>
+        <translation>Il n’y a pas de type d’expérience nommé «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>The kinds are palpation, material and platform.</source>
-        <translation>Die Arten sind palpation, material und platform.</translation>
+        <translation>Les types sont palpation, material et platform.</translation>
     </message>
     <message>
         <source>Line {0} of {1} names {2}, which is not there.</source>
-        <translation>Zeile {0} von {1} nennt {2}, das nicht vorhanden ist.</translation>
+        <translation>La ligne {0} de {1} nomme {2}, qui n’existe pas.</translation>
     </message>
     <message>
         <source>Files are looked for beside the experiment: was it copied without them, or is the name misspelt?</source>
-        <translation>Dateien werden neben dem Experiment gesucht: Wurde es ohne sie kopiert, oder ist der Name falsch geschrieben?</translation>
+        <translation>Les fichiers sont cherchés à côté de l’expérience&#xa0;: a-t-elle été copiée sans eux, ou le nom est-il mal écrit&#xa0;?</translation>
     </message>
     <message>
         <source>{0} lacks &quot;{1}&quot;.</source>
-        <translation>{0} fehlt &quot;{1}&quot;.</translation>
+        <translation>Il manque &quot;{1}&quot; à {0}.</translation>
     </message>
     <message>
         <source>{0} must be a finite number.</source>
-        <translation>{0} muss eine endliche Zahl sein.</translation>
+        <translation>{0} doit être un nombre fini.</translation>
     </message>
     <message>
         <source>{0} must be above zero.</source>
-        <translation>{0} muss größer als null sein.</translation>
+        <translation>{0} doit être supérieur à zéro.</translation>
     </message>
     <message>
         <source>{0} must be a text in quotes.</source>
-        <translation>{0} muss ein Text in Anführungszeichen sein.</translation>
+        <translation>{0} doit être un texte entre guillemets.</translation>
     </message>
     <message>
         <source>{0} must be three numbers [x, y, z].</source>
-        <translation>{0} muss aus drei Zahlen [x, y, z] bestehen.</translation>
+        <translation>{0} doit être formé de trois nombres [x, y, z].</translation>
     </message>
     <message>
         <source>&quot;trials&quot; must be a list with at least one trial.</source>
-        <translation>&quot;trials&quot; muss eine Liste mit mindestens einem Versuch sein.</translation>
+        <translation>&quot;trials&quot; doit être une liste d’au moins un essai.</translation>
     </message>
     <message>
         <source>{0} must be an object in braces.</source>
-        <translation>{0} muss ein Objekt in geschweiften Klammern sein.</translation>
+        <translation>{0} doit être un objet entre accolades.</translation>
     </message>
     <message>
         <source>Two trials have the id &quot;{0}&quot;.</source>
-        <translation>Zwei Versuche haben die Kennung „{0}“.</translation>
+        <translation>Deux essais ont l’identifiant «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>{0} has no column &quot;{1}&quot;, which the experiment names for {2}; line {3} has: {4}.</source>
-        <translation>{0} hat keine Spalte „{1}“, die das Experiment für {2} nennt; Zeile {3} hat: {4}.</translation>
+        <translation>{0} n’a pas de colonne «&#xa0;{1}&#xa0;», que l’expérience nomme pour {2}&#xa0;; la ligne {3} contient&#xa0;: {4}.</translation>
     </message>
     <message>
         <source>Is the name misspelt, or is this the table of another trial?</source>
-        <translation>Ist der Name falsch geschrieben, oder ist dies die Tabelle eines anderen Versuchs?</translation>
+        <translation>Le nom est-il mal écrit, ou est-ce la table d’un autre essai&#xa0;?</translation>
     </message>
     <message>
         <source>Line {0} of {1} has no number under &quot;{2}&quot;.</source>
-        <translation>Zeile {0} von {1} hat unter „{2}“ keine Zahl.</translation>
+        <translation>La ligne {0} de {1} n’a pas de nombre sous «&#xa0;{2}&#xa0;».</translation>
     </message>
     <message>
         <source>Is the table cut off, or written with decimal commas?</source>
-        <translation>Ist die Tabelle abgeschnitten oder mit Dezimalkommas geschrieben?</translation>
+        <translation>La table est-elle tronquée, ou écrite avec des virgules décimales&#xa0;?</translation>
     </message>
     <message>
         <source>Time goes back at line {0} of {1}: from {2} s to {3} s.</source>
-        <translation>In Zeile {0} von {1} läuft die Zeit zurück: von {2} s auf {3} s.</translation>
+        <translation>Le temps recule à la ligne {0} de {1}&#xa0;: de {2} s à {3} s.</translation>
     </message>
     <message>
         <source>Are two recordings in one table, or is this not the column of times?</source>
-        <translation>Stehen zwei Aufzeichnungen in einer Tabelle, oder ist dies nicht die Zeitspalte?</translation>
+        <translation>Y a-t-il deux enregistrements dans une table, ou n’est-ce pas la colonne des temps&#xa0;?</translation>
     </message>
     <message>
         <source>{0} is {1} kPa, stiffer than any soft tissue.</source>
-        <translation>{0} ist {1} kPa, steifer als jedes Weichgewebe.</translation>
+        <translation>{0} vaut {1} kPa, plus rigide que tout tissu mou.</translation>
     </message>
     <message>
         <source>Was it given in Pa?</source>
-        <translation>Wurde es in Pa angegeben?</translation>
+        <translation>A-t-il été donné en Pa&#xa0;?</translation>
     </message>
     <message>
         <source>Use the model.json that glisson-cli explain wrote for an experiment of this kind.</source>
-        <translation>Verwenden Sie die model.json, die glisson-cli explain für ein Experiment dieser Art geschrieben hat.</translation>
+        <translation>Utilisez le model.json que glisson-cli explain a écrit pour une expérience de ce type.</translation>
     </message>
     <message>
         <source>{0} is not a model of the format {1}.</source>
-        <translation>{0} ist kein Modell im Format {1}.</translation>
+        <translation>{0} n’est pas un modèle au format {1}.</translation>
     </message>
     <message>
         <source>{0} was not learnt from an experiment of the kind {1}.</source>
-        <translation>{0} wurde nicht aus einem Experiment der Art {1} gelernt.</translation>
+        <translation>{0} n’a pas été appris d’une expérience de type {1}.</translation>
     </message>
     <message>
         <source>{0} is not a complete model.</source>
-        <translation>{0} ist kein vollständiges Modell.</translation>
+        <translation>{0} n’est pas un modèle complet.</translation>
     </message>
     <message>
         <source>The effect {0} is unknown to this experiment.</source>
-        <translation>Der Effekt {0} ist diesem Experiment unbekannt.</translation>
+        <translation>L’effet {0} est inconnu de cette expérience.</translation>
     </message>
     <message>
         <source>{0} of {1} is no number.</source>
-        <translation>{0} von {1} ist keine Zahl.</translation>
+        <translation>{0} de {1} n’est pas un nombre.</translation>
     </message>
     <message>
         <source>The smooth correction was made for other quantities than this experiment has.</source>
-        <translation>Die glatte Korrektur wurde für andere Größen gemacht, als dieses Experiment hat.</translation>
+        <translation>La correction lisse a été faite pour d’autres grandeurs que celles de cette expérience.</translation>
     </message>
     <message>
         <source>The smooth correction is not complete.</source>
-        <translation>Die glatte Korrektur ist nicht vollständig.</translation>
+        <translation>La correction lisse n’est pas complète.</translation>
     </message>
     <message>
         <source>The search for parameters failed: {0}.</source>
-        <translation>Die Suche nach Parametern ist fehlgeschlagen: {0}.</translation>
+        <translation>La recherche des paramètres a échoué&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>The model has no solution where the search ended.</source>
-        <translation>Das Modell hat dort, wo die Suche endete, keine Lösung.</translation>
+        <translation>Le modèle n’a pas de solution là où la recherche s’est arrêtée.</translation>
     </message>
     <message>
         <source>This experiment proposes no further trials.</source>
-        <translation>Dieses Experiment schlägt keine weiteren Versuche vor.</translation>
+        <translation>Cette expérience ne propose pas d’autres essais.</translation>
     </message>
     <message>
         <source>The specimen is stiffer or softer than declared, everywhere and at every load.</source>
-        <translation>Der Prüfkörper ist steifer oder weicher als angegeben, überall und bei jeder Last.</translation>
+        <translation>L’échantillon est plus rigide ou plus souple que déclaré, partout et sous toute charge.</translation>
     </message>
     <message>
         <source>The specimen is not equally stiff under tension and under compression.</source>
-        <translation>Der Prüfkörper ist auf Zug und auf Druck nicht gleich steif.</translation>
+        <translation>L’échantillon n’a pas la même rigidité en traction et en compression.</translation>
     </message>
     <message>
         <source>The tissue gets stiffer (or softer) the further it is deformed: its law is not a straight line.</source>
-        <translation>Das Gewebe wird mit zunehmender Verformung steifer (oder weicher): Sein Gesetz ist keine Gerade.</translation>
+        <translation>Le tissu devient plus rigide (ou plus souple) à mesure qu’il se déforme&#xa0;: sa loi n’est pas une droite.</translation>
     </message>
     <message>
         <source>The tissue gives way slowly under a load that is held, and recovers slowly after it.</source>
-        <translation>Das Gewebe gibt unter gehaltener Last langsam nach und erholt sich danach langsam.</translation>
+        <translation>Le tissu cède lentement sous une charge maintenue, puis récupère lentement.</translation>
     </message>
     <message>
         <source>Once stretched, the tissue stays softer up to the deformation that it has seen (Mullins effect).</source>
-        <translation>Einmal gedehnt, bleibt das Gewebe bis zu der erlebten Verformung weicher (Mullins-Effekt).</translation>
+        <translation>Une fois étiré, le tissu reste plus souple jusqu’à la déformation déjà subie (effet Mullins).</translation>
     </message>
     <message>
         <source>Less force comes back on the way out than went in on the way in, in every cycle and at any speed.</source>
-        <translation>Beim Entlasten kommt weniger Kraft zurück, als beim Belasten hineinging, in jedem Zyklus und bei jeder Geschwindigkeit.</translation>
+        <translation>Au retour, la force est moindre qu’à l’aller, à chaque cycle et à toute vitesse.</translation>
     </message>
     <message>
         <source>The load cell is at fault: it does not read zero without load, or its scale is off.</source>
-        <translation>Die Kraftmessdose ist fehlerhaft: Sie zeigt ohne Last nicht null, oder ihr Maßstab stimmt nicht.</translation>
+        <translation>Le capteur de force est en défaut&#xa0;: il n’indique pas zéro à vide, ou son échelle est fausse.</translation>
     </message>
     <message>
         <source>The specimen was already loaded when the test began.</source>
-        <translation>Der Prüfkörper war schon belastet, als der Versuch begann.</translation>
+        <translation>L’échantillon était déjà chargé au début de l’essai.</translation>
     </message>
     <message>
         <source>The mode &quot;{0}&quot; is not known.</source>
-        <translation>Der Modus „{0}“ ist nicht bekannt.</translation>
+        <translation>Le mode «&#xa0;{0}&#xa0;» n’est pas connu.</translation>
     </message>
     <message>
         <source>The modes are compression, tension and shear.</source>
-        <translation>Die Modi sind compression, tension und shear.</translation>
+        <translation>Les modes sont compression, tension et shear.</translation>
     </message>
     <message>
         <source>The declared law &quot;{0}&quot; is not known.</source>
-        <translation>Das angegebene Gesetz „{0}“ ist nicht bekannt.</translation>
+        <translation>La loi déclarée «&#xa0;{0}&#xa0;» n’est pas connue.</translation>
     </message>
     <message>
         <source>The laws are linear and neo-hookean.</source>
-        <translation>Die Gesetze sind linear und neo-hookean.</translation>
+        <translation>Les lois sont linear et neo-hookean.</translation>
     </message>
     <message>
         <source>{0} gives &quot;{1}&quot;, which needs the specimen&apos;s {2}.</source>
-        <translation>{0} gibt &quot;{1}&quot; an; dazu wird {2} des Prüfkörpers gebraucht.</translation>
+        <translation>{0} donne &quot;{1}&quot;, qui exige {2} de l’échantillon.</translation>
     </message>
     <message>
         <source>Give the specimen&apos;s diameter_mm (or width_mm and thickness_mm, or area_mm2) and height_mm.</source>
-        <translation>Geben Sie diameter_mm des Prüfkörpers an (oder width_mm und thickness_mm, oder area_mm2) sowie height_mm.</translation>
+        <translation>Indiquez diameter_mm de l’échantillon (ou width_mm et thickness_mm, ou area_mm2) et height_mm.</translation>
     </message>
     <message>
         <source>In {0} stress and strain mostly have opposite signs.</source>
-        <translation>In {0} haben Spannung und Dehnung meist entgegengesetzte Vorzeichen.</translation>
+        <translation>Dans {0}, contrainte et déformation sont le plus souvent de signes opposés.</translation>
     </message>
     <message>
         <source>In compression stretch is below 1, and displacement, force and stress are negative.</source>
-        <translation>Bei Druck ist die Streckung kleiner als 1, und Weg, Kraft und Spannung sind negativ.</translation>
+        <translation>En compression, l’élongation est inférieure à 1, et le déplacement, la force et la contrainte sont négatifs.</translation>
     </message>
     <message>
         <source>{0} names no column for &quot;stretch&quot; or &quot;displacement_mm&quot;.</source>
-        <translation>{0} nennt keine Spalte für &quot;stretch&quot; oder &quot;displacement_mm&quot;.</translation>
+        <translation>{0} ne nomme aucune colonne pour &quot;stretch&quot; ou &quot;displacement_mm&quot;.</translation>
     </message>
     <message>
         <source>{0} names no column for &quot;stress_kPa&quot; or &quot;force_N&quot;.</source>
-        <translation>{0} nennt keine Spalte für &quot;stress_kPa&quot; oder &quot;force_N&quot;.</translation>
+        <translation>{0} ne nomme aucune colonne pour &quot;stress_kPa&quot; ou &quot;force_N&quot;.</translation>
     </message>
     <message>
         <source>Line {0} of {1} gives a stretch of {2}, which no specimen survives.</source>
-        <translation>Zeile {0} von {1} gibt eine Streckung von {2} an, die kein Prüfkörper übersteht.</translation>
+        <translation>La ligne {0} de {1} donne une élongation de {2}, à laquelle aucun échantillon ne survit.</translation>
     </message>
     <message>
         <source>Is it strain, or a percentage? Stretch is length over length at rest.</source>
-        <translation>Ist es die Dehnung oder ein Prozentwert? Streckung ist Länge durch Ruhelänge.</translation>
+        <translation>Est-ce une déformation, ou un pourcentage&#xa0;? L’élongation est la longueur divisée par la longueur au repos.</translation>
     </message>
     <message>
         <source>The material law is used beyond the stretch it allows.</source>
-        <translation>Das Materialgesetz wird jenseits der Streckung benutzt, die es zulässt.</translation>
+        <translation>La loi du matériau est employée au-delà de l’élongation qu’elle permet.</translation>
     </message>
     <message>
         <source>The specimen in {0} is {1} mm across.</source>
-        <translation>Der Prüfkörper in {0} misst {1} mm.</translation>
+        <translation>L’échantillon de {0} mesure {1} mm.</translation>
     </message>
     <message>
         <source>Is the mesh in metres or micrometres?</source>
-        <translation>Ist das Netz in Metern oder Mikrometern?</translation>
+        <translation>Le maillage est-il en mètres ou en micromètres&#xa0;?</translation>
     </message>
     <message>
         <source>{0} has no cell array &quot;{1}&quot; with one number a cell.</source>
-        <translation>{0} hat kein Zellfeld „{1}“ mit einer Zahl je Zelle.</translation>
+        <translation>{0} n’a pas de tableau de cellules «&#xa0;{1}&#xa0;» avec un nombre par cellule.</translation>
     </message>
     <message>
         <source>Young&apos;s modulus must be above zero in every cell.</source>
-        <translation>Der Elastizitätsmodul muss in jeder Zelle größer als null sein.</translation>
+        <translation>Le module de Young doit être supérieur à zéro dans chaque cellule.</translation>
     </message>
     <message>
         <source>{0} must lie between -1 and 0.5, both excluded.</source>
-        <translation>{0} muss zwischen -1 und 0.5 liegen, beide ausgeschlossen.</translation>
+        <translation>{0} doit être compris entre -1 et 0.5, bornes exclues.</translation>
     </message>
     <message>
         <source>Line 1 of {0} names no column &quot;{1}&quot;.</source>
-        <translation>Zeile 1 von {0} nennt keine Spalte „{1}“.</translation>
+        <translation>La ligne 1 de {0} ne nomme pas de colonne «&#xa0;{1}&#xa0;».</translation>
     </message>
     <message>
         <source>A table of markers has id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</source>
-        <translation>Eine Tabelle von Markern hat id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</translation>
+        <translation>Une table de marqueurs contient id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</translation>
     </message>
     <message>
         <source>{0} holds no markers.</source>
-        <translation>{0} enthält keine Marker.</translation>
+        <translation>{0} ne contient pas de marqueurs.</translation>
     </message>
     <message>
         <source>All markers of {0} lie within {1} mm (line 2 on), on a specimen of {2} mm.</source>
-        <translation>Alle Marker von {0} liegen innerhalb von {1} mm (ab Zeile 2), auf einem Prüfkörper von {2} mm.</translation>
+        <translation>Tous les marqueurs de {0} tiennent dans {1} mm (à partir de la ligne 2), sur un échantillon de {2} mm.</translation>
     </message>
     <message>
         <source>Are they in metres?</source>
-        <translation>Sind sie in Metern?</translation>
+        <translation>Sont-ils en mètres&#xa0;?</translation>
     </message>
     <message>
         <source>Line {0} of {1}: marker {2} lies {3} mm outside the specimen at rest.</source>
-        <translation>Zeile {0} von {1}: Marker {2} liegt {3} mm außerhalb des ruhenden Prüfkörpers.</translation>
+        <translation>Ligne {0} de {1}&#xa0;: le marqueur {2} est à {3} mm hors de l’échantillon au repos.</translation>
     </message>
     <message>
         <source>Are markers and mesh in one frame (patient coordinates) and both in mm?</source>
-        <translation>Sind Marker und Netz im selben Bezugssystem (Patientenkoordinaten) und beide in mm?</translation>
+        <translation>Marqueurs et maillage sont-ils dans le même repère (coordonnées du patient) et tous deux en mm&#xa0;?</translation>
     </message>
     <message>
         <source>Line {0} of {1}: marker {2} moved by {3} mm, more than the specimen is long.</source>
-        <translation>Zeile {0} von {1}: Marker {2} hat sich um {3} mm bewegt, mehr als die Länge des Prüfkörpers.</translation>
+        <translation>Ligne {0} de {1}&#xa0;: le marqueur {2} s’est déplacé de {3} mm, plus que la longueur de l’échantillon.</translation>
     </message>
     <message>
         <source>Are the positions in another unit or frame than the positions at rest?</source>
-        <translation>Haben die Positionen eine andere Einheit oder ein anderes Bezugssystem als die Ruhepositionen?</translation>
+        <translation>Les positions sont-elles dans une autre unité ou un autre repère que les positions au repos&#xa0;?</translation>
     </message>
     <message>
         <source>{0}: a force of {1} N presses no soft specimen.</source>
-        <translation>{0}: Eine Kraft von {1} N drückt auf keinen weichen Prüfkörper.</translation>
+        <translation>{0}&#xa0;: une force de {1} N ne s’exerce sur aucun échantillon mou.</translation>
     </message>
     <message>
         <source>Was it given in mN?</source>
-        <translation>Wurde sie in mN angegeben?</translation>
+        <translation>A-t-elle été donnée en mN&#xa0;?</translation>
     </message>
     <message>
         <source>{0} must not be zero.</source>
-        <translation>{0} darf nicht null sein.</translation>
+        <translation>{0} ne doit pas être nul.</translation>
     </message>
     <message>
         <source>Trial {0} (line {1} of {2}) has no samples.</source>
-        <translation>Versuch {0} (Zeile {1} von {2}) hat keine Messpunkte.</translation>
+        <translation>L’essai {0} (ligne {1} de {2}) n’a pas de mesures.</translation>
     </message>
     <message>
         <source>Was the recording interrupted?</source>
-        <translation>Wurde die Aufzeichnung unterbrochen?</translation>
+        <translation>L’enregistrement a-t-il été interrompu&#xa0;?</translation>
     </message>
     <message>
         <source>In trial {0} (line {1} of {2}) time goes back at sample {3}.</source>
-        <translation>In Versuch {0} (Zeile {1} von {2}) läuft die Zeit bei Messpunkt {3} zurück.</translation>
+        <translation>Dans l’essai {0} (ligne {1} de {2}), le temps recule à la mesure {3}.</translation>
     </message>
     <message>
         <source>Are two recordings in one trial?</source>
-        <translation>Stehen zwei Aufzeichnungen in einem Versuch?</translation>
+        <translation>Y a-t-il deux enregistrements dans un essai&#xa0;?</translation>
     </message>
     <message>
         <source>No sample of trial {0} (line {1} of {2}) names markers.</source>
-        <translation>Kein Messpunkt von Versuch {0} (Zeile {1} von {2}) nennt Marker.</translation>
+        <translation>Aucune mesure de l’essai {0} (ligne {1} de {2}) ne nomme de marqueurs.</translation>
     </message>
     <message>
         <source>Preparing the specimen</source>
-        <translation>Prüfkörper wird vorbereitet</translation>
+        <translation>Préparation de l’échantillon</translation>
     </message>
     <message>
         <source>No sample of the experiment has markers.</source>
-        <translation>Kein Messpunkt des Experiments hat Marker.</translation>
+        <translation>Aucune mesure de l’expérience n’a de marqueurs.</translation>
     </message>
     <message>
         <source>Solved the declared specimen</source>
-        <translation>Angegebener Prüfkörper gelöst</translation>
+        <translation>Échantillon déclaré résolu</translation>
     </message>
     <message>
         <source>The specimen&apos;s equations are too badly conditioned to be solved.</source>
-        <translation>Die Gleichungen des Prüfkörpers sind zu schlecht konditioniert, um gelöst zu werden.</translation>
+        <translation>Les équations de l’échantillon sont trop mal conditionnées pour être résolues.</translation>
     </message>
     <message>
         <source>No equilibrium of a specimen that stiffens so strongly was found under these loads.</source>
-        <translation>Für einen Prüfkörper, der sich so stark versteift, wurde unter diesen Lasten kein Gleichgewicht gefunden.</translation>
+        <translation>Aucun équilibre n’a été trouvé sous ces charges pour un échantillon qui se rigidifie autant.</translation>
     </message>
     <message>
         <source>The battery&apos;s voltage falls under load: its own resistance turns energy into heat.</source>
-        <translation>Die Spannung des Akkus sinkt unter Last: Sein Innenwiderstand macht aus Energie Wärme.</translation>
+        <translation>La tension de la batterie baisse en charge&#xa0;: sa résistance interne change l’énergie en chaleur.</translation>
     </message>
     <message>
         <source>The battery&apos;s voltage falls under load, and what is lost there is what warms it.</source>
-        <translation>Die Spannung des Akkus sinkt unter Last, und was dort verloren geht, erwärmt ihn.</translation>
+        <translation>La tension de la batterie baisse en charge, et ce qui s’y perd la réchauffe.</translation>
     </message>
     <message>
         <source>The faster the battery is emptied, the less it gives (Peukert).</source>
-        <translation>Je schneller der Akku entladen wird, desto weniger gibt er her (Peukert).</translation>
+        <translation>Plus la batterie est vidée vite, moins elle fournit (Peukert).</translation>
     </message>
     <message>
         <source>The battery gives less when it is cold and more when it is warm.</source>
-        <translation>Der Akku gibt bei Kälte weniger und bei Wärme mehr her.</translation>
+        <translation>La batterie fournit moins à froid et plus à chaud.</translation>
     </message>
     <message>
         <source>The battery&apos;s voltage falls while it empties, which a constant voltage leaves out.</source>
-        <translation>Die Spannung des Akkus sinkt beim Entladen, was eine konstante Spannung nicht erfasst.</translation>
+        <translation>La tension de la batterie baisse à mesure qu’elle se vide, ce qu’une tension constante ignore.</translation>
     </message>
     <message>
         <source>The computer draws power whatever it does, more than was declared.</source>
-        <translation>Der Rechner nimmt, was immer er tut, mehr Leistung auf als angegeben.</translation>
+        <translation>L’ordinateur consomme, quoi qu’il fasse, plus de puissance que déclaré.</translation>
     </message>
     <message>
         <source>A part of the power is lost in the supply before it reaches the computer.</source>
-        <translation>Ein Teil der Leistung geht in der Versorgung verloren, bevor er den Rechner erreicht.</translation>
+        <translation>Une partie de la puissance se perd dans l’alimentation avant d’atteindre l’ordinateur.</translation>
     </message>
     <message>
         <source>The warmer the computer gets, the more power it draws.</source>
-        <translation>Je wärmer der Rechner wird, desto mehr Leistung nimmt er auf.</translation>
+        <translation>Plus l’ordinateur chauffe, plus il consomme.</translation>
     </message>
     <message>
         <source>The work itself takes power that was not declared.</source>
-        <translation>Die Arbeit selbst braucht Leistung, die nicht angegeben war.</translation>
+        <translation>Le travail lui-même consomme une puissance qui n’était pas déclarée.</translation>
     </message>
     <message>
         <source>The computer slows itself down to stay below a temperature.</source>
-        <translation>Der Rechner drosselt sich, um unter einer Temperatur zu bleiben.</translation>
+        <translation>L’ordinateur se ralentit pour rester sous une température.</translation>
     </message>
     <message>
         <source>Heat leaves the computer better or worse than declared.</source>
-        <translation>Die Wärme verlässt den Rechner besser oder schlechter als angegeben.</translation>
+        <translation>La chaleur quitte l’ordinateur mieux ou moins bien que déclaré.</translation>
     </message>
     <message>
         <source>The computer takes time to warm up, longer or shorter than declared.</source>
-        <translation>Der Rechner braucht Zeit, um warm zu werden, länger oder kürzer als angegeben.</translation>
+        <translation>L’ordinateur met du temps à chauffer, plus ou moins que déclaré.</translation>
     </message>
     <message>
         <source>&quot;noise&quot; names no quantity, so that nothing can be judged.</source>
-        <translation>&quot;noise&quot; nennt keine Größe, sodass sich nichts beurteilen lässt.</translation>
+        <translation>&quot;noise&quot; ne nomme aucune grandeur, de sorte que rien ne peut être jugé.</translation>
     </message>
     <message>
         <source>Give voltage_V, temperature_C or power_W: the standard deviation of that reading.</source>
-        <translation>Geben Sie voltage_V, temperature_C oder power_W an: die Standardabweichung dieser Ablesung.</translation>
+        <translation>Indiquez voltage_V, temperature_C ou power_W&#xa0;: l’écart-type de cette mesure.</translation>
     </message>
     <message>
         <source>The law of platforms is constant: a battery that gives all of its energy at any load.</source>
-        <translation>Das Gesetz der Geräte ist konstant: ein Akku, der bei jeder Last seine ganze Energie abgibt.</translation>
+        <translation>La loi des plates-formes est constante&#xa0;: une batterie qui donne toute son énergie sous toute charge.</translation>
     </message>
     <message>
         <source>{0} must not be below zero.</source>
-        <translation>{0} darf nicht kleiner als null sein.</translation>
+        <translation>{0} ne doit pas être inférieur à zéro.</translation>
     </message>
     <message>
         <source>Line {0} of {1} gives a {2} of {3}, which no worn computer reaches.</source>
-        <translation>Zeile {0} von {1} gibt {2} mit {3} an, was kein getragener Rechner erreicht.</translation>
+        <translation>La ligne {0} de {1} donne {2} = {3}, ce qu’aucun ordinateur porté n’atteint.</translation>
     </message>
     <message>
         <source>{0} has no column for a quantity whose noise is given.</source>
-        <translation>{0} hat keine Spalte für eine Größe, deren Rauschen angegeben ist.</translation>
+        <translation>{0} n’a pas de colonne pour une grandeur dont le bruit est donné.</translation>
     </message>
     <message>
         <source>The declared figures predict none of the recorded quantities.</source>
-        <translation>Die angegebenen Werte sagen keine der aufgezeichneten Größen vorher.</translation>
+        <translation>Les chiffres déclarés ne prédisent aucune des grandeurs enregistrées.</translation>
     </message>
     <message>
         <source>Voltage needs nominal_voltage_V, temperature needs thermal_resistance_C_per_W and a power, power needs a current or a load.</source>
-        <translation>Für die Spannung wird nominal_voltage_V gebraucht, für die Temperatur thermal_resistance_C_per_W und eine Leistung, für die Leistung ein Strom oder eine Last.</translation>
+        <translation>La tension exige nominal_voltage_V, la température thermal_resistance_C_per_W et une puissance, la puissance un courant ou une charge.</translation>
     </message>
     <message>
         <source>The model of the platform has no finite answer here.</source>
-        <translation>Das Modell des Geräts hat hier keine endliche Antwort.</translation>
+        <translation>Le modèle de la plateforme n’a pas ici de réponse finie.</translation>
     </message>
     <message>
         <source>it is proportional to the prediction</source>
-        <translation>es ist proportional zur Vorhersage</translation>
+        <translation>il est proportionnel à la prédiction</translation>
     </message>
     <message>
         <source>it changes with the load</source>
-        <translation>es ändert sich mit der Last</translation>
+        <translation>il change avec la charge</translation>
     </message>
     <message>
         <source>it changes with time</source>
-        <translation>es ändert sich mit der Zeit</translation>
+        <translation>il change avec le temps</translation>
     </message>
     <message>
         <source>it has a mean in some direction</source>
-        <translation>es hat in einer Richtung einen Mittelwert</translation>
+        <translation>il a une moyenne dans une direction</translation>
     </message>
     <message>
         <source>it changes across the specimen</source>
-        <translation>es ändert sich über den Prüfkörper hinweg</translation>
+        <translation>il change à travers l’échantillon</translation>
     </message>
     <message>
         <source>it differs from trial to trial</source>
-        <translation>es unterscheidet sich von Versuch zu Versuch</translation>
+        <translation>il diffère d’un essai à l’autre</translation>
     </message>
     <message>
         <source>it is larger than the noise</source>
-        <translation>es ist größer als das Rauschen</translation>
+        <translation>il est plus grand que le bruit</translation>
     </message>
     <message>
         <source>neighbours are off in the same way</source>
-        <translation>Nachbarn weichen auf gleiche Weise ab</translation>
+        <translation>des voisins s’écartent de la même façon</translation>
     </message>
     <message>
         <source>trying effects</source>
-        <translation>Effekte werden probiert</translation>
+        <translation>essai des effets</translation>
     </message>
     <message>
         <source>Only an experiment whose trials are measured can be explained.</source>
-        <translation>Nur ein Experiment, dessen Versuche gemessen sind, kann erklärt werden.</translation>
+        <translation>Seule une expérience dont les essais sont mesurés peut être expliquée.</translation>
     </message>
     <message>
         <source>predicting with the declared model</source>
-        <translation>Vorhersage mit dem angegebenen Modell</translation>
+        <translation>prédiction avec le modèle déclaré</translation>
     </message>
     <message>
         <source>weighing the evidence</source>
-        <translation>Belege werden abgewogen</translation>
+        <translation>pesée des indices</translation>
     </message>
     <message>
         <source>done</source>
-        <translation>fertig</translation>
+        <translation>terminé</translation>
     </message>
     <message>
         <source>No voxel of the stiffness map is reliable: none is positive, confident, inside the organ and {0} mm away from its border at once.</source>
-        <translation>Kein Voxel der Steifigkeitskarte ist verlässlich: Keines ist zugleich positiv, vertrauenswürdig, im Organ und {0} mm von dessen Rand entfernt.</translation>
+        <translation>Aucun voxel de la carte de rigidité n’est fiable&#xa0;: aucun n’est à la fois positif, de confiance, dans l’organe et à {0} mm de son bord.</translation>
     </message>
     <message>
         <source>Check that map, confidence mask and segmentation belong together, or trust voxels nearer to the border.</source>
-        <translation>Prüfen Sie, ob Karte, Konfidenzmaske und Segmentierung zusammengehören, oder vertrauen Sie Voxeln näher am Rand.</translation>
+        <translation>Vérifiez que la carte, le masque de confiance et la segmentation vont ensemble, ou acceptez des voxels plus près du bord.</translation>
     </message>
     <message>
         <source>The model does not lie in the stiffness map: {0} mm are between their boxes (model around {1}, map around {2}).</source>
-        <translation>Das Modell liegt nicht in der Steifigkeitskarte: {0} mm trennen ihre Quader (Modell um {1}, Karte um {2}).</translation>
+        <translation>Le modèle n’est pas dans la carte de rigidité&#xa0;: {0} mm séparent leurs boîtes (modèle autour de {1}, carte autour de {2}).</translation>
     </message>
     <message>
         <source>They are probably in different frames of reference: take the stiffness series of the same study, or register the two.</source>
-        <translation>Wahrscheinlich sind sie in verschiedenen Bezugssystemen: Nehmen Sie die Steifigkeitsserie derselben Studie, oder registrieren Sie beide.</translation>
+        <translation>Ils sont probablement dans des référentiels différents&#xa0;: prenez la série de rigidité de la même étude, ou recalez les deux.</translation>
     </message>
     <message>
         <source>There are no cells to give a stiffness to.</source>
-        <translation>Es gibt keine Zellen, denen eine Steifigkeit zu geben wäre.</translation>
+        <translation>Il n’y a pas de cellules auxquelles donner une rigidité.</translation>
     </message>
     <message>
         <source>The stiffness map holds no voxels.</source>
-        <translation>Die Steifigkeitskarte enthält keine Voxel.</translation>
+        <translation>La carte de rigidité ne contient aucun voxel.</translation>
     </message>
     <message>
         <source>The axes of the stiffness map are not at right angles, so that the nearest voxel is not to be told.</source>
-        <translation>Die Achsen der Steifigkeitskarte stehen nicht senkrecht aufeinander, sodass sich das nächste Voxel nicht bestimmen lässt.</translation>
+        <translation>Les axes de la carte de rigidité ne sont pas perpendiculaires, de sorte que le voxel le plus proche ne peut être déterminé.</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio must lie in (-1, 0.5], the border must not be negative and the averaging length must be positive; they are {0}, {1} mm and {2} mm.</source>
-        <translation>Die Querkontraktionszahl muss in (-1, 0.5] liegen, der Rand darf nicht negativ und die Mittelungslänge muss positiv sein; sie sind {0}, {1} mm und {2} mm.</translation>
+        <translation>Le coefficient de Poisson doit être dans (-1, 0.5], le bord ne doit pas être négatif et la longueur de moyenne doit être positive&#xa0;; ils valent {0}, {1} mm et {2} mm.</translation>
     </message>
     <message>
         <source>There are no wave or phase images.</source>
-        <translation>Es gibt keine Wellen- oder Phasenbilder.</translation>
+        <translation>Il n’y a pas d’images d’ondes ni de phase.</translation>
     </message>
     <message>
         <source>Unwrapping the phase</source>
-        <translation>Phase wird entfaltet</translation>
+        <translation>Déroulement de la phase</translation>
     </message>
     <message>
         <source>The waves give no signal inside the organ.</source>
-        <translation>Die Wellen geben im Organ kein Signal.</translation>
+        <translation>Les ondes ne donnent aucun signal dans l’organe.</translation>
     </message>
     <message>
         <source>Check that the segmentation and the wave images belong together.</source>
-        <translation>Prüfen Sie, ob Segmentierung und Wellenbilder zusammengehören.</translation>
+        <translation>Vérifiez que la segmentation et les images d’ondes vont ensemble.</translation>
     </message>
     <message>
         <source>Inverting the waves</source>
-        <translation>Wellen werden invertiert</translation>
+        <translation>Inversion des ondes</translation>
     </message>
     <message>
         <source>Inverted</source>
-        <translation>Invertiert</translation>
+        <translation>Inversé</translation>
     </message>
     <message>
         <source>Not one voxel could be inverted with confidence: there is no wave in these images, or it drowns in noise.</source>
-        <translation>Kein einziges Voxel ließ sich mit Konfidenz invertieren: In diesen Bildern ist keine Welle, oder sie geht im Rauschen unter.</translation>
+        <translation>Aucun voxel n’a pu être inversé avec confiance&#xa0;: il n’y a pas d’onde dans ces images, ou elle se noie dans le bruit.</translation>
     </message>
     <message>
         <source>Check that the phase series and the frequency are the right ones.</source>
-        <translation>Prüfen Sie, ob Phasenserie und Frequenz die richtigen sind.</translation>
+        <translation>Vérifiez que la série de phase et la fréquence sont les bonnes.</translation>
     </message>
     <message>
         <source>The region lies on another voxel grid than the map.</source>
-        <translation>Die Region liegt auf einem anderen Voxelgitter als die Karte.</translation>
+        <translation>La région est sur une autre grille de voxels que la carte.</translation>
     </message>
     <message>
         <source>The region holds no value.</source>
-        <translation>Die Region enthält keinen Wert.</translation>
+        <translation>La région ne contient aucune valeur.</translation>
     </message>
     <message>
         <source>The wave images do not all lie on one grid.</source>
-        <translation>Die Wellenbilder liegen nicht alle auf einem Gitter.</translation>
+        <translation>Les images d’ondes ne sont pas toutes sur une même grille.</translation>
     </message>
     <message>
         <source>The headers do not say at which frequency the organ was shaken.</source>
-        <translation>Die Kopfdaten sagen nicht, mit welcher Frequenz das Organ in Schwingung versetzt wurde.</translation>
+        <translation>Les en-têtes n’indiquent pas à quelle fréquence l’organe a été mis en vibration.</translation>
     </message>
     <message>
         <source>Give it with --frequency-Hz; liver scans mostly use 60.</source>
-        <translation>Geben Sie sie mit --frequency-Hz an; bei der Leber sind es meist 60.</translation>
+        <translation>Indiquez-la avec --frequency-Hz&#xa0;; pour le foie, c’est le plus souvent 60.</translation>
     </message>
     <message>
         <source>A vibration of {0} Hz is not possible.</source>
-        <translation>Eine Schwingung von {0} Hz ist nicht möglich.</translation>
+        <translation>Une vibration de {0} Hz n’est pas possible.</translation>
     </message>
     <message>
         <source>The headers do not say which of the {0} wave images belong to which direction.</source>
-        <translation>Die Kopfdaten sagen nicht, welche der {0} Wellenbilder zu welcher Richtung gehören.</translation>
+        <translation>Les en-têtes n’indiquent pas quelles images, parmi les {0} images d’ondes, appartiennent à quelle direction.</translation>
     </message>
     <message>
         <source>Say how many directions were measured with --directions; mostly 1 or 3.</source>
-        <translation>Sagen Sie mit --directions, wie viele Richtungen gemessen wurden; meist 1 oder 3.</translation>
+        <translation>Indiquez avec --directions combien de directions ont été mesurées&#xa0;; le plus souvent 1 ou 3.</translation>
     </message>
     <message>
         <source>{0} wave images cannot be shared out among {1} directions.</source>
-        <translation>{0} Wellenbilder lassen sich nicht auf {1} Richtungen aufteilen.</translation>
+        <translation>{0} images d’ondes ne peuvent pas être réparties sur {1} directions.</translation>
     </message>
     <message>
         <source>At {0} Hz direction {1} has {2} instants and the first direction {3}.</source>
-        <translation>Bei {0} Hz hat Richtung {1} {2} Zeitpunkte und die erste Richtung {3}.</translation>
+        <translation>À {0} Hz, la direction {1} a {2} instants et la première direction {3}.</translation>
     </message>
     <message>
         <source>Only {0} instants of the wave were measured; at least {1} are needed to tell the wave from noise.</source>
-        <translation>Nur {0} Zeitpunkte der Welle wurden gemessen; mindestens {1} sind nötig, um Welle und Rauschen zu trennen.</translation>
+        <translation>Seuls {0} instants de l’onde ont été mesurés&#xa0;; il en faut au moins {1} pour distinguer l’onde du bruit.</translation>
     </message>
     <message>
         <source>The curl needs the motion along three known directions, in at least three slices.</source>
-        <translation>Die Rotation braucht die Bewegung in drei bekannten Richtungen, in mindestens drei Schichten.</translation>
+        <translation>Le rotationnel exige le mouvement selon trois directions connues, sur au moins trois coupes.</translation>
     </message>
     <message>
         <source>Take long waves off with the high-pass instead.</source>
-        <translation>Entfernen Sie lange Wellen stattdessen mit dem Hochpass.</translation>
+        <translation>Supprimez plutôt les ondes longues avec le passe-haut.</translation>
     </message>
     <message>
         <source>A cutting plane needs a finite point and a normal that is not zero.</source>
-        <translation>Eine Schnittebene braucht einen endlichen Punkt und eine Normale ungleich null.</translation>
+        <translation>Un plan de coupe exige un point fini et une normale non nulle.</translation>
     </message>
     <message>
         <source>A cutting sheet needs 3 to {0} points; there are {1}.</source>
-        <translation>Eine Schnittfläche braucht 3 bis {0} Punkte; es sind {1}.</translation>
+        <translation>Une surface de coupe exige de 3 à {0} points&#xa0;; il y en a {1}.</translation>
     </message>
     <message>
         <source>A point of the cutting sheet is not finite.</source>
-        <translation>Ein Punkt der Schnittfläche ist nicht endlich.</translation>
+        <translation>Un point de la surface de coupe n’est pas fini.</translation>
     </message>
     <message>
         <source>The points of the cutting sheet lie almost on a line, which does not say which way to cut: add points away from it, or give a plane.</source>
-        <translation>Die Punkte der Schnittfläche liegen fast auf einer Geraden, was nicht sagt, wie zu schneiden ist: Fügen Sie Punkte abseits davon hinzu, oder geben Sie eine Ebene an.</translation>
+        <translation>Les points de la surface de coupe sont presque alignés, ce qui ne dit pas comment couper&#xa0;: ajoutez des points à l’écart, ou donnez un plan.</translation>
     </message>
     <message>
         <source>Points {0} and {1} of the cutting sheet lie above each other: no smooth sheet over their plane passes through both.</source>
-        <translation>Die Punkte {0} und {1} der Schnittfläche liegen übereinander: Keine glatte Fläche über ihrer Ebene geht durch beide.</translation>
+        <translation>Les points {0} et {1} de la surface de coupe sont l’un au-dessus de l’autre&#xa0;: aucune surface lisse au-dessus de leur plan ne passe par les deux.</translation>
     </message>
     <message>
         <source>No smooth sheet passes through the points of the cut.</source>
-        <translation>Keine glatte Fläche geht durch die Punkte des Schnitts.</translation>
+        <translation>Aucune surface lisse ne passe par les points de la section.</translation>
     </message>
     <message>
         <source>The surface is in pieces, between which there is no way along it.</source>
-        <translation>Die Oberfläche besteht aus Stücken, zwischen denen kein Weg auf ihr liegt.</translation>
+        <translation>La surface est en morceaux entre lesquels aucun chemin ne la suit.</translation>
     </message>
     <message>
         <source>Keep its largest piece.</source>
-        <translation>Behalten Sie ihr größtes Stück.</translation>
+        <translation>Gardez son plus grand morceau.</translation>
     </message>
     <message>
         <source>Triangle {0} does not fit its neighbours: an edge has more than two triangles, or they are turned against each other.</source>
-        <translation>Dreieck {0} passt nicht zu seinen Nachbarn: Eine Kante hat mehr als zwei Dreiecke, oder sie sind gegeneinander gedreht.</translation>
+        <translation>Le triangle {0} ne s’accorde pas avec ses voisins&#xa0;: une arête a plus de deux triangles, ou ils sont orientés en sens contraire.</translation>
     </message>
     <message>
         <source>Heat cannot spread over the surface: it has flat triangles.</source>
-        <translation>Wärme kann sich auf der Oberfläche nicht ausbreiten: Sie hat entartete Dreiecke.</translation>
+        <translation>La chaleur ne peut pas se propager sur la surface&#xa0;: elle a des triangles plats.</translation>
     </message>
     <message>
         <source>{0} cannot be read as a mesh: {1}.</source>
-        <translation>{0} kann nicht als Netz gelesen werden: {1}.</translation>
+        <translation>{0} ne peut pas être lu comme maillage&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Open it in ParaView to see whether it is damaged.</source>
-        <translation>Öffnen Sie es in ParaView, um zu sehen, ob es beschädigt ist.</translation>
+        <translation>Ouvrez-le dans ParaView pour voir s’il est endommagé.</translation>
     </message>
     <message>
         <source>it names no dataset</source>
-        <translation>es nennt keinen Datensatz</translation>
+        <translation>il ne nomme aucun jeu de données</translation>
     </message>
     <message>
         <source>its points are not all there</source>
-        <translation>seine Punkte sind nicht vollständig</translation>
+        <translation>ses points ne sont pas tous là</translation>
     </message>
     <message>
         <source>its cell types are not all there</source>
-        <translation>seine Zelltypen sind nicht vollständig</translation>
+        <translation>ses types de cellules ne sont pas tous là</translation>
     </message>
     <message>
         <source>it has not as many cell types as cells</source>
-        <translation>es hat nicht so viele Zelltypen wie Zellen</translation>
+        <translation>il n’a pas autant de types de cellules que de cellules</translation>
     </message>
     <message>
         <source>a field says not how many arrays it has</source>
-        <translation>ein Feld sagt nicht, wie viele Arrays es hat</translation>
+        <translation>un champ n’indique pas combien de tableaux il contient</translation>
     </message>
     <message>
         <source>an array before its cells is not all there, or is text</source>
-        <translation>ein Array vor seinen Zellen ist nicht vollständig oder ist Text</translation>
+        <translation>un tableau avant ses cellules est incomplet, ou est du texte</translation>
     </message>
     <message>
         <source>{0} has no extension that is known for such a mesh.</source>
-        <translation>{0} hat keine Endung, die für ein solches Netz bekannt ist.</translation>
+        <translation>{0} n’a pas d’extension connue pour un tel maillage.</translation>
     </message>
     <message>
         <source>it holds no points</source>
-        <translation>es enthält keine Punkte</translation>
+        <translation>il ne contient pas de points</translation>
     </message>
     <message>
         <source>a cell names a point that does not exist</source>
-        <translation>eine Zelle nennt einen Punkt, den es nicht gibt</translation>
+        <translation>une cellule nomme un point qui n’existe pas</translation>
     </message>
     <message>
         <source>its polygons cannot be cut into triangles</source>
-        <translation>seine Polygone lassen sich nicht in Dreiecke zerlegen</translation>
+        <translation>ses polygones ne peuvent pas être découpés en triangles</translation>
     </message>
     <message>
         <source>Cell {1} of {0} is a {2} of {3} points; only tetrahedra are used.</source>
-        <translation>Zelle {1} von {0} ist {2} mit {3} Punkten; nur Tetraeder werden verwendet.</translation>
+        <translation>La cellule {1} de {0} est un {2} de {3} points&#xa0;; seuls les tétraèdres sont utilisés.</translation>
     </message>
     <message>
         <source>Cut it into tetrahedra first, for example with ParaView&apos;s Tetrahedralize.</source>
-        <translation>Zerlegen Sie es zuerst in Tetraeder, zum Beispiel mit Tetrahedralize von ParaView.</translation>
+        <translation>Découpez-le d’abord en tétraèdres, par exemple avec Tetrahedralize de ParaView.</translation>
     </message>
     <message>
         <source>it holds no tetrahedra</source>
-        <translation>es enthält keine Tetraeder</translation>
+        <translation>il ne contient pas de tétraèdres</translation>
     </message>
     <message>
         <source>The header of {0} announces {1} items; a file of {2} bytes cannot hold them.</source>
-        <translation>Die Kopfdaten von {0} kündigen {1} Einträge an; eine Datei von {2} Bytes kann sie nicht enthalten.</translation>
+        <translation>L’en-tête de {0} annonce {1} éléments&#xa0;; un fichier de {2} octets ne peut pas les contenir.</translation>
     </message>
     <message>
         <source>The file is damaged or cut off; get it again from where it came.</source>
-        <translation>Die Datei ist beschädigt oder abgeschnitten; holen Sie sie erneut von ihrer Quelle.</translation>
+        <translation>Le fichier est endommagé ou tronqué&#xa0;; récupérez-le à sa source.</translation>
     </message>
     <message>
         <source>Line {1} of {0} is neither a point nor a face.</source>
-        <translation>Zeile {1} von {0} ist weder ein Punkt noch eine Fläche.</translation>
+        <translation>La ligne {1} de {0} n’est ni un point ni une face.</translation>
     </message>
     <message>
         <source>Line {1} of {0} is not what an OFF file holds there.</source>
-        <translation>Zeile {1} von {0} ist nicht das, was dort in einer OFF-Datei steht.</translation>
+        <translation>La ligne {1} de {0} n’est pas ce qu’un fichier OFF contient à cet endroit.</translation>
     </message>
     <message>
         <source>its header is not that of a PLY file</source>
-        <translation>seine Kopfdaten sind nicht die einer PLY-Datei</translation>
+        <translation>son en-tête n’est pas celui d’un fichier PLY</translation>
     </message>
     <message>
         <source>Point {0} of the surface has no finite position.</source>
-        <translation>Punkt {0} der Oberfläche hat keine endliche Position.</translation>
+        <translation>Le point {0} de la surface n’a pas de position finie.</translation>
     </message>
     <message>
         <source>Triangle {0} names point {1}; the surface has {2} points.</source>
-        <translation>Dreieck {0} nennt Punkt {1}; die Oberfläche hat {2} Punkte.</translation>
+        <translation>Le triangle {0} nomme le point {1}&#xa0;; la surface a {2} points.</translation>
     </message>
     <message>
         <source>The surface holds no triangles.</source>
-        <translation>Die Oberfläche enthält keine Dreiecke.</translation>
+        <translation>La surface ne contient pas de triangles.</translation>
     </message>
     <message>
         <source>The mesh holds no tetrahedra.</source>
-        <translation>Das Netz enthält keine Tetraeder.</translation>
+        <translation>Le maillage ne contient pas de tétraèdres.</translation>
     </message>
     <message>
         <source>Tetrahedron {0} names point {1}; the mesh has {2} points.</source>
-        <translation>Tetraeder {0} nennt Punkt {1}; das Netz hat {2} Punkte.</translation>
+        <translation>Le tétraèdre {0} nomme le point {1}&#xa0;; le maillage a {2} points.</translation>
     </message>
     <message>
         <source>Point {0} of the mesh has no finite position.</source>
-        <translation>Punkt {0} des Netzes hat keine endliche Position.</translation>
+        <translation>Le point {0} du maillage n’a pas de position finie.</translation>
     </message>
     <message>
         <source>Tetrahedron {0} is flat or inside out: its volume is {1} mm3.</source>
-        <translation>Tetraeder {0} ist flach oder umgestülpt: Sein Volumen ist {1} mm3.</translation>
+        <translation>Le tétraèdre {0} est plat ou retourné&#xa0;: son volume est de {1} mm3.</translation>
     </message>
     <message>
         <source>The face of the points {0}, {1} and {2} belongs to {3} tetrahedra; at most two can.</source>
-        <translation>Die Fläche der Punkte {0}, {1} und {2} gehört zu {3} Tetraedern; höchstens zwei sind möglich.</translation>
+        <translation>La face des points {0}, {1} et {2} appartient à {3} tétraèdres&#xa0;; deux au plus sont possibles.</translation>
     </message>
     <message>
         <source>The mesh falls in {0} parts that share no face, of {1} tetrahedra.</source>
-        <translation>Das Netz zerfällt in {0} Teile ohne gemeinsame Fläche, mit {1} Tetraedern.</translation>
+        <translation>Le maillage se divise en {0} parties sans face commune, de {1} tétraèdres.</translation>
     </message>
     <message>
         <source>Keep the largest part, or join them before meshing.</source>
-        <translation>Behalten Sie den größten Teil, oder verbinden Sie die Teile vor dem Vernetzen.</translation>
+        <translation>Gardez la plus grande partie, ou réunissez-les avant le maillage.</translation>
     </message>
     <message>
         <source>{0} is deflated as a whole, which is not read.</source>
-        <translation>{0} ist als Ganzes komprimiert (Deflate); das wird nicht gelesen.</translation>
+        <translation>{0} est entièrement compressé (deflate), ce qui n’est pas lu.</translation>
     </message>
     <message>
         <source>Convert it first, for example with dcmconv +te.</source>
-        <translation>Wandeln Sie es zuerst um, zum Beispiel mit dcmconv +te.</translation>
+        <translation>Convertissez-le d’abord, par exemple avec dcmconv +te.</translation>
     </message>
     <message>
         <source>{0} is empty.</source>
-        <translation>{0} ist leer.</translation>
+        <translation>{0} est vide.</translation>
     </message>
     <message>
         <source>{0} declares a length beyond its end in its first lines.</source>
-        <translation>{0} gibt in seinen ersten Zeilen eine Länge jenseits seines Endes an.</translation>
+        <translation>{0} déclare dans ses premières lignes une longueur au-delà de sa fin.</translation>
     </message>
     <message>
         <source>{0} is no DICOM file, nor named as one of the volume files that are read.</source>
-        <translation>{0} ist keine DICOM-Datei und heißt auch nicht wie eine lesbare Volumendatei.</translation>
+        <translation>{0} n’est pas un fichier DICOM, ni nommé comme un des fichiers de volume qui sont lus.</translation>
     </message>
     <message>
         <source>The header of {0} is too large to be that of an image.</source>
-        <translation>Die Kopfdaten von {0} sind zu groß für die eines Bildes.</translation>
+        <translation>L’en-tête de {0} est trop grand pour celui d’une image.</translation>
     </message>
     <message>
         <source>{0} is damaged: an item stands outside a sequence at byte {1}.</source>
-        <translation>{0} ist beschädigt: Bei Byte {1} steht ein Eintrag außerhalb einer Sequenz.</translation>
+        <translation>{0} est endommagé&#xa0;: un élément se trouve hors d’une séquence à l’octet {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: a value without a length stands at byte {1}.</source>
-        <translation>{0} ist beschädigt: Bei Byte {1} steht ein Wert ohne Länge.</translation>
+        <translation>{0} est endommagé&#xa0;: une valeur sans longueur se trouve à l’octet {1}.</translation>
     </message>
     <message>
         <source>{0} ends at byte {1}, in the middle of its header.</source>
-        <translation>{0} endet bei Byte {1}, mitten in den Kopfdaten.</translation>
+        <translation>{0} se termine à l’octet {1}, au milieu de son en-tête.</translation>
     </message>
     <message>
         <source>{0} is damaged: the length at byte {1} leaves what encloses it.</source>
-        <translation>{0} ist beschädigt: Die Länge bei Byte {1} verlässt, was sie umschließt.</translation>
+        <translation>{0} est endommagé&#xa0;: la longueur à l’octet {1} dépasse ce qui l’entoure.</translation>
     </message>
     <message>
         <source>{0} ends at byte {1}, in the middle of a sequence.</source>
-        <translation>{0} endet bei Byte {1}, mitten in einer Sequenz.</translation>
+        <translation>{0} se termine à l’octet {1}, au milieu d’une séquence.</translation>
     </message>
     <message>
         <source>{0} is damaged: a sequence holds something else than items at byte {1}.</source>
-        <translation>{0} ist beschädigt: Bei Byte {1} enthält eine Sequenz anderes als Einträge.</translation>
+        <translation>{0} est endommagé&#xa0;: une séquence contient autre chose que des éléments à l’octet {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: its pixels are not stored in the way its transfer syntax {1} says.</source>
-        <translation>{0} ist beschädigt: Seine Pixel sind nicht so gespeichert, wie seine Transfersyntax {1} sagt.</translation>
+        <translation>{0} est endommagé&#xa0;: ses pixels ne sont pas stockés comme le dit sa syntaxe de transfert {1}.</translation>
     </message>
     <message>
         <source>{0} is cut short: {1} of {2} bytes of its pixels are there.</source>
-        <translation>{0} ist abgeschnitten: {1} von {2} Bytes seiner Pixel sind da.</translation>
+        <translation>{0} est tronqué&#xa0;: {1} octets de ses pixels sur {2} sont là.</translation>
     </message>
     <message>
         <source>{0} is damaged: its compressed pixels are broken at byte {1}.</source>
-        <translation>{0} ist beschädigt: Seine komprimierten Pixel sind bei Byte {1} zerstört.</translation>
+        <translation>{0} est endommagé&#xa0;: ses pixels compressés sont corrompus à l’octet {1}.</translation>
     </message>
     <message>
         <source>The pixels of {0} are in too many pieces.</source>
-        <translation>Die Pixel von {0} sind in zu vielen Stücken.</translation>
+        <translation>Les pixels de {0} sont en trop de morceaux.</translation>
     </message>
     <message>
         <source>{0} is cut short in its compressed pixels, at byte {1}.</source>
-        <translation>{0} ist in seinen komprimierten Pixeln abgeschnitten, bei Byte {1}.</translation>
+        <translation>{0} est tronqué dans ses pixels compressés, à l’octet {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: no value type is known for what stands at byte {1}.</source>
-        <translation>{0} ist beschädigt: Für das, was bei Byte {1} steht, ist kein Werttyp bekannt.</translation>
+        <translation>{0} est endommagé&#xa0;: aucun type de valeur n’est connu pour ce qui se trouve à l’octet {1}.</translation>
     </message>
     <message>
         <source>{0} nests its sequences more than {1} deep, which no image does.</source>
-        <translation>{0} verschachtelt seine Sequenzen mehr als {1} tief, was kein Bild tut.</translation>
+        <translation>{0} imbrique ses séquences sur plus de {1} niveaux, ce qu’aucune image ne fait.</translation>
     </message>
     <message>
         <source>Copy the file again from where it came.</source>
-        <translation>Kopieren Sie die Datei erneut von ihrer Quelle.</translation>
+        <translation>Copiez de nouveau le fichier depuis sa source.</translation>
     </message>
     <message>
         <source>The compressed pixels of {0} are damaged.</source>
-        <translation>Die komprimierten Pixel von {0} sind beschädigt.</translation>
+        <translation>Les pixels compressés de {0} sont endommagés.</translation>
     </message>
     <message>
         <source>{0} is compressed in a way that is not read (transfer syntax {1}).</source>
-        <translation>{0} ist auf eine Art komprimiert, die nicht gelesen wird (Transfersyntax {1}).</translation>
+        <translation>{0} est compressé d’une façon qui n’est pas lue (syntaxe de transfert {1}).</translation>
     </message>
     <message>
         <source>Convert it to an uncompressed or JPEG form first.</source>
-        <translation>Wandeln Sie es zuerst in eine unkomprimierte oder JPEG-Form um.</translation>
+        <translation>Convertissez-le d’abord en une forme non compressée ou JPEG.</translation>
     </message>
     <message>
         <source>The compressed picture of {0} is {1} x {2} with {3} bits, where its header says {4} x {5} with {6}.</source>
-        <translation>Das komprimierte Bild von {0} hat {1} x {2} Pixel mit {3} Bit, wo die Kopfdaten {4} x {5} mit {6} sagen.</translation>
+        <translation>L’image compressée de {0} a {1} x {2} pixels à {3} bits, alors que son en-tête indique {4} x {5} à {6}.</translation>
     </message>
     <message>
         <source>{0} lies inside {1}, which is only read.</source>
-        <translation>{0} liegt in {1}, das nur gelesen wird.</translation>
+        <translation>{0} se trouve dans {1}, qui est seulement lu.</translation>
     </message>
     <message>
         <source>Choose a folder elsewhere for the files without identity.</source>
-        <translation>Wählen Sie für die Dateien ohne Identität einen Ordner anderswo.</translation>
+        <translation>Choisissez un autre dossier pour les fichiers sans identité.</translation>
     </message>
     <message>
         <source>removing identity</source>
-        <translation>Identität wird entfernt</translation>
+        <translation>suppression de l’identité</translation>
     </message>
     <message>
         <source>{0} holds no DICOM file.</source>
-        <translation>{0} enthält keine DICOM-Datei.</translation>
+        <translation>{0} ne contient aucun fichier DICOM.</translation>
     </message>
     <message>
         <source>Give the folder or the file that holds the images.</source>
-        <translation>Geben Sie den Ordner oder die Datei an, die die Bilder enthält.</translation>
+        <translation>Indiquez le dossier ou le fichier qui contient les images.</translation>
     </message>
     <message>
         <source>{0} cannot be read: {1}.</source>
-        <translation>{0} kann nicht gelesen werden: {1}.</translation>
+        <translation>{0} ne peut pas être lu&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Check the path and your rights there.</source>
-        <translation>Prüfen Sie den Pfad und Ihre Rechte dort.</translation>
+        <translation>Vérifiez le chemin et vos droits.</translation>
     </message>
     <message>
         <source>{0} holds no image, or is damaged.</source>
-        <translation>{0} enthält kein Bild oder ist beschädigt.</translation>
+        <translation>{0} ne contient pas d’image, ou est endommagé.</translation>
     </message>
     <message>
         <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
-        <translation>{0} gibt eine unmögliche Größe an: {1} x {2} Pixel in {3} Bildern.</translation>
+        <translation>{0} déclare une taille impossible&#xa0;: {1} x {2} pixels en {3} images.</translation>
     </message>
     <message>
         <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
-        <translation>{0} gibt unmögliche Pixel an: {1} von {2} Bit, das höchste {3}.</translation>
+        <translation>{0} déclare des pixels impossibles&#xa0;: {1} bits sur {2}, le plus haut {3}.</translation>
     </message>
     <message>
         <source>{0} declares compressed pictures too large to be true.</source>
-        <translation>{0} gibt komprimierte Bilder an, die zu groß sind, um wahr zu sein.</translation>
+        <translation>{0} déclare des images compressées trop grandes pour être vraies.</translation>
     </message>
     <message>
         <source>{0} holds {1} of the {2} frames that it declares.</source>
-        <translation>{0} enthält {1} der {2} Bilder, die es angibt.</translation>
+        <translation>{0} contient {1} des {2} images qu’il déclare.</translation>
     </message>
     <message>
         <source>{0} holds {1} bytes of pixels, but its size in pixels asks for {2}.</source>
-        <translation>{0} enthält {1} Bytes an Pixeln, aber seine Größe verlangt {2}.</translation>
+        <translation>{0} contient {1} octets de pixels, mais sa taille en exige {2}.</translation>
     </message>
     <message>
         <source>{0} is damaged: its header cannot be understood.</source>
-        <translation>{0} ist beschädigt: Die Kopfdaten sind nicht zu verstehen.</translation>
+        <translation>{0} est endommagé&#xa0;: son en-tête est incompréhensible.</translation>
     </message>
     <message>
         <source>{0} is DICOM, but holds no picture ({1}).</source>
-        <translation>{0} ist DICOM, enthält aber kein Bild ({1}).</translation>
+        <translation>{0} est du DICOM, mais ne contient pas d’image ({1}).</translation>
     </message>
     <message>
         <source>{0} is no directory of DICOM files.</source>
-        <translation>{0} ist kein Verzeichnis von DICOM-Dateien (DICOMDIR).</translation>
+        <translation>{0} n’est pas un répertoire de fichiers DICOM (DICOMDIR).</translation>
     </message>
     <message>
         <source>Open the folder itself instead.</source>
-        <translation>Öffnen Sie stattdessen den Ordner selbst.</translation>
+        <translation>Ouvrez plutôt le dossier lui-même.</translation>
     </message>
     <message>
         <source>Export the segmentation again, as binary and uncompressed DICOM SEG.</source>
-        <translation>Exportieren Sie die Segmentierung erneut, als binäres, unkomprimiertes DICOM SEG.</translation>
+        <translation>Exportez de nouveau la segmentation, en DICOM SEG binaire et non compressé.</translation>
     </message>
     <message>
         <source>{0} is not a DICOM segmentation.</source>
-        <translation>{0} ist keine DICOM-Segmentierung.</translation>
+        <translation>{0} n’est pas une segmentation DICOM.</translation>
     </message>
     <message>
         <source>The segmentation {0} is compressed (or big endian).</source>
-        <translation>Die Segmentierung {0} ist komprimiert (oder Big Endian).</translation>
+        <translation>La segmentation {0} est compressée (ou en big endian).</translation>
     </message>
     <message>
         <source>The segmentation {0} names no segment, or too many for its size: {1}.</source>
-        <translation>Die Segmentierung {0} nennt kein Segment oder zu viele für ihre Größe: {1}.</translation>
+        <translation>La segmentation {0} ne nomme aucun segment, ou trop pour sa taille&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>The headers of {0} are damaged.</source>
-        <translation>Die Kopfdaten von {0} sind beschädigt.</translation>
+        <translation>Les en-têtes de {0} sont endommagés.</translation>
     </message>
     <message>
         <source>The segmentation {0} does not say where its frames are: {1}.</source>
-        <translation>Die Segmentierung {0} sagt nicht, wo ihre Bilder liegen: {1}.</translation>
+        <translation>La segmentation {0} n’indique pas où sont ses images&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>rows, columns, frames or bits</source>
-        <translation>Zeilen, Spalten, Bilder oder Bits</translation>
+        <translation>lignes, colonnes, images ou bits</translation>
     </message>
     <message>
         <source>pixel spacing</source>
-        <translation>Pixelabstand</translation>
+        <translation>espacement des pixels</translation>
     </message>
     <message>
         <source>The frames of the segmentation {0} are not above each other.</source>
-        <translation>Die Bilder der Segmentierung {0} liegen nicht übereinander.</translation>
+        <translation>Les images de la segmentation {0} ne sont pas superposées.</translation>
     </message>
     <message>
         <source>The frames of the segmentation {0} are not evenly spaced.</source>
-        <translation>Die Bilder der Segmentierung {0} haben keine gleichmäßigen Abstände.</translation>
+        <translation>Les images de la segmentation {0} ne sont pas régulièrement espacées.</translation>
     </message>
     <message>
         <source>The segmentation {0} holds fewer frames than it declares.</source>
-        <translation>Die Segmentierung {0} enthält weniger Bilder, als sie angibt.</translation>
+        <translation>La segmentation {0} contient moins d’images qu’elle n’en déclare.</translation>
     </message>
     <message>
         <source>The segmentation {0} ends before its last frame.</source>
-        <translation>Die Segmentierung {0} endet vor ihrem letzten Bild.</translation>
+        <translation>La segmentation {0} se termine avant sa dernière image.</translation>
     </message>
     <message>
         <source>There is no segment to write.</source>
-        <translation>Es gibt kein Segment zu schreiben.</translation>
+        <translation>Il n’y a pas de segment à écrire.</translation>
     </message>
     <message>
         <source>A segmentation needs the identifiers of the study, the series and the frame of reference that it was drawn on.</source>
-        <translation>Eine Segmentierung braucht die Kennungen der Studie, der Serie und des Bezugssystems, in dem sie gezeichnet wurde.</translation>
+        <translation>Une segmentation exige les identifiants de l’étude, de la série et du référentiel sur lesquels elle a été dessinée.</translation>
     </message>
     <message>
         <source>The segments {0} and {1} lie on different grids; one file holds one grid.</source>
-        <translation>Die Segmente {0} und {1} liegen auf verschiedenen Gittern; eine Datei fasst ein Gitter.</translation>
+        <translation>Les segments {0} et {1} sont sur des grilles différentes&#xa0;; un fichier contient une seule grille.</translation>
     </message>
     <message>
         <source>The grid of the segment {0} is skewed, left-handed or too large for DICOM.</source>
-        <translation>Das Gitter des Segments {0} ist schief, linkshändig oder zu groß für DICOM.</translation>
+        <translation>La grille du segment {0} est oblique, de sens indirect ou trop grande pour DICOM.</translation>
     </message>
     <message>
         <source>The volume holds no voxels, so no series can be written to {0}.</source>
-        <translation>Das Volumen enthält keine Voxel, also kann keine Serie nach {0} geschrieben werden.</translation>
+        <translation>Le volume ne contient aucun voxel&#xa0;; aucune série ne peut donc être écrite dans {0}.</translation>
     </message>
     <message>
         <source>The slices have {0} x {1} voxels; DICOM counts rows and columns up to 65535.</source>
-        <translation>Die Schichten haben {0} x {1} Voxel; DICOM zählt Zeilen und Spalten bis 65535.</translation>
+        <translation>Les coupes ont {0} x {1} voxels&#xa0;; DICOM compte les lignes et les colonnes jusqu’à 65535.</translation>
     </message>
     <message>
         <source>The series {0} needs the identifiers of its study, of itself and of its frame of reference.</source>
-        <translation>Die Serie {0} braucht die Kennungen ihrer Studie, ihrer selbst und ihres Bezugssystems.</translation>
+        <translation>La série {0} exige les identifiants de son étude, d’elle-même et de son référentiel.</translation>
     </message>
     <message>
         <source>The volume holds values that are not finite; DICOM cannot.</source>
-        <translation>Das Volumen enthält Werte, die nicht endlich sind; DICOM kann das nicht.</translation>
+        <translation>Le volume contient des valeurs non finies&#xa0;; DICOM ne le permet pas.</translation>
     </message>
     <message>
         <source>Slice {0} holds the value {1}, which the rescale {2} x + {3} cannot hold in 16 bits.</source>
-        <translation>Schicht {0} enthält den Wert {1}, den die Umskalierung {2} x + {3} in 16 Bit nicht fassen kann.</translation>
+        <translation>La coupe {0} contient la valeur {1}, que le changement d’échelle {2} x + {3} ne peut contenir sur 16 bits.</translation>
     </message>
     <message>
         <source>{0} may not be read by you.</source>
-        <translation>{0} dürfen Sie nicht lesen.</translation>
+        <translation>Vous n’avez pas le droit de lire {0}.</translation>
     </message>
     <message>
         <source>{0} cannot be opened: it has gone, or is no ordinary file.</source>
-        <translation>{0} kann nicht geöffnet werden: Es ist verschwunden oder keine gewöhnliche Datei.</translation>
+        <translation>{0} ne peut pas être ouvert&#xa0;: il a disparu, ou n’est pas un fichier ordinaire.</translation>
     </message>
     <message>
         <source>{0} is not any more as it was when the folder was scanned.</source>
-        <translation>{0} ist nicht mehr so wie beim Durchsuchen des Ordners.</translation>
+        <translation>{0} n’est plus tel qu’au moment de l’examen du dossier.</translation>
     </message>
     <message>
         <source>Scan the folder again.</source>
-        <translation>Durchsuchen Sie den Ordner erneut.</translation>
+        <translation>Examinez de nouveau le dossier.</translation>
     </message>
     <message>
         <source>{0} does not say which of its compressed pieces belong to frame {1}.</source>
-        <translation>{0} sagt nicht, welche seiner komprimierten Stücke zu Bild {1} gehören.</translation>
+        <translation>{0} n’indique pas lesquels de ses morceaux compressés appartiennent à l’image {1}.</translation>
     </message>
     <message>
         <source>The series {0} has {1} volumes, counted from 0, and no {2}.</source>
-        <translation>Die Serie {0} hat {1} Volumina, gezählt ab 0, und kein {2}.</translation>
+        <translation>La série {0} a {1} volumes, comptés à partir de 0, et pas de {2}.</translation>
     </message>
     <message>
         <source>The series {0} is a segmentation, not an image.</source>
-        <translation>Die Serie {0} ist eine Segmentierung, kein Bild.</translation>
+        <translation>La série {0} est une segmentation, pas une image.</translation>
     </message>
     <message>
         <source>Import it as labels of a structure.</source>
-        <translation>Importieren Sie sie als Labels einer Struktur.</translation>
+        <translation>Importez-la comme étiquettes d’une structure.</translation>
     </message>
     <message>
         <source>The series {0} holds pictures in colour and no values to measure.</source>
-        <translation>Die Serie {0} enthält Farbbilder und keine messbaren Werte.</translation>
+        <translation>La série {0} contient des images en couleur et aucune valeur à mesurer.</translation>
     </message>
     <message>
         <source>Choose the grey-scale series that it was made from.</source>
-        <translation>Wählen Sie die Graustufenserie, aus der sie entstanden ist.</translation>
+        <translation>Choisissez la série en niveaux de gris dont elle provient.</translation>
     </message>
     <message>
         <source>The series {0} needs {1} GiB of memory, more than this computer has.</source>
-        <translation>Die Serie {0} braucht {1} GiB Speicher, mehr als dieser Rechner hat.</translation>
+        <translation>La série {0} exige {1} Gio de mémoire, plus que n’en a cet ordinateur.</translation>
     </message>
     <message>
         <source>Reading the slices</source>
-        <translation>Schichten werden gelesen</translation>
+        <translation>Lecture des coupes</translation>
     </message>
     <message>
         <source>Sorting the series</source>
-        <translation>Serien werden sortiert</translation>
+        <translation>Tri des séries</translation>
     </message>
     <message>
         <source>The folder {0} cannot be read.</source>
-        <translation>Der Ordner {0} kann nicht gelesen werden.</translation>
+        <translation>Le dossier {0} ne peut pas être lu.</translation>
     </message>
     <message>
         <source>Check your rights there.</source>
-        <translation>Prüfen Sie Ihre Rechte dort.</translation>
+        <translation>Vérifiez vos droits.</translation>
     </message>
     <message>
         <source>Files found</source>
-        <translation>Gefundene Dateien</translation>
+        <translation>Fichiers trouvés</translation>
     </message>
     <message>
         <source>There is nothing at {0}.</source>
-        <translation>Unter {0} ist nichts vorhanden.</translation>
+        <translation>Il n’y a rien à {0}.</translation>
     </message>
     <message>
         <source>Check the path.</source>
-        <translation>Prüfen Sie den Pfad.</translation>
+        <translation>Vérifiez le chemin.</translation>
     </message>
     <message>
         <source>Files looked at</source>
-        <translation>Durchgesehene Dateien</translation>
+        <translation>Fichiers examinés</translation>
     </message>
     <message>
         <source>The map is in {0}, which is no unit of stiffness.</source>
-        <translation>Die Karte ist in {0}, was keine Einheit der Steifigkeit ist.</translation>
+        <translation>La carte est en {0}, qui n’est pas une unité de rigidité.</translation>
     </message>
     <message>
         <source>The stiffness map holds no value above zero.</source>
-        <translation>Die Steifigkeitskarte enthält keinen Wert über null.</translation>
+        <translation>La carte de rigidité ne contient aucune valeur supérieure à zéro.</translation>
     </message>
     <message>
         <source>It cannot be decided whether the stiffness map is in Pa or kPa: its median, {0}, is no stiffness of soft tissue in either.</source>
-        <translation>Ob die Steifigkeitskarte in Pa oder kPa ist, lässt sich nicht entscheiden: Ihr Median, {0}, ist in keiner von beiden eine Steifigkeit von Weichgewebe.</translation>
+        <translation>On ne peut décider si la carte de rigidité est en Pa ou en kPa&#xa0;: sa médiane, {0}, n’est une rigidité de tissu mou dans aucune des deux.</translation>
     </message>
     <message>
         <source>The stiffness map is marked as {0}, but its median, {1}, is a stiffness of soft tissue only in {2}.</source>
-        <translation>Die Steifigkeitskarte ist als {0} gekennzeichnet, aber ihr Median, {1}, ist nur in {2} eine Steifigkeit von Weichgewebe.</translation>
+        <translation>La carte de rigidité est marquée en {0}, mais sa médiane, {1}, n’est une rigidité de tissu mou qu’en {2}.</translation>
     </message>
     <message>
         <source>Correct the unit in the file after asking where it came from.</source>
-        <translation>Berichtigen Sie die Einheit in der Datei, nachdem Sie bei deren Herkunft nachgefragt haben.</translation>
+        <translation>Corrigez l’unité dans le fichier après vous être renseigné auprès de sa source.</translation>
     </message>
     <message>
         <source>{0} is not a label map: it holds the value {1}.</source>
-        <translation>{0} ist keine Labelkarte: Sie enthält den Wert {1}.</translation>
+        <translation>{0} n’est pas une carte d’étiquettes&#xa0;: elle contient la valeur {1}.</translation>
     </message>
     <message>
         <source>A label map holds whole numbers from 0 to 65535.</source>
-        <translation>Eine Labelkarte enthält ganze Zahlen von 0 bis 65535.</translation>
+        <translation>Une carte d’étiquettes contient des nombres entiers de 0 à 65535.</translation>
     </message>
     <message>
         <source>{0} is not of a known kind of volume file.</source>
-        <translation>{0} ist keine bekannte Art von Volumendatei.</translation>
+        <translation>{0} n’est pas d’un type connu de fichier de volume.</translation>
     </message>
     <message>
         <source>Known are .nii, .nii.gz, .nrrd, .nhdr, .mha and .mhd.</source>
-        <translation>Bekannt sind .nii, .nii.gz, .nrrd, .nhdr, .mha und .mhd.</translation>
+        <translation>Sont connus .nii, .nii.gz, .nrrd, .nhdr, .mha et .mhd.</translation>
     </message>
     <message>
         <source>Check that the file is whole, for example by opening it in 3D Slicer.</source>
-        <translation>Prüfen Sie, ob die Datei vollständig ist, zum Beispiel durch Öffnen in 3D Slicer.</translation>
+        <translation>Vérifiez que le fichier est complet, par exemple en l’ouvrant dans 3D Slicer.</translation>
     </message>
     <message>
         <source>it is empty</source>
-        <translation>sie ist leer</translation>
+        <translation>il est vide</translation>
     </message>
     <message>
         <source>its header is not of that format</source>
-        <translation>ihre Kopfdaten sind nicht von diesem Format</translation>
+        <translation>son en-tête n’est pas de ce format</translation>
     </message>
     <message>
         <source>{0} holds {1} values at each voxel; one is needed.</source>
-        <translation>{0} enthält {1} Werte je Voxel; einer wird gebraucht.</translation>
+        <translation>{0} contient {1} valeurs par voxel&#xa0;; il en faut une.</translation>
     </message>
     <message>
         <source>Save one component (or a grey image in place of a colour one).</source>
-        <translation>Speichern Sie eine Komponente (oder ein Graubild statt eines Farbbilds).</translation>
+        <translation>Enregistrez une seule composante (ou une image en gris au lieu d’une image en couleur).</translation>
     </message>
     <message>
         <source>{0} is not a three-dimensional volume: it has {1} axes.</source>
-        <translation>{0} ist kein dreidimensionales Volumen: Es hat {1} Achsen.</translation>
+        <translation>{0} n’est pas un volume à trois dimensions&#xa0;: il a {1} axes.</translation>
     </message>
     <message>
         <source>Save one volume (one point in time) to a file.</source>
-        <translation>Speichern Sie ein Volumen (einen Zeitpunkt) in eine Datei.</translation>
+        <translation>Enregistrez un seul volume (un seul instant) dans un fichier.</translation>
     </message>
     <message>
         <source>The header of {0} gives no usable grid: sizes and spacings must be positive and the axes at right angles.</source>
-        <translation>Die Kopfdaten von {0} ergeben kein brauchbares Gitter: Größen und Abstände müssen positiv und die Achsen rechtwinklig sein.</translation>
+        <translation>L’en-tête de {0} ne donne pas de grille utilisable&#xa0;: tailles et espacements doivent être positifs et les axes perpendiculaires.</translation>
     </message>
     <message>
         <source>Resample the volume onto a regular grid and save it again.</source>
-        <translation>Rechnen Sie das Volumen auf ein regelmäßiges Gitter um, und speichern Sie es neu.</translation>
+        <translation>Rééchantillonnez le volume sur une grille régulière et enregistrez-le de nouveau.</translation>
     </message>
     <message>
         <source>{0} is too short: its header declares {1} bytes of voxels and the file can hold {2} at most.</source>
-        <translation>{0} ist zu kurz: Die Kopfdaten geben {1} Bytes an Voxeln an, und die Datei kann höchstens {2} enthalten.</translation>
+        <translation>{0} est trop court&#xa0;: son en-tête déclare {1} octets de voxels et le fichier peut en contenir {2} au plus.</translation>
     </message>
     <message>
         <source>its numbers are of an unknown type</source>
-        <translation>ihre Zahlen sind von unbekanntem Typ</translation>
+        <translation>ses nombres sont d’un type inconnu</translation>
     </message>
     <message>
         <source>The supports do not hold the body: it {0}, so no equilibrium exists.</source>
-        <translation>Die Lagerung hält den Körper nicht: Er {0}, also gibt es kein Gleichgewicht.</translation>
+        <translation>Les appuis ne tiennent pas le corps&#xa0;: il {0}, donc aucun équilibre n’existe.</translation>
     </message>
     <message>
         <source>Hold more of it, or put a foundation under part of its surface.</source>
-        <translation>Halten Sie mehr davon fest, oder legen Sie eine Bettung unter einen Teil seiner Oberfläche.</translation>
+        <translation>Tenez-en une plus grande partie, ou placez une fondation sous une partie de sa surface.</translation>
     </message>
     <message>
         <source>The mesh has {0} cells; at most {1} can be solved.</source>
-        <translation>Das Netz hat {0} Zellen; höchstens {1} sind lösbar.</translation>
+        <translation>Le maillage a {0} cellules&#xa0;; {1} au plus peuvent être résolues.</translation>
     </message>
     <message>
         <source>Mesh with fewer cells.</source>
-        <translation>Vernetzen Sie mit weniger Zellen.</translation>
+        <translation>Maillez avec moins de cellules.</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio must lie between -1 and 0.5, both excluded; it is {0}.</source>
-        <translation>Die Querkontraktionszahl muss zwischen -1 und 0.5 liegen, beide ausgeschlossen; sie ist {0}.</translation>
+        <translation>Le coefficient de Poisson doit être compris entre -1 et 0.5, bornes exclues&#xa0;; il vaut {0}.</translation>
     </message>
     <message>
         <source>For tissue that is nearly incompressible take 0.45 to 0.499.</source>
-        <translation>Für fast inkompressibles Gewebe nehmen Sie 0.45 bis 0.499.</translation>
+        <translation>Pour un tissu presque incompressible, prenez de 0.45 à 0.499.</translation>
     </message>
     <message>
         <source>The density must be a finite number, zero or above.</source>
-        <translation>Die Dichte muss eine endliche Zahl sein, null oder größer.</translation>
+        <translation>La masse volumique doit être un nombre fini, nul ou positif.</translation>
     </message>
     <message>
         <source>There are {0} values of Young&apos;s modulus for {1} cells.</source>
-        <translation>Es gibt {0} Werte des Elastizitätsmoduls für {1} Zellen.</translation>
+        <translation>Il y a {0} valeurs du module de Young pour {1} cellules.</translation>
     </message>
     <message>
         <source>Young&apos;s modulus of cell {0} is {1} kPa; it must be a number above zero.</source>
-        <translation>Der Elastizitätsmodul der Zelle {0} ist {1} kPa; er muss eine Zahl größer als null sein.</translation>
+        <translation>Le module de Young de la cellule {0} est de {1} kPa&#xa0;; il doit être un nombre supérieur à zéro.</translation>
     </message>
     <message>
         <source>Fill the cells without data before simulating.</source>
-        <translation>Füllen Sie die Zellen ohne Daten vor der Simulation.</translation>
+        <translation>Complétez les cellules sans données avant de simuler.</translation>
     </message>
     <message>
         <source>The tool at ({0}, {1}, {2}) mm with radius {3} mm touches nothing: the centre of the nearest face of the surface is {4} mm away.</source>
-        <translation>Das Instrument bei ({0}, {1}, {2}) mm mit dem Radius {3} mm berührt nichts: Die Mitte der nächsten Fläche der Oberfläche ist {4} mm entfernt.</translation>
+        <translation>L’instrument en ({0}, {1}, {2}) mm, de rayon {3} mm, ne touche rien&#xa0;: le centre de la face la plus proche de la surface est à {4} mm.</translation>
     </message>
     <message>
         <source>Move its centre onto the surface, or make its radius larger than {4} mm.</source>
-        <translation>Verschieben Sie seine Mitte auf die Oberfläche, oder machen Sie seinen Radius größer als {4} mm.</translation>
+        <translation>Déplacez son centre sur la surface, ou donnez-lui un rayon supérieur à {4} mm.</translation>
     </message>
     <message>
         <source>Ordering the equations</source>
-        <translation>Gleichungen werden geordnet</translation>
+        <translation>Mise en ordre des équations</translation>
     </message>
     <message>
         <source>Solving for {0} unknowns would take {1} GB of memory; the limit is {2} GB.</source>
-        <translation>Die Lösung für {0} Unbekannte bräuchte {1} GB Speicher; die Grenze ist {2} GB.</translation>
+        <translation>La résolution pour {0} inconnues exigerait {1} Go de mémoire&#xa0;; la limite est de {2} Go.</translation>
     </message>
     <message>
         <source>Factorising</source>
-        <translation>Faktorisierung</translation>
+        <translation>Factorisation</translation>
     </message>
     <message>
         <source>The stiffness matrix is not positive definite (column {0} of {1}).</source>
-        <translation>Die Steifigkeitsmatrix ist nicht positiv definit (Spalte {0} von {1}).</translation>
+        <translation>La matrice de rigidité n’est pas définie positive (colonne {0} sur {1}).</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio may be too near 1/2, or cells may be flat: look at the mesh&apos;s quality.</source>
-        <translation>Die Querkontraktionszahl liegt vielleicht zu nahe bei 1/2, oder Zellen sind flach: Sehen Sie sich die Qualität des Netzes an.</translation>
+        <translation>Le coefficient de Poisson est peut-être trop proche de 1/2, ou des cellules sont plates&#xa0;: regardez la qualité du maillage.</translation>
     </message>
     <message>
         <source>The solver ran out of memory for {0} unknowns.</source>
-        <translation>Dem Löser fehlte der Speicher für {0} Unbekannte.</translation>
+        <translation>Le solveur a manqué de mémoire pour {0} inconnues.</translation>
     </message>
     <message>
         <source>Factorised</source>
-        <translation>Faktorisiert</translation>
+        <translation>Factorisé</translation>
     </message>
     <message>
         <source>The equilibrium was not found. {0}</source>
-        <translation>Das Gleichgewicht wurde nicht gefunden. {0}</translation>
+        <translation>L’équilibre n’a pas été trouvé. {0}</translation>
     </message>
     <message>
         <source>The body&apos;s answer to a force on its surface was not found: the relative residual stayed at {0}.</source>
-        <translation>Die Antwort des Körpers auf eine Kraft an seiner Oberfläche wurde nicht gefunden: Das relative Residuum blieb bei {0}.</translation>
+        <translation>La réponse du corps à une force sur sa surface n’a pas été trouvée&#xa0;: le résidu relatif est resté à {0}.</translation>
     </message>
     <message>
         <source>The tool at ({0}, {1}, {2}) mm meets no surface on its way.</source>
-        <translation>Das Instrument bei ({0}, {1}, {2}) mm trifft auf seinem Weg keine Oberfläche.</translation>
+        <translation>L’instrument en ({0}, {1}, {2}) mm ne rencontre aucune surface sur son chemin.</translation>
     </message>
     <message>
         <source>Move it in front of the liver, or turn it towards it.</source>
-        <translation>Verschieben Sie es vor die Leber, oder drehen Sie es zu ihr hin.</translation>
+        <translation>Déplacez-le devant le foie, ou tournez-le vers lui.</translation>
     </message>
     <message>
         <source>A grasper needs a finite place and a radius above zero.</source>
-        <translation>Eine Fasszange braucht einen endlichen Ort und einen Radius größer als null.</translation>
+        <translation>Une pince exige un emplacement fini et un rayon supérieur à zéro.</translation>
     </message>
     <message>
         <source>The grasper holds no point of the surface.</source>
-        <translation>Die Fasszange hält keinen Punkt der Oberfläche.</translation>
+        <translation>La pince ne tient aucun point de la surface.</translation>
     </message>
     <message>
         <source>Move it onto the surface, or open its jaws wider.</source>
-        <translation>Verschieben Sie sie auf die Oberfläche, oder öffnen Sie ihre Branchen weiter.</translation>
+        <translation>Déplacez-la sur la surface, ou ouvrez davantage ses mors.</translation>
     </message>
     <message>
         <source>A body computed straight from data can be held, but not stand on a foundation.</source>
-        <translation>Ein direkt aus Daten berechneter Körper kann gehalten werden, aber nicht auf einer Bettung stehen.</translation>
+        <translation>Un corps calculé directement à partir de données peut être tenu, mais pas reposer sur une fondation.</translation>
     </message>
     <message>
         <source>Looking for states that the data know</source>
-        <translation>Suche nach Zuständen, die die Daten kennen</translation>
+        <translation>Recherche d’états connus des données</translation>
     </message>
     <message>
         <source>Looking for the equilibrium</source>
-        <translation>Suche nach dem Gleichgewicht</translation>
+        <translation>Recherche de l’équilibre</translation>
     </message>
     <message>
         <source>Solved</source>
-        <translation>Gelöst</translation>
+        <translation>Résolu</translation>
     </message>
     <message>
         <source>is not held at all</source>
-        <translation>ist überhaupt nicht gehalten</translation>
+        <translation>n’est pas tenu du tout</translation>
     </message>
     <message>
         <source>can slide in every direction</source>
-        <translation>kann in jede Richtung gleiten</translation>
+        <translation>peut glisser dans toutes les directions</translation>
     </message>
     <message>
         <source>The tool of load {0} needs a finite centre and force.</source>
-        <translation>Das Instrument der Last {0} braucht eine endliche Mitte und Kraft.</translation>
+        <translation>L’instrument de la charge {0} exige un centre et une force finis.</translation>
     </message>
     <message>
         <source>The tool of load {0} needs a radius above zero.</source>
-        <translation>Das Instrument der Last {0} braucht einen Radius größer als null.</translation>
+        <translation>L’instrument de la charge {0} exige un rayon supérieur à zéro.</translation>
     </message>
     <message>
         <source>The pressure of load {0} is not a finite number.</source>
-        <translation>Der Druck der Last {0} ist keine endliche Zahl.</translation>
+        <translation>La pression de la charge {0} n’est pas un nombre fini.</translation>
     </message>
     <message>
         <source>The gravity of load {0} is not a finite vector.</source>
-        <translation>Die Schwerkraft der Last {0} ist kein endlicher Vektor.</translation>
+        <translation>La pesanteur de la charge {0} n’est pas un vecteur fini.</translation>
     </message>
     <message>
         <source>A material needs at least 3 measurements of strain and stress.</source>
-        <translation>Ein Material braucht mindestens 3 Messungen von Dehnung und Spannung.</translation>
+        <translation>Un matériau exige au moins 3 mesures de déformation et de contrainte.</translation>
     </message>
     <message>
         <source>A measurement of strain and stress is not a finite number.</source>
-        <translation>Eine Messung von Dehnung und Spannung ist keine endliche Zahl.</translation>
+        <translation>Une mesure de déformation et de contrainte n’est pas un nombre fini.</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio must lie between -1 and 0.5, and one neighbour or more is needed for a hull.</source>
-        <translation>Die Querkontraktionszahl muss zwischen -1 und 0.5 liegen, und für eine Hülle ist mindestens ein Nachbar nötig.</translation>
+        <translation>Le coefficient de Poisson doit être compris entre -1 et 0.5, et il faut au moins un voisin pour une enveloppe.</translation>
     </message>
     <message>
         <source>The measured stress does not grow with the strain.</source>
-        <translation>Die gemessene Spannung wächst nicht mit der Dehnung.</translation>
+        <translation>La contrainte mesurée ne croît pas avec la déformation.</translation>
     </message>
     <message>
         <source>Assembling the stiffness</source>
-        <translation>Steifigkeit wird zusammengestellt</translation>
+        <translation>Assemblage de la rigidité</translation>
     </message>
     <message>
         <source>Assembled</source>
-        <translation>Zusammengestellt</translation>
+        <translation>Assemblé</translation>
     </message>
     <message>
         <source>A motion needs a step and a tolerance above zero, and damping not below it.</source>
-        <translation>Eine Bewegung braucht einen Schritt und eine Toleranz größer als null und eine Dämpfung nicht kleiner.</translation>
+        <translation>Un mouvement exige un pas et une tolérance supérieurs à zéro, et un amortissement qui ne lui soit pas inférieur.</translation>
     </message>
     <message>
         <source>{0} nodes in this body need more than 5e8 voxels: take fewer.</source>
-        <translation>{0} Knoten in diesem Körper brauchen mehr als 5e8 Voxel: Nehmen Sie weniger.</translation>
+        <translation>{0} nœuds dans ce corps exigent plus de 5e8 voxels&#xa0;: prenez-en moins.</translation>
     </message>
     <message>
         <source>Spreading the nodes</source>
-        <translation>Knoten werden verteilt</translation>
+        <translation>Répartition des nœuds</translation>
     </message>
     <message>
         <source>Measuring how the material sees the body</source>
-        <translation>Messung, wie das Material den Körper sieht</translation>
+        <translation>Mesure de la façon dont le matériau voit le corps</translation>
     </message>
     <message>
         <source>{0} nodes, {1} voxels a node and an overlap of {2} cannot be: the last two must be at least 1 and above 1.</source>
-        <translation>{0} Knoten, {1} Voxel je Knoten und eine Überlappung von {2} sind nicht möglich: Die letzten beiden müssen mindestens 1 und größer als 1 sein.</translation>
+        <translation>{0} nœuds, {1} voxels par nœud et un recouvrement de {2} sont impossibles&#xa0;: les deux derniers doivent être au moins 1 et supérieur à 1.</translation>
     </message>
     <message>
         <source>One linear solve a step moves the materials &quot;linear&quot; and &quot;corotational&quot;, without ligaments or a capsule.</source>
-        <translation>Mit einer linearen Lösung je Schritt bewegen sich die Materialien &quot;linear&quot; und &quot;corotational&quot;, ohne Bänder oder Kapsel.</translation>
+        <translation>Une résolution linéaire par pas fait mouvoir les matériaux &quot;linear&quot; et &quot;corotational&quot;, sans ligaments ni capsule.</translation>
     </message>
     <message>
         <source>A tool needs rods with finite ends and a radius above zero, and a pose that turns and moves it.</source>
-        <translation>Ein Instrument braucht Stäbe mit endlichen Enden und einem Radius größer als null und eine Lage, die es dreht und bewegt.</translation>
+        <translation>Un instrument exige des tiges aux extrémités finies et de rayon supérieur à zéro, et une pose qui le tourne et le déplace.</translation>
     </message>
     <message>
         <source>{0} must be a name in quotes.</source>
-        <translation>{0} muss ein Name in Anführungszeichen sein.</translation>
+        <translation>{0} doit être un nom entre guillemets.</translation>
     </message>
     <message>
         <source>{0} must be one of {1}.</source>
-        <translation>{0} muss eines von {1} sein.</translation>
+        <translation>{0} doit être l’un de {1}.</translation>
     </message>
     <message>
         <source>{0} must be a list in brackets.</source>
-        <translation>{0} muss eine Liste in eckigen Klammern sein.</translation>
+        <translation>{0} doit être une liste entre crochets.</translation>
     </message>
     <message>
         <source>{0} goes with the material &quot;veronda-westmann&quot;: give both or neither.</source>
-        <translation>{0} gehört zum Material &quot;veronda-westmann&quot;: Geben Sie beide an oder keines.</translation>
+        <translation>{0} va avec le matériau &quot;veronda-westmann&quot;&#xa0;: donnez les deux ou aucun.</translation>
     </message>
     <message>
         <source>{0} and &quot;youngs_modulus_kPa&quot; both say how stiff the body is: give one.</source>
-        <translation>{0} und &quot;youngs_modulus_kPa&quot; sagen beide, wie steif der Körper ist: Geben Sie eines an.</translation>
+        <translation>{0} et &quot;youngs_modulus_kPa&quot; disent tous deux la rigidité du corps&#xa0;: n’en donnez qu’un.</translation>
     </message>
     <message>
         <source>{0} has the same id &quot;{1}&quot; as another.</source>
-        <translation>{0} hat dieselbe Kennung „{1}“ wie ein anderes.</translation>
+        <translation>{0} a le même identifiant «&#xa0;{1}&#xa0;» qu’un autre.</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;point_array&quot;, &quot;sphere&quot; and &quot;box&quot;.</source>
-        <translation>{0} braucht genau eines von &quot;point_array&quot;, &quot;sphere&quot; und &quot;box&quot;.</translation>
+        <translation>{0} exige exactement un parmi &quot;point_array&quot;, &quot;sphere&quot; et &quot;box&quot;.</translation>
     </message>
     <message>
         <source>In {0} the box&apos;s min_mm must not exceed its max_mm.</source>
-        <translation>In {0} darf min_mm des Quaders sein max_mm nicht übersteigen.</translation>
+        <translation>Dans {0}, le min_mm de la boîte ne doit pas dépasser son max_mm.</translation>
     </message>
     <message>
         <source>{0} is a ligament: it takes neither &quot;foundation_kPa_per_mm&quot; nor &quot;directions&quot;.</source>
-        <translation>{0} ist ein Band: Es nimmt weder &quot;foundation_kPa_per_mm&quot; noch &quot;directions&quot;.</translation>
+        <translation>{0} est un ligament&#xa0;: il ne prend ni &quot;foundation_kPa_per_mm&quot; ni &quot;directions&quot;.</translation>
     </message>
     <message>
         <source>{0} has both &quot;foundation_kPa_per_mm&quot; and &quot;directions&quot;: a foundation acts in all directions.</source>
-        <translation>{0} hat sowohl &quot;foundation_kPa_per_mm&quot; als auch &quot;directions&quot;: Eine Bettung wirkt in alle Richtungen.</translation>
+        <translation>{0} a à la fois &quot;foundation_kPa_per_mm&quot; et &quot;directions&quot;&#xa0;: une fondation agit dans toutes les directions.</translation>
     </message>
     <message>
         <source>The directions of {0} must be a list such as [&quot;x&quot;, &quot;z&quot;].</source>
-        <translation>Die Richtungen von {0} müssen eine Liste sein, etwa [&quot;x&quot;, &quot;z&quot;].</translation>
+        <translation>Les directions de {0} doivent être une liste, par exemple [&quot;x&quot;, &quot;z&quot;].</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; and &quot;gravity_of_patient&quot;.</source>
-        <translation>{0} braucht genau eines von &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; und &quot;gravity_of_patient&quot;.</translation>
+        <translation>{0} exige exactement un parmi &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; et &quot;gravity_of_patient&quot;.</translation>
     </message>
     <message>
         <source>{0} must lie between -90 and 90 degrees.</source>
-        <translation>{0} muss zwischen -90 und 90 Grad liegen.</translation>
+        <translation>{0} doit être compris entre -90 et 90 degrés.</translation>
     </message>
     <message>
         <source>{0} has both &quot;left_tilt_deg&quot; and &quot;right_tilt_deg&quot;: give one.</source>
-        <translation>{0} hat sowohl &quot;left_tilt_deg&quot; als auch &quot;right_tilt_deg&quot;: Geben Sie eines an.</translation>
+        <translation>{0} a à la fois &quot;left_tilt_deg&quot; et &quot;right_tilt_deg&quot;&#xa0;: n’en donnez qu’un.</translation>
     </message>
     <message>
         <source>{0} must be true or false.</source>
-        <translation>{0} muss true oder false sein.</translation>
+        <translation>{0} doit être true ou false.</translation>
     </message>
     <message>
         <source>The steps of {0} must be a whole number from 1 to 1000000.</source>
-        <translation>Die Schritte von {0} müssen eine ganze Zahl von 1 bis 1000000 sein.</translation>
+        <translation>Les pas de {0} doivent être un nombre entier de 1 à 1000000.</translation>
     </message>
     <message>
         <source>The nodes of {0} must be a whole number from 1 to 1000000.</source>
-        <translation>Die Knoten von {0} müssen eine ganze Zahl von 1 bis 1000000 sein.</translation>
+        <translation>Les nœuds de {0} doivent être un nombre entier de 1 à 1000000.</translation>
     </message>
     <message>
         <source>The mesh has no cell array {0} with one value a cell.</source>
-        <translation>Das Netz hat kein Zellfeld {0} mit einem Wert je Zelle.</translation>
+        <translation>Le maillage n’a pas de tableau de cellules {0} avec une valeur par cellule.</translation>
     </message>
     <message>
         <source>Give the scenario &quot;youngs_modulus_kPa&quot;, a number or the name of a cell array; the mesh&apos;s cell arrays are: {1}.</source>
-        <translation>Geben Sie dem Szenario &quot;youngs_modulus_kPa&quot;, eine Zahl oder den Namen eines Zellfelds; die Zellfelder des Netzes sind: {1}.</translation>
+        <translation>Donnez au scénario &quot;youngs_modulus_kPa&quot;, un nombre ou le nom d’un tableau de cellules&#xa0;; les tableaux de cellules du maillage sont&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>The position of landmark {0} is not a finite point.</source>
-        <translation>Die Position der Landmarke {0} ist kein endlicher Punkt.</translation>
+        <translation>La position du repère {0} n’est pas un point fini.</translation>
     </message>
     <message>
         <source>Landmark {0} lies {1} mm outside the body.</source>
-        <translation>Landmarke {0} liegt {1} mm außerhalb des Körpers.</translation>
+        <translation>Le repère {0} est à {1} mm hors du corps.</translation>
     </message>
     <message>
         <source>Check that landmarks and mesh are in the same coordinates (LPS, mm).</source>
-        <translation>Prüfen Sie, ob Landmarken und Netz in denselben Koordinaten sind (LPS, mm).</translation>
+        <translation>Vérifiez que les repères et le maillage sont dans les mêmes coordonnées (LPS, mm).</translation>
     </message>
     <message>
         <source>Solving</source>
-        <translation>Lösen</translation>
+        <translation>Résolution</translation>
     </message>
     <message>
         <source>Moving</source>
-        <translation>Bewegung</translation>
+        <translation>Mouvement</translation>
     </message>
     <message>
         <source>Checking the model</source>
-        <translation>Modell wird geprüft</translation>
+        <translation>Vérification du modèle</translation>
     </message>
     <message>
         <source>A ligament only pulls, so it is not linear: look for the equilibrium by steps.</source>
-        <translation>Ein Band zieht nur, ist also nicht linear: Suchen Sie das Gleichgewicht schrittweise.</translation>
+        <translation>Un ligament ne fait que tirer, il n’est donc pas linéaire&#xa0;: cherchez l’équilibre par pas.</translation>
     </message>
     <message>
         <source>Nodal loads need {0} values: three a node.</source>
-        <translation>Knotenlasten brauchen {0} Werte: drei je Knoten.</translation>
+        <translation>Les charges nodales exigent {0} valeurs&#xa0;: trois par nœud.</translation>
     </message>
     <message>
         <source>A nodal load is not a finite number.</source>
-        <translation>Eine Knotenlast ist keine endliche Zahl.</translation>
+        <translation>Une charge nodale n’est pas un nombre fini.</translation>
     </message>
     <message>
         <source>Support {0} names no point of the mesh.</source>
-        <translation>Lagerung {0} nennt keinen Punkt des Netzes.</translation>
+        <translation>L’appui {0} ne nomme aucun point du maillage.</translation>
     </message>
     <message>
         <source>Move or enlarge its region, or name another point array.</source>
-        <translation>Verschieben oder vergrößern Sie ihre Region, oder nennen Sie ein anderes Punktfeld.</translation>
+        <translation>Déplacez ou agrandissez sa région, ou nommez un autre tableau de points.</translation>
     </message>
     <message>
         <source>The foundation of support {0} needs a stiffness above zero, not {1} kPa/mm.</source>
-        <translation>Die Bettung der Lagerung {0} braucht eine Steifigkeit größer als null, nicht {1} kPa/mm.</translation>
+        <translation>La fondation de l’appui {0} exige une rigidité supérieure à zéro, et non {1} kPa/mm.</translation>
     </message>
     <message>
         <source>The foundation of support {0} covers no face: no face of the surface has all three points named.</source>
-        <translation>Die Bettung der Lagerung {0} bedeckt keine Fläche: Bei keiner Fläche der Oberfläche sind alle drei Punkte genannt.</translation>
+        <translation>La fondation de l’appui {0} ne couvre aucune face&#xa0;: aucune face de la surface n’a ses trois points nommés.</translation>
     </message>
     <message>
         <source>Move or enlarge its region.</source>
-        <translation>Verschieben oder vergrößern Sie ihre Region.</translation>
+        <translation>Déplacez ou agrandissez sa région.</translation>
     </message>
     <message>
         <source>Support {0} asks for the point array {1}, which the mesh does not have with one value a point.</source>
-        <translation>Lagerung {0} verlangt das Punktfeld {1}, das das Netz nicht mit einem Wert je Punkt hat.</translation>
+        <translation>L’appui {0} demande le tableau de points {1}, que le maillage n’a pas avec une valeur par point.</translation>
     </message>
     <message>
         <source>The mesh&apos;s point arrays are: {2}.</source>
-        <translation>Die Punktfelder des Netzes sind: {2}.</translation>
+        <translation>Les tableaux de points du maillage sont&#xa0;: {2}.</translation>
     </message>
     <message>
         <source>The point array {0} is not a number at point {1}.</source>
-        <translation>Das Punktfeld {0} ist bei Punkt {1} keine Zahl.</translation>
+        <translation>Le tableau de points {0} n’est pas un nombre au point {1}.</translation>
     </message>
     <message>
         <source>The sphere of support {0} needs a finite centre and a radius above zero.</source>
-        <translation>Die Kugel der Lagerung {0} braucht eine endliche Mitte und einen Radius größer als null.</translation>
+        <translation>La sphère de l’appui {0} exige un centre fini et un rayon supérieur à zéro.</translation>
     </message>
     <message>
         <source>The box of support {0} needs finite corners, the smaller one first.</source>
-        <translation>Der Quader der Lagerung {0} braucht endliche Ecken, die kleinere zuerst.</translation>
+        <translation>La boîte de l’appui {0} exige des coins finis, le plus petit d’abord.</translation>
     </message>
     <message>
         <source>The ligament of support {0} needs a finite anchor, a stiffness above zero and a slack not below it.</source>
-        <translation>Das Band der Lagerung {0} braucht einen endlichen Ankerpunkt, eine Steifigkeit größer als null und eine nicht negative Schlaffheit.</translation>
+        <translation>Le ligament de l’appui {0} exige un point d’ancrage fini, une rigidité supérieure à zéro et un mou qui ne soit pas négatif.</translation>
     </message>
     <message>
         <source>The ligament of support {0} names no point of the surface.</source>
-        <translation>Das Band der Lagerung {0} nennt keinen Punkt der Oberfläche.</translation>
+        <translation>Le ligament de l’appui {0} ne nomme aucun point de la surface.</translation>
     </message>
     <message>
         <source>There is no published tissue {0}.</source>
-        <translation>Es gibt kein veröffentlichtes Gewebe {0}.</translation>
+        <translation>Il n’y a pas de tissu publié {0}.</translation>
     </message>
     <message>
         <source>The tissues are: {1}.</source>
-        <translation>Die Gewebe sind: {1}.</translation>
+        <translation>Les tissus sont&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>{0} nodes in {1} rounds cannot be made; both must be at least 1.</source>
-        <translation>{0} Knoten in {1} Runden sind nicht möglich; beide müssen mindestens 1 sein.</translation>
+        <translation>{0} nœuds en {1} tours sont impossibles&#xa0;; les deux doivent être au moins 1.</translation>
     </message>
     <message>
         <source>The body holds no voxels.</source>
-        <translation>Der Körper enthält keine Voxel.</translation>
+        <translation>Le corps ne contient aucun voxel.</translation>
     </message>
     <message>
         <source>{0} nodes are more than the body has voxels ({1}).</source>
-        <translation>{0} Knoten sind mehr, als der Körper Voxel hat ({1}).</translation>
+        <translation>{0} nœuds, c’est plus que le corps n’a de voxels ({1}).</translation>
     </message>
     <message>
         <source>The mesh generator gave up: {0}.</source>
-        <translation>Der Netzgenerator hat aufgegeben: {0}.</translation>
+        <translation>Le mailleur a abandonné&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Ask for another number of cells, or smooth the labels.</source>
-        <translation>Verlangen Sie eine andere Zahl von Zellen, oder glätten Sie die Labels.</translation>
+        <translation>Demandez un autre nombre de cellules, ou lissez les étiquettes.</translation>
     </message>
     <message>
         <source>The label map holds no labelled voxel, so there is no body to mesh.</source>
-        <translation>Die Labelkarte enthält kein markiertes Voxel, also gibt es keinen Körper zu vernetzen.</translation>
+        <translation>La carte d’étiquettes ne contient aucun voxel étiqueté, il n’y a donc pas de corps à mailler.</translation>
     </message>
     <message>
         <source>Segment the liver first.</source>
-        <translation>Segmentieren Sie zuerst die Leber.</translation>
+        <translation>Segmentez d’abord le foie.</translation>
     </message>
     <message>
         <source>The label map has {0} values for a grid of {1} x {2} x {3} voxels.</source>
-        <translation>Die Labelkarte hat {0} Werte für ein Gitter von {1} x {2} x {3} Voxeln.</translation>
+        <translation>La carte d’étiquettes a {0} valeurs pour une grille de {1} x {2} x {3} voxels.</translation>
     </message>
     <message>
         <source>The label map&apos;s axes are not at right angles, or its spacing is not positive.</source>
-        <translation>Die Achsen der Labelkarte sind nicht rechtwinklig, oder ihr Abstand ist nicht positiv.</translation>
+        <translation>Les axes de la carte d’étiquettes ne sont pas perpendiculaires, ou son espacement n’est pas positif.</translation>
     </message>
     <message>
         <source>A structure without voxels has no surface.</source>
-        <translation>Eine Struktur ohne Voxel hat keine Oberfläche.</translation>
+        <translation>Une structure sans voxels n’a pas de surface.</translation>
     </message>
     <message>
         <source>Preparing the labels</source>
-        <translation>Labels werden vorbereitet</translation>
+        <translation>Préparation des étiquettes</translation>
     </message>
     <message>
         <source>Removing slivers</source>
-        <translation>Flache Tetraeder werden entfernt</translation>
+        <translation>Suppression des tétraèdres plats</translation>
     </message>
     <message>
         <source>Measuring the distance to the label boundary</source>
-        <translation>Abstand zur Grenze der Labels wird gemessen</translation>
+        <translation>Mesure de la distance à la limite des étiquettes</translation>
     </message>
     <message>
         <source>The surface of the mesh is not a closed manifold.</source>
-        <translation>Die Oberfläche des Netzes ist keine geschlossene Mannigfaltigkeit.</translation>
+        <translation>La surface du maillage n’est pas une variété fermée.</translation>
     </message>
     <message>
         <source>Meshed</source>
-        <translation>Vernetzt</translation>
+        <translation>Maillé</translation>
     </message>
     <message>
         <source>A mesh of {0} cells cannot be made; from {1} to {2} can.</source>
-        <translation>Ein Netz mit {0} Zellen ist nicht möglich; von {1} bis {2} geht es.</translation>
+        <translation>Un maillage de {0} cellules est impossible&#xa0;; de {1} à {2}, c’est possible.</translation>
     </message>
     <message>
         <source>The share of cells for inner structures is {0}; it must be in 0 to 1.</source>
-        <translation>Der Anteil der Zellen für innere Strukturen ist {0}; er muss in 0 bis 1 liegen.</translation>
+        <translation>La part des cellules pour les structures internes est {0}&#xa0;; elle doit être comprise entre 0 et 1.</translation>
     </message>
     <message>
         <source>Filling the body with tetrahedra</source>
-        <translation>Körper wird mit Tetraedern gefüllt</translation>
+        <translation>Remplissage du corps de tétraèdres</translation>
     </message>
     <message>
         <source>A piece of {0} has {1} ml, but its cells only {2} ml: the mesh has lost it.</source>
-        <translation>Ein Stück von {0} hat {1} ml, seine Zellen aber nur {2} ml: Das Netz hat es verloren.</translation>
+        <translation>Un morceau de {0} fait {1} ml, mais ses cellules seulement {2} ml&#xa0;: le maillage l’a perdu.</translation>
     </message>
     <message>
         <source>Ask for more cells.</source>
-        <translation>Verlangen Sie mehr Zellen.</translation>
+        <translation>Demandez plus de cellules.</translation>
     </message>
     <message>
         <source>A battery with a {0} of {1} does not exist.</source>
-        <translation>Einen Akku mit {0} = {1} gibt es nicht.</translation>
+        <translation>Une batterie avec {0} = {1} n’existe pas.</translation>
     </message>
     <message>
         <source>Correct the device&apos;s battery.</source>
-        <translation>Berichtigen Sie den Akku des Geräts.</translation>
+        <translation>Corrigez la batterie de l’appareil.</translation>
     </message>
     <message>
         <source>A load of {0} W is more than the battery&apos;s internal resistance lets through.</source>
-        <translation>Eine Last von {0} W ist mehr, als der Innenwiderstand des Akkus durchlässt.</translation>
+        <translation>Une charge de {0} W dépasse ce que laisse passer la résistance interne de la batterie.</translation>
     </message>
     <message>
         <source>A batch of {0} nodes takes more than the {1} MB there are for it.</source>
-        <translation>Ein Paket von {0} Knoten braucht mehr als die vorhandenen {1} MB.</translation>
+        <translation>Un lot de {0} nœuds exige plus que les {1} Mo disponibles.</translation>
     </message>
     <message>
         <source>{0} lacks a reading within the discharge.</source>
-        <translation>{0} fehlt eine Ablesung während der Entladung.</translation>
+        <translation>Il manque à {0} une mesure pendant la décharge.</translation>
     </message>
     <message>
         <source>The time goes back in {0}.</source>
-        <translation>In {0} läuft die Zeit zurück.</translation>
+        <translation>Le temps recule dans {0}.</translation>
     </message>
     <message>
         <source>{0} holds no discharge.</source>
-        <translation>{0} enthält keine Entladung.</translation>
+        <translation>{0} ne contient pas de décharge.</translation>
     </message>
     <message>
         <source>{0} lacks a reading of the ambient.</source>
-        <translation>{0} fehlt eine Ablesung der Umgebung.</translation>
+        <translation>Il manque à {0} une mesure de l’ambiance.</translation>
     </message>
     <message>
         <source>A cell is set up from one slow discharge and at least two that are five times as fast.</source>
-        <translation>Eine Zelle wird aus einer langsamen Entladung und mindestens zwei fünfmal so schnellen bestimmt.</translation>
+        <translation>Une cellule se détermine par une décharge lente et au moins deux autres cinq fois plus rapides.</translation>
     </message>
     <message>
         <source>A convergence curve has 2 to {0} points; this one has {1}.</source>
-        <translation>Eine Konvergenzkurve hat 2 bis {0} Punkte; diese hat {1}.</translation>
+        <translation>Une courbe de convergence a de 2 à {0} points&#xa0;; celle-ci en a {1}.</translation>
     </message>
     <message>
         <source>Point {0} of the convergence curve, {1} mm3 and {2} mm, is not positive or does not increase from the point before.</source>
-        <translation>Punkt {0} der Konvergenzkurve, {1} mm3 und {2} mm, ist nicht positiv oder steigt gegenüber dem vorigen Punkt nicht an.</translation>
+        <translation>Le point {0} de la courbe de convergence, {1} mm3 et {2} mm, n’est pas positif ou n’augmente pas par rapport au précédent.</translation>
     </message>
     <message>
         <source>{0} has no list of points.</source>
-        <translation>{0} hat keine Liste von Punkten.</translation>
+        <translation>{0} n’a pas de liste de points.</translation>
     </message>
     <message>
         <source>An accuracy of {0} mm is finer than the convergence study reaches ({1} mm at {2} mm3 a node).</source>
-        <translation>Eine Genauigkeit von {0} mm ist feiner, als die Konvergenzstudie reicht ({1} mm bei {2} mm3 je Knoten).</translation>
+        <translation>Une précision de {0} mm est plus fine que ce qu’atteint l’étude de convergence ({1} mm à {2} mm3 par nœud).</translation>
     </message>
     <message>
         <source>Ask for {1} mm or more.</source>
-        <translation>Verlangen Sie {1} mm oder mehr.</translation>
+        <translation>Demandez {1} mm ou plus.</translation>
     </message>
     <message>
         <source>Device {0} has {1} {2}; it must lie between {3} and {4}.</source>
-        <translation>Gerät {0} hat {1} {2}; es muss zwischen {3} und {4} liegen.</translation>
+        <translation>L’appareil {0} a {1} {2}&#xa0;; ce doit être entre {3} et {4}.</translation>
     </message>
     <message>
         <source>Correct that figure in the device&apos;s file.</source>
-        <translation>Berichtigen Sie diesen Wert in der Datei des Geräts.</translation>
+        <translation>Corrigez ce chiffre dans le fichier de l’appareil.</translation>
     </message>
     <message>
         <source>Device {0} has measured points that are not positive, not by increasing nodes, or more than {1}.</source>
-        <translation>Gerät {0} hat Messpunkte, die nicht positiv, nicht nach steigenden Knoten geordnet oder mehr als {1} sind.</translation>
+        <translation>L’appareil {0} a des points mesurés non positifs, non classés par nœuds croissants, ou plus de {1}.</translation>
     </message>
     <message>
         <source>{0} has no list &quot;devices&quot; of 1 to {1} devices.</source>
-        <translation>{0} hat keine Liste &quot;devices&quot; von 1 bis {1} Geräten.</translation>
+        <translation>{0} n’a pas de liste &quot;devices&quot; de 1 à {1} appareils.</translation>
     </message>
     <message>
         <source>Two devices have the id &quot;{0}&quot;.</source>
-        <translation>Zwei Geräte haben die Kennung „{0}“.</translation>
+        <translation>Deux appareils ont l’identifiant «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>Give each its own.</source>
-        <translation>Geben Sie jedem seine eigene.</translation>
+        <translation>Donnez à chacun le sien.</translation>
     </message>
     <message>
         <source>{0} has the id &quot;{1}&quot;.</source>
-        <translation>{0} hat die Kennung „{1}“.</translation>
+        <translation>{0} a l’identifiant «&#xa0;{1}&#xa0;».</translation>
     </message>
     <message>
         <source>Use up to 64 small letters, digits and dashes.</source>
-        <translation>Verwenden Sie bis zu 64 Kleinbuchstaben, Ziffern und Bindestriche.</translation>
+        <translation>Employez jusqu’à 64 minuscules, chiffres et traits d’union.</translation>
     </message>
     <message>
         <source>{0} is worn &quot;{1}&quot;.</source>
-        <translation>{0} wird als „{1}“ getragen.</translation>
+        <translation>{0} est porté «&#xa0;{1}&#xa0;».</translation>
     </message>
     <message>
         <source>Use head, belt or back.</source>
-        <translation>Verwenden Sie head, belt oder back.</translation>
+        <translation>Employez head, belt ou back.</translation>
     </message>
     <message>
         <source>The energy meter {0} stopped answering.</source>
-        <translation>Das Energiemessgerät {0} antwortet nicht mehr.</translation>
+        <translation>Le compteur d’énergie {0} ne répond plus.</translation>
     </message>
     <message>
         <source>The processor&apos;s energy counters (RAPL) at {0} may be read by root only.</source>
-        <translation>Die Energiezähler des Prozessors (RAPL) bei {0} darf nur root lesen.</translation>
+        <translation>Seul root peut lire les compteurs d’énergie du processeur (RAPL) à {0}.</translation>
     </message>
     <message>
         <source>No energy counters of the processor (RAPL) at {0}.</source>
-        <translation>Keine Energiezähler des Prozessors (RAPL) bei {0}.</translation>
+        <translation>Pas de compteurs d’énergie du processeur (RAPL) à {0}.</translation>
     </message>
     <message>
         <source>No current sensors (INA) at {0}.</source>
-        <translation>Keine Stromsensoren (INA) bei {0}.</translation>
+        <translation>Pas de capteurs de courant (INA) à {0}.</translation>
     </message>
     <message>
         <source>The battery is not discharging: unplug the machine to measure by its gauge.</source>
-        <translation>Der Akku entlädt sich nicht: Ziehen Sie den Netzstecker, um mit seiner Anzeige zu messen.</translation>
+        <translation>La batterie ne se décharge pas&#xa0;: débranchez la machine pour mesurer par sa jauge.</translation>
     </message>
     <message>
         <source>No battery gauge at {0}.</source>
-        <translation>Keine Akkuanzeige bei {0}.</translation>
+        <translation>Pas de jauge de batterie à {0}.</translation>
     </message>
     <message>
         <source>{0} does not say &quot;format&quot;: &quot;{1}&quot;.</source>
-        <translation>{0} sagt nicht &quot;format&quot;: &quot;{1}&quot;.</translation>
+        <translation>{0} n’indique pas &quot;format&quot;: &quot;{1}&quot;.</translation>
     </message>
     <message>
         <source>Check that it is the file you meant.</source>
-        <translation>Prüfen Sie, ob es die gemeinte Datei ist.</translation>
+        <translation>Vérifiez que c’est bien le fichier voulu.</translation>
     </message>
     <message>
         <source>{0} has no &quot;{1}&quot;, or not of the right kind.</source>
-        <translation>{0} hat kein &quot;{1}&quot; oder nicht von der richtigen Art.</translation>
+        <translation>{0} n’a pas de &quot;{1}&quot;, ou pas du bon type.</translation>
     </message>
     <message>
         <source>The shipped devices.json shows every key.</source>
-        <translation>Die mitgelieferte devices.json zeigt jeden Schlüssel.</translation>
+        <translation>Le fichier devices.json fourni montre toutes les clés.</translation>
     </message>
     <message>
         <source>{0} has &quot;{1}&quot; {2}; it must lie between {3} and {4}.</source>
-        <translation>{0} hat &quot;{1}&quot; {2}; es muss zwischen {3} und {4} liegen.</translation>
+        <translation>{0} a &quot;{1}&quot; {2}&#xa0;; ce doit être entre {3} et {4}.</translation>
     </message>
     <message>
         <source>{0} has &quot;{1}&quot; empty or longer than {2} characters.</source>
-        <translation>{0} hat &quot;{1}&quot; leer oder länger als {2} Zeichen.</translation>
+        <translation>{0} a &quot;{1}&quot; vide ou de plus de {2} caractères.</translation>
     </message>
     <message>
         <source>{0} has the source &quot;{1}&quot;.</source>
-        <translation>{0} hat die Quelle „{1}“.</translation>
+        <translation>{0} a la source «&#xa0;{1}&#xa0;».</translation>
     </message>
     <message>
         <source>Idle power</source>
-        <translation>Leistung im Leerlauf</translation>
+        <translation>Puissance au repos</translation>
     </message>
     <message>
         <source>Nothing on this machine tells its energy: idle and active power are assumed. Measure them with a current clamp or a power meter, and give them.</source>
-        <translation>Nichts auf diesem Rechner sagt seine Energie: Leerlauf- und Arbeitsleistung sind angenommen. Messen Sie sie mit einer Stromzange oder einem Leistungsmesser, und geben Sie sie an.</translation>
+        <translation>Rien sur cette machine n’indique son énergie&#xa0;: les puissances au repos et en charge sont supposées. Mesurez-les avec une pince ampèremétrique ou un wattmètre, et indiquez-les.</translation>
     </message>
     <message>
         <source>Memory bandwidth</source>
-        <translation>Speicherbandbreite</translation>
+        <translation>Bande passante de la mémoire</translation>
     </message>
     <message>
         <source>Block products</source>
-        <translation>Blockprodukte</translation>
+        <translation>Produits par blocs</translation>
     </message>
     <message>
         <source>Other work disturbed the timing: batches usually took {0} times as long as the fastest one. Measure again on a quiet machine.</source>
-        <translation>Andere Arbeit hat die Zeitmessung gestört: Pakete dauerten meist {0}-mal so lange wie das schnellste. Messen Sie erneut auf einem ruhigen Rechner.</translation>
+        <translation>Un autre travail a perturbé le chronométrage&#xa0;: les lots ont en général duré {0} fois plus que le plus rapide. Mesurez de nouveau sur une machine au calme.</translation>
     </message>
     <message>
         <source>The grid holds no problem.</source>
-        <translation>Das Raster enthält kein Problem.</translation>
+        <translation>La grille ne contient aucun problème.</translation>
     </message>
     <message>
         <source>{0} of {1} problems are larger than the memory allowed and were left out; beyond {2} nodes the plan goes on in proportion.</source>
-        <translation>{0} von {1} Problemen sind größer, als der Speicher erlaubt, und wurden ausgelassen; über {2} Knoten hinaus rechnet der Plan proportional weiter.</translation>
+        <translation>{0} problèmes sur {1} dépassent la mémoire permise et ont été omis&#xa0;; au-delà de {2} nœuds, le plan continue en proportion.</translation>
     </message>
     <message>
         <source>This build has no OpenCL.</source>
-        <translation>Diese Version hat kein OpenCL.</translation>
+        <translation>Cette version n’a pas OpenCL.</translation>
     </message>
     <message>
         <source>Build with -DGLISSON_OPENCL=ON.</source>
-        <translation>Bauen Sie mit -DGLISSON_OPENCL=ON.</translation>
+        <translation>Compilez avec -DGLISSON_OPENCL=ON.</translation>
     </message>
     <message>
         <source>OpenCL&apos;s {0} failed with {1}.</source>
-        <translation>{0} von OpenCL ist mit {1} fehlgeschlagen.</translation>
+        <translation>{0} d’OpenCL a échoué avec {1}.</translation>
     </message>
     <message>
         <source>There is no OpenCL device &quot;{0}&quot;.</source>
-        <translation>Es gibt kein OpenCL-Gerät „{0}“.</translation>
+        <translation>Il n’y a pas d’appareil OpenCL «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>Found: {1}. A device shows once its driver is installed (pocl-opencl-icd for processors).</source>
-        <translation>Gefunden: {1}. Ein Gerät erscheint, sobald sein Treiber installiert ist (pocl-opencl-icd für Prozessoren).</translation>
+        <translation>Trouvé&#xa0;: {1}. Un appareil apparaît une fois son pilote installé (pocl-opencl-icd pour les processeurs).</translation>
     </message>
     <message>
         <source>{0} of {1} is not between {2} and {3}.</source>
-        <translation>{0} von {1} liegt nicht zwischen {2} und {3}.</translation>
+        <translation>{0} = {1} n’est pas compris entre {2} et {3}.</translation>
     </message>
     <message>
         <source>Correct the question.</source>
-        <translation>Berichtigen Sie die Frage.</translation>
+        <translation>Corrigez la question.</translation>
     </message>
     <message>
         <source>A room of {0} C is not cooler than the limit of {1} C.</source>
-        <translation>Ein Raum von {0} C ist nicht kühler als die Grenze von {1} C.</translation>
+        <translation>Une pièce à {0} C n’est pas plus fraîche que la limite de {1} C.</translation>
     </message>
     <message>
         <source>It draws {0} W when idle; its battery allows {1} W over {2} h, and is empty after {3} h without computing anything.</source>
-        <translation>Es nimmt im Leerlauf {0} W auf; sein Akku erlaubt {1} W über {2} h und ist nach {3} h leer, ohne dass etwas gerechnet wurde.</translation>
+        <translation>Il consomme {0} W au repos&#xa0;; sa batterie permet {1} W pendant {2} h, et elle est vide au bout de {3} h sans rien calculer.</translation>
     </message>
     <message>
         <source>Its battery is empty after {0} h of {1} h: only {2} W of headroom over idling.</source>
-        <translation>Sein Akku ist nach {0} h von {1} h leer: nur {2} W Spielraum über dem Leerlauf.</translation>
+        <translation>Sa batterie est vide au bout de {0} h sur {1} h&#xa0;: seulement {2} W de marge au-dessus du repos.</translation>
     </message>
     <message>
         <source>It reaches {0} C when idle; the limit is {1} C.</source>
-        <translation>Es erreicht im Leerlauf {0} C; die Grenze ist {1} C.</translation>
+        <translation>Il atteint {0} C au repos&#xa0;; la limite est de {1} C.</translation>
     </message>
     <message>
         <source>It reaches {0} C; the limit is {1} C.</source>
-        <translation>Es erreicht {0} C; die Grenze ist {1} C.</translation>
+        <translation>Il atteint {0} C&#xa0;; la limite est de {1} C.</translation>
     </message>
     <message>
         <source>It computes {0} frames a second of {1}.</source>
-        <translation>Es rechnet {0} von {1} Bildern je Sekunde.</translation>
+        <translation>Il calcule {0} images par seconde sur {1}.</translation>
     </message>
     <message>
         <source>{0} mm is coarser than the convergence study reaches; planned is its coarsest resolution, {1} mm3 a node.</source>
-        <translation>{0} mm ist gröber, als die Konvergenzstudie reicht; geplant wird mit ihrer gröbsten Auflösung, {1} mm3 je Knoten.</translation>
+        <translation>{0} mm est plus grossier que ce qu’atteint l’étude de convergence&#xa0;; le plan prend sa résolution la plus grossière, {1} mm3 par nœud.</translation>
     </message>
     <message>
         <source>A frame is {0} block products as in the dissertation, without the vector updates of conjugate gradients; a simulation that couples 27 nodes moves {1} times as much.</source>
-        <translation>Ein Bild sind {0} Blockprodukte wie in der Dissertation, ohne die Vektorschritte des Verfahrens der konjugierten Gradienten; eine Simulation, die 27 Knoten koppelt, bewegt {1}-mal so viel.</translation>
+        <translation>Une image fait {0} produits par blocs comme dans la thèse, sans les mises à jour de vecteurs du gradient conjugué&#xa0;; une simulation qui couple 27 nœuds déplace {1} fois plus de données.</translation>
     </message>
     <message>
         <source>{0} holds with next to no headroom: its battery allows {1} W over {2} h, and idling takes {3} W of them.</source>
-        <translation>{0} hält fast ohne Spielraum: Sein Akku erlaubt {1} W über {2} h, und der Leerlauf nimmt davon {3} W.</translation>
+        <translation>{0} tient presque sans marge&#xa0;: sa batterie permet {1} W pendant {2} h, et le repos en prend {3} W.</translation>
     </message>
     <message>
         <source>{0}: after {1} s comes {2} s.</source>
-        <translation>{0}: Nach {1} s kommt {2} s.</translation>
+        <translation>{0}&#xa0;: après {1} s vient {2} s.</translation>
     </message>
     <message>
         <source>Give the column that holds the time, or cut the file there.</source>
-        <translation>Nennen Sie die Spalte mit der Zeit, oder schneiden Sie die Datei dort ab.</translation>
+        <translation>Indiquez la colonne qui contient le temps, ou coupez le fichier à cet endroit.</translation>
     </message>
     <message>
         <source>{0} has {1} samples and {2} rows without a reading.</source>
-        <translation>{0} hat {1} Messpunkte und {2} Zeilen ohne Ablesung.</translation>
+        <translation>{0} a {1} mesures et {2} lignes sans mesure.</translation>
     </message>
     <message>
         <source>Check the columns; at most every tenth row may be empty.</source>
-        <translation>Prüfen Sie die Spalten; höchstens jede zehnte Zeile darf leer sein.</translation>
+        <translation>Vérifiez les colonnes&#xa0;; au plus une ligne sur dix peut être vide.</translation>
     </message>
     <message>
         <source>The trace holds {0} runs, the log {1}.</source>
-        <translation>Die Aufzeichnung enthält {0} Läufe, das Protokoll {1}.</translation>
+        <translation>La trace contient {0} exécutions, le journal {1}.</translation>
     </message>
     <message>
         <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
-        <translation>Ändern Sie den kürzesten Lauf und die kürzeste Pause, oder schneiden Sie die Aufzeichnung auf die protokollierten Läufe zu.</translation>
+        <translation>Changez l’exécution et la pause les plus courtes, ou coupez la trace aux exécutions du journal.</translation>
     </message>
     <message>
         <source>Run {0} drew nothing above idle, or nothing was run in it.</source>
-        <translation>Lauf {0} nahm nichts über dem Leerlauf auf, oder es lief nichts darin.</translation>
+        <translation>L’exécution {0} n’a rien consommé au-delà du repos, ou rien n’y a été exécuté.</translation>
     </message>
     <message>
         <source>A trace needs a channel, and factors and a range that are positive.</source>
-        <translation>Eine Aufzeichnung braucht einen Kanal sowie positive Faktoren und einen positiven Bereich.</translation>
+        <translation>Une trace exige un canal, et des facteurs et une plage positifs.</translation>
     </message>
     <message>
         <source>The power does not move between two levels, so no runs can be told from pauses.</source>
-        <translation>Die Leistung bewegt sich nicht zwischen zwei Stufen, sodass sich Läufe nicht von Pausen unterscheiden lassen.</translation>
+        <translation>La puissance ne varie pas entre deux niveaux, de sorte que les exécutions ne se distinguent pas des pauses.</translation>
     </message>
     <message>
         <source>Record pauses between the runs; check that the right column was read.</source>
-        <translation>Zeichnen Sie Pausen zwischen den Läufen auf; prüfen Sie, ob die richtige Spalte gelesen wurde.</translation>
+        <translation>Enregistrez des pauses entre les exécutions&#xa0;; vérifiez que la bonne colonne a été lue.</translation>
     </message>
     <message>
         <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
-        <translation>Die Aufzeichnung hat {0} Lücken; Läufe enden dort, und für die Lücken wird nichts erfunden.</translation>
+        <translation>L’enregistrement a {0} lacunes&#xa0;; les exécutions s’y arrêtent et rien n’est inventé pour les combler.</translation>
     </message>
     <message>
         <source>{0} rows held no reading.</source>
-        <translation>{0} Zeilen enthielten keine Ablesung.</translation>
+        <translation>{0} lignes ne contenaient pas de mesure.</translation>
     </message>
     <message>
         <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
-        <translation>{0} Läufe erreichen das Ende des Bereichs eines Kanals: Ihre Leistung ist eine untere Schranke. Zeichnen Sie erneut mit größerem Bereich auf.</translation>
+        <translation>{0} exécutions atteignent la limite de la plage d’un canal&#xa0;: leur puissance est une borne inférieure. Recommencez avec une plage plus grande.</translation>
     </message>
     <message>
         <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
-        <translation>Die Leerlaufleistung ändert sich während der Aufzeichnung um {0} W; jeder Lauf wird mit den Pausen daneben verglichen.</translation>
+        <translation>La puissance au repos varie de {0} W pendant l’enregistrement&#xa0;; chaque exécution est comparée aux pauses voisines.</translation>
     </message>
     <message>
         <source>A liver of {0} cm3 is outside {1} to {2} cm3.</source>
-        <translation>Eine Leber von {0} cm3 liegt außerhalb von {1} bis {2} cm3.</translation>
+        <translation>Un foie de {0} cm3 est hors de l’intervalle de {1} à {2} cm3.</translation>
     </message>
     <message>
         <source>Check the volume and its unit: 1 litre is 1000 cm3.</source>
-        <translation>Prüfen Sie das Volumen und seine Einheit: 1 Liter sind 1000 cm3.</translation>
+        <translation>Vérifiez le volume et son unité&#xa0;: 1 litre vaut 1000 cm3.</translation>
     </message>
     <message>
         <source>A node cannot stand for {0} mm3.</source>
-        <translation>Ein Knoten kann nicht für {0} mm3 stehen.</translation>
+        <translation>Un nœud ne peut pas représenter {0} mm3.</translation>
     </message>
     <message>
         <source>A domain of influence of {0} nodes is no cube around a node.</source>
-        <translation>Ein Einflussbereich von {0} Knoten ist kein Würfel um einen Knoten.</translation>
+        <translation>Un domaine d’influence de {0} nœuds n’est pas un cube autour d’un nœud.</translation>
     </message>
     <message>
         <source>Use 1, 27 or 125.</source>
-        <translation>Verwenden Sie 1, 27 oder 125.</translation>
+        <translation>Employez 1, 27 ou 125.</translation>
     </message>
     <message>
         <source>{0} products a frame are not between 1 and 100000.</source>
-        <translation>{0} Produkte je Bild liegen nicht zwischen 1 und 100000.</translation>
+        <translation>{0} produits par image ne sont pas entre 1 et 100000.</translation>
     </message>
     <message>
         <source>The folder {0} holds no judgement of a registration.</source>
-        <translation>Der Ordner {0} enthält kein Urteil über eine Registrierung.</translation>
+        <translation>Le dossier {0} ne contient pas de jugement d’un recalage.</translation>
     </message>
     <message>
         <source>Make one: glisson-cli sirgn SEQUENCE.json --method icp --out FOLDER.</source>
-        <translation>Erzeugen Sie eines: glisson-cli sirgn SEQUENZ.json --method icp --out ORDNER.</translation>
+        <translation>Produisez-en un&#xa0;: glisson-cli sirgn SEQUENCE.json --method icp --out DOSSIER.</translation>
     </message>
     <message>
         <source>{0}: {1}.</source>
-        <translation>{0}: {1}.</translation>
+        <translation>{0}&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>A sequence names frames with a cloud each, and landmarks.</source>
-        <translation>Eine Sequenz nennt Bilder mit je einer Punktwolke sowie Landmarken.</translation>
+        <translation>Une séquence nomme des images avec chacune un nuage de points, et des repères.</translation>
     </message>
     <message>
         <source>it is not an object</source>
-        <translation>sie ist kein Objekt</translation>
+        <translation>elle n’est pas un objet</translation>
     </message>
     <message>
         <source>it has no list of frames</source>
-        <translation>sie hat keine Liste von Bildern</translation>
+        <translation>elle n’a pas de liste d’images</translation>
     </message>
     <message>
         <source>registered does not name one cloud a frame</source>
-        <translation>registered nennt nicht je Bild eine Punktwolke</translation>
+        <translation>registered ne nomme pas un nuage de points par image</translation>
     </message>
     <message>
         <source>registered holds something that is no file name</source>
-        <translation>registered enthält etwas, das kein Dateiname ist</translation>
+        <translation>registered contient quelque chose qui n’est pas un nom de fichier</translation>
     </message>
     <message>
         <source>Frame {0} is missing: there is no file {1}.</source>
-        <translation>Bild {0} fehlt: Es gibt keine Datei {1}.</translation>
+        <translation>L’image {0} manque&#xa0;: il n’y a pas de fichier {1}.</translation>
     </message>
     <message>
         <source>Remove the frame from the sequence (and number the tracks anew), or add it.</source>
-        <translation>Entfernen Sie das Bild aus der Sequenz (und nummerieren Sie die Spuren neu), oder fügen Sie es hinzu.</translation>
+        <translation>Retirez l’image de la séquence (et renumérotez les trajectoires), ou ajoutez-la.</translation>
     </message>
     <message>
         <source>it names no file of landmarks</source>
-        <translation>sie nennt keine Datei mit Landmarken</translation>
+        <translation>elle ne nomme aucun fichier de repères</translation>
     </message>
     <message>
         <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm with a frame below {2}.</source>
-        <translation>Zeile {1} von {0} ist nicht landmark,frame,x_mm,y_mm,z_mm mit einem Bild unter {2}.</translation>
+        <translation>La ligne {1} de {0} n’est pas landmark,frame,x_mm,y_mm,z_mm avec une image inférieure à {2}.</translation>
     </message>
     <message>
         <source>Frame {0} holds no point that is finite.</source>
-        <translation>Bild {0} enthält keinen endlichen Punkt.</translation>
+        <translation>L’image {0} ne contient aucun point fini.</translation>
     </message>
     <message>
         <source>frames</source>
-        <translation>Bilder</translation>
+        <translation>images</translation>
     </message>
     <message>
         <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
-        <translation>{0} Landmarken wurden in drei oder mehr Bildern gesehen; vier, die nicht auf einer Geraden liegen, sind nötig.</translation>
+        <translation>{0} repères ont été vus dans trois images ou plus&#xa0;; il en faut quatre non alignés.</translation>
     </message>
     <message>
         <source>Track more features, or mark them by hand.</source>
-        <translation>Verfolgen Sie mehr Merkmale, oder markieren Sie sie von Hand.</translation>
+        <translation>Suivez plus de points caractéristiques, ou marquez-les à la main.</translation>
     </message>
     <message>
         <source>warps</source>
-        <translation>Verformungen</translation>
+        <translation>déformations</translation>
     </message>
     <message>
         <source>triangles</source>
-        <translation>Dreiecke</translation>
+        <translation>triangles</translation>
     </message>
     <message>
         <source>{0} frames are too few to correlate; {1} are needed.</source>
-        <translation>{0} Bilder sind zu wenige für eine Korrelation; {1} sind nötig.</translation>
+        <translation>{0} images sont trop peu pour une corrélation&#xa0;; il en faut {1}.</translation>
     </message>
     <message>
         <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
-        <translation>Bild {0} hat {1} Punkte und nach der Registrierung {2}: Sie müssen einzeln übereinstimmen.</translation>
+        <translation>L’image {0} a {1} points, et {2} après recalage&#xa0;: ils doivent correspondre un à un.</translation>
     </message>
     <message>
         <source>Landmark {0} was followed through {1} frames of {2}.</source>
-        <translation>Landmarke {0} wurde durch {1} von {2} Bildern verfolgt.</translation>
+        <translation>Le repère {0} a été suivi sur {1} images sur {2}.</translation>
     </message>
     <message>
         <source>A tolerance must be a positive number of mm.</source>
-        <translation>Eine Toleranz muss eine positive Zahl in mm sein.</translation>
+        <translation>Une tolérance doit être un nombre positif de mm.</translation>
     </message>
     <message>
         <source>The folder {0} is not empty.</source>
-        <translation>Der Ordner {0} ist nicht leer.</translation>
+        <translation>Le dossier {0} n’est pas vide.</translation>
     </message>
     <message>
         <source>Name a new folder for the sequence.</source>
-        <translation>Nennen Sie einen neuen Ordner für die Sequenz.</translation>
+        <translation>Indiquez un nouveau dossier pour la séquence.</translation>
     </message>
     <message>
         <source>The {0} video ends after {1} frames, before the other.</source>
-        <translation>Das Video {0} endet nach {1} Bildern, vor dem anderen.</translation>
+        <translation>La vidéo {0} se termine après {1} images, avant l’autre.</translation>
     </message>
     <message>
         <source>{0} frames show something; {1} are needed.</source>
-        <translation>{0} Bilder zeigen etwas; {1} sind nötig.</translation>
+        <translation>{0} images montrent quelque chose&#xa0;; il en faut {1}.</translation>
     </message>
     <message>
         <source>No feature could be followed through {0} frames.</source>
-        <translation>Kein Merkmal ließ sich durch {0} Bilder verfolgen.</translation>
+        <translation>Aucun point caractéristique n’a pu être suivi sur {0} images.</translation>
     </message>
     <message>
         <source>Take more frames, or give landmarks and a model of your own.</source>
-        <translation>Nehmen Sie mehr Bilder, oder geben Sie eigene Landmarken und ein eigenes Modell an.</translation>
+        <translation>Prenez plus d’images, ou donnez vos propres repères et un modèle.</translation>
     </message>
     <message>
         <source>matching</source>
-        <translation>Zuordnung</translation>
+        <translation>mise en correspondance</translation>
     </message>
     <message>
         <source>No two frames share four landmarks.</source>
-        <translation>Keine zwei Bilder haben vier gemeinsame Landmarken.</translation>
+        <translation>Aucune paire d’images ne partage quatre repères.</translation>
     </message>
     <message>
         <source>Track more features, or leave out fewer frames.</source>
-        <translation>Verfolgen Sie mehr Merkmale, oder lassen Sie weniger Bilder aus.</translation>
+        <translation>Suivez plus de points caractéristiques, ou omettez moins d’images.</translation>
     </message>
     <message>
         <source>Two frames or more can be aligned.</source>
-        <translation>Ausrichten lassen sich zwei Bilder oder mehr.</translation>
+        <translation>On peut aligner deux images ou plus.</translation>
     </message>
     <message>
         <source>A landmark was followed through {0} frames of {1}.</source>
-        <translation>Eine Landmarke wurde durch {0} von {1} Bildern verfolgt.</translation>
+        <translation>Un repère a été suivi sur {0} images sur {1}.</translation>
     </message>
     <message>
         <source>aligning frames</source>
-        <translation>Bilder werden ausgerichtet</translation>
+        <translation>alignement des images</translation>
     </message>
     <message>
         <source>The distances between the points of the {0} are not square.</source>
-        <translation>Die Abstände zwischen den Punkten von {0} sind nicht quadratisch angeordnet.</translation>
+        <translation>Les distances entre les points de {0} ne forment pas une matrice carrée.</translation>
     </message>
     <message>
         <source>The {0} has fewer than two points to match.</source>
-        <translation>{0} hat weniger als zwei Punkte zum Zuordnen.</translation>
+        <translation>{0} a moins de deux points à mettre en correspondance.</translation>
     </message>
     <message>
         <source>The {0} has {1} points to match; {2} is the most.</source>
-        <translation>{0} hat {1} Punkte zum Zuordnen; höchstens {2} sind möglich.</translation>
+        <translation>{0} a {1} points à mettre en correspondance&#xa0;; le maximum est {2}.</translation>
     </message>
     <message>
         <source>Some points of the {0} are not connected over the surface.</source>
-        <translation>Einige Punkte von {0} sind über die Oberfläche nicht verbunden.</translation>
+        <translation>Certains points de {0} ne sont pas reliés sur la surface.</translation>
     </message>
     <message>
         <source>Keep the largest connected piece, or bridge the gap before matching.</source>
-        <translation>Behalten Sie das größte zusammenhängende Stück, oder schließen Sie die Lücke vor der Zuordnung.</translation>
+        <translation>Gardez le plus grand morceau connexe, ou comblez la lacune avant la mise en correspondance.</translation>
     </message>
     <message>
         <source>The distances between the points of the {0} are not those of a metric.</source>
-        <translation>Die Abstände zwischen den Punkten von {0} sind nicht die einer Metrik.</translation>
+        <translation>Les distances entre les points de {0} ne sont pas celles d’une métrique.</translation>
     </message>
     <message>
         <source>The seed must hold one finite cost a source point and target point.</source>
-        <translation>Der Startwert muss endliche Kosten für jedes Paar aus Quell- und Zielpunkt enthalten.</translation>
+        <translation>L’amorce doit contenir un coût fini par point source et point cible.</translation>
     </message>
     <message>
         <source>sigma, tau and q must be positive.</source>
-        <translation>sigma, tau und q müssen positiv sein.</translation>
+        <translation>sigma, tau et q doivent être positifs.</translation>
     </message>
     <message>
         <source>The written-out field needs {0} MB; {1} MB are allowed.</source>
-        <translation>Das ausgeschriebene Feld braucht {0} MB; {1} MB sind erlaubt.</translation>
+        <translation>Le champ développé exige {0} Mo&#xa0;; {1} Mo sont permis.</translation>
     </message>
     <message>
         <source>No point of one surface has a partner on the other.</source>
-        <translation>Kein Punkt der einen Oberfläche hat einen Partner auf der anderen.</translation>
+        <translation>Aucun point d’une surface n’a de correspondant sur l’autre.</translation>
     </message>
     <message>
         <source>Align the surfaces roughly first, or give landmarks.</source>
-        <translation>Richten Sie die Oberflächen zuerst grob aus, oder geben Sie Landmarken an.</translation>
+        <translation>Alignez d’abord grossièrement les surfaces, ou donnez des repères.</translation>
     </message>
     <message>
         <source>non-rigid alignment</source>
-        <translation>nichtstarre Ausrichtung</translation>
+        <translation>alignement non rigide</translation>
     </message>
     <message>
         <source>A landmark names point {0}, which cannot be led anywhere.</source>
-        <translation>Eine Landmarke nennt Punkt {0}, der nirgendwohin geführt werden kann.</translation>
+        <translation>Un repère nomme le point {0}, qui ne peut être mené nulle part.</translation>
     </message>
     <message>
         <source>The step of the non-rigid alignment has no solution.</source>
-        <translation>Der Schritt der nichtstarren Ausrichtung hat keine Lösung.</translation>
+        <translation>Le pas de l’alignement non rigide n’a pas de solution.</translation>
     </message>
     <message>
         <source>By their geodesic distances the surfaces match only inside out.</source>
-        <translation>Nach ihren geodätischen Abständen passen die Oberflächen nur umgestülpt zueinander.</translation>
+        <translation>D’après leurs distances géodésiques, les surfaces ne correspondent que retournées.</translation>
     </message>
     <message>
         <source>Align them roughly and match with positions as prior, or use more points.</source>
-        <translation>Richten Sie sie grob aus, und ordnen Sie mit den Positionen als Vorwissen zu, oder verwenden Sie mehr Punkte.</translation>
+        <translation>Alignez-les grossièrement et mettez en correspondance avec les positions comme a priori, ou prenez plus de points.</translation>
     </message>
     <message>
         <source>{0} points cannot be aligned to {1}.</source>
-        <translation>{0} Punkte lassen sich nicht auf {1} ausrichten.</translation>
+        <translation>{0} points ne peuvent pas être alignés sur {1}.</translation>
     </message>
     <message>
         <source>A rigid alignment needs three pairs of points that do not lie on one line.</source>
-        <translation>Eine starre Ausrichtung braucht drei Punktpaare, die nicht auf einer Geraden liegen.</translation>
+        <translation>Un alignement rigide exige trois paires de points non alignés.</translation>
     </message>
     <message>
         <source>Some of the points to align are not finite.</source>
-        <translation>Einige der auszurichtenden Punkte sind nicht endlich.</translation>
+        <translation>Certains des points à aligner ne sont pas finis.</translation>
     </message>
     <message>
         <source>rigid alignment</source>
-        <translation>starre Ausrichtung</translation>
+        <translation>alignement rigide</translation>
     </message>
     <message>
         <source>A surface of {0} points cannot give {1} samples.</source>
-        <translation>Eine Oberfläche mit {0} Punkten kann keine {1} Stützpunkte liefern.</translation>
+        <translation>Une surface de {0} points ne peut pas donner {1} échantillons.</translation>
     </message>
     <message>
         <source>geodesic distances</source>
-        <translation>geodätische Abstände</translation>
+        <translation>distances géodésiques</translation>
     </message>
     <message>
         <source>A spline needs as many finite points to start from as to lead to.</source>
-        <translation>Ein Spline braucht ebenso viele endliche Ausgangs- wie Zielpunkte.</translation>
+        <translation>Une spline exige autant de points finis au départ qu’à l’arrivée.</translation>
     </message>
     <message>
         <source>{0} points are too many for a spline; {1} is the most.</source>
-        <translation>{0} Punkte sind zu viele für einen Spline; höchstens {1} sind möglich.</translation>
+        <translation>{0} points sont trop pour une spline&#xa0;; le maximum est {1}.</translation>
     </message>
     <message>
         <source>A spline needs four matched points that do not lie in one plane.</source>
-        <translation>Ein Spline braucht vier zugeordnete Punkte, die nicht in einer Ebene liegen.</translation>
+        <translation>Une spline exige quatre points appariés qui ne soient pas dans un plan.</translation>
     </message>
     <message>
         <source>A result lacks the point array {0} with three values a point.</source>
-        <translation>Einem Ergebnis fehlt das Punktfeld {0} mit drei Werten je Punkt.</translation>
+        <translation>Il manque à un résultat le tableau de points {0} avec trois valeurs par point.</translation>
     </message>
     <message>
         <source>Compare results of the same mesh.</source>
-        <translation>Vergleichen Sie Ergebnisse desselben Netzes.</translation>
+        <translation>Comparez des résultats du même maillage.</translation>
     </message>
     <message>
         <source>The two results are not of the same mesh: {0} points and {1} cells against {2} and {3}.</source>
-        <translation>Die beiden Ergebnisse sind nicht vom selben Netz: {0} Punkte und {1} Zellen gegen {2} und {3}.</translation>
+        <translation>Les deux résultats ne sont pas du même maillage&#xa0;: {0} points et {1} cellules contre {2} et {3}.</translation>
     </message>
     <message>
         <source>The two results are not of the same mesh: point {0} rests at different places.</source>
-        <translation>Die beiden Ergebnisse sind nicht vom selben Netz: Punkt {0} ruht an verschiedenen Orten.</translation>
+        <translation>Les deux résultats ne sont pas du même maillage&#xa0;: le point {0} repose à des endroits différents.</translation>
     </message>
     <message>
         <source>No part of the surface looks like the liver&apos;s bare area (its upper rear).</source>
-        <translation>Kein Teil der Oberfläche sieht wie die Area nuda der Leber aus (oben hinten).</translation>
+        <translation>Aucune partie de la surface ne ressemble à l’area nuda du foie (en haut et en arrière).</translation>
     </message>
     <message>
         <source>Name the supports in the scenario, by a sphere or a box.</source>
-        <translation>Benennen Sie die Lagerungen im Szenario, durch eine Kugel oder einen Quader.</translation>
+        <translation>Nommez les appuis dans le scénario, par une sphère ou une boîte.</translation>
     </message>
     <message>
         <source>{0} of the session cannot be read: {1}.</source>
-        <translation>{0} der Sitzung kann nicht gelesen werden: {1}.</translation>
+        <translation>{0} de la séance ne peut pas être lu&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} or {&quot;undo&quot;: true}.</source>
-        <translation>Ein Befehl ist {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} oder {&quot;undo&quot;: true}.</translation>
+        <translation>Une commande est {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} ou {&quot;undo&quot;: true}.</translation>
     </message>
     <message>
         <source>The cut passes the liver by.</source>
-        <translation>Der Schnitt geht an der Leber vorbei.</translation>
+        <translation>La section passe à côté du foie.</translation>
     </message>
     <message>
         <source>Move it through the liver; positions are patient coordinates (LPS, mm).</source>
-        <translation>Verschieben Sie ihn durch die Leber; Positionen sind Patientenkoordinaten (LPS, mm).</translation>
+        <translation>Déplacez-la à travers le foie&#xa0;; les positions sont des coordonnées du patient (LPS, mm).</translation>
     </message>
     <message>
         <source>The point of the specimen lies on the cut, or is not finite.</source>
-        <translation>Der Punkt des Resektats liegt auf dem Schnitt oder ist nicht endlich.</translation>
+        <translation>Le point de la pièce opératoire est sur la section, ou n’est pas fini.</translation>
     </message>
     <message>
         <source>The step did not converge: after {0} rounds a tool still reaches {1} mm into the surface, which still moves by {2} mm.</source>
-        <translation>Der Schritt ist nicht konvergiert: Nach {0} Runden reicht ein Instrument noch {1} mm in die Oberfläche, die sich noch um {2} mm bewegt.</translation>
+        <translation>Le pas n’a pas convergé&#xa0;: après {0} tours, un instrument pénètre encore de {1} mm dans la surface, qui bouge encore de {2} mm.</translation>
     </message>
     <message>
         <source>Placing landmarks and structures</source>
-        <translation>Landmarken und Strukturen werden eingefügt</translation>
+        <translation>Mise en place des repères et des structures</translation>
     </message>
     <message>
         <source>Ready</source>
-        <translation>Bereit</translation>
+        <translation>Prêt</translation>
     </message>
     <message>
         <source>Nathanson liver retractor</source>
-        <translation>Nathanson-Leberretraktor</translation>
+        <translation>Écarteur hépatique de Nathanson</translation>
     </message>
     <message>
         <source>A bent rod that lies under the liver as a hook some centimetres across, sold in several sizes. We found no published drawing and no measured force: that it spreads its pull over a disc of 70 mm is our assumption, and 2 N is the weight of 190 ml of liver (1.06 kg/l), what lifting the lower part of segment VI takes. On a real liver&apos;s shape with a uniform 6 kPa, 2 N hoist it by 18 mm; linear elasticity is strained beyond.</source>
-        <translation>Ein gebogener Stab, der als einige Zentimeter breiter Haken unter der Leber liegt und in mehreren Größen verkauft wird. Wir fanden keine veröffentlichte Zeichnung und keine gemessene Kraft: Dass er seinen Zug auf eine Scheibe von 70 mm verteilt, ist unsere Annahme, und 2 N sind das Gewicht von 190 ml Leber (1.06 kg/l), so viel, wie das Anheben des unteren Teils von Segment VI braucht. An der Form einer wirklichen Leber mit gleichmäßig 6 kPa heben 2 N sie um 18 mm an; darüber hinaus ist die lineare Elastizität überfordert.</translation>
+        <translation>Une tige coudée placée sous le foie comme un crochet de quelques centimètres, vendue en plusieurs tailles. Nous n’avons trouvé ni dessin publié ni force mesurée&#xa0;: qu’elle répartisse sa traction sur un disque de 70 mm est notre hypothèse, et 2 N est le poids de 190 ml de foie (1.06 kg/l), ce qu’exige le soulèvement de la partie inférieure du segment VI. Sur la forme d’un vrai foie de 6 kPa uniformes, 2 N le soulèvent de 18 mm&#xa0;; au-delà, l’élasticité linéaire n’est plus valable.</translation>
     </message>
     <message>
         <source>Grasper</source>
-        <translation>Fasszange</translation>
+        <translation>Pince à préhension</translation>
     </message>
     <message>
         <source>Grip forces in porcine laparoscopic liver resection: 1.75 N on average, 3.38 N at most (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). The jaw&apos;s patch of 12 mm is our assumption.</source>
-        <translation>Griffkräfte bei der laparoskopischen Leberresektion am Schwein: im Mittel 1.75 N, höchstens 3.38 N (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). Die Auflage der Branche von 12 mm ist unsere Annahme.</translation>
+        <translation>Forces de préhension lors de résections hépatiques laparoscopiques chez le porc&#xa0;: 1.75 N en moyenne, 3.38 N au plus (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). Le contact du mors, de 12 mm, est notre hypothèse.</translation>
     </message>
     <message>
         <source>Palpation probe</source>
-        <translation>Palpationssonde</translation>
+        <translation>Sonde de palpation</translation>
     </message>
     <message>
         <source>A sphere of 10 mm pressed lightly; size and force are our assumption.</source>
-        <translation>Eine leicht angedrückte Kugel von 10 mm; Größe und Kraft sind unsere Annahme.</translation>
+        <translation>Une sphère de 10 mm appuyée légèrement&#xa0;; taille et force sont notre hypothèse.</translation>
     </message>
     <message>
         <source>There is no tool {0}.</source>
-        <translation>Es gibt kein Instrument {0}.</translation>
+        <translation>Il n’y a pas d’instrument {0}.</translation>
     </message>
     <message>
         <source>The tools are: {1}.</source>
-        <translation>Die Instrumente sind: {1}.</translation>
+        <translation>Les instruments sont&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>A case has no scene named {0}; it has {1}.</source>
-        <translation>Ein Fall hat keine Szene namens {0}; er hat {1}.</translation>
+        <translation>Un cas n’a pas de scène nommée {0}&#xa0;; il a {1}.</translation>
     </message>
     <message>
         <source>{0} has no displacement.</source>
-        <translation>{0} hat keine Verschiebung.</translation>
+        <translation>{0} n’a pas de déplacement.</translation>
     </message>
     <message>
         <source>A picture has from {0} to {1} pixels a side; {2} x {3} were asked for.</source>
-        <translation>Ein Bild hat {0} bis {1} Pixel je Seite; {2} x {3} wurden verlangt.</translation>
+        <translation>Une image a de {0} à {1} pixels de côté&#xa0;; {2} x {3} ont été demandés.</translation>
     </message>
     <message>
         <source>There is nothing to draw with: neither EGL with OpenGL 3.2 nor an X server.</source>
-        <translation>Es gibt nichts, womit gezeichnet werden könnte: weder EGL mit OpenGL 3.2 noch einen X-Server.</translation>
+        <translation>Il n’y a rien pour dessiner&#xa0;: ni EGL avec OpenGL 3.2, ni serveur X.</translation>
     </message>
     <message>
         <source>Install Mesa&apos;s drivers (on Debian: libegl-mesa0 and libgl1-mesa-dri).</source>
-        <translation>Installieren Sie die Treiber von Mesa (unter Debian: libegl-mesa0 und libgl1-mesa-dri).</translation>
+        <translation>Installez les pilotes de Mesa (sous Debian&#xa0;: libegl-mesa0 et libgl1-mesa-dri).</translation>
     </message>
     <message>
         <source>The picture could not be written: {0}.</source>
-        <translation>Das Bild konnte nicht geschrieben werden: {0}.</translation>
+        <translation>L’image n’a pas pu être écrite&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Choose a folder that you may write to, on a disk with room.</source>
-        <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen, auf einem Datenträger mit freiem Platz.</translation>
+        <translation>Choisissez un dossier où vous avez le droit d’écrire, sur un disque qui a de la place.</translation>
     </message>
     <message>
         <source>This is not a PNG picture that can be read: {0}.</source>
-        <translation>Dies ist kein lesbares PNG-Bild: {0}.</translation>
+        <translation>Ce n’est pas une image PNG lisible&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Check that the file is whole.</source>
-        <translation>Prüfen Sie, ob die Datei vollständig ist.</translation>
+        <translation>Vérifiez que le fichier est complet.</translation>
     </message>
     <message>
         <source>it is larger than 16384 pixels a side</source>
-        <translation>es ist größer als 16384 Pixel je Seite</translation>
+        <translation>elle a plus de 16384 pixels de côté</translation>
     </message>
     <message>
         <source>The picture cannot be drawn: {0}.</source>
-        <translation>Das Bild kann nicht gezeichnet werden: {0}.</translation>
+        <translation>L’image ne peut pas être dessinée&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Every voxel of the image has the same value: there is nothing to grow in.</source>
-        <translation>Jedes Voxel des Bildes hat denselben Wert: Es gibt nichts, worin etwas wachsen könnte.</translation>
+        <translation>Tous les voxels de l’image ont la même valeur&#xa0;: il n’y a rien où croître.</translation>
     </message>
     <message>
         <source>Growing</source>
-        <translation>Region wächst</translation>
+        <translation>Croissance</translation>
     </message>
     <message>
         <source>No tissue thick enough to be an organ hangs together with the seeds.</source>
-        <translation>Kein Gewebe, das dick genug für ein Organ wäre, hängt mit den Saatpunkten zusammen.</translation>
+        <translation>Aucun tissu assez épais pour être un organe n’est relié aux germes.</translation>
     </message>
     <message>
         <source>Move the seed into the middle of the liver, away from vessels and edges.</source>
-        <translation>Setzen Sie den Saatpunkt in die Mitte der Leber, fern von Gefäßen und Rändern.</translation>
+        <translation>Placez le germe au milieu du foie, loin des vaisseaux et des bords.</translation>
     </message>
     <message>
         <source>Smoothing the outline</source>
-        <translation>Umriss wird geglättet</translation>
+        <translation>Lissage du contour</translation>
     </message>
     <message>
         <source>There is no image value around seed {0}.</source>
-        <translation>Um Saatpunkt {0} gibt es keinen Bildwert.</translation>
+        <translation>Il n’y a pas de valeur d’image autour du germe {0}.</translation>
     </message>
     <message>
         <source>Seed {0} is much brighter ({1}) than seed {2} ({3}): one of them is probably not in the liver. Take it away.</source>
-        <translation>Saatpunkt {0} ist viel heller ({1}) als Saatpunkt {2} ({3}): Einer davon liegt wahrscheinlich nicht in der Leber. Nehmen Sie ihn weg.</translation>
+        <translation>Le germe {0} est bien plus clair ({1}) que le germe {2} ({3})&#xa0;: l’un d’eux n’est probablement pas dans le foie. Retirez-le.</translation>
     </message>
     <message>
         <source>Nothing grew from seed {0}: the tissue around it is too thin or uneven. Move it to the middle of the liver.</source>
-        <translation>Von Saatpunkt {0} ist nichts gewachsen: Das Gewebe ringsum ist zu dünn oder zu ungleichmäßig. Setzen Sie ihn in die Mitte der Leber.</translation>
+        <translation>Rien n’a crû à partir du germe {0}&#xa0;: le tissu autour est trop mince ou irrégulier. Déplacez-le au milieu du foie.</translation>
     </message>
     <message>
         <source>The region reaches the side of the image: it has probably leaked into the body wall. Cut it there, or raise neck_radius_mm.</source>
-        <translation>Die Region reicht bis zur Seite des Bildes: Sie ist wahrscheinlich in die Bauchwand ausgelaufen. Schneiden Sie sie dort ab, oder erhöhen Sie neck_radius_mm.</translation>
+        <translation>La région atteint le côté de l’image&#xa0;: elle a probablement débordé dans la paroi abdominale. Coupez-la à cet endroit, ou augmentez neck_radius_mm.</translation>
     </message>
     <message>
         <source>The region reaches the first or last slice: the liver is not wholly in the image, and its volume is that of the part seen.</source>
-        <translation>Die Region reicht bis zur ersten oder letzten Schicht: Die Leber ist nicht ganz im Bild, und ihr Volumen ist das des sichtbaren Teils.</translation>
+        <translation>La région atteint la première ou la dernière coupe&#xa0;: le foie n’est pas entièrement dans l’image, et son volume est celui de la partie visible.</translation>
     </message>
     <message>
         <source>{0} ml is more than a liver holds: the region has probably leaked into a neighbour. Raise neck_radius_mm, or cut it by hand.</source>
-        <translation>{0} ml sind mehr, als eine Leber fasst: Die Region ist wahrscheinlich in ein Nachbarorgan ausgelaufen. Erhöhen Sie neck_radius_mm, oder schneiden Sie sie von Hand.</translation>
+        <translation>{0} ml, c’est plus que n’en contient un foie&#xa0;: la région a probablement débordé dans un organe voisin. Augmentez neck_radius_mm, ou coupez-la à la main.</translation>
     </message>
     <message>
         <source>{0} ml is less than an adult&apos;s liver holds: the growth has probably stopped early. Add a seed in the part that is missing, or raise tolerance_sd.</source>
-        <translation>{0} ml sind weniger, als die Leber eines Erwachsenen fasst: Das Wachstum hat wahrscheinlich zu früh aufgehört. Setzen Sie einen Saatpunkt in den fehlenden Teil, oder erhöhen Sie tolerance_sd.</translation>
+        <translation>{0} ml, c’est moins que n’en contient le foie d’un adulte&#xa0;: la croissance s’est probablement arrêtée trop tôt. Ajoutez un germe dans la partie manquante, ou augmentez tolerance_sd.</translation>
     </message>
     <message>
         <source>An image of {0} x {1} x {2} voxels is too thin to grow in.</source>
-        <translation>Ein Bild von {0} x {1} x {2} Voxeln ist zu dünn, um darin zu wachsen.</translation>
+        <translation>Une image de {0} x {1} x {2} voxels est trop mince pour y croître.</translation>
     </message>
     <message>
         <source>The options of growing must be positive, and one is {0}.</source>
-        <translation>Die Optionen des Wachsens müssen positiv sein, und eine ist {0}.</translation>
+        <translation>Les options de la croissance doivent être positives, et l’une vaut {0}.</translation>
     </message>
     <message>
         <source>There is no seed to grow from.</source>
-        <translation>Es gibt keinen Saatpunkt.</translation>
+        <translation>Il n’y a pas de germe.</translation>
     </message>
     <message>
         <source>Give at least one point in the middle of the liver.</source>
-        <translation>Geben Sie mindestens einen Punkt in der Mitte der Leber an.</translation>
+        <translation>Donnez au moins un point au milieu du foie.</translation>
     </message>
     <message>
         <source>Seed {0} at ({1}) mm lies {2} mm outside the image.</source>
-        <translation>Saatpunkt {0} bei ({1}) mm liegt {2} mm außerhalb des Bildes.</translation>
+        <translation>Le germe {0} en ({1}) mm est à {2} mm hors de l’image.</translation>
     </message>
     <message>
         <source>Seeds are DICOM patient coordinates (LPS) in mm, not voxel indices.</source>
-        <translation>Saatpunkte sind DICOM-Patientenkoordinaten (LPS) in mm, keine Voxelindizes.</translation>
+        <translation>Les germes sont des coordonnées du patient DICOM (LPS) en mm, non des indices de voxels.</translation>
     </message>
     <message>
         <source>There is no structure to label.</source>
-        <translation>Es gibt keine Struktur, die ein Label bekommen könnte.</translation>
+        <translation>Il n’y a pas de structure à étiqueter.</translation>
     </message>
     <message>
         <source>The structures {0} and {1} lie on different voxel grids.</source>
-        <translation>Die Strukturen {0} und {1} liegen auf verschiedenen Voxelgittern.</translation>
+        <translation>Les structures {0} et {1} sont sur des grilles de voxels différentes.</translation>
     </message>
     <message>
         <source>None of the structures is the liver.</source>
-        <translation>Keine der Strukturen ist die Leber.</translation>
+        <translation>Aucune des structures n’est le foie.</translation>
     </message>
     <message>
         <source>Segment it first, or name a structure &quot;liver&quot;.</source>
-        <translation>Segmentieren Sie sie zuerst, oder nennen Sie eine Struktur &quot;liver&quot;.</translation>
+        <translation>Segmentez-le d’abord, ou nommez une structure &quot;liver&quot;.</translation>
     </message>
     <message>
         <source>The structure {0} holds no voxels.</source>
-        <translation>Die Struktur {0} enthält keine Voxel.</translation>
+        <translation>La structure {0} ne contient aucun voxel.</translation>
     </message>
     <message>
         <source>The two masks lie on different voxel grids.</source>
-        <translation>Die beiden Masken liegen auf verschiedenen Voxelgittern.</translation>
+        <translation>Les deux masques sont sur des grilles de voxels différentes.</translation>
     </message>
     <message>
         <source>There are no patients in this cohort.</source>
-        <translation>Diese Kohorte enthält keine Patienten.</translation>
+        <translation>Il n’y a pas de patients dans cette cohorte.</translation>
     </message>
     <message>
         <source>The cohort has no patient {0}.</source>
-        <translation>Die Kohorte hat keinen Patienten {0}.</translation>
+        <translation>La cohorte n’a pas de patient {0}.</translation>
     </message>
     <message>
         <source>Patient</source>
@@ -2786,1685 +2786,1760 @@
     </message>
     <message>
         <source>None of the {0} patients could be used; the first one: {1}</source>
-        <translation>Keiner der {0} Patienten war verwendbar; der erste: {1}</translation>
+        <translation>Aucun des {0} patients n’a pu être utilisé&#xa0;; le premier&#xa0;: {1}</translation>
     </message>
     <message>
         <source>{0} holds files that are not an earlier demo&apos;s.</source>
-        <translation>{0} enthält Dateien, die nicht von einer früheren Demonstration sind.</translation>
+        <translation>{0} contient des fichiers qui ne sont pas d’une démonstration antérieure.</translation>
     </message>
     <message>
         <source>Choose an empty or a new folder.</source>
-        <translation>Wählen Sie einen leeren oder neuen Ordner.</translation>
+        <translation>Choisissez un dossier vide ou nouveau.</translation>
     </message>
     <message>
         <source>Drawing</source>
-        <translation>Zeichnen</translation>
+        <translation>Dessin</translation>
     </message>
     <message>
         <source>The surface in {0} is not closed, so nothing lies inside it.</source>
-        <translation>Die Oberfläche in {0} ist nicht geschlossen, also liegt nichts in ihr.</translation>
+        <translation>La surface de {0} n’est pas fermée, rien ne se trouve donc à l’intérieur.</translation>
     </message>
     <message>
         <source>Use the anatomy that ships with the program.</source>
-        <translation>Verwenden Sie die mitgelieferte Anatomie.</translation>
+        <translation>Utilisez l’anatomie livrée avec le programme.</translation>
     </message>
     <message>
         <source>{0} does not list the demo&apos;s landmarks: {1}.</source>
-        <translation>{0} führt die Landmarken der Demonstration nicht auf: {1}.</translation>
+        <translation>{0} ne donne pas les repères de la démonstration&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>reading the anatomy</source>
-        <translation>Anatomie wird gelesen</translation>
+        <translation>lecture de l’anatomie</translation>
     </message>
     <message>
         <source>simulating the MR images</source>
-        <translation>MR-Bilder werden simuliert</translation>
+        <translation>simulation des images RM</translation>
     </message>
     <message>
         <source>simulating the elastography</source>
-        <translation>Elastographie wird simuliert</translation>
+        <translation>simulation de l’élastographie</translation>
     </message>
     <message>
         <source>writing the study</source>
-        <translation>Studie wird geschrieben</translation>
+        <translation>écriture de l’étude</translation>
     </message>
     <message>
         <source>writing the truth</source>
-        <translation>Sollwerte werden geschrieben</translation>
+        <translation>écriture de la vérité terrain</translation>
     </message>
     <message>
         <source>Check the folder and your rights there.</source>
-        <translation>Prüfen Sie den Ordner und Ihre Rechte dort.</translation>
+        <translation>Vérifiez le dossier et vos droits.</translation>
     </message>
     <message>
         <source>{0} holds none of the scans, such as A-1.69N.ply.</source>
-        <translation>{0} enthält keinen der Scans, etwa A-1.69N.ply.</translation>
+        <translation>{0} ne contient aucun des scans, tel que A-1.69N.ply.</translation>
     </message>
     <message>
         <source>None of the trials could be compared; the first one: {0}</source>
-        <translation>Keiner der Versuche ließ sich vergleichen; der erste: {0}</translation>
+        <translation>Aucun des essais n’a pu être comparé&#xa0;; le premier&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The phantom&apos;s equilibrium was not reached: {0}</source>
-        <translation>Das Gleichgewicht des Phantoms wurde nicht erreicht: {0}</translation>
+        <translation>L’équilibre du fantôme n’a pas été atteint&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The two judge different videos: {0} and {1}.</source>
-        <translation>Die beiden beurteilen verschiedene Videos: {0} und {1}.</translation>
+        <translation>Les deux jugent des vidéos différentes&#xa0;: {0} et {1}.</translation>
     </message>
     <message>
         <source>Judge both registrations on the same sequence.json.</source>
-        <translation>Beurteilen Sie beide Registrierungen an derselben sequence.json.</translation>
+        <translation>Jugez les deux recalages sur le même sequence.json.</translation>
     </message>
     <message>
         <source>The sequence names no camera to draw with.</source>
-        <translation>Die Sequenz nennt keine Kamera zum Zeichnen.</translation>
+        <translation>La séquence ne nomme aucune caméra pour dessiner.</translation>
     </message>
     <message>
         <source>Add &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</source>
-        <translation>Fügen Sie hinzu: &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</translation>
+        <translation>Ajoutez &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</translation>
     </message>
     <message>
         <source>Frame {0} of the sequence names no image.</source>
-        <translation>Bild {0} der Sequenz nennt keine Bilddatei.</translation>
+        <translation>L’image {0} de la séquence ne nomme aucun fichier d’image.</translation>
     </message>
     <message>
         <source>Add &quot;image&quot; to each frame.</source>
-        <translation>Fügen Sie jedem Bild &quot;image&quot; hinzu.</translation>
+        <translation>Ajoutez &quot;image&quot; à chaque image.</translation>
     </message>
     <message>
         <source>pictures</source>
-        <translation>Bilder</translation>
+        <translation>images</translation>
     </message>
     <message>
         <source>Sample {0} of {1} has a size, a way or a force that is not positive.</source>
-        <translation>Messung {0} von {1} hat eine Größe, einen Weg oder eine Kraft, die nicht positiv ist.</translation>
+        <translation>L’échantillon {0} de {1} a une taille, une course ou une force qui n’est pas positive.</translation>
     </message>
     <message>
         <source>No labelled voxel of {0} lies where {1} has a stiffness.</source>
-        <translation>Kein markiertes Voxel von {0} liegt dort, wo {1} eine Steifigkeit hat.</translation>
+        <translation>Aucun voxel étiqueté de {0} n’est là où {1} a une rigidité.</translation>
     </message>
     <message>
         <source>Material {0} was never put under the testing machine.</source>
-        <translation>Material {0} war nie in der Prüfmaschine.</translation>
+        <translation>Le matériau {0} n’a jamais été mis dans la machine d’essai.</translation>
     </message>
     <message>
         <source>Give its samples in the file of tests, or leave the region out.</source>
-        <translation>Geben Sie seine Messungen in der Datei der Prüfungen an, oder lassen Sie die Region aus.</translation>
+        <translation>Donnez ses échantillons dans le fichier des essais, ou omettez la région.</translation>
     </message>
     <message>
         <source>A board has from {0} to {1} points a side and a positive spacing; {2} x {3} at {4} mm were given.</source>
-        <translation>Eine Tafel hat {0} bis {1} Punkte je Seite und einen positiven Abstand; angegeben wurden {2} x {3} mit {4} mm.</translation>
+        <translation>Une mire a de {0} à {1} points de côté et un espacement positif&#xa0;; {2} x {3} à {4} mm ont été donnés.</translation>
     </message>
     <message>
         <source>The picture shows no board of {0} x {1} points.</source>
-        <translation>Das Bild zeigt keine Tafel von {0} x {1} Punkten.</translation>
+        <translation>L’image ne montre aucune mire de {0} x {1} points.</translation>
     </message>
     <message>
         <source>Count inner corners or circles, columns first; the board must be sharp and lit.</source>
-        <translation>Zählen Sie die inneren Ecken oder Kreise, Spalten zuerst; die Tafel muss scharf und beleuchtet sein.</translation>
+        <translation>Comptez les coins intérieurs ou les cercles, colonnes d’abord&#xa0;; la mire doit être nette et éclairée.</translation>
     </message>
     <message>
         <source>{0} has {1} x {2} pixels, the first picture has {3} x {4}.</source>
-        <translation>{0} hat {1} x {2} Pixel, das erste Bild hat {3} x {4}.</translation>
+        <translation>{0} a {1} x {2} pixels, la première image en a {3} x {4}.</translation>
     </message>
     <message>
         <source>{0} of {1} pairs show the board to both eyes; {2} are needed.</source>
-        <translation>{0} von {1} Paaren zeigen beiden Augen die Tafel; {2} sind nötig.</translation>
+        <translation>{0} paires sur {1} montrent la mire aux deux yeux&#xa0;; il en faut {2}.</translation>
     </message>
     <message>
         <source>Check the board&apos;s kind, its columns and rows; take it from several sides.</source>
-        <translation>Prüfen Sie Art, Spalten und Zeilen der Tafel; nehmen Sie sie aus mehreren Richtungen auf.</translation>
+        <translation>Vérifiez le type de mire, ses colonnes et ses lignes&#xa0;; prenez-la sous plusieurs angles.</translation>
     </message>
     <message>
         <source>The calibration did not converge: {0}.</source>
-        <translation>Die Kalibrierung ist nicht konvergiert: {0}.</translation>
+        <translation>Le calibrage n’a pas convergé&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>By these pictures the right eye lies to the left of the left one.</source>
-        <translation>Nach diesen Bildern liegt das rechte Auge links vom linken.</translation>
+        <translation>D’après ces images, l’œil droit est à gauche de l’œil gauche.</translation>
     </message>
     <message>
         <source>Exchange the left and the right pictures.</source>
-        <translation>Vertauschen Sie die linken und rechten Bilder.</translation>
+        <translation>Échangez les images de gauche et de droite.</translation>
     </message>
     <message>
         <source>The calibration {0} has no {1}.</source>
-        <translation>Der Kalibrierung {0} fehlt: {1}.</translation>
+        <translation>Il manque au calibrage {0}&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>It needs left and right, each with a matrix and distortion, and left_to_right.</source>
-        <translation>Sie braucht left und right, jeweils mit Matrix und Verzeichnung, und left_to_right.</translation>
+        <translation>Il exige left et right, chacun avec une matrice et une distorsion, et left_to_right.</translation>
     </message>
     <message>
         <source>A camera&apos;s focal length is not positive.</source>
-        <translation>Die Brennweite einer Kamera ist nicht positiv.</translation>
+        <translation>La distance focale d’une caméra n’est pas positive.</translation>
     </message>
     <message>
         <source>A coefficient of distortion is not finite.</source>
-        <translation>Ein Koeffizient der Verzeichnung ist nicht endlich.</translation>
+        <translation>Un coefficient de distorsion n’est pas fini.</translation>
     </message>
     <message>
         <source>Both eyes are in one place: there is no depth to see.</source>
-        <translation>Beide Augen sind an einem Ort: Es ist keine Tiefe zu sehen.</translation>
+        <translation>Les deux yeux sont au même endroit&#xa0;: aucune profondeur n’est visible.</translation>
     </message>
     <message>
         <source>left_to_right does not hold a rotation: R R^T or the last row is off by {0}.</source>
-        <translation>left_to_right enthält keine Drehung: R R^T oder die letzte Zeile weicht um {0} ab.</translation>
+        <translation>left_to_right ne contient pas de rotation&#xa0;: R R^T ou la dernière ligne s’écarte de {0}.</translation>
     </message>
     <message>
         <source>The picture {0} cannot be read.</source>
-        <translation>Das Bild {0} kann nicht gelesen werden.</translation>
+        <translation>L’image {0} ne peut pas être lue.</translation>
     </message>
     <message>
         <source>PNG, JPEG, TIFF and BMP are read.</source>
-        <translation>Gelesen werden PNG, JPEG, TIFF und BMP.</translation>
+        <translation>PNG, JPEG, TIFF et BMP sont lus.</translation>
     </message>
     <message>
         <source>The picture {0} cannot be written.</source>
-        <translation>Das Bild {0} kann nicht geschrieben werden.</translation>
+        <translation>L’image {0} ne peut pas être écrite.</translation>
     </message>
     <message>
         <source>The folder must exist, and the name end in .png or .jpg.</source>
-        <translation>Der Ordner muss vorhanden sein und der Name auf .png oder .jpg enden.</translation>
+        <translation>Le dossier doit exister, et le nom finir en .png ou .jpg.</translation>
     </message>
     <message>
         <source>The folder {0} holds no pictures.</source>
-        <translation>Der Ordner {0} enthält keine Bilder.</translation>
+        <translation>Le dossier {0} ne contient pas d’images.</translation>
     </message>
     <message>
         <source>The video {0} cannot be read.</source>
-        <translation>Das Video {0} kann nicht gelesen werden.</translation>
+        <translation>La vidéo {0} ne peut pas être lue.</translation>
     </message>
     <message>
         <source>Give a video file that OpenCV (FFmpeg) reads, or a folder of pictures.</source>
-        <translation>Geben Sie eine Videodatei an, die OpenCV (FFmpeg) liest, oder einen Ordner mit Bildern.</translation>
+        <translation>Donnez un fichier vidéo que lit OpenCV (FFmpeg), ou un dossier d’images.</translation>
     </message>
     <message>
         <source>The video {0} cannot be decoded: {1}.</source>
-        <translation>Das Video {0} kann nicht dekodiert werden: {1}.</translation>
+        <translation>La vidéo {0} ne peut pas être décodée&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>A picture of {0} has {1} x {2} pixels, the first has {3} x {4}.</source>
-        <translation>Ein Bild von {0} hat {1} x {2} Pixel, das erste hat {3} x {4}.</translation>
+        <translation>Une image de {0} a {1} x {2} pixels, la première en a {3} x {4}.</translation>
     </message>
     <message>
         <source>The pair could not be matched: {0}.</source>
-        <translation>Das Paar ließ sich nicht zuordnen: {0}.</translation>
+        <translation>La paire n’a pas pu être mise en correspondance&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>The calibration is not of these pictures: half of the {0} features that both show miss their epipolar lines by {1} pixels or more.</source>
-        <translation>Die Kalibrierung gehört nicht zu diesen Bildern: Die Hälfte der {0} Merkmale, die beide zeigen, verfehlt ihre Epipolarlinien um {1} Pixel oder mehr.</translation>
+        <translation>Le calibrage n’est pas celui de ces images&#xa0;: la moitié des {0} points communs aux deux manquent leur ligne épipolaire de {1} pixels ou plus.</translation>
     </message>
     <message>
         <source>Check that the calibration is this camera&apos;s, at this size of picture, and that left and right are not exchanged.</source>
-        <translation>Prüfen Sie, ob die Kalibrierung zu dieser Kamera und Bildgröße gehört und links und rechts nicht vertauscht sind.</translation>
+        <translation>Vérifiez que le calibrage est celui de cette caméra, à cette taille d’image, et que gauche et droite ne sont pas échangées.</translation>
     </message>
     <message>
         <source>By the calibration, {0} % of what both pictures show would lie behind the camera.</source>
-        <translation>Nach der Kalibrierung lägen {0} % dessen, was beide Bilder zeigen, hinter der Kamera.</translation>
+        <translation>D’après le calibrage, {0}&#xa0;% de ce que montrent les deux images serait derrière la caméra.</translation>
     </message>
     <message>
         <source>Left and right pictures are exchanged, or the calibration is of another camera.</source>
-        <translation>Linkes und rechtes Bild sind vertauscht, oder die Kalibrierung gehört zu einer anderen Kamera.</translation>
+        <translation>Les images gauche et droite sont échangées, ou le calibrage est celui d’une autre caméra.</translation>
     </message>
     <message>
         <source>The nearest depth must be positive and less than the farthest.</source>
-        <translation>Die kleinste Tiefe muss positiv und kleiner als die größte sein.</translation>
+        <translation>La profondeur la plus proche doit être positive et inférieure à la plus éloignée.</translation>
     </message>
     <message>
         <source>The calibration is of pictures of another size: its principal point {0}, {1} lies outside {2} x {3} pixels.</source>
-        <translation>Die Kalibrierung gehört zu Bildern anderer Größe: Ihr Hauptpunkt {0}, {1} liegt außerhalb von {2} x {3} Pixeln.</translation>
+        <translation>Le calibrage est celui d’images d’une autre taille&#xa0;: son point principal {0}, {1} est hors de {2} x {3} pixels.</translation>
     </message>
     <message>
         <source>Calibrate at the size of the video, or scale the calibration&apos;s matrices.</source>
-        <translation>Kalibrieren Sie in der Größe des Videos, oder skalieren Sie die Matrizen der Kalibrierung.</translation>
+        <translation>Calibrez à la taille de la vidéo, ou mettez à l’échelle les matrices du calibrage.</translation>
     </message>
     <message>
         <source>The left image is {0} x {1} pixels, the right one {2} x {3}.</source>
-        <translation>Das linke Bild hat {0} x {1} Pixel, das rechte {2} x {3}.</translation>
+        <translation>L’image gauche a {0} x {1} pixels, la droite {2} x {3}.</translation>
     </message>
     <message>
         <source>The images are {0} x {1} pixels; {2} x {3} were expected.</source>
-        <translation>Die Bilder haben {0} x {1} Pixel; erwartet wurden {2} x {3}.</translation>
+        <translation>Les images ont {0} x {1} pixels&#xa0;; {2} x {3} étaient attendus.</translation>
     </message>
     <message>
         <source>There are {0} left and {1} right pictures: they must be taken in pairs.</source>
-        <translation>Es gibt {0} linke und {1} rechte Bilder: Sie müssen paarweise aufgenommen sein.</translation>
+        <translation>Il y a {0} images gauches et {1} droites&#xa0;: elles doivent être prises par paires.</translation>
     </message>
     <message>
         <source>calibrating</source>
-        <translation>Kalibrierung</translation>
+        <translation>calibrage</translation>
     </message>
     <message>
         <source>There is not enough memory for this.</source>
-        <translation>Dafür reicht der Speicher nicht.</translation>
+        <translation>Il n’y a pas assez de mémoire pour cela.</translation>
     </message>
     <message>
         <source>--channel wants COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], not &quot;{0}&quot;.</source>
-        <translation>--channel erwartet COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], nicht „{0}“.</translation>
+        <translation>--channel attend COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], et non «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>A column that holds watts is just COLUMN.</source>
-        <translation>Eine Spalte mit Watt ist einfach COLUMN.</translation>
+        <translation>Une colonne qui contient des watts est simplement COLUMN.</translation>
     </message>
     <message>
         <source>Nothing was measured.</source>
-        <translation>Es wurde nichts gemessen.</translation>
+        <translation>Rien n’a été mesuré.</translation>
     </message>
     <message>
         <source>There is no device &quot;{0}&quot;.</source>
-        <translation>Es gibt kein Gerät „{0}“.</translation>
+        <translation>Il n’y a pas d’appareil «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>glisson-cli platform list shows their ids.</source>
-        <translation>glisson-cli platform list zeigt ihre Kennungen.</translation>
+        <translation>glisson-cli platform list montre leurs identifiants.</translation>
     </message>
     <message>
         <source>A result has no scene named {0}; it has displacement.</source>
-        <translation>Ein Ergebnis hat keine Szene namens {0}; es hat displacement.</translation>
+        <translation>Un résultat n’a pas de scène nommée {0}&#xa0;; il a displacement.</translation>
     </message>
     <message>
         <source>Reading</source>
-        <translation>Lesen</translation>
+        <translation>Lecture</translation>
     </message>
     <message>
         <source>The points of a cut need three columns: x_mm, y_mm, z_mm.</source>
-        <translation>Die Punkte eines Schnitts brauchen drei Spalten: x_mm, y_mm, z_mm.</translation>
+        <translation>Les points d’une section exigent trois colonnes&#xa0;: x_mm, y_mm, z_mm.</translation>
     </message>
     <message>
         <source>Reading the liver</source>
-        <translation>Leber wird gelesen</translation>
+        <translation>Lecture du foie</translation>
     </message>
     <message>
         <source>Cutting</source>
-        <translation>Schneiden</translation>
+        <translation>Section</translation>
     </message>
     <message>
         <source>Reading the model</source>
-        <translation>Modell wird gelesen</translation>
+        <translation>Lecture du modèle</translation>
     </message>
     <message>
         <source>Moving the tools</source>
-        <translation>Instrumente werden bewegt</translation>
+        <translation>Déplacement des instruments</translation>
     </message>
     <message>
         <source>Command {0} led to another state than was recorded.</source>
-        <translation>Befehl {0} führte zu einem anderen Zustand, als aufgezeichnet wurde.</translation>
+        <translation>La commande {0} a mené à un autre état que celui enregistré.</translation>
     </message>
     <message>
         <source>Replay with the case and the version that it was recorded with.</source>
-        <translation>Spielen Sie mit dem Fall und der Version ab, mit denen aufgezeichnet wurde.</translation>
+        <translation>Rejouez avec le cas et la version de l’enregistrement.</translation>
     </message>
     <message>
         <source>{0} wants a position X,Y,Z in mm, not &quot;{1}&quot;.</source>
-        <translation>{0} erwartet eine Position X,Y,Z in mm, nicht „{1}“.</translation>
+        <translation>{0} attend une position X,Y,Z en mm, et non «&#xa0;{1}&#xa0;».</translation>
     </message>
     <message>
         <source>--size wants WxH in pixels, 16 to 16384 each, not &quot;{0}&quot;.</source>
-        <translation>--size erwartet BxH in Pixeln, jeweils 16 bis 16384, nicht „{0}“.</translation>
+        <translation>--size attend LxH en pixels, de 16 à 16384 chacun, et non «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>The computation did not converge: {0}</source>
-        <translation>Die Rechnung ist nicht konvergiert: {0}</translation>
+        <translation>Le calcul n’a pas convergé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The sequence names no registered clouds.</source>
-        <translation>Die Sequenz nennt keine registrierten Punktwolken.</translation>
+        <translation>La séquence ne nomme pas de nuages de points recalés.</translation>
     </message>
     <message>
         <source>Add &quot;registered&quot;, or choose --method icp or geo.</source>
-        <translation>Fügen Sie &quot;registered&quot; hinzu, oder wählen Sie --method icp oder geo.</translation>
+        <translation>Ajoutez &quot;registered&quot;, ou choisissez --method icp ou geo.</translation>
     </message>
     <message>
         <source>The sequence names no model to register its clouds to.</source>
-        <translation>Die Sequenz nennt kein Modell, auf das ihre Punktwolken registriert werden könnten.</translation>
+        <translation>La séquence ne nomme pas de modèle sur lequel recaler ses nuages de points.</translation>
     </message>
     <message>
         <source>Add &quot;model&quot;: a surface file.</source>
-        <translation>Fügen Sie &quot;model&quot; hinzu: eine Oberflächendatei.</translation>
+        <translation>Ajoutez &quot;model&quot;&#xa0;: un fichier de surface.</translation>
     </message>
     <message>
         <source>Frame {0} shares too few landmarks with the others.</source>
-        <translation>Bild {0} hat zu wenige Landmarken mit den anderen gemeinsam.</translation>
+        <translation>L’image {0} partage trop peu de repères avec les autres.</translation>
     </message>
     <message>
         <source>The two pictures agree nowhere.</source>
-        <translation>Die beiden Bilder stimmen nirgends überein.</translation>
+        <translation>Les deux images ne s’accordent nulle part.</translation>
     </message>
     <message>
         <source>Check that left and right are not exchanged and that the calibration is theirs.</source>
-        <translation>Prüfen Sie, ob links und rechts nicht vertauscht sind und die Kalibrierung zu ihnen gehört.</translation>
+        <translation>Vérifiez que gauche et droite ne sont pas échangées et que le calibrage est le leur.</translation>
     </message>
     <message>
         <source>Name the cohort&apos;s folder, or ask for a simulated one with --simulated N.</source>
-        <translation>Nennen Sie den Ordner der Kohorte, oder verlangen Sie eine simulierte mit --simulated N.</translation>
+        <translation>Indiquez le dossier de la cohorte, ou demandez-en une simulée avec --simulated N.</translation>
     </message>
     <message>
         <source>Reading the case</source>
-        <translation>Fall wird gelesen</translation>
+        <translation>Lecture du cas</translation>
     </message>
     <message>
         <source>Preparing the model</source>
-        <translation>Modell wird vorbereitet</translation>
+        <translation>Préparation du modèle</translation>
     </message>
     <message>
         <source>Known are: {1}</source>
-        <translation>Bekannt sind: {1}</translation>
+        <translation>Sont connues&#xa0;: {1}</translation>
     </message>
     <message>
         <source>Cut {0} opens the body nowhere.</source>
-        <translation>Schnitt {0} öffnet den Körper nirgends.</translation>
+        <translation>La section {0} n’ouvre le corps nulle part.</translation>
     </message>
     <message>
         <source>Move it through the body, or open it wider; positions are LPS, in mm.</source>
-        <translation>Verschieben Sie ihn durch den Körper, oder öffnen Sie ihn weiter; Positionen sind LPS, in mm.</translation>
+        <translation>Déplacez-la à travers le corps, ou ouvrez-la davantage&#xa0;; les positions sont en LPS, en mm.</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;normal&quot; (a plane) and &quot;points_mm&quot; (a sheet through them).</source>
-        <translation>{0} braucht genau eines von &quot;normal&quot; (eine Ebene) und &quot;points_mm&quot; (eine Fläche durch sie).</translation>
+        <translation>{0} exige exactement un parmi &quot;normal&quot; (un plan) et &quot;points_mm&quot; (une surface passant par eux).</translation>
     </message>
     <message>
         <source>{0} is a sheet: its &quot;center_mm&quot; needs the &quot;radius_mm&quot; that it is open within.</source>
-        <translation>{0} ist eine Fläche: Ihr &quot;center_mm&quot; braucht den &quot;radius_mm&quot;, in dem sie offen ist.</translation>
+        <translation>{0} est une surface&#xa0;: son &quot;center_mm&quot; exige le &quot;radius_mm&quot; dans lequel elle est ouverte.</translation>
     </message>
     <message>
         <source>{0} must be a list of three points or more.</source>
-        <translation>{0} muss eine Liste von mindestens drei Punkten sein.</translation>
+        <translation>{0} doit être une liste d’au moins trois points.</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;{1}&quot; and &quot;{2}&quot;.</source>
-        <translation>{0} braucht genau eines von &quot;{1}&quot; und &quot;{2}&quot;.</translation>
+        <translation>{0} exige exactement un parmi &quot;{1}&quot; et &quot;{2}&quot;.</translation>
     </message>
     <message>
         <source>{0} must be &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; or {&quot;rods&quot;: [...]}.</source>
-        <translation>{0} muss &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; oder {&quot;rods&quot;: [...]} sein.</translation>
+        <translation>{0} doit être &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; ou {&quot;rods&quot;: [...]}.</translation>
     </message>
     <message>
         <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments, tools or the meshfree engine.</source>
-        <translation>Direkt aus Daten gibt es Gleichgewichte mit finiten Elementen: ohne Bewegung, Kapsel, Bänder, Instrumente oder das netzfreie Verfahren.</translation>
+        <translation>Directement à partir de données, il y a des équilibres par éléments finis&#xa0;: sans mouvement, capsule, ligaments, instruments ni moteur sans maillage.</translation>
     </message>
     <message>
         <source>At {0} Hz the phase of {1} % of the tissue does not come back to itself over a period; those voxels were left out.</source>
-        <translation>Bei {0} Hz kehrt die Phase von {1} % des Gewebes über eine Periode nicht zu sich zurück; diese Voxel wurden ausgelassen.</translation>
+        <translation>À {0} Hz, la phase de {1}&#xa0;% du tissu ne revient pas à elle-même sur une période&#xa0;; ces voxels ont été omis.</translation>
     </message>
     <message>
         <source>The loss came out negative, as when the instants run backwards in time; its sign was turned.</source>
-        <translation>Der Verlustmodul kam negativ heraus, wie wenn die Zeitpunkte rückwärts laufen; sein Vorzeichen wurde umgekehrt.</translation>
+        <translation>La perte est sortie négative, comme si les instants remontaient le temps&#xa0;; son signe a été inversé.</translation>
     </message>
     <message>
         <source>The headers name no directions: the {0} images were taken as {1} x {2} instants in their order.</source>
-        <translation>Die Kopfdaten nennen keine Richtungen: Die {0} Bilder wurden als {1} x {2} Zeitpunkte in ihrer Reihenfolge genommen.</translation>
+        <translation>Les en-têtes ne nomment pas de directions&#xa0;: les {0} images ont été prises comme {1} x {2} instants dans leur ordre.</translation>
     </message>
     <message>
         <source>The phase images have no unit: their full range, {0} to {1}, was taken as one turn.</source>
-        <translation>Die Phasenbilder haben keine Einheit: Ihr ganzer Bereich, {0} bis {1}, wurde als eine Umdrehung genommen.</translation>
+        <translation>Les images de phase n’ont pas d’unité&#xa0;: leur plage entière, de {0} à {1}, a été prise pour un tour.</translation>
     </message>
     <message>
         <source>The plan has no figure for the effect {0}; it is left out.</source>
-        <translation>Der Plan hat für den Effekt {0} keinen Wert; er wird ausgelassen.</translation>
+        <translation>Le plan n’a pas de chiffre pour l’effet {0}&#xa0;; il est omis.</translation>
     </message>
     <message>
         <source>{0} was not learnt from the recordings of a platform.</source>
-        <translation>{0} wurde nicht aus den Aufzeichnungen eines Geräts gelernt.</translation>
+        <translation>{0} n’a pas été appris des enregistrements d’une plateforme.</translation>
     </message>
     <message>
         <source>Use the model.json that glisson-cli explain wrote for an experiment of kind &quot;platform&quot;.</source>
-        <translation>Verwenden Sie die model.json, die glisson-cli explain für ein Experiment der Art &quot;platform&quot; geschrieben hat.</translation>
+        <translation>Utilisez le model.json que glisson-cli explain a écrit pour une expérience de type &quot;platform&quot;.</translation>
     </message>
     <message>
         <source>A smooth correction has no cause and is left out of the plan.</source>
-        <translation>Eine glatte Korrektur hat keine Ursache und bleibt aus dem Plan.</translation>
+        <translation>Une correction lisse n’a pas de cause et est exclue du plan.</translation>
     </message>
     <message>
         <source>These recordings are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
-        <translation>Die gefundenen Effekte erklären diese Aufzeichnungen nicht: Sie nehmen einen Teil des Fehlers weg und beweisen keine Ursache.</translation>
+        <translation>Les effets trouvés n’expliquent pas ces enregistrements&#xa0;: ils enlèvent une partie de l’erreur et ne prouvent aucune cause.</translation>
     </message>
     <message>
         <source>The experiment is not of kind &quot;material&quot;: it holds no strain and stress.</source>
-        <translation>Das Experiment ist nicht von der Art &quot;material&quot;: Es enthält keine Dehnung und Spannung.</translation>
+        <translation>L’expérience n’est pas de type &quot;material&quot;&#xa0;: elle ne contient ni déformation ni contrainte.</translation>
     </message>
     <message>
         <source>A shear test cannot be used straight: take compression or tension.</source>
-        <translation>Ein Scherversuch kann nicht direkt verwendet werden: Nehmen Sie Druck oder Zug.</translation>
+        <translation>Un essai de cisaillement ne peut pas être employé directement&#xa0;: prenez une compression ou une traction.</translation>
     </message>
     <message>
         <source>A figure is measured, computed, from the dissertation (dissertation), or assumed.</source>
-        <translation>Ein Wert ist gemessen (measured), berechnet (computed), aus der Dissertation (dissertation) oder angenommen (assumed).</translation>
+        <translation>Un chiffre est mesuré (measured), calculé (computed), tiré de la thèse (dissertation) ou supposé (assumed).</translation>
     </message>
     <message>
         <source>It slows itself down at {0} C, and then computes {1} frames a second of {2}.</source>
-        <translation>Es drosselt sich bei {0} C und rechnet dann {1} von {2} Bildern je Sekunde.</translation>
+        <translation>Il se ralentit à {0} C, et calcule alors {1} images par seconde sur {2}.</translation>
     </message>
     <message>
         <source>The resolution for {0} mm in tissue of {1} kPa comes from this curve ({2}): {3}</source>
-        <translation>Die Auflösung für {0} mm in Gewebe von {1} kPa stammt aus dieser Kurve ({2}): {3}</translation>
+        <translation>La résolution pour {0} mm dans un tissu de {1} kPa vient de cette courbe ({2})&#xa0;: {3}</translation>
     </message>
     <message>
         <source>No beam of 50 x 10 x 10 mm fits into the liver.</source>
-        <translation>Kein Balken von 50 x 10 x 10 mm passt in die Leber.</translation>
+        <translation>Aucune poutre de 50 x 10 x 10 mm ne tient dans le foie.</translation>
     </message>
     <message>
         <source>A beam found no equilibrium: {0}</source>
-        <translation>Ein Balken fand kein Gleichgewicht: {0}</translation>
+        <translation>Une poutre n’a pas trouvé d’équilibre&#xa0;: {0}</translation>
     </message>
     <message>
         <source>Resolutions must grow from 0.5 mm3 or more to 600 mm3 or less, in 2 to 100 steps.</source>
-        <translation>Auflösungen müssen von 0.5 mm3 oder mehr bis 600 mm3 oder weniger ansteigen, in 2 bis 100 Schritten.</translation>
+        <translation>Les résolutions doivent croître de 0.5 mm3 ou plus à 600 mm3 ou moins, en 2 à 100 pas.</translation>
     </message>
     <message>
         <source>With {0} nodes the beam did not converge: {1}</source>
-        <translation>Mit {0} Knoten ist der Balken nicht konvergiert: {1}</translation>
+        <translation>Avec {0} nœuds, la poutre n’a pas convergé&#xa0;: {1}</translation>
     </message>
     <message>
         <source>Looking for the softest, stiffest and most uneven parts</source>
-        <translation>Suche nach den weichsten, steifsten und ungleichmäßigsten Teilen</translation>
+        <translation>Recherche des parties les plus souples, les plus rigides et les plus irrégulières</translation>
     </message>
     <message>
         <source>Hoisting the beams</source>
-        <translation>Balken werden angehoben</translation>
+        <translation>Soulèvement des poutres</translation>
     </message>
     <message>
         <source>Drawing typical and extreme patients</source>
-        <translation>Typische und extreme Patienten werden gezeichnet</translation>
+        <translation>Dessin de patients typiques et extrêmes</translation>
     </message>
     <message>
         <source>{0} has no effect that could be accepted: nothing is missing.</source>
-        <translation>{0} enthält keinen Effekt, der übernommen werden könnte: Es fehlt nichts.</translation>
+        <translation>{0} ne contient aucun effet à accepter&#xa0;: il ne manque rien.</translation>
     </message>
     <message>
         <source>The effect {0} was not accepted into {1}.</source>
-        <translation>Der Effekt {0} wurde nicht in {1} übernommen.</translation>
+        <translation>L’effet {0} n’a pas été accepté dans {1}.</translation>
     </message>
     <message>
         <source>The accepted evidence of {0} cannot be read: {1}</source>
-        <translation>Der übernommene Befund von {0} ist nicht lesbar: {1}</translation>
+        <translation>Les constats acceptés de {0} ne peuvent pas être lus&#xa0;: {1}</translation>
     </message>
     <message>
         <source>Take it back (glisson-cli accept CASE --take-back) and accept it again.</source>
-        <translation>Nehmen Sie ihn zurück (glisson-cli accept CASE --take-back) und übernehmen Sie ihn neu.</translation>
+        <translation>Retirez-les (glisson-cli accept CASE --take-back) et acceptez-les de nouveau.</translation>
     </message>
     <message>
         <source>The model was made anew after this evidence had been accepted: see whether it still holds.</source>
-        <translation>Das Modell wurde neu gemacht, nachdem dieser Befund übernommen worden war: Prüfen Sie, ob er noch gilt.</translation>
+        <translation>Le modèle a été refait après l’acceptation de ces constats&#xa0;: vérifiez qu’ils valent encore.</translation>
     </message>
     <message>
         <source>The scenario says itself what holds the organ: the effect {0} is left out.</source>
-        <translation>Das Szenario sagt selbst, was das Organ hält: Der Effekt {0} bleibt weg.</translation>
+        <translation>Le scénario dit lui-même ce qui tient l’organe&#xa0;: l’effet {0} est écarté.</translation>
     </message>
     <message>
         <source>The scenario says itself how stiff the organ is: the effect {0} is left out.</source>
-        <translation>Das Szenario sagt selbst, wie steif das Organ ist: Der Effekt {0} bleibt weg.</translation>
+        <translation>Le scénario dit lui-même la rigidité de l’organe&#xa0;: l’effet {0} est écarté.</translation>
     </message>
     <message>
         <source>The scenario says itself what skin the organ has: the effect {0} is left out.</source>
-        <translation>Das Szenario sagt selbst, welche Hülle das Organ hat: Der Effekt {0} bleibt weg.</translation>
+        <translation>Le scénario dit lui-même quelle enveloppe a l’organe&#xa0;: l’effet {0} est écarté.</translation>
     </message>
     <message>
         <source>Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.</source>
-        <translation>Nur ein lineares Gleichgewicht mit finiten Elementen kann eine Faserrichtung haben: Der Effekt {0} bleibt weg.</translation>
+        <translation>Seul un équilibre linéaire par éléments finis peut avoir une direction de fibres&#xa0;: l’effet {0} est écarté.</translation>
     </message>
     <message>
         <source>{0} was not learnt from tissue.</source>
-        <translation>{0} wurde nicht an Gewebe gelernt.</translation>
+        <translation>{0} n’a pas été appris sur un tissu.</translation>
     </message>
     <message>
         <source>Use the model.json that glisson-cli explain wrote for a palpation or a material test; a platform&apos;s goes to glisson-cli platform learn.</source>
-        <translation>Nehmen Sie die model.json, die glisson-cli explain für eine Palpation oder einen Materialversuch geschrieben hat; die einer Plattform gehört zu glisson-cli platform learn.</translation>
+        <translation>Prenez le model.json que glisson-cli explain a écrit pour une palpation ou un essai de matériau&#xa0;; celui d’une plateforme va à glisson-cli platform learn.</translation>
     </message>
     <message>
         <source>In {0} no tissue can have such a {1}.</source>
-        <translation>In {0}: Kein Gewebe kann ein solches {1} haben.</translation>
+        <translation>Dans {0}, aucun tissu ne peut avoir un tel {1}.</translation>
     </message>
     <message>
         <source>{0} has no effect {1}.</source>
-        <translation>{0} enthält keinen Effekt {1}.</translation>
+        <translation>{0} n’a pas d’effet {1}.</translation>
     </message>
     <message>
         <source>The organ stiffens with strain, which this linear rehearsal cannot hold; a scenario can, with the material &quot;veronda-westmann&quot; and &quot;strain_stiffening&quot;: {0}.</source>
-        <translation>Das Organ versteift mit der Dehnung, was diese lineare Probe nicht fassen kann; ein Szenario kann es, mit dem Material &quot;veronda-westmann&quot; und &quot;strain_stiffening&quot;: {0}.</translation>
+        <translation>L’organe se rigidifie avec la déformation, ce que cette répétition linéaire ne peut pas rendre&#xa0;; un scénario le peut, avec le matériau &quot;veronda-westmann&quot; et &quot;strain_stiffening&quot;: {0}.</translation>
     </message>
     <message>
         <source>The organ stiffens with strain, which this linear rehearsal cannot hold.</source>
-        <translation>Das Organ versteift mit der Dehnung, was diese lineare Probe nicht fassen kann.</translation>
+        <translation>L’organe se rigidifie avec la déformation, ce que cette répétition linéaire ne peut pas rendre.</translation>
     </message>
     <message>
         <source>What loaded the specimen while it was measured does not load the organ.</source>
-        <translation>Was den Prüfkörper während der Messung belastet hat, belastet das Organ nicht.</translation>
+        <translation>Ce qui chargeait l’échantillon pendant la mesure ne charge pas l’organe.</translation>
     </message>
     <message>
         <source>A pressure of {0} kPa acts on the organ all the time.</source>
-        <translation>Ein Druck von {0} kPa wirkt ständig auf das Organ.</translation>
+        <translation>Une pression de {0} kPa agit en permanence sur l’organe.</translation>
     </message>
     <message>
         <source>A weight acts on the organ all the time, by ({0}, {1}, {2}) m/s2.</source>
-        <translation>Ein Gewicht wirkt ständig auf das Organ, mit ({0}, {1}, {2}) m/s2.</translation>
+        <translation>Un poids agit en permanence sur l’organe, de ({0}, {1}, {2}) m/s2.</translation>
     </message>
     <message>
         <source>The organ is {0} times as stiff along ({1}, {2}, {3}) as across.</source>
-        <translation>Das Organ ist entlang ({1}, {2}, {3}) {0}-mal so steif wie quer dazu.</translation>
+        <translation>L’organe est {0} fois aussi rigide le long de ({1}, {2}, {3}) qu’en travers.</translation>
     </message>
     <message>
         <source>The organ is {0} times as stiff along ({1}, {2}, {3}) as across: the specimen&apos;s axes are taken for the patient&apos;s.</source>
-        <translation>Das Organ ist entlang ({1}, {2}, {3}) {0}-mal so steif wie quer dazu: Die Achsen des Prüfkörpers werden für die des Patienten genommen.</translation>
+        <translation>L’organe est {0} fois aussi rigide le long de ({1}, {2}, {3}) qu’en travers&#xa0;: les axes de l’échantillon sont pris pour ceux du patient.</translation>
     </message>
     <message>
         <source>The whole organ is {0} times as stiff as was declared.</source>
-        <translation>Das ganze Organ ist {0}-mal so steif wie angegeben.</translation>
+        <translation>L’organe entier est {0} fois aussi rigide que déclaré.</translation>
     </message>
     <message>
         <source>Held for long, the organ creeps: it is {0} times as stiff as at once.</source>
-        <translation>Lange gehalten, kriecht das Organ: Es ist dann {0}-mal so steif wie im ersten Augenblick.</translation>
+        <translation>Tenu longtemps, l’organe flue&#xa0;: il est alors {0} fois aussi rigide qu’au premier instant.</translation>
     </message>
     <message>
         <source>The specimen&apos;s hard spot has no place in the organ: the specimen is not this organ in this place.</source>
-        <translation>Die harte Stelle des Prüfkörpers hat im Organ keinen Ort: Der Prüfkörper ist nicht dieses Organ an diesem Ort.</translation>
+        <translation>Le point dur de l’échantillon n’a pas de place dans l’organe&#xa0;: l’échantillon n’est pas cet organe à cette place.</translation>
     </message>
     <message>
         <source>A spot of {0} mm radius at ({1}, {2}, {3}) is {4} times as stiff as around it.</source>
-        <translation>Eine Stelle mit {0} mm Radius bei ({1}, {2}, {3}) ist {4}-mal so steif wie um sie herum.</translation>
+        <translation>Une zone de {0} mm de rayon en ({1}, {2}, {3}) est {4} fois aussi rigide que ce qui l’entoure.</translation>
     </message>
     <message>
         <source>What holds the organ gives way like a spring of {0} kPa/mm.</source>
-        <translation>Was das Organ hält, gibt nach wie eine Feder von {0} kPa/mm.</translation>
+        <translation>Ce qui tient l’organe cède comme un ressort de {0} kPa/mm.</translation>
     </message>
     <message>
         <source>A skin of {0} N/mm lies around the organ.</source>
-        <translation>Eine Hülle von {0} N/mm liegt um das Organ.</translation>
+        <translation>Une enveloppe de {0} N/mm entoure l’organe.</translation>
     </message>
     <message>
         <source>The load cell was off: that is of the measurement, and leaves the organ as it is.</source>
-        <translation>Die Kraftmessdose war verstellt: Das betrifft die Messung und lässt das Organ, wie es ist.</translation>
+        <translation>Le capteur de force était déréglé&#xa0;: cela concerne la mesure et laisse l’organe tel qu’il est.</translation>
     </message>
     <message>
         <source>The camera&apos;s frame was off: that is of the measurement, and leaves the organ as it is.</source>
-        <translation>Das Koordinatensystem der Kamera war verschoben: Das betrifft die Messung und lässt das Organ, wie es ist.</translation>
+        <translation>Le repère de la caméra était décalé&#xa0;: cela concerne la mesure et laisse l’organe tel qu’il est.</translation>
     </message>
     <message>
         <source>This linear rehearsal cannot hold the effect {0}.</source>
-        <translation>Diese lineare Probe kann den Effekt {0} nicht fassen.</translation>
+        <translation>Cette répétition linéaire ne peut pas rendre l’effet {0}.</translation>
     </message>
     <message>
         <source>A smooth correction has no cause and is left out of the rehearsal.</source>
-        <translation>Eine glatte Korrektur hat keine Ursache und bleibt aus der Probe.</translation>
+        <translation>Une correction lisse n’a pas de cause et est exclue de la répétition.</translation>
     </message>
     <message>
         <source>These measurements are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
-        <translation>Die gefundenen Effekte erklären diese Messungen nicht: Sie nehmen einen Teil des Fehlers weg und beweisen keine Ursache.</translation>
+        <translation>Les effets trouvés n’expliquent pas ces mesures&#xa0;: ils enlèvent une partie de l’erreur et ne prouvent aucune cause.</translation>
     </message>
     <message>
         <source>A grain needs an axis of some length and a ratio above zero.</source>
-        <translation>Eine Faserrichtung braucht eine Achse von einiger Länge und ein Verhältnis über null.</translation>
+        <translation>Une direction de fibres demande un axe d’une certaine longueur et un rapport supérieur à zéro.</translation>
     </message>
     <message>
         <source>With a ratio of {0} along the grain no stable material is left at a Poisson&apos;s ratio of {1}.</source>
-        <translation>Mit einem Verhältnis von {0} entlang der Fasern bleibt bei einer Querkontraktionszahl von {1} kein stabiles Material.</translation>
+        <translation>Avec un rapport de {0} le long des fibres, il ne reste aucun matériau stable pour un coefficient de Poisson de {1}.</translation>
     </message>
     <message>
         <source>A grain is there for equilibrium by finite elements, with the material &quot;linear&quot; and without ligaments.</source>
-        <translation>Eine Faserrichtung gibt es für das Gleichgewicht mit finiten Elementen, mit dem Material &quot;linear&quot; und ohne Bänder.</translation>
+        <translation>Une direction de fibres existe pour l’équilibre par éléments finis, avec le matériau &quot;linear&quot; et sans ligaments.</translation>
     </message>
     <message>
         <source>{0} would not come out as it was.</source>
-        <translation>{0} käme nicht so heraus, wie es war.</translation>
+        <translation>{0} ne serait pas rétabli tel qu’il était.</translation>
     </message>
     <message>
         <source>{0} is open in another window: what is done here cannot be undone.</source>
-        <translation>{0} ist in einem anderen Fenster geöffnet: Was hier geschieht, kann nicht rückgängig gemacht werden.</translation>
+        <translation>{0} est ouvert dans une autre fenêtre&#xa0;: ce qui est fait ici ne peut pas être annulé.</translation>
     </message>
     <message>
         <source>Close the other window, then open the case anew.</source>
-        <translation>Schließen Sie das andere Fenster und öffnen Sie den Fall dann erneut.</translation>
+        <translation>Fermez l’autre fenêtre, puis rouvrez le cas.</translation>
     </message>
     <message>
         <source>There is nothing left to undo.</source>
-        <translation>Es gibt nichts mehr rückgängig zu machen.</translation>
+        <translation>Il n’y a plus rien à annuler.</translation>
     </message>
     <message>
         <source>There is nothing left to redo.</source>
-        <translation>Es gibt nichts mehr zu wiederholen.</translation>
+        <translation>Il n’y a plus rien à rétablir.</translation>
     </message>
     <message>
         <source>{0} has been changed by something else since: what was done before cannot be undone any more.</source>
-        <translation>{0} wurde seither von anderer Seite geändert: Was davor geschah, kann nicht mehr rückgängig gemacht werden.</translation>
+        <translation>{0} a été modifié par autre chose depuis&#xa0;: ce qui a été fait auparavant ne peut plus être annulé.</translation>
     </message>
     <message>
         <source>The history of the case cannot be read: {0}.</source>
-        <translation>Der Verlauf des Falls kann nicht gelesen werden: {0}.</translation>
+        <translation>L’historique du cas ne peut pas être lu&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>A stored step of the history does not fit its case.</source>
-        <translation>Ein gespeicherter Schritt des Verlaufs passt nicht zu seinem Fall.</translation>
+        <translation>Une étape enregistrée de l’historique ne correspond pas à son cas.</translation>
     </message>
     <message>
         <source>A stored step of the history reaches beyond its image.</source>
-        <translation>Ein gespeicherter Schritt des Verlaufs reicht über sein Bild hinaus.</translation>
+        <translation>Une étape enregistrée de l’historique dépasse les limites de son image.</translation>
     </message>
     <message>
         <source>A stored step of the history is cut off.</source>
-        <translation>Ein gespeicherter Schritt des Verlaufs ist abgeschnitten.</translation>
+        <translation>Une étape enregistrée de l’historique est tronquée.</translation>
     </message>
     <message>
         <source>{0} does not hold a planned resection: {1}.</source>
-        <translation>{0} enthält keine geplante Resektion: {1}.</translation>
+        <translation>{0} ne contient pas de résection planifiée&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Plan it again, or make one with glisson-cli resect.</source>
-        <translation>Planen Sie sie neu, oder erstellen Sie eine mit glisson-cli resect.</translation>
+        <translation>Planifiez-la de nouveau, ou créez-en une avec glisson-cli resect.</translation>
     </message>
     <message>
         <source>Reading the experiment</source>
-        <translation>Experiment wird gelesen</translation>
+        <translation>Lecture de l’expérience</translation>
     </message>
     <message>
         <source>{0} landmarks seen in fewer than three frames were left out</source>
-        <translation>{0} Landmarken, die in weniger als drei Bildern zu sehen waren, wurden weggelassen</translation>
+        <translation>{0} repères vus dans moins de trois images ont été écartés</translation>
     </message>
     <message>
         <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
-        <translation>Bei {0} Dreiecken sind alle Ecken in weniger als drei Bildern zu sehen: ihre Korrelation ist 0</translation>
+        <translation>{0} triangles n’ont tous leurs sommets que dans moins de trois images&#xa0;: leur corrélation est 0</translation>
     </message>
     <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
-        <translation>kein Modell angegeben, daher auch kein Abstand davon (RMSE)</translation>
+        <translation>aucun modèle n’a été donné, donc aucune distance à celui-ci (RMSE)</translation>
     </message>
     <message>
         <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULIERT: die Form der Leber eines wirklichen Patienten, die nach einer Formel atmet und von einem Instrument eingedrückt wird. Die „vorgegebene“ Registrierung ist die wahre, in die links im Bild ein Fehler eingebaut wurde.</translation>
+        <translation>SIMULÉ&#xa0;: la forme du foie d’un vrai patient, qui respire et qu’un instrument enfonce selon une formule. Le recalage dit «&#xa0;fourni&#xa0;» est le vrai, dans lequel une erreur a été mise à gauche de l’image.</translation>
     </message>
     <message>
         <source>The movie {0} cannot be written.</source>
-        <translation>Der Film {0} kann nicht geschrieben werden.</translation>
+        <translation>Le film {0} ne peut pas être écrit.</translation>
     </message>
     <message>
         <source>Choose a folder that exists.</source>
-        <translation>Wählen Sie einen Ordner, den es gibt.</translation>
+        <translation>Choisissez un dossier qui existe.</translation>
     </message>
     <message>
         <source>Choose a name that is not there yet.</source>
-        <translation>Wählen Sie einen Namen, den es dort noch nicht gibt.</translation>
+        <translation>Choisissez un nom qui n’existe pas encore.</translation>
     </message>
     <message>
         <source>Choose a folder in which you may write.</source>
-        <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen.</translation>
+        <translation>Choisissez un dossier où vous pouvez écrire.</translation>
     </message>
     <message>
         <source>Leave the window&apos;s size as it is while the movie is made.</source>
-        <translation>Lassen Sie die Größe des Fensters, wie sie ist, solange der Film entsteht.</translation>
+        <translation>Ne changez pas la taille de la fenêtre pendant la création du film.</translation>
     </message>
     <message>
         <source>Choose a folder in which you may write, or a name without .mp4: then it becomes a folder of pictures.</source>
-        <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen, oder einen Namen ohne .mp4: Dann wird es ein Ordner mit Bildern.</translation>
+        <translation>Choisissez un dossier où vous pouvez écrire, ou un nom sans .mp4&#xa0;: ce sera alors un dossier d’images.</translation>
     </message>
     <message>
         <source>Look whether the disk is full.</source>
-        <translation>Sehen Sie nach, ob der Datenträger voll ist.</translation>
+        <translation>Vérifiez si le disque est plein.</translation>
     </message>
     <message>
         <source>The liver&apos;s shape with the tools there was not found: {0}</source>
-        <translation>Die Form der Leber mit den Instrumenten dort wurde nicht gefunden: {0}</translation>
+        <translation>La forme du foie avec les instruments à cet endroit n’a pas été trouvée&#xa0;: {0}</translation>
     </message>
     <message>
         <source>Press less, or move the tool by smaller steps.</source>
-        <translation>Drücken Sie weniger, oder bewegen Sie das Instrument in kleineren Schritten.</translation>
+        <translation>Appuyez moins, ou déplacez l’instrument par pas plus petits.</translation>
     </message>
     <message>
         <source>A rigid tool that only touches the liver cannot pull it.</source>
-        <translation>Ein starres Instrument, das die Leber nur berührt, kann sie nicht ziehen.</translation>
+        <translation>Un instrument rigide qui ne fait que toucher le foie ne peut pas le tirer.</translation>
     </message>
     <message>
         <source>Push into the surface, or take the grasper.</source>
-        <translation>Drücken Sie in die Oberfläche hinein, oder nehmen Sie die Fasszange.</translation>
+        <translation>Poussez dans la surface, ou prenez la pince.</translation>
     </message>
     <message>
         <source>Tool {0} would move by {1} mm a step, past a surface that it should meet.</source>
-        <translation>Das Instrument {0} würde sich in einem Schritt um {1} mm bewegen, an einer Oberfläche vorbei, auf die es treffen sollte.</translation>
+        <translation>L’instrument {0} avancerait de {1} mm en un pas et passerait à travers une surface qu’il devrait rencontrer.</translation>
     </message>
     <message>
         <source>Take more steps: at most half the radius of the tool&apos;s rods in each.</source>
-        <translation>Nehmen Sie mehr Schritte: in jedem höchstens den halben Radius der Stäbe des Instruments.</translation>
+        <translation>Prenez plus de pas&#xa0;: dans chacun, au plus la moitié du rayon des tiges de l’instrument.</translation>
     </message>
     <message>
         <source>Comparing the files with what they were made from</source>
-        <translation>Dateien werden mit dem verglichen, woraus sie entstanden</translation>
+        <translation>Comparaison des fichiers avec ce dont ils proviennent</translation>
     </message>
     <message>
         <source>{0} does not hold a report of measurements: {1}.</source>
-        <translation>{0} enthält keinen Bericht über Messungen: {1}.</translation>
+        <translation>{0} ne contient pas de rapport de mesures&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Open an experiment to make one; it holds report.json, report.html and model.json.</source>
-        <translation>Öffnen Sie ein Experiment, um einen zu erstellen; er enthält report.json, report.html und model.json.</translation>
+        <translation>Ouvrez une expérience pour en créer un&#xa0;; il contient report.json, report.html et model.json.</translation>
     </message>
     <message>
         <source>Two series are to be the {0}: {1} is the second.</source>
-        <translation>Zwei Serien sollen {0} sein: {1} ist die zweite.</translation>
+        <translation>Deux séries doivent être {0}&#xa0;: {1} est la seconde.</translation>
     </message>
     <message>
         <source>Leave one of them out, or give it another role.</source>
-        <translation>Lassen Sie eine davon aus oder geben Sie ihr eine andere Rolle.</translation>
+        <translation>Écartez l’une d’elles ou donnez-lui un autre rôle.</translation>
     </message>
     <message>
         <source>No series is chosen: give at least one of them a role.</source>
-        <translation>Keine Serie ist gewählt: Geben Sie mindestens einer eine Rolle.</translation>
+        <translation>Aucune série n’est choisie&#xa0;: donnez un rôle à au moins une d’elles.</translation>
     </message>
     <message>
         <source>There is nothing of this structure at that place.</source>
-        <translation>An dieser Stelle ist nichts von dieser Struktur.</translation>
+        <translation>Il n’y a rien de cette structure à cet endroit.</translation>
     </message>
     <message>
         <source>Fill between slices of {0}</source>
-        <translation>Zwischen Schichten von {0} füllen</translation>
+        <translation>Remplir entre les coupes de {0}</translation>
     </message>
     <message>
         <source>Fill holes of {0}</source>
-        <translation>Löcher von {0} füllen</translation>
+        <translation>Combler les trous de {0}</translation>
     </message>
     <message>
         <source>Keep the largest piece of {0}</source>
-        <translation>Größtes Stück von {0} behalten</translation>
+        <translation>Garder le plus grand morceau de {0}</translation>
     </message>
     <message>
         <source>Remove small pieces of {0}</source>
-        <translation>Kleine Stücke von {0} entfernen</translation>
+        <translation>Supprimer les petits morceaux de {0}</translation>
     </message>
     <message>
         <source>Smooth {0}</source>
-        <translation>{0} glätten</translation>
+        <translation>Lisser {0}</translation>
     </message>
     <message>
         <source>Margin around {0}</source>
-        <translation>Rand um {0}</translation>
+        <translation>Marge autour de {0}</translation>
     </message>
     <message>
         <source>Shrink {0}</source>
-        <translation>{0} schrumpfen</translation>
+        <translation>Rétrécir {0}</translation>
     </message>
     <message>
         <source>Keep one piece of {0}</source>
-        <translation>Ein Stück von {0} behalten</translation>
+        <translation>Garder un morceau de {0}</translation>
     </message>
     <message>
         <source>Smart brush on {0}</source>
-        <translation>Gewebepinsel auf {0}</translation>
+        <translation>Pinceau sélectif sur {0}</translation>
     </message>
     <message>
         <source>Brush on {0}</source>
-        <translation>Pinsel auf {0}</translation>
+        <translation>Pinceau sur {0}</translation>
     </message>
     <message>
         <source>Eraser on {0}</source>
-        <translation>Radierer auf {0}</translation>
+        <translation>Gomme sur {0}</translation>
     </message>
     <message>
         <source>Scissors on {0}</source>
-        <translation>Schere an {0}</translation>
+        <translation>Ciseaux sur {0}</translation>
     </message>
     <message>
         <source>New structure {0}</source>
-        <translation>Neue Struktur {0}</translation>
+        <translation>Nouvelle structure {0}</translation>
     </message>
     <message>
         <source>Rename {0}</source>
-        <translation>{0} umbenennen</translation>
+        <translation>Renommer {0}</translation>
     </message>
     <message>
         <source>Remove {0}</source>
-        <translation>{0} entfernen</translation>
+        <translation>Supprimer {0}</translation>
     </message>
     <message>
         <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
-        <translation>Die Strukturen haben sich geändert, seit das Modell erstellt wurde, und {0} Landmarken liegen nun außerhalb: Sie werden ausgelassen. Erstellen Sie das Modell neu.</translation>
+        <translation>Les structures ont changé depuis la construction du modèle, et {0} repères se trouvent maintenant en dehors&#xa0;: ils sont écartés. Refaites le modèle.</translation>
     </message>
     <message>
         <source>The model cannot be used. Build it anew.</source>
-        <translation>Das Modell kann nicht verwendet werden. Erstellen Sie es neu.</translation>
+        <translation>Le modèle ne peut pas être utilisé. Refaites-le.</translation>
     </message>
     <message>
         <source>Place the tool</source>
-        <translation>Instrument platzieren</translation>
+        <translation>Placer l’instrument</translation>
     </message>
     <message>
         <source>Take the tool away</source>
-        <translation>Instrument wegnehmen</translation>
+        <translation>Retirer l’instrument</translation>
     </message>
     <message>
         <source>Move the tool</source>
-        <translation>Instrument bewegen</translation>
+        <translation>Déplacer l’instrument</translation>
     </message>
     <message>
         <source>Change the force</source>
-        <translation>Kraft ändern</translation>
+        <translation>Changer la force</translation>
     </message>
     <message>
         <source>No images were found in {0}.</source>
-        <translation>In {0} wurden keine Bilder gefunden.</translation>
+        <translation>Aucune image n’a été trouvée dans {0}.</translation>
     </message>
     <message>
         <source>By the meshfree engine a grasper pulls with a force; {0} has a displacement.</source>
-        <translation>Mit dem netzfreien Verfahren zieht eine Fasszange mit einer Kraft; {0} hat eine Verschiebung.</translation>
+        <translation>Avec le moteur sans maillage, une pince tire avec une force&#xa0;; {0} a un déplacement.</translation>
     </message>
     <message>
         <source>Give it a pull, or take finite elements.</source>
-        <translation>Geben Sie ihr einen Zug, oder nehmen Sie finite Elemente.</translation>
+        <translation>Donnez-lui une traction, ou prenez les éléments finis.</translation>
     </message>
     <message>
         <source>camera has no 3 x 3 matrix with positive focal lengths, or a distortion that is no list of numbers</source>
-        <translation>camera hat keine 3 x 3-Matrix mit positiven Brennweiten oder eine Verzeichnung, die keine Zahlenliste ist</translation>
+        <translation>camera n’a pas de matrice 3 x 3 à distances focales positives, ou sa distorsion n’est pas une liste de nombres</translation>
     </message>
     <message>
         <source>The first line of {0} is not {1}.</source>
-        <translation>Die erste Zeile von {0} lautet nicht {1}.</translation>
+        <translation>La première ligne de {0} n’est pas {1}.</translation>
     </message>
     <message>
         <source>Name the columns so, in this order, with commas between them.</source>
-        <translation>Benennen Sie die Spalten so, in dieser Reihenfolge, durch Kommas getrennt.</translation>
+        <translation>Nommez ainsi les colonnes, dans cet ordre, séparées par des virgules.</translation>
     </message>
     <message>
         <source>{0} of {1} landmarks lie far from the points of their frames.</source>
-        <translation>{0} von {1} Landmarken liegen weit von den Punkten ihrer Bilder entfernt.</translation>
+        <translation>{0} repères sur {1} sont loin des points de leurs images.</translation>
     </message>
     <message>
         <source>Check that tracks and clouds are both in mm of the left camera.</source>
-        <translation>Prüfen Sie, ob Spuren und Punktwolken beide in mm der linken Kamera angegeben sind.</translation>
+        <translation>Vérifiez que les trajectoires et les nuages sont tous deux en mm de la caméra gauche.</translation>
     </message>
     <message>
         <source>{0} landmarks far from the points of their frames were left out</source>
-        <translation>{0} Landmarken, die weit von den Punkten ihrer Bilder entfernt liegen, wurden weggelassen</translation>
+        <translation>{0} repères loin des points de leurs images ont été écartés</translation>
     </message>
     <message>
         <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
-        <translation>In Zeile {0} steht in der Spalte „{1}“ keine Zahl.</translation>
+        <translation>À la ligne {0}, la colonne «&#xa0;{1}&#xa0;» ne contient pas de nombre.</translation>
     </message>
     <message>
         <source>A line needs a strain (0.05 for 5 %) and a stress in kPa, numbers with a dot: look for a missing value, a unit, or a decimal comma.</source>
-        <translation>Eine Zeile braucht eine Dehnung (0.05 für 5 %) und eine Spannung in kPa, Zahlen mit Punkt: Zu suchen ist nach einem fehlenden Wert, einer Einheit oder einem Dezimalkomma.</translation>
+        <translation>Chaque ligne demande une déformation (0.05 pour 5 %) et une contrainte en kPa, nombres avec un point&#xa0;: cherchez une valeur manquante, une unité ou une virgule décimale.</translation>
     </message>
     <message>
         <source>Tools with friction are not there for a body with a grain.</source>
-        <translation>Instrumente mit Reibung gibt es nicht für einen Körper mit Faserrichtung.</translation>
+        <translation>Il n’y a pas d’instruments avec frottement pour un corps à fibres orientées.</translation>
     </message>
     <message>
         <source>Leave out the grain or the friction.</source>
-        <translation>Die Faserrichtung oder die Reibung weglassen.</translation>
+        <translation>Retirez la direction des fibres ou le frottement.</translation>
     </message>
     <message>
         <source>The mean of the elastography&apos;s magnitude images serves as the anatomy.</source>
-        <translation>Als Anatomie dient das Mittel der Magnitudenbilder der Elastografie.</translation>
+        <translation>La moyenne des images d’amplitude de l’élastographie sert d’anatomie.</translation>
     </message>
     <message>
         <source>{0} was not wholly inside the liver; it was meshed as part of it.</source>
-        <translation>{0} lag nicht ganz in der Leber und wurde als Teil von ihr vernetzt.</translation>
+        <translation>{0} n’était pas entièrement dans le foie&#xa0;; cette structure a été maillée comme en faisant partie.</translation>
     </message>
     <message>
         <source>{0} holds no voxels.</source>
-        <translation>{0} enthält keine Voxel.</translation>
+        <translation>{0} ne contient aucun voxel.</translation>
     </message>
     <message>
         <source>The body falls in {0} parts; the largest is kept, and the rest is left out: {1}.</source>
-        <translation>Der Körper zerfällt in {0} Teile; der größte bleibt, der Rest fällt weg: {1}.</translation>
+        <translation>Le corps se divise en {0} parties&#xa0;; la plus grande est gardée, le reste est écarté&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Holes without a label inside the body, {0} ml together, are filled.</source>
-        <translation>Löcher ohne Label im Körper, zusammen {0} ml, sind gefüllt.</translation>
+        <translation>Les trous sans étiquette à l’intérieur du corps, {0} ml au total, sont comblés.</translation>
     </message>
     <message>
         <source>{0} speck of fewer than {1} voxels ({2} voxels together) became part of what it touches.</source>
-        <translation>{0} Fleck mit weniger als {1} Voxeln (zusammen {2} Voxel) wurde Teil dessen, was er berührt.</translation>
+        <translation>{0} îlot de moins de {1} voxels ({2} voxels au total) a été rattaché à ce qu’il touche.</translation>
     </message>
     <message>
         <source>{0} specks of fewer than {1} voxels ({2} voxels together) became part of what they touch.</source>
-        <translation>{0} Flecken mit weniger als {1} Voxeln (zusammen {2} Voxel) wurden Teil dessen, was sie berühren.</translation>
+        <translation>{0} îlots de moins de {1} voxels ({2} voxels au total) ont été rattachés à ce qu’ils touchent.</translation>
     </message>
     <message>
         <source>The mesh has {0} cells instead of {1}; its shape and inner structures ask for them.</source>
-        <translation>Das Netz hat {0} Zellen statt {1}; Form und innere Strukturen verlangen sie.</translation>
+        <translation>Le maillage a {0} cellules au lieu de {1}&#xa0;; sa forme et ses structures internes les demandent.</translation>
     </message>
     <message>
         <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
-        <translation>{0} Zellen wurden entfernt, wo der Körper sich selbst in einem Punkt oder einer Kante berührte.</translation>
+        <translation>{0} cellules ont été retirées là où le corps se touchait lui-même en un point ou une arête.</translation>
     </message>
     <message>
         <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
-        <translation>{0}: {1} Stück ({2} ml) ist für {3} Zellen zu dünn und bekam keine eigenen; mit etwa {4} Zellen wäre es zu sehen.</translation>
+        <translation>{0}&#xa0;: {1} morceau ({2} ml) trop mince pour {3} cellules n’a pas de cellules propres&#xa0;; environ {4} cellules le montreraient.</translation>
     </message>
     <message>
         <source>{0}: {1} pieces ({2} ml) too thin for {3} cells got no cells of their own; about {4} cells would show them.</source>
-        <translation>{0}: {1} Stücke ({2} ml) sind für {3} Zellen zu dünn und bekamen keine eigenen; mit etwa {4} Zellen wären sie zu sehen.</translation>
+        <translation>{0}&#xa0;: {1} morceaux ({2} ml) trop minces pour {3} cellules n’ont pas de cellules propres&#xa0;; environ {4} cellules les montreraient.</translation>
     </message>
     <message>
         <source>Another way of touching</source>
-        <translation>Andere Art der Berührung</translation>
+        <translation>Autre manière de toucher</translation>
     </message>
     <message>
         <source>Place another tool</source>
-        <translation>Weiteres Instrument platzieren</translation>
+        <translation>Placer un autre instrument</translation>
     </message>
     <message>
         <source>The walls of cuts can be kept apart in equilibrium by finite elements, without a grain and not straight from data.</source>
-        <translation>Die Wände von Schnitten können im Gleichgewicht mit finiten Elementen auseinandergehalten werden, ohne Faserrichtung und nicht unmittelbar aus Daten.</translation>
+        <translation>Les parois des sections peuvent être tenues séparées à l&apos;équilibre par éléments finis, sans orientation des fibres et pas directement à partir de données.</translation>
     </message>
     <message>
         <source>The displacement has {0} points, the liver {1}; or one of them is not a number.</source>
-        <translation>Die Verschiebung hat {0} Punkte, die Leber {1}; oder eine davon ist keine Zahl.</translation>
+        <translation>Le déplacement a {0} points, le foie {1} ; ou l&apos;un d&apos;eux n&apos;est pas un nombre.</translation>
     </message>
     <message>
         <source>Simulate it again with the model as it is now.</source>
-        <translation>Simulieren Sie erneut mit dem jetzigen Modell.</translation>
+        <translation>Simulez de nouveau avec le modèle actuel.</translation>
     </message>
     <message>
         <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
-        <translation>So gehalten sind {0} Zellen der Leber umgestülpt: Dort lässt sich nichts messen.</translation>
+        <translation>Tenu ainsi, {0} cellules du foie sont retournées : rien ne peut y être mesuré.</translation>
     </message>
     <message>
         <source>Pull or push with less force.</source>
-        <translation>Ziehen oder drücken Sie mit weniger Kraft.</translation>
+        <translation>Tirez ou poussez avec moins de force.</translation>
     </message>
     <message>
         <source>The result {0} is not of this model: its points at rest are others.</source>
-        <translation>Das Ergebnis {0} gehört nicht zu diesem Modell: Seine Punkte in Ruhe sind andere.</translation>
+        <translation>Le résultat {0} n&apos;est pas de ce modèle : ses points au repos sont autres.</translation>
     </message>
     <message>
         <source>one of its elements does not end</source>
-        <translation>eines ihrer Elemente endet nicht</translation>
+        <translation>l&apos;un de ses éléments ne se termine pas</translation>
     </message>
     <message>
         <source>a compressed array has no blocks</source>
-        <translation>ein komprimiertes Feld hat keine Blöcke</translation>
+        <translation>un tableau compressé n&apos;a pas de blocs</translation>
     </message>
     <message>
         <source>the blocks of a compressed array have no size</source>
-        <translation>die Blöcke eines komprimierten Felds haben keine Größe</translation>
+        <translation>les blocs d&apos;un tableau compressé n&apos;ont pas de taille</translation>
     </message>
     <message>
         <source>a compressed array has more bytes than the file can hold</source>
-        <translation>ein komprimiertes Feld hat mehr Bytes, als die Datei fassen kann</translation>
+        <translation>un tableau compressé a plus d&apos;octets que le fichier n&apos;en peut contenir</translation>
     </message>
     <message>
         <source>an array begins behind its end</source>
-        <translation>ein Feld beginnt hinter ihrem Ende</translation>
+        <translation>un tableau commence après sa fin</translation>
     </message>
     <message>
         <source>Mesh the surface anew, for example with MeshLab.</source>
-        <translation>Vernetzen Sie die Oberfläche neu, zum Beispiel mit MeshLab.</translation>
+        <translation>Remaillez la surface, par exemple avec MeshLab.</translation>
     </message>
     <message>
         <source>No triangle of the surface has an area.</source>
-        <translation>Kein Dreieck der Oberfläche hat eine Fläche.</translation>
+        <translation>Aucun triangle de la surface n&apos;a d&apos;aire.</translation>
     </message>
     <message>
         <source>Make the surface anew; a cloud of points is not one.</source>
-        <translation>Erzeugen Sie die Oberfläche neu; eine Punktwolke ist keine.</translation>
+        <translation>Refaites la surface ; un nuage de points n&apos;en est pas une.</translation>
     </message>
     <message>
         <source>The surface is in {0} pieces, between which there is no way along it; the largest has {1} % of its area.</source>
-        <translation>Die Oberfläche besteht aus {0} Stücken, zwischen denen kein Weg auf ihr führt; das größte hat {1} % ihrer Fläche.</translation>
+        <translation>La surface est en {0} morceaux, entre lesquels aucun chemin ne la suit ; le plus grand a {1} % de son aire.</translation>
     </message>
     <message>
         <source>Keep its largest piece, or join the pieces.</source>
-        <translation>Behalten Sie das größte Stück, oder verbinden Sie die Stücke.</translation>
+        <translation>Gardez le plus grand morceau, ou réunissez les morceaux.</translation>
     </message>
     <message>
         <source>Points at the place of another, joined with it: {0}.</source>
-        <translation>Punkte am Ort eines anderen, mit ihm vereint: {0}.</translation>
+        <translation>Points à la place d&apos;un autre, réunis avec lui : {0}.</translation>
     </message>
     <message>
         <source>Doubled or empty triangles left out: {0}.</source>
-        <translation>Doppelte oder leere Dreiecke weggelassen: {0}.</translation>
+        <translation>Triangles doubles ou vides laissés de côté : {0}.</translation>
     </message>
     <message>
         <source>Triangles turned to fit their neighbours: {0}.</source>
-        <translation>Dreiecke, die passend zu ihren Nachbarn gedreht wurden: {0}.</translation>
+        <translation>Triangles retournés pour s&apos;accorder à leurs voisins : {0}.</translation>
     </message>
     <message>
         <source>Points parted where the surface only touches itself: {0}.</source>
-        <translation>Punkte, die geteilt wurden, wo die Oberfläche sich nur berührt: {0}.</translation>
+        <translation>Points séparés là où la surface ne fait que se toucher : {0}.</translation>
     </message>
     <message>
         <source>Pieces left out, together below 1 % of the area: {0}.</source>
-        <translation>Weggelassene Stücke, zusammen unter 1 % der Fläche: {0}.</translation>
+        <translation>Morceaux laissés de côté, ensemble moins de 1 % de l&apos;aire : {0}.</translation>
     </message>
     <message>
         <source>the patient&apos;s left</source>
-        <translation>zur linken Seite des Patienten</translation>
+        <translation>la gauche du patient</translation>
     </message>
     <message>
         <source>the patient&apos;s right</source>
-        <translation>zur rechten Seite des Patienten</translation>
+        <translation>la droite du patient</translation>
     </message>
     <message>
         <source>the back</source>
-        <translation>zum Rücken</translation>
+        <translation>le dos</translation>
     </message>
     <message>
         <source>the front</source>
-        <translation>nach vorn</translation>
+        <translation>l&apos;avant</translation>
     </message>
     <message>
         <source>the head</source>
-        <translation>zum Kopf</translation>
+        <translation>la tête</translation>
     </message>
     <message>
         <source>the feet</source>
-        <translation>zu den Füßen</translation>
+        <translation>les pieds</translation>
     </message>
     <message>
         <source>The image cuts the body off towards {0}; it is closed there by a flat cap.</source>
-        <translation>Das Bild schneidet den Körper {0} hin ab; dort ist er durch eine ebene Kappe geschlossen.</translation>
+        <translation>L&apos;image coupe le corps vers {0} ; il y est fermé par une face plane.</translation>
     </message>
     <message>
         <source>Most rows of {0} are far shorter than its first.</source>
-        <translation>Die meisten Zeilen von {0} sind weit kürzer als die erste.</translation>
+        <translation>La plupart des lignes de {0} sont bien plus courtes que la première.</translation>
     </message>
     <message>
         <source>{0} is left out: its pixels cannot be written without what else is stored with them.</source>
-        <translation>{0} wird weggelassen: Seine Bildpunkte lassen sich nicht ohne das schreiben, was sonst mit ihnen gespeichert ist.</translation>
+        <translation>{0} est laissé de côté : ses pixels ne peuvent pas être écrits sans ce qui est enregistré avec eux.</translation>
     </message>
     <message>
         <source>{0} does not say whether its pixels are signed: PixelRepresentation is {1}.</source>
-        <translation>{0} sagt nicht, ob seine Bildpunkte ein Vorzeichen haben: PixelRepresentation ist {1}.</translation>
+        <translation>{0} ne dit pas si ses pixels sont signés : PixelRepresentation vaut {1}.</translation>
     </message>
     <message>
         <source>its voxels lie in several files</source>
-        <translation>seine Voxel liegen in mehreren Dateien</translation>
+        <translation>ses voxels se trouvent dans plusieurs fichiers</translation>
     </message>
     <message>
         <source>its voxels are encoded in a way that is not read</source>
-        <translation>seine Voxel sind auf eine Weise kodiert, die nicht gelesen wird</translation>
+        <translation>ses voxels sont codés d’une façon qui n’est pas lue</translation>
     </message>
     <message>
         <source>{0} has {1} million voxels; at most {2} million are read.</source>
-        <translation>{0} hat {1} Millionen Voxel; höchstens {2} Millionen werden gelesen.</translation>
+        <translation>{0} a {1} millions de voxels ; {2} millions au plus sont lus.</translation>
     </message>
     <message>
         <source>Cut out the part that is needed, or resample it to larger voxels.</source>
-        <translation>Schneiden Sie den benötigten Teil aus oder rechnen Sie auf größere Voxel um.</translation>
+        <translation>Découpez la partie nécessaire ou rééchantillonnez en voxels plus grands.</translation>
     </message>
     <message>
         <source>The compressed voxels of {0} are damaged or cut short.</source>
-        <translation>Die komprimierten Voxel von {0} sind beschädigt oder abgeschnitten.</translation>
+        <translation>Les voxels compressés de {0} sont endommagés ou tronqués.</translation>
     </message>
     <message>
         <source>{0} holds more voxels than its header declares: its sizes are not those that it was written with.</source>
-        <translation>{0} enthält mehr Voxel, als sein Kopf angibt: Seine Größen sind nicht die, mit denen es geschrieben wurde.</translation>
+        <translation>{0} contient plus de voxels que son en-tête n’en déclare : ses dimensions ne sont pas celles de son écriture.</translation>
     </message>
     <message>
         <source>There is no room in the liver for {0} of {1} mm: make it smaller, or let it lie elsewhere.</source>
-        <translation>In der Leber ist kein Platz für {0} von {1} mm: Machen Sie sie kleiner, oder lassen Sie sie anderswo liegen.</translation>
+        <translation>Il n&apos;y a pas de place dans le foie pour {0} de {1} mm : réduisez sa taille ou placez-la ailleurs.</translation>
     </message>
     <message>
         <source>A liver of {0} ml cannot be made: ask for 800 to 2800 ml.</source>
-        <translation>Eine Leber von {0} ml lässt sich nicht erzeugen: Verlangen Sie 800 bis 2800 ml.</translation>
+        <translation>Un foie de {0} ml ne peut pas être généré : demandez de 800 à 2800 ml.</translation>
     </message>
     <message>
         <source>A fat fraction of {0} with fibrosis of stage {1} cannot be made: the first is 0 to 0.5, the second 0 to 4.</source>
-        <translation>Ein Fettanteil von {0} mit Fibrose im Stadium {1} lässt sich nicht erzeugen: Der erste liegt zwischen 0 und 0.5, das zweite zwischen 0 und 4.</translation>
+        <translation>Une fraction de graisse de {0} avec une fibrose de stade {1} ne peut pas être générée : la première va de 0 à 0.5, le second de 0 à 4.</translation>
     </message>
     <message>
         <source>shaping the liver</source>
-        <translation>die Leber wird geformt</translation>
+        <translation>mise en forme du foie</translation>
     </message>
     <message>
         <source>growing the vessels</source>
-        <translation>die Gefäße wachsen</translation>
+        <translation>croissance des vaisseaux</translation>
     </message>
     <message>
         <source>The lesion {0} is not understood: give its diameter in mm, as 30, and if you like its segment, 30@7, or its place, 30@x,y,z.</source>
-        <translation>Die Läsion {0} ist nicht verständlich: Geben Sie den Durchmesser in mm an, wie 30, und wenn Sie möchten das Segment, 30@7, oder den Ort, 30@x,y,z.</translation>
+        <translation>La lésion {0} n&apos;est pas comprise : donnez son diamètre en mm, comme 30, et si vous le souhaitez son segment, 30@7, ou son emplacement, 30@x,y,z.</translation>
     </message>
     <message>
         <source>others are writing it</source>
-        <translation>andere schreiben sie gerade</translation>
+        <translation>d’autres sont en train de l’écrire</translation>
     </message>
     <message>
         <source>{0} is a link to another place, where nothing is written.</source>
-        <translation>{0} verweist auf einen anderen Ort; dorthin wird nichts geschrieben.</translation>
+        <translation>{0} est un lien vers un autre endroit, où rien n’est écrit.</translation>
     </message>
     <message>
         <source>Put the folder itself there.</source>
-        <translation>Legen Sie den Ordner selbst dorthin.</translation>
+        <translation>Placez-y le dossier lui-même.</translation>
     </message>
     <message>
         <source>{0} names a file outside its place in the case folder: {1}.</source>
-        <translation>{0} nennt eine Datei außerhalb ihres Platzes im Fallordner: {1}.</translation>
+        <translation>{0} nomme un fichier hors de sa place dans le dossier du cas : {1}.</translation>
     </message>
     <message>
         <source>{0} is being made by another program.</source>
-        <translation>{0} wird gerade von einem anderen Programm angelegt.</translation>
+        <translation>{0} est en train d’être créé par un autre programme.</translation>
     </message>
     <message>
         <source>Wait until it has finished, or choose another name.</source>
-        <translation>Warten Sie, bis es fertig ist, oder wählen Sie einen anderen Namen.</translation>
+        <translation>Attendez qu’il ait fini, ou choisissez un autre nom.</translation>
     </message>
     <message>
         <source>{0} was replaced by another program and does not fit the liver of this case.</source>
-        <translation>{0} wurde von einem anderen Programm ersetzt und passt nicht zur Leber dieses Falls.</translation>
+        <translation>{0} a été remplacé par un autre programme et ne correspond pas au foie de ce cas.</translation>
     </message>
     <message>
         <source>Put the file back, or make it anew: glisson-cli segment, mesh, stiffness.</source>
-        <translation>Legen Sie die Datei zurück oder erzeugen Sie sie neu: glisson-cli segment, mesh, stiffness.</translation>
+        <translation>Remettez le fichier, ou refaites-le : glisson-cli segment, mesh, stiffness.</translation>
     </message>
     <message>
         <source>Another program has changed {0} since it was saved.</source>
-        <translation>Ein anderes Programm hat {0} seit dem Speichern geändert.</translation>
+        <translation>Un autre programme a modifié {0} depuis son enregistrement.</translation>
     </message>
     <message>
         <source>What {0} was made from has changed since: make it anew.</source>
-        <translation>Woraus {0} entstand, hat sich seitdem geändert: erzeugen Sie es neu.</translation>
+        <translation>Ce dont {0} a été fait a changé depuis : refaites-le.</translation>
     </message>
     <message>
         <source>Point {0} of the surface lies farther off than a thousand kilometres.</source>
-        <translation>Punkt {0} der Oberfläche liegt weiter als tausend Kilometer entfernt.</translation>
+        <translation>Le point {0} de la surface se trouve à plus de mille kilomètres.</translation>
     </message>
     <message>
         <source>No triangle of the surface has an area: they are lines or points.</source>
-        <translation>Kein Dreieck der Oberfläche hat eine Fläche: es sind Linien oder Punkte.</translation>
+        <translation>Aucun triangle de la surface n’a d’aire : ce sont des lignes ou des points.</translation>
     </message>
     <message>
         <source>Point {0} of the mesh lies farther off than a thousand kilometres.</source>
-        <translation>Punkt {0} des Netzes liegt weiter als tausend Kilometer entfernt.</translation>
+        <translation>Le point {0} du maillage se trouve à plus de mille kilomètres.</translation>
     </message>
     <message>
         <source>The command is done, but its answer cannot be written: {0}.</source>
-        <translation>Der Befehl ist ausgeführt, aber seine Antwort kann nicht geschrieben werden: {0}.</translation>
+        <translation>La commande est exécutée, mais sa réponse ne peut pas être écrite : {0}.</translation>
     </message>
     <message>
         <source>Check where standard output goes, and the space there.</source>
-        <translation>Prüfen Sie, wohin die Standardausgabe geht, und den Platz dort.</translation>
+        <translation>Vérifiez où va la sortie standard, et la place qui y reste.</translation>
     </message>
     <message>
         <source>They are of another patient.</source>
-        <translation>Sie sind von einem anderen Patienten.</translation>
+        <translation>Elles sont d&apos;un autre patient.</translation>
     </message>
     <message>
         <source>They are of another examination.</source>
-        <translation>Sie sind von einer anderen Untersuchung.</translation>
+        <translation>Elles sont d&apos;un autre examen.</translation>
     </message>
     <message>
         <source>They have another frame of reference: the patient may have moved between them.</source>
-        <translation>Sie haben ein anderes Bezugssystem: Der Patient kann sich dazwischen bewegt haben.</translation>
+        <translation>Elles ont un autre référentiel : le patient a pu bouger entre les deux.</translation>
     </message>
     <message>
         <source>They lie elsewhere: only {0} % of their place is that of the case&apos;s anatomy.</source>
-        <translation>Sie liegen anderswo: Nur {0} % ihres Raumes sind der der Anatomie des Falls.</translation>
+        <translation>Elles se trouvent ailleurs : {0} % seulement de leur espace est celui de l&apos;anatomie du cas.</translation>
     </message>
     <message>
         <source>This was measured on &quot;{0}&quot;, and nothing shows that it is tissue of {1}.</source>
-        <translation>Das wurde an „{0}“ gemessen, und nichts zeigt, dass es Gewebe von {1} ist.</translation>
+        <translation>Cela a été mesuré sur « {0} », et rien ne montre que ce soit du tissu de {1}.</translation>
     </message>
     <message>
         <source>Where it is, name the case in the experiment&apos;s title, or say so with --of-this-patient.</source>
-        <translation>Ist es das, so nennen Sie den Fall im Titel des Versuchs, oder sagen Sie es mit --of-this-patient.</translation>
+        <translation>Si c&apos;en est, nommez le cas dans le titre de l&apos;expérience, ou dites-le par --of-this-patient.</translation>
     </message>
     <message>
         <source>The effect {0} would change nothing in the rehearsal: {1}</source>
-        <translation>Die Wirkung {0} würde an der Probe nichts ändern: {1}</translation>
+        <translation>L&apos;effet {0} ne changerait rien à la répétition : {1}</translation>
     </message>
     <message>
         <source>Accept the others alone (--effect KIND).</source>
-        <translation>Nehmen Sie die anderen allein an (--effect ART).</translation>
+        <translation>Acceptez les autres seuls (--effect SORTE).</translation>
     </message>
     <message>
         <source>Make a case of their own, or take them all the same with --replace.</source>
-        <translation>Machen Sie einen eigenen Fall daraus, oder nehmen Sie sie trotzdem mit --replace.</translation>
+        <translation>Faites-en un cas à part, ou prenez-les malgré tout avec --replace.</translation>
     </message>
     <message>
         <source>These images may not belong to {0}.{1}</source>
-        <translation>Diese Bilder gehören vielleicht nicht zu {0}.{1}</translation>
+        <translation>Ces images n&apos;appartiennent peut-être pas à {0}.{1}</translation>
     </message>
     <message>
         <source>{0} has an anatomy already, which these images would replace.</source>
-        <translation>{0} hat schon eine Anatomie, die diese Bilder ersetzen würden.</translation>
+        <translation>{0} a déjà une anatomie, que ces images remplaceraient.</translation>
     </message>
     <message>
         <source>Drawn on another grid ({0} x {1} x {2}) and carried to the anatomy&apos;s, each voxel from the nearest one.</source>
-        <translation>Auf einem anderen Gitter gezeichnet ({0} x {1} x {2}) und auf das der Anatomie übertragen, jedes Voxel vom nächsten.</translation>
+        <translation>Dessiné sur une autre grille ({0} x {1} x {2}) et porté sur celle de l&apos;anatomie, chaque voxel du plus proche.</translation>
     </message>
     <message>
         <source>Left out of the label map: {0}.</source>
-        <translation>Aus der Labelkarte weggelassen: {0}.</translation>
+        <translation>Laissé de côté dans la carte d&apos;étiquettes : {0}.</translation>
     </message>
     <message>
         <source>Nothing says what the values of {0} are: {1}.</source>
-        <translation>Nichts sagt, was die Werte von {0} sind: {1}.</translation>
+        <translation>Rien ne dit ce que sont les valeurs de {0} : {1}.</translation>
     </message>
     <message>
         <source>Name them, as in --label-value 1=liver --label-value 2=tumour-1.</source>
-        <translation>Benennen Sie sie, etwa --label-value 1=liver --label-value 2=tumour-1.</translation>
+        <translation>Nommez-les, par exemple --label-value 1=liver --label-value 2=tumour-1.</translation>
     </message>
     <message>
         <source>Two files bring the structure {0}: {1} is the second.</source>
-        <translation>Zwei Dateien bringen die Struktur {0}: {1} ist die zweite.</translation>
+        <translation>Deux fichiers apportent la structure {0} : {1} est le second.</translation>
     </message>
     <message>
         <source>Leave one of them out (--labels UID takes that label map alone).</source>
-        <translation>Lassen Sie eine davon weg (--labels UID nimmt nur diese Labelkarte).</translation>
+        <translation>Laissez-en un de côté (--labels UID ne prend que cette carte d&apos;étiquettes).</translation>
     </message>
     <message>
         <source>No voxel of {0} lies inside the anatomy.</source>
-        <translation>Kein Voxel von {0} liegt in der Anatomie.</translation>
+        <translation>Aucun voxel de {0} ne se trouve dans l&apos;anatomie.</translation>
     </message>
     <message>
         <source>Named after the file.</source>
-        <translation>Nach der Datei benannt.</translation>
+        <translation>Nommé d&apos;après le fichier.</translation>
     </message>
     <message>
         <source>Named by you.</source>
-        <translation>Von Ihnen benannt.</translation>
+        <translation>Nommé par vous.</translation>
     </message>
     <message>
         <source>Named by 3D Slicer&apos;s segments.</source>
-        <translation>Nach den Segmenten von 3D Slicer benannt.</translation>
+        <translation>Nommé par les segments de 3D Slicer.</translation>
     </message>
     <message>
         <source>Named by the table in the file.</source>
-        <translation>Nach der Tabelle in der Datei benannt.</translation>
+        <translation>Nommé par la table du fichier.</translation>
     </message>
     <message>
         <source>Named by the label description beside the file.</source>
-        <translation>Nach der Label-Beschreibung neben der Datei benannt.</translation>
+        <translation>Nommé par la description d&apos;étiquettes à côté du fichier.</translation>
     </message>
     <message>
         <source>Named by TotalSegmentator&apos;s class numbers: see whether they are right.</source>
-        <translation>Nach den Klassennummern von TotalSegmentator benannt: Prüfen Sie, ob sie stimmen.</translation>
+        <translation>Nommé par les numéros de classe de TotalSegmentator : vérifiez qu&apos;ils sont justes.</translation>
     </message>
     <message>
         <source>The stiffness is assumed, {0} kPa for all cells, and not measured: it is not compared with the atlas.</source>
-        <translation>Die Steifigkeit ist angenommen, {0} kPa für alle Zellen, und nicht gemessen: Sie wird nicht mit dem Atlas verglichen.</translation>
+        <translation>La rigidité est supposée, {0} kPa pour toutes les cellules, et non mesurée : elle n’est pas comparée à l’atlas.</translation>
     </message>
     <message>
         <source>The stiffness is assumed, the atlas&apos;s {0} kPa for all cells, and not measured: it is not compared with the atlas.</source>
-        <translation>Die Steifigkeit ist angenommen, die {0} kPa des Atlas für alle Zellen, und nicht gemessen: Sie wird nicht mit dem Atlas verglichen.</translation>
+        <translation>La rigidité est supposée, les {0} kPa de l’atlas pour toutes les cellules, et non mesurée : elle n’est pas comparée à l’atlas.</translation>
     </message>
     <message>
         <source>The result in {0} is not to be used: {1}.</source>
-        <translation>Das Ergebnis in {0} ist nicht brauchbar: {1}.</translation>
+        <translation>Le résultat dans {0} est inutilisable : {1}.</translation>
     </message>
     <message>
         <source>Simulate it again with less force, or on other supports.</source>
-        <translation>Simulieren Sie es noch einmal mit weniger Kraft oder auf anderen Auflagern.</translation>
+        <translation>Simulez-le de nouveau avec moins de force, ou sur d’autres appuis.</translation>
     </message>
     <message>
         <source>Within the model: strains reach {0} %.</source>
-        <translation>Innerhalb des Modells: Die Dehnungen erreichen {0} %.</translation>
+        <translation>Dans le modèle : les déformations atteignent {0} %.</translation>
     </message>
     <message>
         <source>Outside of the model: strains reach {0} %, and beyond {1} % it is an extrapolation.</source>
-        <translation>Außerhalb des Modells: Die Dehnungen erreichen {0} %, und über {1} % ist es eine Extrapolation.</translation>
+        <translation>Hors du modèle : les déformations atteignent {0} %, et au-delà de {1} % c’est une extrapolation.</translation>
     </message>
     <message>
         <source>Not to be used: cells turned inside out: {0}.</source>
-        <translation>Nicht brauchbar: umgestülpte Zellen: {0}.</translation>
+        <translation>Inutilisable : cellules retournées : {0}.</translation>
     </message>
     <message>
         <source>Not to be used: the computation did not converge.</source>
-        <translation>Nicht brauchbar: Die Rechnung ist nicht konvergiert.</translation>
+        <translation>Inutilisable : le calcul n’a pas convergé.</translation>
     </message>
     <message>
         <source>cells turned inside out: {0}</source>
-        <translation>umgestülpte Zellen: {0}</translation>
+        <translation>cellules retournées : {0}</translation>
     </message>
     <message>
         <source>Plan a resection first, and save it.</source>
-        <translation>Planen Sie zuerst eine Resektion, und speichern Sie sie.</translation>
+        <translation>Planifiez d’abord une résection, et enregistrez-la.</translation>
     </message>
     <message>
         <source>The result {0} is not to be used: {1}.</source>
-        <translation>Das Ergebnis {0} ist nicht brauchbar: {1}.</translation>
+        <translation>Le résultat {0} est inutilisable : {1}.</translation>
     </message>
     <message>
         <source>Simulate it again with less force.</source>
-        <translation>Simulieren Sie es noch einmal mit weniger Kraft.</translation>
+        <translation>Simulez-le de nouveau avec moins de force.</translation>
     </message>
     <message>
         <source>A result that did not converge cannot be compared: {0}</source>
-        <translation>Ein nicht konvergiertes Ergebnis kann nicht verglichen werden: {0}</translation>
+        <translation>Un résultat qui n’a pas convergé ne peut pas être comparé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The retraction&apos;s answer is not to be used: {0}.</source>
-        <translation>Die Antwort der Retraktion ist nicht brauchbar: {0}.</translation>
+        <translation>La réponse de la rétraction est inutilisable : {0}.</translation>
     </message>
     <message>
         <source>Use less force.</source>
-        <translation>Nehmen Sie weniger Kraft.</translation>
+        <translation>Utilisez moins de force.</translation>
     </message>
     <message>
         <source>Less than 5 % of the organ is seen: too little to say where the rest is.</source>
-        <translation>Weniger als 5 % des Organs sind zu sehen: zu wenig, um zu sagen, wo der Rest liegt.</translation>
+        <translation>Moins de 5 % de l&apos;organe est visible : trop peu pour dire où se trouve le reste.</translation>
     </message>
     <message>
         <source>What is seen does not fit this organ: more than half of the points lie far from it.</source>
-        <translation>Was zu sehen ist, passt nicht zu diesem Organ: Mehr als die Hälfte der Punkte liegt weit davon entfernt.</translation>
+        <translation>Ce qui est vu ne correspond pas à cet organe : plus de la moitié des points en sont éloignés.</translation>
     </message>
     <message>
         <source>Preparing the organ</source>
-        <translation>Organ wird vorbereitet</translation>
+        <translation>Préparation de l&apos;organe</translation>
     </message>
     <message>
         <source>Fewer than 20 points of the surface were seen.</source>
-        <translation>Es wurden weniger als 20 Punkte der Oberfläche gesehen.</translation>
+        <translation>Moins de 20 points de la surface ont été vus.</translation>
     </message>
     <message>
         <source>What was seen is twenty times smaller than the organ: lengths are in mm, are these in metres?</source>
-        <translation>Das Gesehene ist zwanzigmal kleiner als das Organ: Längen sind in mm, stehen diese in Metern?</translation>
+        <translation>Ce qui est vu est vingt fois plus petit que l&apos;organe : les longueurs sont en mm, celles-ci sont-elles en mètres ?</translation>
     </message>
     <message>
         <source>What was seen is five times larger than the organ: lengths are in mm.</source>
-        <translation>Das Gesehene ist fünfmal größer als das Organ: Längen sind in mm.</translation>
+        <translation>Ce qui est vu est cinq fois plus grand que l&apos;organe : les longueurs sont en mm.</translation>
     </message>
     <message>
         <source>Placing the organ</source>
-        <translation>Organ wird eingepasst</translation>
+        <translation>Placement de l&apos;organe</translation>
     </message>
     <message>
         <source>The folder cannot be made: {0}</source>
-        <translation>Der Ordner kann nicht angelegt werden: {0}</translation>
+        <translation>Impossible de créer le dossier : {0}</translation>
     </message>
     <message>
         <source>In {0}: {1}.</source>
-        <translation>In {0}: {1}.</translation>
+        <translation>Dans {0} : {1}.</translation>
     </message>
     <message>
         <source>The format &quot;glisson-guidance/1&quot; is described in the documentation.</source>
-        <translation>Das Format &quot;glisson-guidance/1&quot; ist in der Dokumentation beschrieben.</translation>
+        <translation>Le format &quot;glisson-guidance/1&quot; est décrit dans la documentation.</translation>
     </message>
     <message>
         <source>The first line must be id,x_mm,y_mm,z_mm.</source>
-        <translation>Die erste Zeile muss id,x_mm,y_mm,z_mm lauten.</translation>
+        <translation>La première ligne doit être id,x_mm,y_mm,z_mm.</translation>
     </message>
     <message>
         <source>Line {0} must hold an id and three numbers.</source>
-        <translation>Zeile {0} muss eine Kennung und drei Zahlen enthalten.</translation>
+        <translation>La ligne {0} doit contenir un identifiant et trois nombres.</translation>
     </message>
     <message>
         <source>Frame {0} has no pose_guess, and {1} points on its features are too few to find where the organ is.</source>
-        <translation>Bild {0} hat keine pose_guess, und {1} Punkte auf seinen Merkmalen sind zu wenige, um das Organ zu finden.</translation>
+        <translation>L&apos;image {0} n&apos;a pas de pose_guess, et {1} points sur ses repères sont trop peu pour trouver l&apos;organe.</translation>
     </message>
     <message>
         <source>Give a pose_guess, or mark ridges or the falciform ligament.</source>
-        <translation>Geben Sie eine pose_guess an, oder markieren Sie Kanten oder das Ligamentum falciforme.</translation>
+        <translation>Donnez une pose_guess, ou marquez des crêtes ou le ligament falciforme.</translation>
     </message>
     <message>
         <source>Under no pose does what frame {0} saw lie near the organ.</source>
-        <translation>In keiner Lage liegt das, was Bild {0} zeigt, nahe am Organ.</translation>
+        <translation>Dans aucune position, ce que l&apos;image {0} a vu n&apos;est proche de l&apos;organe.</translation>
     </message>
     <message>
         <source>Check that the features have the same names on both sides, that lengths are in mm, and that the frame is of this patient.</source>
-        <translation>Prüfen Sie, ob die Merkmale auf beiden Seiten gleich heißen, Längen in mm sind und das Bild von diesem Patienten ist.</translation>
+        <translation>Vérifiez que les repères portent les mêmes noms des deux côtés, que les longueurs sont en mm et que l&apos;image est de ce patient.</translation>
     </message>
     <message>
         <source>Reading the guidance case</source>
-        <translation>Fall zur Bildführung wird gelesen</translation>
+        <translation>Lecture du cas de guidage</translation>
     </message>
     <message>
         <source>Another window has {0} open: here it can be looked at, and nothing is changed.</source>
-        <translation>{0} ist in einem anderen Fenster offen: Hier wird es nur gezeigt, und nichts wird geändert.</translation>
+        <translation>{0} est ouvert dans une autre fenêtre : ici on peut le regarder, et rien n’est modifié.</translation>
     </message>
     <message>
         <source>Close it there and open it here again.</source>
-        <translation>Schließen Sie es dort, und öffnen Sie es hier erneut.</translation>
+        <translation>Fermez-le là-bas et rouvrez-le ici.</translation>
     </message>
     <message>
         <source>The folder of {0} takes no files: the case can be looked at, and nothing is kept.</source>
-        <translation>Der Ordner von {0} nimmt keine Dateien an: Der Fall lässt sich ansehen, doch nichts wird behalten.</translation>
+        <translation>Le dossier de {0} n’accepte pas de fichiers : on peut regarder le cas, et rien n’est conservé.</translation>
     </message>
     <message>
         <source>Copy it to where you may write, and open the copy.</source>
-        <translation>Kopieren Sie ihn an einen Ort, an dem Sie schreiben dürfen, und öffnen Sie die Kopie.</translation>
+        <translation>Copiez-le là où vous pouvez écrire, et ouvrez la copie.</translation>
     </message>
     <message>
         <source>The folder {0} is gone: nothing more of this case can be kept.</source>
-        <translation>Der Ordner {0} ist fort: Von diesem Fall lässt sich nichts mehr behalten.</translation>
+        <translation>Le dossier {0} a disparu : plus rien de ce cas ne peut être conservé.</translation>
     </message>
     <message>
         <source>Bring it back to its place, or open the case where it is now.</source>
-        <translation>Bringen Sie ihn an seinen Platz zurück, oder öffnen Sie den Fall dort, wo er jetzt ist.</translation>
+        <translation>Remettez-le à sa place, ou ouvrez le cas là où il est maintenant.</translation>
+    </message>
+    <message>
+        <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
+        <translation>Les modules de {0} ont été calculés à partir de modules de cisaillement avec un coefficient de Poisson de {1}, et non de {2}.</translation>
+    </message>
+    <message>
+        <source>Say &quot;poisson_ratio&quot;: {1} in the specimen.</source>
+        <translation>Indiquez &quot;poisson_ratio&quot; : {1} dans l’échantillon (specimen).</translation>
+    </message>
+    <message>
+        <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
+        <translation>Le coefficient de Poisson du maillage doit être supérieur à -1 et ne pas dépasser 0.5 ; il vaut {0}.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
     <message>
         <source>ICP: nearest points</source>
-        <translation>ICP: nächste Punkte</translation>
+        <translation>ICP&#xa0;: points les plus proches</translation>
     </message>
     <message>
         <source>GEO: distances along the surface</source>
-        <translation>GEO: Abstände entlang der Oberfläche</translation>
+        <translation>GEO&#xa0;: distances le long de la surface</translation>
     </message>
     <message>
         <source>GNRA: all frames by their landmarks</source>
-        <translation>GNRA: alle Bilder über ihre Landmarken</translation>
+        <translation>GNRA&#xa0;: toutes les images par leurs repères</translation>
     </message>
     <message>
         <source>Given by the sequence</source>
-        <translation>Von der Sequenz vorgegeben</translation>
+        <translation>Fourni par la séquence</translation>
     </message>
     <message>
         <source>Given</source>
-        <translation>Vorgegeben</translation>
+        <translation>Fourni</translation>
     </message>
     <message>
         <source>Algorithms</source>
-        <translation>Algorithmen</translation>
+        <translation>Algorithmes</translation>
     </message>
     <message>
         <source>First algorithm</source>
-        <translation>Erster Algorithmus</translation>
+        <translation>Premier algorithme</translation>
     </message>
     <message>
         <source>Second algorithm</source>
-        <translation>Zweiter Algorithmus</translation>
+        <translation>Second algorithme</translation>
     </message>
     <message>
         <source>What the left picture shows</source>
-        <translation>Was das linke Bild zeigt</translation>
+        <translation>Ce que montre l’image de gauche</translation>
     </message>
     <message>
         <source>What the right picture shows, or nothing</source>
-        <translation>Was das rechte Bild zeigt, oder nichts</translation>
+        <translation>Ce que montre l’image de droite, ou rien</translation>
     </message>
     <message>
         <source>Register and judge</source>
-        <translation>Registrieren und beurteilen</translation>
+        <translation>Recaler et juger</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Abbrechen</translation>
+        <translation>Annuler</translation>
     </message>
     <message>
         <source>Stops registering; what was computed before stays</source>
-        <translation>Hält das Registrieren an; was vorher berechnet war, bleibt</translation>
+        <translation>Arrête le recalage&#xa0;; ce qui était déjà calculé reste</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation>Fortschritt</translation>
+        <translation>Progression</translation>
     </message>
     <message>
         <source>No second algorithm</source>
-        <translation>Kein zweiter Algorithmus</translation>
+        <translation>Pas de second algorithme</translation>
     </message>
     <message>
         <source>The sequence names no registered clouds</source>
-        <translation>Die Sequenz nennt keine registrierten Punktwolken</translation>
+        <translation>La séquence ne nomme aucun nuage recalé</translation>
     </message>
     <message>
         <source>The sequence names no model</source>
-        <translation>Die Sequenz nennt kein Modell</translation>
+        <translation>La séquence ne nomme aucun modèle</translation>
     </message>
     <message>
         <source>Open a sequence first</source>
-        <translation>Zuerst eine Sequenz öffnen</translation>
+        <translation>Ouvrez d’abord une séquence</translation>
     </message>
     <message>
         <source>It is being computed</source>
-        <translation>Es wird gerade berechnet</translation>
+        <translation>Le calcul est en cours</translation>
     </message>
     <message>
         <source>Both algorithms are computed already</source>
-        <translation>Beide Algorithmen sind schon berechnet</translation>
+        <translation>Les deux algorithmes sont déjà calculés</translation>
     </message>
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
-        <translation>Registriert jedes Bild mit den Algorithmen oben und beurteilt sie mit SIRGn: bis etwa eine Sekunde je Bild</translation>
+        <translation>Recale chaque image par les algorithmes ci-dessus et les juge par SIRGn&#xa0;: jusqu’à une seconde environ par image</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::CandidatesTable</name>
+    <message>
+        <source>Suspect, each by itself</source>
+        <translation>Suspect, chacun seul</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>On trials left out</source>
+        <translation>Sur les essais écartés</translation>
+    </message>
+    <message>
+        <source>These data cannot tell it from</source>
+        <translation>Ces données ne le distinguent pas de</translation>
+    </message>
+    <message>
+        <source>Root mean square on the trials that it was fitted to</source>
+        <translation>Moyenne quadratique sur les essais auxquels il a été ajusté</translation>
+    </message>
+    <message>
+        <source>Root mean square on trials that it was not fitted to, left out whole</source>
+        <translation>Moyenne quadratique sur des essais entiers écartés, auxquels il n’a pas été ajusté</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>out of the running: %1</source>
+        <translation>hors course&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>very strong</source>
+        <translation>très forte</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>forte</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>faible</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Preuve</translation>
+    </message>
+    <message>
+        <source>Against the declared model, by the difference of BIC</source>
+        <translation>Contre le modèle déclaré, par la différence de BIC</translation>
+    </message>
+    <message>
+        <source>ΔBIC %1</source>
+        <translation>ΔBIC %1</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::CaseOverview</name>
     <message>
         <source>The open case</source>
-        <translation>Der offene Fall</translation>
+        <translation>Le cas ouvert</translation>
     </message>
     <message>
         <source>What</source>
-        <translation>Was</translation>
+        <translation>Élément</translation>
     </message>
     <message>
         <source>State</source>
-        <translation>Zustand</translation>
+        <translation>État</translation>
     </message>
     <message>
         <source>Made by</source>
-        <translation>Erstellt durch</translation>
+        <translation>Créé par</translation>
     </message>
     <message>
         <source>What comes next</source>
-        <translation>Was als Nächstes kommt</translation>
+        <translation>La suite</translation>
     </message>
     <message>
         <source>up to date</source>
-        <translation>aktuell</translation>
+        <translation>à jour</translation>
     </message>
     <message>
         <source>⚠ stale</source>
-        <translation>⚠ veraltet</translation>
+        <translation>⚠ périmé</translation>
     </message>
     <message>
         <source>⚠ changed by another program</source>
-        <translation>⚠ von einem anderen Programm geändert</translation>
+        <translation>⚠ modifié par un autre programme</translation>
     </message>
     <message>
         <source>⚠ file is gone</source>
-        <translation>⚠ Datei fehlt</translation>
+        <translation>⚠ fichier disparu</translation>
     </message>
     <message>
         <source>Something that it was made from has changed since.</source>
-        <translation>Etwas, woraus es gemacht wurde, hat sich seither geändert.</translation>
+        <translation>Quelque chose dont il a été tiré a changé depuis.</translation>
     </message>
     <message>
         <source>No case is open. Open images, choose what each series is for, and make a case of them.</source>
-        <translation>Es ist kein Fall geöffnet. Öffnen Sie Bilder, wählen Sie, wozu jede Serie dient, und legen Sie daraus einen Fall an.</translation>
+        <translation>Aucun cas n’est ouvert. Ouvrez des images, choisissez à quoi sert chaque série et créez-en un cas.</translation>
     </message>
     <message>
         <source>Everything is up to date.</source>
-        <translation>Alles ist aktuell.</translation>
+        <translation>Tout est à jour.</translation>
     </message>
     <message>
         <source>Stale: %1. They were made from something that has changed since.</source>
-        <translation>Veraltet: %1. Sie wurden aus etwas gemacht, das sich seither geändert hat.</translation>
+        <translation>Périmés&#xa0;: %1. Ils ont été tirés de quelque chose qui a changé depuis.</translation>
     </message>
     <message>
         <source>Make the model anew</source>
-        <translation>Modell neu erstellen</translation>
+        <translation>Refaire le modèle</translation>
     </message>
     <message>
         <source>There are no anatomical images: without them nothing can be outlined. Open them on the left.</source>
-        <translation>Es gibt keine anatomischen Bilder: Ohne sie kann nichts umrissen werden. Öffnen Sie sie links.</translation>
+        <translation>Il n’y a pas d’images anatomiques&#xa0;: sans elles, rien ne peut être délimité. Ouvrez-les à gauche.</translation>
     </message>
     <message>
         <source>The elastography has not been inverted: File, Elastography waves (Ctrl+W) makes the stiffness of it.</source>
-        <translation>Die Elastographie ist noch nicht invertiert: Datei, Elastographie-Wellen (Strg+W) macht daraus die Steifigkeit.</translation>
+        <translation>L’élastographie n’a pas été inversée&#xa0;: Fichier, Ondes d’élastographie (Ctrl+W) en tire la rigidité.</translation>
     </message>
     <message>
         <source>The liver is not outlined yet.</source>
-        <translation>Die Leber ist noch nicht umrissen.</translation>
+        <translation>Le foie n’est pas encore délimité.</translation>
     </message>
     <message>
         <source>Outline it in Segment</source>
-        <translation>In Segmentieren umreißen</translation>
+        <translation>La délimiter dans Segmenter</translation>
     </message>
     <message>
         <source>There is no model yet.</source>
-        <translation>Es gibt noch kein Modell.</translation>
+        <translation>Il n’y a pas encore de modèle.</translation>
     </message>
     <message>
         <source>Build the model</source>
-        <translation>Modell erstellen</translation>
+        <translation>Construire le modèle</translation>
     </message>
     <message>
         <source>The model is there.</source>
-        <translation>Das Modell ist da.</translation>
+        <translation>Le modèle est là.</translation>
     </message>
     <message>
         <source>Rehearse</source>
-        <translation>Proben</translation>
+        <translation>Répéter</translation>
     </message>
     <message>
         <source>Building the model</source>
-        <translation>Modell wird erstellt</translation>
+        <translation>Construction du modèle</translation>
     </message>
     <message>
         <source>import</source>
-        <translation>Import</translation>
+        <translation>import</translation>
     </message>
     <message>
         <source>outlining</source>
-        <translation>Umreißen</translation>
+        <translation>délimitation</translation>
     </message>
     <message>
         <source>meshing</source>
-        <translation>Vernetzung</translation>
+        <translation>maillage</translation>
     </message>
     <message>
         <source>giving stiffness</source>
-        <translation>Steifigkeit zuweisen</translation>
+        <translation>attribution de la rigidité</translation>
     </message>
     <message>
         <source>inversion of waves</source>
-        <translation>Inversion der Wellen</translation>
+        <translation>inversion des ondes</translation>
     </message>
     <message>
         <source>Outline: %1</source>
-        <translation>Umriss: %1</translation>
+        <translation>Contour&#xa0;: %1</translation>
     </message>
     <message>
         <source>Surface: %1</source>
-        <translation>Oberfläche: %1</translation>
+        <translation>Surface&#xa0;: %1</translation>
     </message>
     <message>
         <source>Tetrahedra of the liver</source>
-        <translation>Tetraeder der Leber</translation>
+        <translation>Tétraèdres du foie</translation>
     </message>
     <message>
         <source>Model: stiffness of each cell</source>
-        <translation>Modell: Steifigkeit jeder Zelle</translation>
+        <translation>Modèle&#xa0;: rigidité de chaque cellule</translation>
     </message>
     <message>
         <source>Images: anatomy</source>
-        <translation>Bilder: Anatomie</translation>
+        <translation>Images&#xa0;: anatomie</translation>
     </message>
     <message>
         <source>Map: stiffness (kPa)</source>
-        <translation>Karte: Steifigkeit (kPa)</translation>
+        <translation>Carte&#xa0;: rigidité (kPa)</translation>
     </message>
     <message>
         <source>Map: confidence</source>
-        <translation>Karte: Konfidenz</translation>
+        <translation>Carte&#xa0;: confiance</translation>
     </message>
     <message>
         <source>MRE magnitude</source>
-        <translation>MRE-Magnitude</translation>
+        <translation>Magnitude ERM</translation>
     </message>
     <message>
         <source>MRE phase</source>
-        <translation>MRE-Phase</translation>
+        <translation>Phase ERM</translation>
     </message>
     <message>
         <source>MRE waves</source>
-        <translation>MRE-Wellen</translation>
+        <translation>Ondes ERM</translation>
     </message>
     <message>
         <source>There is no model yet. Without elastography its stiffness is assumed: the atlas&apos;s.</source>
-        <translation>Es gibt noch kein Modell. Ohne Elastographie ist seine Steifigkeit angenommen: die des Atlas.</translation>
+        <translation>Il n’y a pas encore de modèle. Sans élastographie, sa rigidité est supposée : celle de l’atlas.</translation>
     </message>
 </context>
 <context>
@@ -4479,113 +4554,113 @@
     </message>
     <message>
         <source>With one stiffness for the whole liver, as an atlas gives it</source>
-        <translation>Mit einer einzigen Steifigkeit für die ganze Leber, wie ein Atlas sie angibt</translation>
+        <translation>Avec une seule rigidité pour tout le foie, comme la donne un atlas</translation>
     </message>
     <message>
         <source>Both</source>
-        <translation>Beide</translation>
+        <translation>Les deux</translation>
     </message>
     <message>
         <source>Atlas in red, patient in blue: purple where they agree</source>
-        <translation>Atlas in Rot, Patient in Blau: violett, wo sie übereinstimmen</translation>
+        <translation>Atlas en rouge, patient en bleu&#xa0;: violet là où ils concordent</translation>
     </message>
     <message>
         <source>Side by side</source>
-        <translation>Nebeneinander</translation>
+        <translation>Côte à côte</translation>
     </message>
     <message>
         <source>Two 3D views that turn together: the patient on the left, the atlas on the right</source>
-        <translation>Zwei 3D-Ansichten, die sich gemeinsam drehen: links der Patient, rechts der Atlas</translation>
+        <translation>Deux vues 3D qui tournent ensemble&#xa0;: le patient à gauche, l’atlas à droite</translation>
     </message>
     <message>
         <source>No stiffness was measured: there is nothing to compare with the atlas</source>
-        <translation>Es wurde keine Steifigkeit gemessen: Mit dem Atlas ist nichts zu vergleichen</translation>
+        <translation>Aucune rigidité n’a été mesurée : il n’y a rien à comparer à l’atlas</translation>
     </message>
     <message>
         <source>With this patient&apos;s own stiffness, as it was measured</source>
-        <translation>Mit der eigenen Steifigkeit dieses Patienten, wie sie gemessen wurde</translation>
+        <translation>Avec la rigidité propre à ce patient, telle qu’elle a été mesurée</translation>
     </message>
     <message>
         <source>With the assumed stiffness</source>
-        <translation>Mit der angenommenen Steifigkeit</translation>
+        <translation>Avec la rigidité supposée</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ContourPlot</name>
     <message>
         <source>Liver (cm³)</source>
-        <translation>Leber (cm³)</translation>
+        <translation>Foie (cm³)</translation>
     </message>
     <message>
         <source>Volume of a node (mm³)</source>
-        <translation>Volumen eines Knotens (mm³)</translation>
+        <translation>Volume d’un nœud (mm³)</translation>
     </message>
     <message>
         <source>Accuracy (mm)</source>
-        <translation>Genauigkeit (mm)</translation>
+        <translation>Précision (mm)</translation>
     </message>
     <message>
         <source>hot spot</source>
-        <translation>heiße Stelle</translation>
+        <translation>point chaud</translation>
     </message>
     <message>
         <source>this case</source>
-        <translation>dieser Fall</translation>
+        <translation>ce cas</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::CutControls</name>
     <message>
         <source>Cut by a plane</source>
-        <translation>Schnitt mit einer Ebene</translation>
+        <translation>Section par un plan</translation>
     </message>
     <message>
         <source>Cut by a smooth surface through points</source>
-        <translation>Schnitt mit einer glatten Fläche durch Punkte</translation>
+        <translation>Section par une surface lisse passant par des points</translation>
     </message>
     <message>
         <source>Divides</source>
-        <translation>Trennt</translation>
+        <translation>Sépare</translation>
     </message>
     <message>
         <source>left from right</source>
-        <translation>links von rechts</translation>
+        <translation>la gauche de la droite</translation>
     </message>
     <message>
         <source>front from back</source>
-        <translation>vorn von hinten</translation>
+        <translation>l’avant de l’arrière</translation>
     </message>
     <message>
         <source>head from foot</source>
-        <translation>Kopf- von Fußseite</translation>
+        <translation>la tête des pieds</translation>
     </message>
     <message>
         <source>Through crosshair</source>
-        <translation>Durchs Fadenkreuz</translation>
+        <translation>Par le réticule</translation>
     </message>
     <message>
         <source>Puts the plane through the crosshair, across the direction above</source>
-        <translation>Legt die Ebene durch das Fadenkreuz, quer zur Richtung darüber</translation>
+        <translation>Place le plan par le réticule, en travers de la direction ci-dessus</translation>
     </message>
     <message>
         <source>By three clicks</source>
-        <translation>Mit drei Klicks</translation>
+        <translation>Par trois clics</translation>
     </message>
     <message>
         <source>Then click three places on the liver or in the slices</source>
-        <translation>Klicken Sie dann drei Stellen auf der Leber oder in den Schichten an</translation>
+        <translation>Cliquez ensuite trois endroits sur le foie ou dans les coupes</translation>
     </message>
     <message>
         <source>Shift</source>
-        <translation>Verschieben</translation>
+        <translation>Décaler</translation>
     </message>
     <message>
         <source>Turn</source>
-        <translation>Drehen</translation>
+        <translation>Tourner</translation>
     </message>
     <message>
         <source>Tilt</source>
-        <translation>Kippen</translation>
+        <translation>Incliner</translation>
     </message>
     <message>
         <source> mm</source>
@@ -4597,421 +4672,421 @@
     </message>
     <message>
         <source>Distance of the plane from the middle of the liver, along its normal</source>
-        <translation>Abstand der Ebene von der Mitte der Leber, entlang ihrer Normalen</translation>
+        <translation>Distance du plan au milieu du foie, le long de sa normale</translation>
     </message>
     <message>
         <source>The normal about the axis from feet to head: 0° to the patient&apos;s left, 90° to the back</source>
-        <translation>Die Normale um die Achse von den Füßen zum Kopf: 0° zur linken Seite des Patienten, 90° nach hinten</translation>
+        <translation>La normale autour de l’axe pieds-tête&#xa0;: 0° vers la gauche du patient, 90° vers l’arrière</translation>
     </message>
     <message>
         <source>The normal upwards: 90° to the head</source>
-        <translation>Die Normale nach oben: 90° zum Kopf</translation>
+        <translation>La normale vers le haut&#xa0;: 90° vers la tête</translation>
     </message>
     <message>
         <source>Set points</source>
-        <translation>Punkte setzen</translation>
+        <translation>Poser des points</translation>
     </message>
     <message>
         <source>Each click on the liver or in a slice sets a point; points can be dragged</source>
-        <translation>Jeder Klick auf die Leber oder in eine Schicht setzt einen Punkt; Punkte lassen sich ziehen</translation>
+        <translation>Chaque clic sur le foie ou dans une coupe pose un point&#xa0;; les points peuvent être déplacés</translation>
     </message>
     <message>
         <source>Drop the last</source>
-        <translation>Letzten entfernen</translation>
+        <translation>Ôter le dernier</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation>Löschen</translation>
+        <translation>Effacer</translation>
     </message>
     <message>
         <source>Points set: %1. Three are needed.</source>
-        <translation>Gesetzte Punkte: %1. Drei sind nötig.</translation>
+        <translation>Points posés&#xa0;: %1. Il en faut trois.</translation>
     </message>
     <message>
         <source>Points set: %1. Drag them in any view.</source>
-        <translation>Gesetzte Punkte: %1. Sie lassen sich in jeder Ansicht ziehen.</translation>
+        <translation>Points posés&#xa0;: %1. Déplacez-les dans n’importe quelle vue.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::DiaryWindow</name>
     <message>
         <source>Log - Glisson</source>
-        <translation>Protokoll - Glisson</translation>
+        <translation>Journal - Glisson</translation>
     </message>
     <message>
         <source>What Glisson did, in English, for those who mend it. It holds nothing about a patient: no names, no paths, no values. Nothing is sent anywhere; you decide who gets it.</source>
-        <translation>Was Glisson getan hat, auf Englisch, für alle, die es reparieren. Über Patienten steht hier nichts: keine Namen, keine Pfade, keine Werte. Nichts wird irgendwohin gesendet; Sie entscheiden, wer es bekommt.</translation>
+        <translation>Ce que Glisson a fait, en anglais, pour ceux qui le réparent. Rien n’y concerne un patient&#xa0;: ni nom, ni chemin, ni valeur. Rien n’est envoyé nulle part&#xa0;; vous décidez qui le reçoit.</translation>
     </message>
     <message>
         <source>The log</source>
-        <translation>Das Protokoll</translation>
+        <translation>Le journal</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation>Kopieren</translation>
+        <translation>Copier</translation>
     </message>
     <message>
         <source>Save a report of the problem...</source>
-        <translation>Bericht über das Problem speichern …</translation>
+        <translation>Enregistrer un rapport du problème…</translation>
     </message>
     <message>
         <source>Save a report of the problem</source>
-        <translation>Bericht über das Problem speichern</translation>
+        <translation>Enregistrer un rapport du problème</translation>
     </message>
     <message>
         <source>Text (*.txt)</source>
-        <translation>Text (*.txt)</translation>
+        <translation>Texte (*.txt)</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ErrorsTable</name>
     <message>
         <source>%1 × noise</source>
-        <translation>%1 × Rauschen</translation>
+        <translation>%1 × bruit</translation>
     </message>
     <message>
         <source>Error, × noise</source>
-        <translation>Fehler, × Rauschen</translation>
+        <translation>Erreur, × bruit</translation>
     </message>
     <message>
         <source>Error, %1</source>
-        <translation>Fehler, %1</translation>
+        <translation>Erreur, %1</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation>Vorher</translation>
+        <translation>Avant</translation>
     </message>
     <message>
         <source>After</source>
-        <translation>Nachher</translation>
+        <translation>Après</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
+        <translation>%1 à %2</translation>
     </message>
     <message>
         <source>On trials left out</source>
-        <translation>An ausgelassenen Versuchen</translation>
+        <translation>Sur les essais écartés</translation>
     </message>
     <message>
         <source>95 % interval of it</source>
-        <translation>95-%-Intervall davon</translation>
+        <translation>Intervalle à 95 %</translation>
     </message>
     <message>
         <source>Root mean square</source>
-        <translation>Quadratisches Mittel</translation>
+        <translation>Moyenne quadratique</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation>Mittel</translation>
+        <translation>Moyenne</translation>
     </message>
     <message>
         <source>95 of 100 are below</source>
-        <translation>95 von 100 liegen darunter</translation>
+        <translation>95 sur 100 sont en dessous</translation>
     </message>
     <message>
         <source>Noise of the measurement</source>
-        <translation>Rauschen der Messung</translation>
+        <translation>Bruit de la mesure</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::EvidenceAnswer</name>
     <message>
         <source>What was found</source>
-        <translation>Was gefunden wurde</translation>
+        <translation>Ce qui a été trouvé</translation>
     </message>
     <message>
         <source>Residual (mm)</source>
-        <translation>Residuum (mm)</translation>
+        <translation>Résidu (mm)</translation>
     </message>
     <message>
         <source>Measured less predicted, where this trial was farthest off. Arrows %1 times as long as they are; colours reach to %2 mm, between markers interpolated.</source>
-        <translation>Gemessen minus vorhergesagt, wo dieser Versuch am weitesten abwich. Pfeile %1-fach verlängert; Farben bis %2 mm, zwischen Markern interpoliert.</translation>
+        <translation>Mesuré moins prédit, là où cet essai s’écarte le plus. Flèches allongées %1 fois&#xa0;; couleurs jusqu’à %2 mm, interpolées entre les marqueurs.</translation>
     </message>
     <message>
         <source>Nothing is missing: what the declared model leaves, %1, is noise.</source>
-        <translation>Nichts fehlt: Was das angegebene Modell übrig lässt, %1, ist Rauschen.</translation>
+        <translation>Rien ne manque&#xa0;: ce que laisse le modèle déclaré, %1, est du bruit.</translation>
     </message>
     <message>
         <source>No test finds anything in it that noise would not do.</source>
-        <translation>Kein Test findet darin etwas, das Rauschen nicht täte.</translation>
+        <translation>Aucun test n’y trouve rien que le bruit ne ferait pas.</translation>
     </message>
     <message>
         <source>What the declared model leaves is not noise: %1.</source>
-        <translation>Was das angegebene Modell übrig lässt, ist kein Rauschen: %1.</translation>
+        <translation>Ce que laisse le modèle déclaré n’est pas du bruit&#xa0;: %1.</translation>
     </message>
     <message>
         <source>What is left at the end: %1.</source>
-        <translation>Was am Ende bleibt: %1.</translation>
+        <translation>Ce qui reste à la fin&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation>Vorher</translation>
+        <translation>Avant</translation>
     </message>
     <message>
         <source>After</source>
-        <translation>Nachher</translation>
+        <translation>Après</translation>
     </message>
     <message>
         <source>Suspects</source>
-        <translation>Verdächtige</translation>
+        <translation>Suspects</translation>
     </message>
     <message>
         <source>What to measure next</source>
-        <translation>Was als Nächstes zu messen ist</translation>
+        <translation>Que mesurer ensuite</translation>
     </message>
     <message>
         <source>No further trial is known that would tell the leading explanations apart.</source>
-        <translation>Kein weiterer Versuch ist bekannt, der die führenden Erklärungen unterschiede.</translation>
+        <translation>On ne connaît pas d’autre essai qui départagerait les meilleures explications.</translation>
     </message>
     <message>
         <source>Trial that is shown</source>
-        <translation>Gezeigter Versuch</translation>
+        <translation>Essai montré</translation>
     </message>
     <message>
         <source>What is left, in space</source>
-        <translation>Was übrig bleibt, im Raum</translation>
+        <translation>Ce qui reste, dans l’espace</translation>
     </message>
     <message>
         <source>The error before and after</source>
-        <translation>Der Fehler vorher und nachher</translation>
+        <translation>L’erreur avant et après</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation>Einzelheiten</translation>
+        <translation>Détails</translation>
     </message>
     <message>
         <source>%1: no effect that Glisson knows explains the error.</source>
-        <translation>%1: Kein Effekt, den Glisson kennt, erklärt den Fehler.</translation>
+        <translation>%1 : aucun effet que Glisson connaît n&apos;explique l&apos;erreur.</translation>
     </message>
     <message>
         <source>%1: %2. This takes away %3 % of the error; what is left is noise.</source>
-        <translation>%1: %2. Das nimmt %3 % des Fehlers weg; was bleibt, ist Rauschen.</translation>
+        <translation>%1 : %2. Cela enlève %3 % de l&apos;erreur ; ce qui reste est du bruit.</translation>
     </message>
     <message>
         <source>%1: %2. This takes away %3 % of the error. More than noise is left: it is a part of the answer, and no proof of a cause.</source>
-        <translation>%1: %2. Das nimmt %3 % des Fehlers weg. Mehr als Rauschen bleibt: Es ist ein Teil der Antwort und kein Beweis einer Ursache.</translation>
+        <translation>%1 : %2. Cela enlève %3 % de l&apos;erreur. Il reste plus que du bruit : c&apos;est une partie de la réponse, et non la preuve d&apos;une cause.</translation>
     </message>
     <message>
         <source>The error falls from %1 to %2.</source>
-        <translation>Der Fehler fällt von %1 auf %2.</translation>
+        <translation>L&apos;erreur tombe de %1 à %2.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::EvidenceView</name>
     <message>
         <source>Evidence</source>
-        <translation>Befunde</translation>
+        <translation>Constats</translation>
     </message>
     <message>
         <source>Hold measurements against the model, and find what it lacks.</source>
-        <translation>Messungen gegen das Modell halten und finden, was ihm fehlt.</translation>
+        <translation>Confronter des mesures au modèle et trouver ce qui lui manque.</translation>
     </message>
     <message>
         <source>Measurements</source>
-        <translation>Messungen</translation>
+        <translation>Mesures</translation>
     </message>
     <message>
         <source>Open an experiment...</source>
-        <translation>Experiment öffnen …</translation>
+        <translation>Ouvrir une expérience…</translation>
     </message>
     <message>
         <source>A file that says what was measured and which model was assumed (Help, Closing the loop)</source>
-        <translation>Eine Datei, die sagt, was gemessen und welches Modell angenommen wurde (Hilfe, Den Kreis mit Messungen schließen)</translation>
+        <translation>Un fichier qui dit ce qui a été mesuré et quel modèle a été supposé (Aide, Boucler la boucle par des mesures)</translation>
     </message>
     <message>
         <source>Try the example</source>
-        <translation>Das Beispiel probieren</translation>
+        <translation>Essayer l’exemple</translation>
     </message>
     <message>
         <source>Silicone of liver-like stiffness, compressed: measured, not simulated</source>
-        <translation>Silikon von leberähnlicher Steifigkeit unter Druck: gemessen, nicht simuliert</translation>
+        <translation>Silicone de rigidité proche du foie, comprimé&#xa0;: mesuré, non simulé</translation>
     </message>
     <message>
         <source>Open a report...</source>
-        <translation>Bericht öffnen …</translation>
+        <translation>Ouvrir un rapport…</translation>
     </message>
     <message>
         <source>A folder with report.json and model.json, written here or by glisson-cli explain</source>
-        <translation>Ein Ordner mit report.json und model.json, hier oder von glisson-cli explain geschrieben</translation>
+        <translation>Un dossier avec report.json et model.json, écrit ici ou par glisson-cli explain</translation>
     </message>
     <message>
         <source>For the patient</source>
-        <translation>Für den Patienten</translation>
+        <translation>Pour le patient</translation>
     </message>
     <message>
         <source>Accept for this patient</source>
-        <translation>Für diesen Patienten übernehmen</translation>
+        <translation>Accepter pour ce patient</translation>
     </message>
     <message>
         <source>Take back</source>
-        <translation>Zurücknehmen</translation>
+        <translation>Retirer</translation>
     </message>
     <message>
         <source>Other trials</source>
-        <translation>Andere Versuche</translation>
+        <translation>Autres essais</translation>
     </message>
     <message>
         <source>Predict other trials...</source>
-        <translation>Andere Versuche vorhersagen …</translation>
+        <translation>Prédire d’autres essais…</translation>
     </message>
     <message>
         <source>An experiment of the same kind; where it was measured, both models are compared with it</source>
-        <translation>Ein Experiment derselben Art; wo gemessen wurde, werden beide Modelle damit verglichen</translation>
+        <translation>Une expérience du même genre&#xa0;; là où elle a été mesurée, les deux modèles lui sont comparés</translation>
     </message>
     <message>
         <source>Save the report...</source>
-        <translation>Bericht speichern …</translation>
+        <translation>Enregistrer le rapport…</translation>
     </message>
     <message>
         <source>Open measurements of a palpation, a material test or a wearable computer.
 Glisson says how far the declared model is off, what it lacks, and how sure that is.
 
 No measurements at hand? Try the example: silicone of liver-like stiffness in compression.</source>
-        <translation>Öffnen Sie Messungen einer Palpation, eines Materialversuchs oder eines am Körper getragenen Rechners.
-Glisson sagt, wie weit das angegebene Modell danebenliegt, was ihm fehlt und wie sicher das ist.
+        <translation>Ouvrez des mesures d’une palpation, d’un essai de matériau ou d’un ordinateur porté.
+Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
 
-Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnlicher Steifigkeit unter Druck.</translation>
+Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: du silicone de rigidité proche du foie, en compression.</translation>
     </message>
     <message>
         <source>Explaining %1</source>
-        <translation>%1 wird erklärt</translation>
+        <translation>Explication de %1</translation>
     </message>
     <message>
         <source>Open measurements first.</source>
-        <translation>Öffnen Sie zuerst Messungen.</translation>
+        <translation>Ouvrez d’abord des mesures.</translation>
     </message>
     <message>
         <source>Nothing was found missing that could be accepted.</source>
-        <translation>Nichts Fehlendes gefunden, das übernommen werden könnte.</translation>
+        <translation>Rien de manquant n’a été trouvé qui pourrait être accepté.</translation>
     </message>
     <message>
         <source>What was found is of a computer, not of a patient.</source>
-        <translation>Das Gefundene betrifft einen Rechner, keinen Patienten.</translation>
+        <translation>Ce qui a été trouvé concerne un ordinateur, pas un patient.</translation>
     </message>
     <message>
         <source>Open the patient&apos;s case first.</source>
-        <translation>Öffnen Sie zuerst den Fall des Patienten.</translation>
+        <translation>Ouvrez d’abord le cas du patient.</translation>
     </message>
     <message>
         <source>Tick an effect among what was found.</source>
-        <translation>Kreuzen Sie unter dem Gefundenen einen Effekt an.</translation>
+        <translation>Cochez un effet parmi ce qui a été trouvé.</translation>
     </message>
     <message>
         <source>%1, learnt from %2</source>
-        <translation>%1, gelernt aus %2</translation>
+        <translation>%1, d’après %2</translation>
     </message>
     <message>
         <source>A palpation</source>
-        <translation>Eine Palpation</translation>
+        <translation>Une palpation</translation>
     </message>
     <message>
         <source>A material test</source>
-        <translation>Ein Materialversuch</translation>
+        <translation>Un essai de matériau</translation>
     </message>
     <message>
         <source>A wearable computer</source>
-        <translation>Ein am Körper getragener Rechner</translation>
+        <translation>Un ordinateur porté</translation>
     </message>
     <message>
         <source>Nothing is open.</source>
-        <translation>Nichts ist geöffnet.</translation>
+        <translation>Rien n’est ouvert.</translation>
     </message>
     <message>
         <source>The ticked effects change the organ that is rehearsed</source>
-        <translation>Die angekreuzten Effekte ändern das Organ, das geprobt wird</translation>
+        <translation>Les effets cochés changent l’organe qui est répété</translation>
     </message>
     <message>
         <source>Nothing was accepted for this patient.</source>
-        <translation>Für diesen Patienten wurde nichts übernommen.</translation>
+        <translation>Rien n’a été accepté pour ce patient.</translation>
     </message>
     <message>
         <source>The organ is again what it was before</source>
-        <translation>Das Organ ist wieder, was es vorher war</translation>
+        <translation>L’organe redevient ce qu’il était</translation>
     </message>
     <message>
         <source>Accepted: %1</source>
-        <translation>Übernommen: %1</translation>
+        <translation>Accepté&#xa0;: %1</translation>
     </message>
     <message>
         <source>Accepted, but left out: %1</source>
-        <translation>Übernommen, aber ausgelassen: %1</translation>
+        <translation>Accepté, mais laissé de côté&#xa0;: %1</translation>
     </message>
     <message>
         <source>About %1 s left</source>
-        <translation>Noch etwa %1 s</translation>
+        <translation>Encore environ %1 s</translation>
     </message>
     <message>
         <source>About %1 min left</source>
-        <translation>Noch etwa %1 min</translation>
+        <translation>Encore environ %1 min</translation>
     </message>
     <message>
         <source>Accepting the evidence</source>
-        <translation>Befund wird übernommen</translation>
+        <translation>Acceptation des constats</translation>
     </message>
     <message>
         <source>Taking the evidence back</source>
-        <translation>Befund wird zurückgenommen</translation>
+        <translation>Retrait des constats</translation>
     </message>
     <message>
         <source>Predicting the trials of %1</source>
-        <translation>Versuche von %1 werden vorhergesagt</translation>
+        <translation>Prédiction des essais de %1</translation>
     </message>
     <message>
         <source>not measured</source>
-        <translation>nicht gemessen</translation>
+        <translation>non mesuré</translation>
     </message>
     <message>
         <source>Trial</source>
-        <translation>Versuch</translation>
+        <translation>Essai</translation>
     </message>
     <message>
         <source>Declared</source>
-        <translation>Angegebenes</translation>
+        <translation>Déclaré</translation>
     </message>
     <message>
         <source>Better</source>
-        <translation>Besseres</translation>
+        <translation>Meilleur</translation>
     </message>
     <message>
         <source>Root mean square error, %1</source>
-        <translation>Mittlerer quadratischer Fehler, %1</translation>
+        <translation>Erreur quadratique moyenne, %1</translation>
     </message>
     <message>
         <source>Open an experiment</source>
-        <translation>Experiment öffnen</translation>
+        <translation>Ouvrir une expérience</translation>
     </message>
     <message>
         <source>Experiments (*.json)</source>
-        <translation>Experimente (*.json)</translation>
+        <translation>Expériences (*.json)</translation>
     </message>
     <message>
         <source>Open a report (a folder with report.json)</source>
-        <translation>Einen Bericht öffnen (ein Ordner mit report.json)</translation>
+        <translation>Ouvrir un rapport (un dossier avec report.json)</translation>
     </message>
     <message>
         <source>Predict other trials</source>
-        <translation>Andere Versuche vorhersagen</translation>
+        <translation>Prédire d’autres essais</translation>
     </message>
     <message>
         <source>Save the report in this folder</source>
-        <translation>Den Bericht in diesem Ordner speichern</translation>
+        <translation>Enregistrer le rapport dans ce dossier</translation>
     </message>
     <message>
         <source>The report is in %1</source>
-        <translation>Der Bericht liegt in %1</translation>
+        <translation>Le rapport est dans %1</translation>
     </message>
     <message>
         <source>What was found would change nothing in the rehearsal: %1</source>
-        <translation>Was gefunden wurde, würde an der Probe nichts ändern: %1</translation>
+        <translation>Ce qui a été trouvé ne changerait rien à la répétition : %1</translation>
     </message>
     <message>
         <source>This was measured on &quot;%1&quot;, and nothing shows that it is tissue of %2.</source>
-        <translation>Das wurde an „%1“ gemessen, und nichts zeigt, dass es Gewebe von %2 ist.</translation>
+        <translation>Cela a été mesuré sur « %1 », et rien ne montre que ce soit du tissu de %2.</translation>
     </message>
     <message>
         <source>Accept for this patient?</source>
-        <translation>Für diesen Patienten annehmen?</translation>
+        <translation>Accepter pour ce patient ?</translation>
     </message>
     <message>
         <source>Specimen: %1
@@ -5019,50 +5094,50 @@ Patient: %2
 
 The organ that is rehearsed changes:
 %3</source>
-        <translation>Probe: %1
-Patient: %2
+        <translation>Échantillon : %1
+Patient : %2
 
-Das geprobte Organ ändert sich:
+L&apos;organe répété change :
 %3</translation>
     </message>
     <message>
         <source>Accept</source>
-        <translation>Annehmen</translation>
+        <translation>Accepter</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ExportMenu</name>
     <message>
         <source>Images and outlines as NIfTI...</source>
-        <translation>Bilder und Umrisse als NIfTI...</translation>
+        <translation>Images et contours en NIfTI...</translation>
     </message>
     <message>
         <source>Images and outlines as NRRD (3D Slicer)...</source>
-        <translation>Bilder und Umrisse als NRRD (3D Slicer)...</translation>
+        <translation>Images et contours en NRRD (3D Slicer)...</translation>
     </message>
     <message>
         <source>Outlines as DICOM SEG...</source>
-        <translation>Umrisse als DICOM SEG...</translation>
+        <translation>Contours en DICOM SEG...</translation>
     </message>
     <message>
         <source>Surfaces as STL...</source>
-        <translation>Oberflächen als STL...</translation>
+        <translation>Surfaces en STL...</translation>
     </message>
     <message>
         <source>Surfaces as OBJ...</source>
-        <translation>Oberflächen als OBJ...</translation>
+        <translation>Surfaces en OBJ...</translation>
     </message>
     <message>
         <source>Surfaces as VTP (ParaView)...</source>
-        <translation>Oberflächen als VTP (ParaView)...</translation>
+        <translation>Surfaces en VTP (ParaView)...</translation>
     </message>
     <message>
         <source>The model&apos;s tetrahedra as VTU...</source>
-        <translation>Die Tetraeder des Modells als VTU...</translation>
+        <translation>Les tétraèdres du modèle en VTU...</translation>
     </message>
     <message>
         <source>Save the outlines</source>
-        <translation>Umrisse speichern</translation>
+        <translation>Enregistrer les contours</translation>
     </message>
     <message>
         <source>DICOM (*.dcm)</source>
@@ -5070,38 +5145,38 @@ Das geprobte Organ ändert sich:
     </message>
     <message>
         <source>Save the model</source>
-        <translation>Modell speichern</translation>
+        <translation>Enregistrer le modèle</translation>
     </message>
     <message>
         <source>VTK meshes (*.vtu)</source>
-        <translation>VTK-Netze (*.vtu)</translation>
+        <translation>Maillages VTK (*.vtu)</translation>
     </message>
     <message>
         <source>Write the files into this folder</source>
-        <translation>Dateien in diesen Ordner schreiben</translation>
+        <translation>Écrire les fichiers dans ce dossier</translation>
     </message>
     <message>
         <source>Exporting</source>
-        <translation>Export</translation>
+        <translation>Exportation</translation>
     </message>
     <message>
         <source>Files written: %1, in %2</source>
-        <translation>Geschriebene Dateien: %1, in %2</translation>
+        <translation>Fichiers écrits : %1, dans %2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::FiguresTable</name>
     <message>
         <source>Figures of the registrations</source>
-        <translation>Kennzahlen der Registrierungen</translation>
+        <translation>Chiffres des recalages</translation>
     </message>
     <message>
         <source>Mean correlation</source>
-        <translation>Mittlere Korrelation</translation>
+        <translation>Corrélation moyenne</translation>
     </message>
     <message>
         <source>Rejected (%)</source>
-        <translation>Verworfen (%)</translation>
+        <translation>Rejetés (%)</translation>
     </message>
     <message>
         <source>TRE (mm)</source>
@@ -5109,7 +5184,7 @@ Das geprobte Organ ändert sich:
     </message>
     <message>
         <source>TRE, this frame (mm)</source>
-        <translation>TRE, dieses Bild (mm)</translation>
+        <translation>TRE, cette image (mm)</translation>
     </message>
     <message>
         <source>RMSE (mm)</source>
@@ -5117,50 +5192,50 @@ Das geprobte Organ ändert sich:
     </message>
     <message>
         <source>RMSE, this frame (mm)</source>
-        <translation>RMSE, dieses Bild (mm)</translation>
+        <translation>RMSE, cette image (mm)</translation>
     </message>
     <message>
         <source>Landmarks</source>
-        <translation>Landmarken</translation>
+        <translation>Repères</translation>
     </message>
     <message>
         <source>Triangles</source>
-        <translation>Dreiecke</translation>
+        <translation>Triangles</translation>
     </message>
     <message>
         <source>Time (s)</source>
-        <translation>Zeit (s)</translation>
+        <translation>Durée (s)</translation>
     </message>
     <message>
         <source>SIRGn, over the triangles: 1 is best</source>
-        <translation>SIRGn, über die Dreiecke: 1 ist am besten</translation>
+        <translation>SIRGn, sur les triangles&#xa0;: 1 est le meilleur</translation>
     </message>
     <message>
         <source>Share of the triangles whose corners are off by %1 mm or more on average</source>
-        <translation>Anteil der Dreiecke, deren Ecken im Mittel um %1 mm oder mehr danebenliegen</translation>
+        <translation>Part des triangles dont les sommets sont décalés de %1 mm ou plus en moyenne</translation>
     </message>
     <message>
         <source>Target registration error: how far registered landmarks are from where they are on the model, mm</source>
-        <translation>Zielregistrierungsfehler (TRE): wie weit registrierte Landmarken von ihrem Ort auf dem Modell entfernt sind, mm</translation>
+        <translation>Erreur de recalage de la cible (TRE)&#xa0;: distance entre les repères recalés et leur place sur le modèle, mm</translation>
     </message>
     <message>
         <source>How far the registered cloud is from the model (root mean square), mm</source>
-        <translation>Wie weit die registrierte Punktwolke vom Modell entfernt ist (quadratisches Mittel), mm</translation>
+        <translation>Distance du nuage recalé au modèle (moyenne quadratique), mm</translation>
     </message>
     <message>
         <source>To register all frames and to judge them, s</source>
-        <translation>Um alle Bilder zu registrieren und zu beurteilen, s</translation>
+        <translation>Pour recaler toutes les images et les juger, s</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::FoundTree</name>
     <message>
         <source>Effect</source>
-        <translation>Effekt</translation>
+        <translation>Effet</translation>
     </message>
     <message>
         <source>Value ± sd</source>
-        <translation>Wert ± Std.abw.</translation>
+        <translation>Valeur ± éc. type</translation>
     </message>
     <message>
         <source>95 %</source>
@@ -5168,99 +5243,101 @@ Das geprobte Organ ändert sich:
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
+        <translation>%1 à %2</translation>
     </message>
     <message>
         <source>● left open by the data</source>
-        <translation>● von den Daten offen gelassen</translation>
+        <translation>● laissé ouvert par les données</translation>
     </message>
     <message>
         <source>changes nothing in the rehearsal</source>
-        <translation>ändert an der Probe nichts</translation>
+        <translation>ne change rien à la répétition</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::LabelNamesDialog</name>
     <message>
         <source>What the labels are</source>
-        <translation>Was die Labels sind</translation>
+        <translation>Ce que sont les étiquettes</translation>
     </message>
     <message>
         <source>%1 does not say what its values are. Choose a structure for each that you want.</source>
-        <translation>%1 sagt nicht, was seine Werte sind. Wählen Sie für jeden, den Sie wollen, eine Struktur.</translation>
+        <translation>%1 ne dit pas ce que sont ses valeurs. Choisissez une structure pour chacune de celles que vous voulez.</translation>
     </message>
     <message>
         <source>%1: %2 ml</source>
-        <translation>%1: %2 ml</translation>
+        <translation>%1 : %2 ml</translation>
     </message>
     <message>
         <source>Leave out</source>
-        <translation>Weglassen</translation>
+        <translation>Laisser de côté</translation>
     </message>
     <message>
         <source>Take them</source>
-        <translation>Übernehmen</translation>
+        <translation>Les prendre</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::LandmarkTable</name>
     <message>
         <source>Landmark</source>
-        <translation>Landmarke</translation>
+        <translation>Repère</translation>
     </message>
     <message>
         <source>Moves
 mm</source>
-        <translation>Weg
+        <translation>Déplac.
 mm</translation>
     </message>
     <message>
         <source>Atlas off
 mm</source>
-        <translation>Atlas irrt
+        <translation>Écart
+atlas
 mm</translation>
     </message>
     <message>
         <source>From 5 mm</source>
-        <translation>Ab 5 mm</translation>
+        <translation>Dès
+5 mm</translation>
     </message>
     <message>
         <source>How far from there the atlas&apos;s stiffness puts it</source>
-        <translation>Wie weit entfernt davon die Steifigkeit des Atlas sie platziert</translation>
+        <translation>À quelle distance de là le place la rigidité de l’atlas</translation>
     </message>
     <message>
         <source>5 mm and more matters to a surgeon</source>
-        <translation>5 mm und mehr sind für Chirurgen von Bedeutung</translation>
+        <translation>5 mm et plus comptent pour un chirurgien</translation>
     </message>
     <message>
         <source>▲ Atlas off</source>
-        <translation>▲ Atlas irrt</translation>
+        <translation>▲ Atlas faux</translation>
     </message>
     <message>
         <source>● Moves</source>
-        <translation>● Bewegt sich</translation>
+        <translation>● Bouge</translation>
     </message>
     <message>
         <source>How far the landmark moves from where the scan shows it</source>
-        <translation>Wie weit sich die Landmarke von dort bewegt, wo die Aufnahme sie zeigt</translation>
+        <translation>De combien le repère s’éloigne de l’endroit où l’examen le montre</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::LanguageMenu</name>
     <message>
         <source>&amp;Language</source>
-        <translation>&amp;Sprache</translation>
+        <translation>&amp;Langue</translation>
     </message>
     <message>
         <source>System language</source>
-        <translation>Sprache des Systems</translation>
+        <translation>Langue du système</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::LinkedViews</name>
     <message>
         <source>Transverse</source>
-        <translation>Transversal</translation>
+        <translation>Transversale</translation>
     </message>
     <message>
         <source>Patient</source>
@@ -5268,35 +5345,35 @@ mm</translation>
     </message>
     <message>
         <source>Coronal</source>
-        <translation>Koronal</translation>
+        <translation>Coronale</translation>
     </message>
     <message>
         <source>Sagittal</source>
-        <translation>Sagittal</translation>
+        <translation>Sagittale</translation>
     </message>
     <message>
         <source>Drag: turn. Shift+drag: shift. Wheel: zoom. Click: crosshair there.</source>
-        <translation>Ziehen: Drehen. Umschalt+Ziehen: Verschieben. Rad: Zoom. Klick: Fadenkreuz dorthin.</translation>
+        <translation>Glisser&#xa0;: tourner. Maj+glisser&#xa0;: décaler. Molette&#xa0;: zoom. Clic&#xa0;: réticule à cet endroit.</translation>
     </message>
     <message>
         <source>Surgeon</source>
-        <translation>Chirurg</translation>
+        <translation>Chirurgien</translation>
     </message>
     <message>
         <source>Front</source>
-        <translation>Vorn</translation>
+        <translation>Avant</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation>Rechts</translation>
+        <translation>Droite</translation>
     </message>
     <message>
         <source>Below</source>
-        <translation>Unten</translation>
+        <translation>Dessous</translation>
     </message>
     <message>
         <source>Look from here, everything in view</source>
-        <translation>Von hier blicken, alles im Bild</translation>
+        <translation>Regarder d’ici, tout dans la vue</translation>
     </message>
     <message>
         <source>Atlas</source>
@@ -5305,27 +5382,27 @@ mm</translation>
     <message>
         <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
 Ctrl+wheel: zoom. Shift+drag: shift. Ctrl+drag: turn. Knobs of the crosshair: tilt the other slices.</source>
-        <translation>Klick: Fadenkreuz. Mit rechter Taste ziehen: Helligkeit und Kontrast. Rad: nächste Schicht.
-Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fadenkreuz: die anderen Schichten kippen.</translation>
+        <translation>Clic&#xa0;: réticule. Glisser avec le bouton droit&#xa0;: luminosité et contraste. Molette&#xa0;: coupe suivante.
+Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tourner. Poignées du réticule&#xa0;: incliner les autres coupes.</translation>
     </message>
     <message>
         <source>Save the picture</source>
-        <translation>Bild speichern</translation>
+        <translation>Enregistrer l’image</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
-        <translation>Bilder (*.png)</translation>
+        <translation>Images (*.png)</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::MainWindow</name>
     <message>
         <source>Opening %1</source>
-        <translation>%1 wird geöffnet</translation>
+        <translation>Ouverture de&#xa0;%1</translation>
     </message>
     <message>
         <source>Opening the demo patient</source>
-        <translation>Demopatient wird geöffnet</translation>
+        <translation>Ouverture du patient de démonstration</translation>
     </message>
     <message>
         <source>Glisson</source>
@@ -5337,292 +5414,292 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     </message>
     <message>
         <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
+        <translation>&amp;Fichier</translation>
     </message>
     <message>
         <source>&amp;Open a case...</source>
-        <translation>Fall ö&amp;ffnen …</translation>
+        <translation>&amp;Ouvrir un cas…</translation>
     </message>
     <message>
         <source>Open the &amp;demo patient</source>
-        <translation>&amp;Demopatienten öffnen</translation>
+        <translation>Ouvrir le patient de &amp;démonstration</translation>
     </message>
     <message>
         <source>&amp;Save the picture...</source>
-        <translation>Bild &amp;speichern …</translation>
+        <translation>&amp;Enregistrer l’image…</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
+        <translation>&amp;Quitter</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation>&amp;Hilfe</translation>
+        <translation>&amp;Aide</translation>
     </message>
     <message>
         <source>&amp;About Glisson</source>
-        <translation>&amp;Über Glisson</translation>
+        <translation>À &amp;propos de Glisson</translation>
     </message>
     <message>
         <source>%1 (%2 %)</source>
-        <translation>%1 (%2 %)</translation>
+        <translation>%1 (%2&#xa0;%)</translation>
     </message>
     <message>
         <source>A defect in Glisson stopped this: %1</source>
-        <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
+        <translation>Un défaut de Glisson a interrompu cette opération&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Click on the liver where the tool is to touch it.</source>
-        <translation>Klicken Sie auf die Leber, wo das Instrument sie berühren soll.</translation>
+        <translation>Cliquez sur le foie à l’endroit que l’instrument doit toucher.</translation>
     </message>
     <message>
         <source>Tool placed in %1 ms.</source>
-        <translation>Instrument in %1 ms gesetzt.</translation>
+        <translation>Instrument placé en&#xa0;%1 ms.</translation>
     </message>
     <message>
         <source>Open a case (a folder NAME.glisson)</source>
-        <translation>Fall öffnen (ein Ordner NAME.glisson)</translation>
+        <translation>Ouvrir un cas (un dossier NOM.glisson)</translation>
     </message>
     <message>
         <source>Save the picture</source>
-        <translation>Bild speichern</translation>
+        <translation>Enregistrer l’image</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
-        <translation>Bilder (*.png)</translation>
+        <translation>Images (*.png)</translation>
     </message>
     <message>
         <source>The picture could not be written to %1.</source>
-        <translation>Das Bild konnte nicht nach %1 geschrieben werden.</translation>
+        <translation>L’image n’a pas pu être écrite dans&#xa0;%1.</translation>
     </message>
     <message>
         <source>About Glisson</source>
-        <translation>Über Glisson</translation>
+        <translation>À propos de Glisson</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planning and reviewing liver surgery.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not a medical device.&lt;/b&gt; Not for diagnosis or treatment.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planung und Auswertung von Leberoperationen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Kein Medizinprodukt.&lt;/b&gt; Nicht für Diagnose oder Behandlung.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Glisson&#xa0;%1&lt;/h3&gt;&lt;p&gt;Planification et revue de la chirurgie du foie.&lt;/p&gt;&lt;p&gt;&lt;b&gt;N’est pas un dispositif médical.&lt;/b&gt; Ni pour le diagnostic, ni pour le traitement.&lt;/p&gt;&lt;p&gt;Logiciel libre sous la licence publique générale GNU, version 3 ou ultérieure.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Something else is still under way. Wait for it, or cancel it first.</source>
-        <translation>Etwas anderes läuft noch. Warten Sie darauf, oder brechen Sie es zuerst ab.</translation>
+        <translation>Une autre opération est en cours. Attendez-la, ou annulez-la d’abord.</translation>
     </message>
     <message>
         <source>Outlining the liver</source>
-        <translation>Leber wird umrissen</translation>
+        <translation>Délimitation du foie</translation>
     </message>
     <message>
         <source>Building the model</source>
-        <translation>Modell wird erstellt</translation>
+        <translation>Construction du modèle</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
+        <translation>Annulé.</translation>
     </message>
     <message>
         <source>Elastography &amp;waves...</source>
-        <translation>Elastographie-&amp;Wellen …</translation>
+        <translation>&amp;Ondes d’élastographie…</translation>
     </message>
     <message>
         <source>&amp;Manual</source>
-        <translation>&amp;Handbuch</translation>
+        <translation>&amp;Manuel</translation>
     </message>
     <message>
         <source>Rehearse</source>
-        <translation>Proben</translation>
+        <translation>Répéter</translation>
     </message>
     <message>
         <source>Pull with a tool, and see what moves and how far.</source>
-        <translation>Mit einem Instrument ziehen und sehen, was sich wie weit bewegt.</translation>
+        <translation>Tirer avec un instrument et voir ce qui bouge, et de combien.</translation>
     </message>
     <message>
         <source>Platform</source>
-        <translation>Plattform</translation>
+        <translation>Plateforme</translation>
     </message>
     <message>
         <source>Find what can be worn for this case.</source>
-        <translation>Finden, was sich für diesen Fall tragen lässt.</translation>
+        <translation>Trouver ce qui peut être porté pour ce cas.</translation>
     </message>
     <message>
         <source>&amp;Go</source>
-        <translation>&amp;Gehe zu</translation>
+        <translation>&amp;Aller</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation>&amp;Zuletzt geöffnet</translation>
+        <translation>Ouverts &amp;récemment</translation>
     </message>
     <message>
         <source>Se&amp;ttings...</source>
-        <translation>&amp;Einstellungen …</translation>
+        <translation>Ré&amp;glages…</translation>
     </message>
     <message>
         <source>&amp;Keys...</source>
-        <translation>&amp;Tasten …</translation>
+        <translation>&amp;Touches…</translation>
     </message>
     <message>
         <source>&amp;Log and problems...</source>
-        <translation>&amp;Protokoll und Probleme …</translation>
+        <translation>&amp;Journal et problèmes…</translation>
     </message>
     <message>
         <source>None yet</source>
-        <translation>Noch keine</translation>
+        <translation>Aucun pour l’instant</translation>
     </message>
     <message>
         <source>Forget them</source>
-        <translation>Liste leeren</translation>
+        <translation>Vider la liste</translation>
     </message>
     <message>
         <source>&amp;Tour on the demo patient</source>
-        <translation>&amp;Rundgang am Demopatienten</translation>
+        <translation>&amp;Visite guidée avec le patient de démonstration</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
+        <translation>&amp;Édition</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
+        <translation>&amp;Affichage</translation>
     </message>
     <message>
         <source>Open &amp;images...</source>
-        <translation>&amp;Bilder öffnen...</translation>
+        <translation>Ouvrir des &amp;images...</translation>
     </message>
     <message>
         <source>&amp;Add labels...</source>
-        <translation>&amp;Labels hinzufügen...</translation>
+        <translation>&amp;Ajouter des étiquettes...</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation>&amp;Export</translation>
+        <translation>&amp;Exporter</translation>
     </message>
     <message>
         <source>&amp;Close the case</source>
-        <translation>Fall s&amp;chließen</translation>
+        <translation>&amp;Fermer le cas</translation>
     </message>
     <message>
         <source>Open images: a folder, or a file of them</source>
-        <translation>Bilder öffnen: ein Ordner oder eine Datei davon</translation>
+        <translation>Ouvrir des images : un dossier, ou un de leurs fichiers</translation>
     </message>
     <message>
         <source>Add labels</source>
-        <translation>Labels hinzufügen</translation>
+        <translation>Ajouter des étiquettes</translation>
     </message>
     <message>
         <source>Label maps and DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;All files (*)</source>
-        <translation>Labelkarten und DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;Alle Dateien (*)</translation>
+        <translation>Cartes d&apos;étiquettes et DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>%1 is still under way. If you close now, it is given up, and the case stays as it was.</source>
-        <translation>%1 läuft noch. Wenn Sie jetzt schließen, wird das aufgegeben, und der Fall bleibt, wie er war.</translation>
+        <translation>%1 est encore en cours. Si vous fermez maintenant, c’est abandonné, et le cas reste tel qu’il était.</translation>
     </message>
     <message>
         <source>Keep working</source>
-        <translation>Weiterarbeiten</translation>
+        <translation>Continuer</translation>
     </message>
     <message>
         <source>Give it up and close</source>
-        <translation>Aufgeben und schließen</translation>
+        <translation>Abandonner et fermer</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
     <message>
         <source>Manual - Glisson</source>
-        <translation>Handbuch - Glisson</translation>
+        <translation>Manuel - Glisson</translation>
     </message>
     <message>
         <source>Search the manual</source>
-        <translation>Handbuch durchsuchen</translation>
+        <translation>Chercher dans le manuel</translation>
     </message>
     <message>
         <source>Words to search for</source>
-        <translation>Suchwörter</translation>
+        <translation>Mots à chercher</translation>
     </message>
     <message>
         <source>Pages of the manual</source>
-        <translation>Seiten des Handbuchs</translation>
+        <translation>Pages du manuel</translation>
     </message>
     <message>
         <source>The page</source>
-        <translation>Die Seite</translation>
+        <translation>La page</translation>
     </message>
     <message>
         <source>The manual was not found among the files that ship with Glisson.</source>
-        <translation>Das Handbuch wurde unter den mit Glisson gelieferten Dateien nicht gefunden.</translation>
+        <translation>Le manuel n’a pas été trouvé parmi les fichiers livrés avec Glisson.</translation>
     </message>
     <message>
         <source>No page holds these words.</source>
-        <translation>Keine Seite enthält diese Wörter.</translation>
+        <translation>Aucune page ne contient ces mots.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::MeasureList</name>
     <message>
         <source>Measurements</source>
-        <translation>Messungen</translation>
+        <translation>Mesures</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation>Abstand</translation>
+        <translation>Distance</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation>Winkel</translation>
+        <translation>Angle</translation>
     </message>
     <message>
         <source>Ball</source>
-        <translation>Kugel</translation>
+        <translation>Boule</translation>
     </message>
     <message>
         <source>Volume: %1</source>
-        <translation>Volumen: %1</translation>
+        <translation>Volume&#xa0;: %1</translation>
     </message>
     <message>
         <source>Takes this measurement away</source>
-        <translation>Nimmt diese Messung weg</translation>
+        <translation>Retire cette mesure</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ModelPanel</name>
     <message>
         <source>Model</source>
-        <translation>Modell</translation>
+        <translation>Modèle</translation>
     </message>
     <message>
         <source>Bring it up to date</source>
-        <translation>Auf den neuesten Stand bringen</translation>
+        <translation>Le mettre à jour</translation>
     </message>
     <message>
         <source>Cells, stiffness and supports of the liver, and building them anew.</source>
-        <translation>Zellen, Steifigkeit und Lagerung der Leber, und wie sie neu erstellt werden.</translation>
+        <translation>Cellules, rigidité et appuis du foie, et leur reconstruction.</translation>
     </message>
     <message>
         <source>Needs an outline of the liver: make it in Segment.</source>
-        <translation>Braucht einen Umriss der Leber: Machen Sie ihn unter Segmentieren.</translation>
+        <translation>Il faut un contour du foie&#xa0;: tracez-le dans Segmenter.</translation>
     </message>
     <message>
         <source>The 3D view shows</source>
-        <translation>Die 3D-Ansicht zeigt</translation>
+        <translation>La vue 3D montre</translation>
     </message>
     <message>
         <source>Stiffness</source>
-        <translation>Steifigkeit</translation>
+        <translation>Rigidité</translation>
     </message>
     <message>
         <source>The patient</source>
-        <translation>Den Patienten</translation>
+        <translation>Le patient</translation>
     </message>
     <message>
         <source>Cells</source>
-        <translation>Zellen</translation>
+        <translation>Cellules</translation>
     </message>
     <message>
         <source>Young&apos;s modulus</source>
-        <translation>E-Modul</translation>
+        <translation>Module de Young</translation>
     </message>
     <message>
         <source>From MR elastography</source>
-        <translation>Aus der MR-Elastographie</translation>
+        <translation>De l’élastographie par RM</translation>
     </message>
     <message>
         <source> kPa</source>
@@ -5630,159 +5707,159 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     </message>
     <message>
         <source>Young&apos;s modulus, about three times the shear modulus</source>
-        <translation>Elastizitätsmodul, etwa das Dreifache des Schubmoduls</translation>
+        <translation>Module de Young, environ trois fois le module de cisaillement</translation>
     </message>
     <message>
         <source>Give it this stiffness</source>
-        <translation>Diese Steifigkeit geben</translation>
+        <translation>Lui donner cette rigidité</translation>
     </message>
     <message>
         <source>Elastography waves...</source>
-        <translation>Elastographie-Wellen …</translation>
+        <translation>Ondes d’élastographie…</translation>
     </message>
     <message>
         <source>Build</source>
-        <translation>Erstellen</translation>
+        <translation>Construire</translation>
     </message>
     <message>
         <source> cells</source>
-        <translation> Zellen</translation>
+        <translation> cellules</translation>
     </message>
     <message>
         <source>Wanted number of cells: more are finer and slower. 20 000 answer at once.</source>
-        <translation>Gewünschte Zahl der Zellen: mehr sind feiner und langsamer. 20 000 antworten sofort.</translation>
+        <translation>Nombre de cellules voulu&#xa0;: plus il y en a, plus c’est fin et lent. 20 000 répondent aussitôt.</translation>
     </message>
     <message>
         <source>Building the model</source>
-        <translation>Modell wird erstellt</translation>
+        <translation>Construction du modèle</translation>
     </message>
     <message>
         <source>Opening %1</source>
-        <translation>%1 wird geöffnet</translation>
+        <translation>Ouverture de&#xa0;%1</translation>
     </message>
     <message>
         <source>Held</source>
-        <translation>Gehalten</translation>
+        <translation>Fixé</translation>
     </message>
     <message>
         <source>On springs</source>
-        <translation>Auf Federn</translation>
+        <translation>Sur ressorts</translation>
     </message>
     <message>
         <source>Young&apos;s modulus (kPa)</source>
-        <translation>Elastizitätsmodul (kPa)</translation>
+        <translation>Module de Young (kPa)</translation>
     </message>
     <message>
         <source>Needs a case: open one, or the demo patient.</source>
-        <translation>Braucht einen Fall: Öffnen Sie einen, oder den Demopatienten.</translation>
+        <translation>Il faut un cas&#xa0;: ouvrez-en un, ou le patient de démonstration.</translation>
     </message>
     <message>
         <source>There is no model yet. Build it from the outline.</source>
-        <translation>Es gibt noch kein Modell. Erstellen Sie es aus dem Umriss.</translation>
+        <translation>Il n’y a pas encore de modèle. Construisez-le à partir du contour.</translation>
     </message>
     <message>
         <source>✓ The model is up to date.</source>
-        <translation>✓ Das Modell ist auf dem neuesten Stand.</translation>
+        <translation>✓ Le modèle est à jour.</translation>
     </message>
     <message>
         <source>▲ A file of the model is gone.</source>
-        <translation>▲ Eine Datei des Modells fehlt.</translation>
+        <translation>▲ Un fichier du modèle a disparu.</translation>
     </message>
     <message>
         <source>▲ Another program has changed a file of the model.</source>
-        <translation>▲ Ein anderes Programm hat eine Datei des Modells geändert.</translation>
+        <translation>▲ Un autre programme a modifié un fichier du modèle.</translation>
     </message>
     <message>
         <source>▲ The model is out of date.</source>
-        <translation>▲ Das Modell ist veraltet.</translation>
+        <translation>▲ Le modèle est périmé.</translation>
     </message>
     <message>
         <source>▲ Out of date: %1 changed since it was built.</source>
-        <translation>▲ Veraltet: %1 hat sich geändert, seit es erstellt wurde.</translation>
+        <translation>▲ Périmé&#xa0;: %1 a changé depuis sa construction.</translation>
     </message>
     <message>
         <source>Build it anew</source>
-        <translation>Neu erstellen</translation>
+        <translation>Le reconstruire</translation>
     </message>
     <message>
         <source>Build the model</source>
-        <translation>Modell erstellen</translation>
+        <translation>Construire le modèle</translation>
     </message>
     <message>
         <source>This case has no stiffness map: import one, or invert its waves</source>
-        <translation>Dieser Fall hat keine Steifigkeitskarte: Importieren Sie eine, oder invertieren Sie seine Wellen</translation>
+        <translation>Ce cas n’a pas de carte de rigidité&#xa0;: importez-en une, ou inversez ses ondes</translation>
     </message>
     <message>
         <source>Keeps the cells and gives each this stiffness</source>
-        <translation>Behält die Zellen und gibt jeder diese Steifigkeit</translation>
+        <translation>Garde les cellules et donne à chacune cette rigidité</translation>
     </message>
     <message>
         <source>Needs cells: build the model first</source>
-        <translation>Braucht Zellen: Erstellen Sie zuerst das Modell</translation>
+        <translation>Il faut des cellules&#xa0;: construisez d’abord le modèle</translation>
     </message>
     <message>
         <source>Makes the cells anew and gives them the stiffness chosen above</source>
-        <translation>Macht die Zellen neu und gibt ihnen die oben gewählte Steifigkeit</translation>
+        <translation>Refait les cellules et leur donne la rigidité choisie ci-dessus</translation>
     </message>
     <message>
         <source>See the waves and invert them</source>
-        <translation>Die Wellen ansehen und invertieren</translation>
+        <translation>Voir les ondes et les inverser</translation>
     </message>
     <message>
         <source>This case has no raw waves</source>
-        <translation>Dieser Fall hat keine Rohwellen</translation>
+        <translation>Ce cas n’a pas d’ondes brutes</translation>
     </message>
     <message>
         <source>Assumed from the liver&apos;s shape: the bare area at the vena cava is held, the dome below the diaphragm rests on springs of 1.1 kPa/mm.</source>
-        <translation>Aus der Form der Leber angenommen: Die Area nuda an der Hohlvene wird gehalten, die Kuppel unter dem Zwerchfell ruht auf Federn von 1.1 kPa/mm.</translation>
+        <translation>Supposé d’après la forme du foie&#xa0;: l’area nuda contre la veine cave est fixée, le dôme sous le diaphragme repose sur des ressorts de 1.1 kPa/mm.</translation>
     </message>
     <message>
         <source>%1 cells, %2 points</source>
-        <translation>%1 Zellen, %2 Punkte</translation>
+        <translation>%1 cellules, %2 points</translation>
     </message>
     <message>
         <source>Smallest dihedral angle %1°</source>
-        <translation>Kleinster Flächenwinkel %1°</translation>
+        <translation>Plus petit angle dièdre %1°</translation>
     </message>
     <message>
         <source>smallest dihedral angle of a cell, °</source>
-        <translation>kleinster Flächenwinkel einer Zelle, °</translation>
+        <translation>plus petit angle dièdre d’une cellule, °</translation>
     </message>
     <message>
         <source>%1 kPa on average, sd %2</source>
-        <translation>%1 kPa im Mittel, Standardabweichung %2</translation>
+        <translation>%1 kPa en moyenne, écart-type %2</translation>
     </message>
     <message>
         <source>%1 % of the cells without data of their own, filled from inside</source>
-        <translation>%1 % der Zellen ohne eigene Daten, von innen her aufgefüllt</translation>
+        <translation>%1 % des cellules sans données propres, complétées depuis l’intérieur</translation>
     </message>
     <message>
         <source>Young&apos;s modulus of a cell, kPa</source>
-        <translation>Elastizitätsmodul einer Zelle, kPa</translation>
+        <translation>module de Young d’une cellule, kPa</translation>
     </message>
     <message>
         <source>Assumed: the atlas&apos;s 2.1 kPa in shear</source>
-        <translation>Angenommen: die 2.1 kPa (Schub) des Atlas</translation>
+        <translation>Supposé : les 2.1 kPa (cisaillement) de l’atlas</translation>
     </message>
     <message>
         <source>Assumed: the atlas&apos;s 2.6 kPa in shear</source>
-        <translation>Angenommen: die 2.6 kPa (Schub) des Atlas</translation>
+        <translation>Supposé : les 2.6 kPa (cisaillement) de l’atlas</translation>
     </message>
     <message>
         <source>Assumed: one value for all cells</source>
-        <translation>Angenommen: ein Wert für alle Zellen</translation>
+        <translation>Supposé : une valeur pour toutes les cellules</translation>
     </message>
     <message>
         <source>%1 ml outlined; the cells hold %2 % of it</source>
-        <translation>%1 ml umrissen; die Zellen füllen %2 % davon</translation>
+        <translation>%1 ml de contour ; les cellules en remplissent %2 %</translation>
     </message>
     <message>
         <source>Assumed: %1 kPa for all cells</source>
-        <translation>Angenommen: %1 kPa für alle Zellen</translation>
+        <translation>Supposé : %1 kPa pour toutes les cellules</translation>
     </message>
     <message>
         <source>Attachments</source>
-        <translation>Aufhängung</translation>
+        <translation>Attaches</translation>
     </message>
 </context>
 <context>
@@ -5796,64 +5873,64 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <name>glisson::widgets::NextStepBox</name>
     <message>
         <source>Next: put the crosshair inside the liver, away from large vessels.</source>
-        <translation>Als Nächstes: Setzen Sie das Fadenkreuz in die Leber, fern von großen Gefäßen.</translation>
+        <translation>Ensuite&#xa0;: placez le réticule dans le foie, loin des gros vaisseaux.</translation>
     </message>
     <message>
         <source>Next: build the model of the liver from its outline and stiffness.</source>
-        <translation>Als Nächstes: Erstellen Sie das Modell der Leber aus ihrem Umriss und ihrer Steifigkeit.</translation>
+        <translation>Ensuite&#xa0;: construisez le modèle du foie à partir de son contour et de sa rigidité.</translation>
     </message>
     <message>
         <source>Outline the liver from here</source>
-        <translation>Leber von hier aus umreißen</translation>
+        <translation>Délimiter le foie à partir d’ici</translation>
     </message>
     <message>
         <source>Build the model</source>
-        <translation>Modell erstellen</translation>
+        <translation>Construire le modèle</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::Notices</name>
     <message>
         <source>Close</source>
-        <translation>Schließen</translation>
+        <translation>Fermer</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::NumberBox</name>
     <message>
         <source>At most %1.</source>
-        <translation>Höchstens %1.</translation>
+        <translation>Au plus %1.</translation>
     </message>
     <message>
         <source>At least %1.</source>
-        <translation>Mindestens %1.</translation>
+        <translation>Au moins %1.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::PatientViews</name>
     <message>
         <source>Displacement (mm)</source>
-        <translation>Verschiebung (mm)</translation>
+        <translation>Déplacement (mm)</translation>
     </message>
     <message>
         <source>Red: one stiffness from the atlas</source>
-        <translation>Rot: eine Steifigkeit aus dem Atlas</translation>
+        <translation>Rouge&#xa0;: une seule rigidité, de l’atlas</translation>
     </message>
     <message>
         <source>Blue: the patient&apos;s own stiffness</source>
-        <translation>Blau: die eigene Steifigkeit des Patienten</translation>
+        <translation>Bleu&#xa0;: la rigidité propre au patient</translation>
     </message>
     <message>
         <source>Purple: both agree</source>
-        <translation>Violett: beide stimmen überein</translation>
+        <translation>Violet&#xa0;: les deux concordent</translation>
     </message>
     <message>
         <source>Shear stiffness (kPa)</source>
-        <translation>Schersteifigkeit (kPa)</translation>
+        <translation>Rigidité en cisaillement (kPa)</translation>
     </message>
     <message>
         <source>%1  %2 mm</source>
-        <translation>%1  %2 mm</translation>
+        <translation>%1 &#xa0;%2 mm</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -5861,184 +5938,185 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     </message>
     <message>
         <source>The patient&apos;s own stiffness</source>
-        <translation>Die eigene Steifigkeit des Patienten</translation>
+        <translation>La rigidité propre du patient</translation>
     </message>
     <message>
         <source>One stiffness from the atlas</source>
-        <translation>Eine Steifigkeit aus dem Atlas</translation>
+        <translation>Une seule rigidité, celle de l’atlas</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::PlatformTable</name>
     <message>
         <source>Assumed: %1 %2 (%3)</source>
-        <translation>Angenommen: %1 %2 (%3)</translation>
+        <translation>Supposé&#xa0;:&#xa0;%1&#xa0;%2 (%3)</translation>
     </message>
     <message>
         <source>head</source>
-        <translation>Kopf</translation>
+        <translation>tête</translation>
     </message>
     <message>
         <source>belt</source>
-        <translation>Gürtel</translation>
+        <translation>ceinture</translation>
     </message>
     <message>
         <source>back</source>
-        <translation>Rücken</translation>
+        <translation>dos</translation>
     </message>
     <message>
         <source>idle draw</source>
-        <translation>Leerlauf</translation>
+        <translation>repos</translation>
     </message>
     <message>
         <source>too hot idle</source>
-        <translation>zu heiß im Leerlauf</translation>
+        <translation>trop chaud au repos</translation>
     </message>
     <message>
         <source>too slow</source>
-        <translation>zu langsam</translation>
+        <translation>trop lent</translation>
     </message>
     <message>
         <source>slows itself down</source>
-        <translation>drosselt sich</translation>
+        <translation>se ralentit</translation>
     </message>
     <message>
         <source>battery</source>
-        <translation>Akku</translation>
+        <translation>batterie</translation>
     </message>
     <message>
         <source>too hot</source>
-        <translation>zu heiß</translation>
+        <translation>trop chaud</translation>
     </message>
     <message>
         <source>✕ fails: %1</source>
-        <translation>✕ reicht nicht: %1</translation>
+        <translation>✕ échoue&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>heat</source>
-        <translation>Wärme</translation>
+        <translation>chaleur</translation>
     </message>
     <message>
         <source>speed</source>
-        <translation>Tempo</translation>
+        <translation>vitesse</translation>
     </message>
     <message>
         <source>✓ holds; next limit: %1</source>
-        <translation>✓ hält; nächste Grenze: %1</translation>
+        <translation>✓ tient&#xa0;; limite&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Platform</source>
-        <translation>Gerät</translation>
+        <translation>Plateforme</translation>
     </message>
     <message>
         <source>Worn on
 the</source>
-        <translation>Getragen
-am</translation>
+        <translation>Porté
+sur</translation>
     </message>
     <message>
         <source>Draws idle
 W</source>
-        <translation>Leerlauf
+        <translation>Au repos
 W</translation>
     </message>
     <message>
         <source>Battery
 allows W</source>
-        <translation>Akku
-erlaubt W</translation>
+        <translation>Batterie
+permet W</translation>
     </message>
     <message>
         <source>Left to
 compute W</source>
-        <translation>Rest zum
-Rechnen W</translation>
+        <translation>Reste pour
+calculer W</translation>
     </message>
     <message>
         <source>Frames/s
 at most</source>
-        <translation>Bilder/s
-höchstens</translation>
+        <translation>Images/s
+au plus</translation>
     </message>
     <message>
         <source>Lasts
 h</source>
-        <translation>Hält
+        <translation>Dure
 h</translation>
     </message>
     <message>
         <source>Surface
 °C</source>
-        <translation>Oberfl.
+        <translation>Surface
 °C</translation>
     </message>
     <message>
         <source>Limit</source>
-        <translation>Grenze</translation>
+        <translation>Limite</translation>
     </message>
     <message>
         <source>Assumed
 figures</source>
-        <translation>Annahmen</translation>
+        <translation>Chiffres
+supposés</translation>
     </message>
     <message>
         <source>What it takes from its battery when nothing is computed</source>
-        <translation>Was es seinem Akku entnimmt, wenn nichts gerechnet wird</translation>
+        <translation>Ce qu’elle prend à sa batterie quand rien n’est calculé</translation>
     </message>
     <message>
         <source>The largest constant power that its battery carries for the operation</source>
-        <translation>Die größte konstante Leistung, die sein Akku über die Operation trägt</translation>
+        <translation>La plus grande puissance constante que sa batterie soutient pendant l’opération</translation>
     </message>
     <message>
         <source>What the battery allows, less what idling takes</source>
-        <translation>Was der Akku erlaubt, abzüglich des Leerlaufs</translation>
+        <translation>Ce que la batterie permet, moins ce que prend le repos</translation>
     </message>
     <message>
         <source>The frame rate that meets every constraint</source>
-        <translation>Die Bildrate, die jede Bedingung erfüllt</translation>
+        <translation>La fréquence d’images qui satisfait toutes les contraintes</translation>
     </message>
     <message>
         <source>On one charge, at the wanted frame rate or the fastest it computes</source>
-        <translation>Mit einer Ladung, bei der gewünschten Bildrate oder der schnellsten, die es schafft</translation>
+        <translation>Sur une charge, à la fréquence d’images voulue ou à la plus rapide qu’elle calcule</translation>
     </message>
     <message>
         <source>At the end of the operation</source>
-        <translation>Am Ende der Operation</translation>
+        <translation>À la fin de l’opération</translation>
     </message>
     <message>
         <source>Figures that nobody measured; ≈ marks what rests on them</source>
-        <translation>Werte, die niemand gemessen hat; ≈ kennzeichnet, was darauf beruht</translation>
+        <translation>Chiffres que personne n’a mesurés&#xa0;; ≈ marque ce qui en dépend</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
+        <translation>%1 sur&#xa0;%2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::PlatformView</name>
     <message>
         <source>Volume and stiffness of %1</source>
-        <translation>Volumen und Steifigkeit von %1</translation>
+        <translation>Volume et rigidité de&#xa0;%1</translation>
     </message>
     <message>
         <source>Volume of %1; its stiffness is not known</source>
-        <translation>Volumen von %1; die Steifigkeit ist nicht bekannt</translation>
+        <translation>Volume de&#xa0;%1&#xa0;; sa rigidité n’est pas connue</translation>
     </message>
     <message>
         <source>Stiffness of %1; its volume is not known</source>
-        <translation>Steifigkeit von %1; das Volumen ist nicht bekannt</translation>
+        <translation>Rigidité de&#xa0;%1&#xa0;; son volume n’est pas connu</translation>
     </message>
     <message>
         <source>%1 has no outlined liver yet: type its volume</source>
-        <translation>%1 hat noch keine umrissene Leber: Geben Sie ihr Volumen ein</translation>
+        <translation>%1 n’a pas encore de foie délimité&#xa0;: saisissez son volume</translation>
     </message>
     <message>
         <source>The case</source>
-        <translation>Der Fall</translation>
+        <translation>Le cas</translation>
     </message>
     <message>
         <source>No case is open: type its figures</source>
-        <translation>Kein Fall ist geöffnet: Geben Sie seine Werte ein</translation>
+        <translation>Aucun cas n’est ouvert&#xa0;: saisissez ses chiffres</translation>
     </message>
     <message>
         <source> cm³</source>
@@ -6046,7 +6124,7 @@ figures</source>
     </message>
     <message>
         <source>Liver</source>
-        <translation>Leber</translation>
+        <translation>Foie</translation>
     </message>
     <message>
         <source> kPa</source>
@@ -6054,19 +6132,19 @@ figures</source>
     </message>
     <message>
         <source>Mean Young&apos;s modulus. Softer tissue moves farther under the same load, and what a coarse model misses of it grows alike.</source>
-        <translation>Mittlerer Elastizitätsmodul. Weicheres Gewebe bewegt sich unter derselben Last weiter, und was einem groben Modell davon entgeht, wächst ebenso.</translation>
+        <translation>Module de Young moyen. Un tissu plus souple se déplace davantage sous la même charge, et ce qu’un modèle grossier en manque croît de même.</translation>
     </message>
     <message>
         <source>Young&apos;s modulus</source>
-        <translation>E-Modul</translation>
+        <translation>Module de Young</translation>
     </message>
     <message>
         <source>What is wanted</source>
-        <translation>Was gewünscht ist</translation>
+        <translation>Ce qui est voulu</translation>
     </message>
     <message>
         <source>Accuracy</source>
-        <translation>Genauigkeit</translation>
+        <translation>Précision</translation>
     </message>
     <message>
         <source> mm</source>
@@ -6074,7 +6152,7 @@ figures</source>
     </message>
     <message>
         <source>Duration of the operation</source>
-        <translation>Dauer der Operation</translation>
+        <translation>Durée de l’opération</translation>
     </message>
     <message>
         <source> h</source>
@@ -6082,7 +6160,7 @@ figures</source>
     </message>
     <message>
         <source>Frame rate</source>
-        <translation>Bildrate</translation>
+        <translation>Fréquence d’images</translation>
     </message>
     <message>
         <source> /s</source>
@@ -6090,11 +6168,11 @@ figures</source>
     </message>
     <message>
         <source>The room and the skin</source>
-        <translation>Raum und Haut</translation>
+        <translation>La pièce et la peau</translation>
     </message>
     <message>
         <source>Operating room</source>
-        <translation>Operationssaal</translation>
+        <translation>Salle d’opération</translation>
     </message>
     <message>
         <source> °C</source>
@@ -6102,67 +6180,67 @@ figures</source>
     </message>
     <message>
         <source>Hottest surface to be worn</source>
-        <translation>Heißeste tragbare Oberfläche</translation>
+        <translation>Surface portée la plus chaude</translation>
     </message>
     <message>
         <source>The work</source>
-        <translation>Die Arbeit</translation>
+        <translation>Le travail</translation>
     </message>
     <message>
         <source>Add devices...</source>
-        <translation>Geräte hinzufügen …</translation>
+        <translation>Ajouter des appareils…</translation>
     </message>
     <message>
         <source>A table of your own, or what glisson-cli platform measure wrote</source>
-        <translation>Eine eigene Tabelle oder was glisson-cli platform measure geschrieben hat</translation>
+        <translation>Une table à vous, ou ce que glisson-cli platform measure a écrit</translation>
     </message>
     <message>
         <source>Surface temperature</source>
-        <translation>Oberflächentemperatur</translation>
+        <translation>Température de surface</translation>
     </message>
     <message>
         <source>Frame rate that holds</source>
-        <translation>Bildrate, die hält</translation>
+        <translation>Fréquence d’images qui tient</translation>
     </message>
     <message>
         <source>Battery life</source>
-        <translation>Akkulaufzeit</translation>
+        <translation>Autonomie de la batterie</translation>
     </message>
     <message>
         <source>Mean power</source>
-        <translation>Mittlere Leistung</translation>
+        <translation>Puissance moyenne</translation>
     </message>
     <message>
         <source>Add devices</source>
-        <translation>Geräte hinzufügen</translation>
+        <translation>Ajouter des appareils</translation>
     </message>
     <message>
         <source>Device tables (*.json)</source>
-        <translation>Gerätetabellen (*.json)</translation>
+        <translation>Tables d’appareils (*.json)</translation>
     </message>
     <message>
         <source>%1 nodes of %2 mm³. A frame is %3 block products: %4 MB to move, %5 million operations.</source>
-        <translation>%1 Knoten zu %2 mm³. Ein Bild sind %3 Blockprodukte: %4 MB zu bewegen, %5 Millionen Operationen.</translation>
+        <translation>%1 nœuds de&#xa0;%2 mm³. Une image fait&#xa0;%3 produits par blocs&#xa0;:&#xa0;%4 Mo à déplacer,&#xa0;%5 millions d’opérations.</translation>
     </message>
     <message>
         <source>None of these platforms holds.</source>
-        <translation>Keines dieser Geräte hält.</translation>
+        <translation>Aucune de ces plates-formes ne tient.</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the head: %1</source>
-        <translation>Am wenigsten störend von denen, die halten, am Kopf: %1</translation>
+        <translation>La moins gênante qui tient, sur la tête&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the belt: %1</source>
-        <translation>Am wenigsten störend von denen, die halten, am Gürtel: %1</translation>
+        <translation>La moins gênante qui tient, à la ceinture&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the back: %1</source>
-        <translation>Am wenigsten störend von denen, die halten, am Rücken: %1</translation>
+        <translation>La moins gênante qui tient, sur le dos&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Surface after %1 h at %2 frames/s (°C)</source>
-        <translation>Oberfläche nach %1 h bei %2 Bildern/s (°C)</translation>
+        <translation>Surface après&#xa0;%1 h à&#xa0;%2 images/s (°C)</translation>
     </message>
     <message>
         <source>%1 °C</source>
@@ -6170,7 +6248,7 @@ figures</source>
     </message>
     <message>
         <source>Frames/s that hold for %1 h</source>
-        <translation>Bilder/s, die %1 h halten</translation>
+        <translation>Images/s qui tiennent&#xa0;%1 h</translation>
     </message>
     <message>
         <source>%1 /s</source>
@@ -6178,7 +6256,7 @@ figures</source>
     </message>
     <message>
         <source>Battery lasts at %1 frames/s (h)</source>
-        <translation>Akku hält bei %1 Bildern/s (h)</translation>
+        <translation>La batterie dure à&#xa0;%1 images/s (h)</translation>
     </message>
     <message>
         <source>%1 h</source>
@@ -6186,106 +6264,106 @@ figures</source>
     </message>
     <message>
         <source>Mean power at %1 frames/s (W)</source>
-        <translation>Mittlere Leistung bei %1 Bildern/s (W)</translation>
+        <translation>Puissance moyenne à&#xa0;%1 images/s (W)</translation>
     </message>
     <message>
         <source>%1 W: the battery</source>
-        <translation>%1 W: der Akku</translation>
+        <translation>%1 W&#xa0;: la batterie</translation>
     </message>
     <message>
         <source>an operation of at most %1 h</source>
-        <translation>eine Operation von höchstens %1 h</translation>
+        <translation>une opération d’au plus&#xa0;%1 h</translation>
     </message>
     <message>
         <source>at most %1 frames/s</source>
-        <translation>höchstens %1 Bilder/s</translation>
+        <translation>au plus&#xa0;%1 images/s</translation>
     </message>
     <message>
         <source>an accuracy of %1 mm</source>
-        <translation>eine Genauigkeit von %1 mm</translation>
+        <translation>une précision de&#xa0;%1 mm</translation>
     </message>
     <message>
         <source>a battery of %1 Wh</source>
-        <translation>ein Akku von %1 Wh</translation>
+        <translation>une batterie de&#xa0;%1 Wh</translation>
     </message>
     <message>
         <source>a heat sink of %1 °C/W</source>
-        <translation>ein Kühlkörper von %1 °C/W</translation>
+        <translation>un dissipateur de&#xa0;%1 °C/W</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation>gemessen</translation>
+        <translation>mesuré</translation>
     </message>
     <message>
         <source>computed</source>
-        <translation>berechnet</translation>
+        <translation>calculé</translation>
     </message>
     <message>
         <source>dissertation</source>
-        <translation>Dissertation</translation>
+        <translation>thèse</translation>
     </message>
     <message>
         <source>ASSUMED</source>
-        <translation>ANGENOMMEN</translation>
+        <translation>SUPPOSÉ</translation>
     </message>
     <message>
         <source>Idle first: it draws %1 W of the %2 W that its battery allows over %3 h; it would last %4 h and reach %5 °C without computing anything.</source>
-        <translation>Zuerst der Leerlauf: Es nimmt %1 W von den %2 W auf, die sein Akku über %3 h erlaubt; ohne zu rechnen hielte es %4 h und erreichte %5 °C.</translation>
+        <translation>Le repos d’abord&#xa0;: elle consomme&#xa0;%1 W sur les&#xa0;%2 W que sa batterie permet pendant&#xa0;%3 h&#xa0;; elle durerait&#xa0;%4 h et atteindrait&#xa0;%5 °C sans rien calculer.</translation>
     </message>
     <message>
         <source>Frames/s: %1 by its speed, %2 by its battery, %3 by its heat. A frame takes %4 J above idle; mean power %5 W.</source>
-        <translation>Bilder/s: %1 nach Tempo, %2 nach Akku, %3 nach Wärme. Ein Bild braucht %4 J über dem Leerlauf; mittlere Leistung %5 W.</translation>
+        <translation>Images/s&#xa0;:&#xa0;%1 par sa vitesse,&#xa0;%2 par sa batterie,&#xa0;%3 par sa chaleur. Une image prend&#xa0;%4 J au-dessus du repos&#xa0;; puissance moyenne&#xa0;%5 W.</translation>
     </message>
     <message>
         <source>Why it fails:</source>
-        <translation>Warum es nicht reicht:</translation>
+        <translation>Pourquoi elle échoue&#xa0;:</translation>
     </message>
     <message>
         <source>No single figure would make it hold.</source>
-        <translation>Kein einzelner Wert würde es halten lassen.</translation>
+        <translation>Aucun chiffre seul ne la ferait tenir.</translation>
     </message>
     <message>
         <source>It would hold with one of:</source>
-        <translation>Es hielte mit einem davon:</translation>
+        <translation>Elle tiendrait avec l’un de ceux-ci&#xa0;:</translation>
     </message>
     <message>
         <source>Where its figures come from:</source>
-        <translation>Woher seine Werte stammen:</translation>
+        <translation>D’où viennent ses chiffres&#xa0;:</translation>
     </message>
     <message>
         <source>Volume of %1; its stiffness is assumed</source>
-        <translation>Volumen von %1; die Steifigkeit ist angenommen</translation>
+        <translation>Volume de %1 ; sa rigidité est supposée</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ReadingPanel</name>
     <message>
         <source>Reading</source>
-        <translation>Lesen</translation>
+        <translation>Lecture</translation>
     </message>
     <message>
         <source>What the colours show</source>
-        <translation>Was die Farben zeigen</translation>
+        <translation>Ce que montrent les couleurs</translation>
     </message>
     <message>
         <source>Colours: SIRGn&apos;s correlation</source>
-        <translation>Farben: Korrelation nach SIRGn</translation>
+        <translation>Couleurs&#xa0;: corrélation de SIRGn</translation>
     </message>
     <message>
         <source>Colours: error of the landmarks (mm)</source>
-        <translation>Farben: Fehler der Landmarken (mm)</translation>
+        <translation>Couleurs&#xa0;: erreur des repères (mm)</translation>
     </message>
     <message>
         <source>Colours: doubt (mm)</source>
-        <translation>Farben: Zweifel (mm)</translation>
+        <translation>Couleurs&#xa0;: doute (mm)</translation>
     </message>
     <message>
         <source>Correlation: whether landmarks and warp move alike over time, 1 is best. Error: mean distance of a triangle&apos;s landmarks, as registered, from where they are on the model, mm. Doubt: motion that the registration leaves unexplained, mm, to be compared within one sequence.</source>
-        <translation>Korrelation: ob sich Landmarken und Verformung im Lauf der Zeit gleich bewegen, 1 ist am besten. Fehler: mittlerer Abstand der registrierten Landmarken eines Dreiecks von ihrem Ort auf dem Modell, mm. Zweifel: Bewegung, die die Registrierung unerklärt lässt, mm, nur innerhalb einer Sequenz zu vergleichen.</translation>
+        <translation>Corrélation&#xa0;: si les repères et la déformation bougent de même au cours du temps, 1 est le meilleur. Erreur&#xa0;: distance moyenne des repères recalés d’un triangle à leur place sur le modèle, mm. Doute&#xa0;: mouvement que le recalage laisse inexpliqué, mm, à comparer au sein d’une même séquence.</translation>
     </message>
     <message>
         <source>Tolerance: rejected from</source>
-        <translation>Toleranz: verworfen ab</translation>
+        <translation>Tolérance&#xa0;: rejet à partir de</translation>
     </message>
     <message>
         <source> mm</source>
@@ -6293,11 +6371,11 @@ figures</source>
     </message>
     <message>
         <source>Triangles whose landmarks are off by this much or more, mm, are grey and hatched</source>
-        <translation>Dreiecke, deren Landmarken um so viel oder mehr danebenliegen (mm), sind grau und schraffiert</translation>
+        <translation>Les triangles dont les repères sont décalés d’autant ou plus (mm) sont gris et hachurés</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation>Toleranz</translation>
+        <translation>Tolérance</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -6305,299 +6383,299 @@ figures</source>
     </message>
     <message>
         <source>Sets the tolerance to %1 mm</source>
-        <translation>Stellt die Toleranz auf %1 mm</translation>
+        <translation>Règle la tolérance à %1 mm</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::RegisterPage</name>
     <message>
         <source>Register</source>
-        <translation>Registrieren</translation>
+        <translation>Recaler</translation>
     </message>
     <message>
         <source>See how good a registration of a video is, place by place.</source>
-        <translation>Sehen, wie gut eine Registrierung eines Videos ist, Stelle für Stelle.</translation>
+        <translation>Voir ce que vaut le recalage d’une vidéo, endroit par endroit.</translation>
     </message>
     <message>
         <source>Opening the sequence</source>
-        <translation>Die Sequenz wird geöffnet</translation>
+        <translation>Ouverture de la séquence</translation>
     </message>
     <message>
         <source>Making an example sequence</source>
-        <translation>Eine Beispielsequenz wird erstellt</translation>
+        <translation>Création d’une séquence d’exemple</translation>
     </message>
     <message>
         <source>Registering the video</source>
-        <translation>Das Video wird registriert</translation>
+        <translation>Recalage de la vidéo</translation>
     </message>
     <message>
         <source>A defect in Glisson stopped this: %1</source>
-        <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
+        <translation>Un défaut de Glisson a arrêté ceci&#xa0;: %1</translation>
     </message>
     <message>
         <source>Open another...</source>
-        <translation>Andere öffnen …</translation>
+        <translation>En ouvrir une autre…</translation>
     </message>
     <message>
         <source>Another sequence.json in place of this one</source>
-        <translation>Eine andere sequence.json anstelle dieser</translation>
+        <translation>Un autre sequence.json à la place de celui-ci</translation>
     </message>
     <message>
         <source>Open a sequence</source>
-        <translation>Eine Sequenz öffnen</translation>
+        <translation>Ouvrir une séquence</translation>
     </message>
     <message>
         <source>Sequences (*.json)</source>
-        <translation>Sequenzen (*.json)</translation>
+        <translation>Séquences (*.json)</translation>
     </message>
     <message>
         <source>Click a triangle to see its history.</source>
-        <translation>Klicken Sie ein Dreieck an, um seinen Verlauf zu sehen.</translation>
+        <translation>Cliquez sur un triangle pour voir son évolution.</translation>
     </message>
     <message>
         <source>%1 mm in this frame</source>
-        <translation>%1 mm in diesem Bild</translation>
+        <translation>%1 mm dans cette image</translation>
     </message>
     <message>
         <source>not all its corners are seen in this frame</source>
-        <translation>nicht alle Ecken sind in diesem Bild zu sehen</translation>
+        <translation>tous ses sommets ne sont pas visibles dans cette image</translation>
     </message>
     <message>
         <source>rejected</source>
-        <translation>verworfen</translation>
+        <translation>rejeté</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation>angenommen</translation>
+        <translation>accepté</translation>
     </message>
     <message>
         <source>%1, triangle %2: correlation %3; off by %4 mm on average, %5; %6</source>
-        <translation>%1, Dreieck %2: Korrelation %3; im Mittel %4 mm daneben, %5; %6</translation>
+        <translation>%1, triangle %2&#xa0;: corrélation %3&#xa0;; décalé de %4 mm en moyenne, %5&#xa0;; %6</translation>
     </message>
     <message>
         <source>%1: %2 frames, %3 landmarks</source>
-        <translation>%1: %2 Bilder, %3 Landmarken</translation>
+        <translation>%1&#xa0;: %2 images, %3 repères</translation>
     </message>
     <message>
         <source>One moment...</source>
-        <translation>Einen Augenblick …</translation>
+        <translation>Un instant…</translation>
     </message>
     <message>
         <source>Click a triangle to see its history; hover over it for its figures</source>
-        <translation>Ein Dreieck anklicken, um seinen Verlauf zu sehen; darüberfahren für seine Zahlen</translation>
+        <translation>Cliquez sur un triangle pour voir son évolution&#xa0;; survolez-le pour ses chiffres</translation>
     </message>
     <message>
         <source>Not registered yet: press &quot;Register and judge&quot;.</source>
-        <translation>Noch nicht registriert: „Registrieren und beurteilen“ drücken.</translation>
+        <translation>Pas encore recalé&#xa0;: cliquez sur «&#xa0;Recaler et juger&#xa0;».</translation>
     </message>
     <message>
         <source>%1: %2 % of %3 triangles rejected at %4 mm</source>
-        <translation>%1: %2 % von %3 Dreiecken bei %4 mm verworfen</translation>
+        <translation>%1&#xa0;: %2 % de %3 triangles rejetés à %4 mm</translation>
     </message>
     <message>
         <source>The sequence names no camera, so that no mesh can be drawn over the video.</source>
-        <translation>Die Sequenz nennt keine Kamera, darum lässt sich kein Netz über das Video zeichnen.</translation>
+        <translation>La séquence ne nomme aucune caméra&#xa0;: aucun maillage ne peut être dessiné sur la vidéo.</translation>
     </message>
     <message>
         <source>The sequence names no pictures; the mesh is drawn on black.</source>
-        <translation>Die Sequenz nennt keine Bilder; das Netz wird auf Schwarz gezeichnet.</translation>
+        <translation>La séquence ne nomme aucune image&#xa0;; le maillage est dessiné sur fond noir.</translation>
     </message>
     <message>
         <source>Correlation</source>
-        <translation>Korrelation</translation>
+        <translation>Corrélation</translation>
     </message>
     <message>
         <source>Error
 (mm)</source>
-        <translation>Fehler
+        <translation>Erreur
 (mm)</translation>
     </message>
     <message>
         <source>Doubt
 (mm)</source>
-        <translation>Zweifel
+        <translation>Doute
 (mm)</translation>
     </message>
     <message>
         <source>good</source>
-        <translation>gut</translation>
+        <translation>bon</translation>
     </message>
     <message>
         <source>bad</source>
-        <translation>schlecht</translation>
+        <translation>mauvais</translation>
     </message>
     <message>
         <source>rejected: off by %1 mm or more</source>
-        <translation>verworfen: %1 mm oder mehr daneben</translation>
+        <translation>rejeté&#xa0;: décalé de %1 mm ou plus</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::RegisterWelcome</name>
     <message>
         <source>How good is a registration of a video?</source>
-        <translation>Wie gut ist eine Registrierung eines Videos?</translation>
+        <translation>Que vaut le recalage d’une vidéo&#xa0;?</translation>
     </message>
     <message>
         <source>This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the tracks of landmarks, and the model that is registered. glisson-cli sequence makes one of a stereo video and its calibration. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
-        <translation>Dazu braucht es eine Sequenz: eine sequence.json, die die Bilder eines Stereovideos nennt, zu jedem eine Punktwolke, die Spuren von Landmarken und das Modell, das registriert wird. glisson-cli sequence macht eine aus einem Stereovideo und seiner Kalibrierung. Ohne Video zeigt ein Beispiel, worum es geht: die Leber des Demopatienten, wie sie atmet und von einem Instrument eingedrückt wird, simuliert.</translation>
+        <translation>Il faut une séquence&#xa0;: un sequence.json qui nomme les images d’une vidéo stéréo, un nuage de points pour chacune, les trajectoires de repères et le modèle à recaler. glisson-cli sequence en fait une à partir d’une vidéo stéréo et de son calibrage. Sans vidéo, un exemple montre de quoi il s’agit&#xa0;: le foie du patient de démonstration, qui respire et qu’un instrument enfonce, simulé.</translation>
     </message>
     <message>
         <source>Open a sequence...</source>
-        <translation>Eine Sequenz öffnen …</translation>
+        <translation>Ouvrir une séquence…</translation>
     </message>
     <message>
         <source>A sequence.json with its clouds, tracks and pictures beside it</source>
-        <translation>Eine sequence.json mit ihren Punktwolken, Spuren und Bildern daneben</translation>
+        <translation>Un sequence.json avec ses nuages, trajectoires et images à côté</translation>
     </message>
     <message>
         <source>Make an example sequence</source>
-        <translation>Beispielsequenz erstellen</translation>
+        <translation>Créer une séquence d’exemple</translation>
     </message>
     <message>
         <source>Simulates 40 frames in a few seconds and opens them; 7 MB</source>
-        <translation>Simuliert 40 Bilder in wenigen Sekunden und öffnet sie; 7 MB</translation>
+        <translation>Simule 40 images en quelques secondes et les ouvre&#xa0;; 7 Mo</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::RehearsePanel</name>
     <message>
         <source>Rehearse</source>
-        <translation>Proben</translation>
+        <translation>Répéter</translation>
     </message>
     <message>
         <source>Open a case with a model of the liver, or the demo patient, to rehearse a retraction.</source>
-        <translation>Öffnen Sie einen Fall mit einem Modell der Leber oder den Demopatienten, um eine Retraktion zu proben.</translation>
+        <translation>Ouvrez un cas avec un modèle du foie, ou le patient de démonstration, pour répéter une rétraction.</translation>
     </message>
     <message>
         <source>Show the liver with the stiffness of</source>
-        <translation>Leber zeigen mit der Steifigkeit von</translation>
+        <translation>Montrer le foie avec la rigidité de</translation>
     </message>
     <message>
         <source>Landmarks</source>
-        <translation>Landmarken</translation>
+        <translation>Repères</translation>
     </message>
     <message>
         <source>Colour the liver by how far it moves</source>
-        <translation>Leber nach ihrer Bewegung einfärben</translation>
+        <translation>Colorer le foie selon son déplacement</translation>
     </message>
     <message>
         <source>Place the tool to see what moves.</source>
-        <translation>Setzen Sie das Instrument, um zu sehen, was sich bewegt.</translation>
+        <translation>Placez l’instrument pour voir ce qui bouge.</translation>
     </message>
     <message>
         <source>The liver moves by up to %1 mm.</source>
-        <translation>Die Leber bewegt sich um bis zu %1 mm.</translation>
+        <translation>Le foie se déplace jusqu’à&#xa0;%1 mm.</translation>
     </message>
     <message>
         <source>The atlas is off by up to %1 mm.</source>
-        <translation>Der Atlas irrt um bis zu %1 mm.</translation>
+        <translation>L’atlas se trompe jusqu’à&#xa0;%1 mm.</translation>
     </message>
     <message>
         <source>Changed by evidence: %1</source>
-        <translation>Durch Befunde verändert: %1</translation>
+        <translation>Modifié par les constats&#xa0;: %1</translation>
     </message>
     <message>
         <source>Evidence to bear in mind: %1</source>
-        <translation>Befunde, die zu bedenken sind: %1</translation>
+        <translation>Constats à garder à l’esprit&#xa0;: %1</translation>
     </message>
     <message>
         <source>Save...</source>
-        <translation>Speichern …</translation>
+        <translation>Enregistrer…</translation>
     </message>
     <message>
         <source>Saves the landmarks as CSV, in mm</source>
-        <translation>Speichert die Landmarken als CSV, in mm</translation>
+        <translation>Enregistre les repères en CSV, en mm</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation>Zeitverlauf</translation>
+        <translation>Au cours du temps</translation>
     </message>
     <message>
         <source>Save the landmarks as a table</source>
-        <translation>Landmarken als Tabelle speichern</translation>
+        <translation>Enregistrer les repères dans un tableau</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation>Tabellen (*.csv)</translation>
+        <translation>Tableaux (*.csv)</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation>Geschrieben: %1</translation>
+        <translation>Écrit&#xa0;: %1</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ReportView</name>
     <message>
         <source>Report</source>
-        <translation>Bericht</translation>
+        <translation>Rapport</translation>
     </message>
     <message>
         <source>Show the patient&apos;s name</source>
-        <translation>Den Namen des Patienten zeigen</translation>
+        <translation>Montrer le nom du patient</translation>
     </message>
     <message>
         <source>Without it the page names neither the patient nor the case; see the settings too</source>
-        <translation>Ohne ihn nennt die Seite weder den Patienten noch den Fall; siehe auch die Einstellungen</translation>
+        <translation>Sans cela, la page ne nomme ni le patient ni le cas&#xa0;; voir aussi les réglages</translation>
     </message>
     <message>
         <source>Collect again</source>
-        <translation>Neu zusammenstellen</translation>
+        <translation>Rassembler à nouveau</translation>
     </message>
     <message>
         <source>Reads the case and the present rehearsal anew</source>
-        <translation>Liest den Fall und die jetzige Probe neu</translation>
+        <translation>Relit le cas et la répétition en cours</translation>
     </message>
     <message>
         <source>Save as a web page...</source>
-        <translation>Als Webseite speichern …</translation>
+        <translation>Enregistrer comme page web…</translation>
     </message>
     <message>
         <source>Print to PDF...</source>
-        <translation>Als PDF drucken …</translation>
+        <translation>Imprimer en PDF…</translation>
     </message>
     <message>
         <source>All that was done for this patient on one page.</source>
-        <translation>Alles, was für diesen Patienten getan wurde, auf einer Seite.</translation>
+        <translation>Tout ce qui a été fait pour ce patient, sur une page.</translation>
     </message>
     <message>
         <source>Needs a case: open one, or the demo patient.</source>
-        <translation>Braucht einen Fall: Öffnen Sie einen, oder den Demopatienten.</translation>
+        <translation>Il faut un cas&#xa0;: ouvrez-en un, ou le patient de démonstration.</translation>
     </message>
     <message>
         <source>Collecting the report</source>
-        <translation>Bericht wird zusammengestellt</translation>
+        <translation>Rassemblement du rapport</translation>
     </message>
     <message>
         <source>Open a case, or the demo patient, to see its page.</source>
-        <translation>Öffnen Sie einen Fall oder den Demopatienten, um die Seite zu sehen.</translation>
+        <translation>Ouvrez un cas, ou le patient de démonstration, pour voir sa page.</translation>
     </message>
     <message>
         <source>The page is being collected.</source>
-        <translation>Die Seite wird zusammengestellt.</translation>
+        <translation>La page est en cours de rassemblement.</translation>
     </message>
     <message>
         <source>Something has changed since this page was collected.</source>
-        <translation>Seit diese Seite zusammengestellt wurde, hat sich etwas geändert.</translation>
+        <translation>Quelque chose a changé depuis que cette page a été rassemblée.</translation>
     </message>
     <message>
         <source>Collected from the case and from what is being rehearsed now.</source>
-        <translation>Zusammengestellt aus dem Fall und dem, was gerade geprobt wird.</translation>
+        <translation>Rassemblé à partir du cas et de ce qui est répété en ce moment.</translation>
     </message>
     <message>
         <source>Save the report</source>
-        <translation>Bericht speichern</translation>
+        <translation>Enregistrer le rapport</translation>
     </message>
     <message>
         <source>Web pages (*.html)</source>
-        <translation>Webseiten (*.html)</translation>
+        <translation>Pages web (*.html)</translation>
     </message>
     <message>
         <source>The report is in %1</source>
-        <translation>Der Bericht liegt in %1</translation>
+        <translation>Le rapport est dans %1</translation>
     </message>
     <message>
         <source>Print the report</source>
-        <translation>Bericht drucken</translation>
+        <translation>Imprimer le rapport</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
@@ -6605,153 +6683,153 @@ figures</source>
     </message>
     <message>
         <source>The report could not be written to %1.</source>
-        <translation>Der Bericht konnte nicht nach %1 geschrieben werden.</translation>
+        <translation>Le rapport n’a pas pu être écrit dans %1.</translation>
     </message>
     <message>
         <source>With what can be worn</source>
-        <translation>Mit tragbaren Rechnern</translation>
+        <translation>Avec ce qui peut être porté</translation>
     </message>
     <message>
         <source>Adds which wearable computers can do this case, as planned in Platform</source>
-        <translation>Fügt hinzu, welche tragbaren Rechner diesen Fall leisten, wie in Plattform geplant</translation>
+        <translation>Ajoute quels ordinateurs portés peuvent traiter ce cas, comme prévu dans Plateforme</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ResectPanel</name>
     <message>
         <source>Plan a resection</source>
-        <translation>Resektion planen</translation>
+        <translation>Planifier une résection</translation>
     </message>
     <message>
         <source>Needs a model of the liver. Build it first, or open the demo patient.</source>
-        <translation>Braucht ein Modell der Leber. Erstellen Sie es zuerst, oder öffnen Sie den Demopatienten.</translation>
+        <translation>Il faut un modèle du foie. Construisez-le d’abord, ou ouvrez le patient de démonstration.</translation>
     </message>
     <message>
         <source>Resect</source>
-        <translation>Resektion</translation>
+        <translation>Résection</translation>
     </message>
     <message>
         <source>Set a cut: what goes, what stays, how near the tumours it passes.</source>
-        <translation>Einen Schnitt legen: was wegfällt, was bleibt, wie nah er an den Tumoren verläuft.</translation>
+        <translation>Poser une section&#xa0;: ce qui part, ce qui reste, à quelle distance des tumeurs elle passe.</translation>
     </message>
     <message>
         <source>Draws the part that is removed away from the rest</source>
-        <translation>Rückt den Teil, der entfernt wird, vom Rest ab</translation>
+        <translation>Écarte du reste la partie qui est retirée</translation>
     </message>
     <message>
         <source>Remove the other part</source>
-        <translation>Den anderen Teil entfernen</translation>
+        <translation>Retirer l’autre partie</translation>
     </message>
     <message>
         <source>No cut</source>
-        <translation>Kein Schnitt</translation>
+        <translation>Aucune section</translation>
     </message>
     <message>
         <source>Save this plan in the case</source>
-        <translation>Diesen Plan im Fall speichern</translation>
+        <translation>Enregistrer ce plan dans le cas</translation>
     </message>
     <message>
         <source>The three places lie almost on one line. Click three others.</source>
-        <translation>Die drei Stellen liegen fast auf einer Linie. Klicken Sie drei andere an.</translation>
+        <translation>Les trois endroits sont presque alignés. Cliquez-en trois autres.</translation>
     </message>
     <message>
         <source>Click three places on the liver or in the slices.</source>
-        <translation>Klicken Sie drei Stellen auf der Leber oder in den Schichten an.</translation>
+        <translation>Cliquez trois endroits sur le foie ou dans les coupes.</translation>
     </message>
     <message>
         <source>Click on the liver or in the slices where the cut is to pass.</source>
-        <translation>Klicken Sie auf der Leber oder in den Schichten dorthin, wo der Schnitt verlaufen soll.</translation>
+        <translation>Cliquez sur le foie ou dans les coupes, là où doit passer la section.</translation>
     </message>
     <message>
         <source>Removed</source>
-        <translation>Entfernt</translation>
+        <translation>Retiré</translation>
     </message>
     <message>
         <source>Stays</source>
-        <translation>Bleibt</translation>
+        <translation>Reste</translation>
     </message>
     <message>
         <source>This patient is not kept in a case folder</source>
-        <translation>Dieser Patient liegt in keinem Fallordner</translation>
+        <translation>Ce patient n’est pas conservé dans un dossier de cas</translation>
     </message>
     <message>
         <source>Writes resection.json, parts.vtu and cut.vtp into results/resection</source>
-        <translation>Schreibt resection.json, parts.vtu und cut.vtp nach results/resection</translation>
+        <translation>Écrit resection.json, parts.vtu et cut.vtp dans results/resection</translation>
     </message>
     <message>
         <source>Needs a cut through the liver</source>
-        <translation>Braucht einen Schnitt durch die Leber</translation>
+        <translation>Il faut une section à travers le foie</translation>
     </message>
     <message>
         <source>Set three or more points where the cut is to pass: on the liver, or in the slices.</source>
-        <translation>Setzen Sie drei oder mehr Punkte, wo der Schnitt verlaufen soll: auf der Leber oder in den Schichten.</translation>
+        <translation>Posez trois points ou plus là où doit passer la section&#xa0;: sur le foie ou dans les coupes.</translation>
     </message>
     <message>
         <source>Click three places through which the plane is to pass.</source>
-        <translation>Klicken Sie drei Stellen an, durch die die Ebene gehen soll.</translation>
+        <translation>Cliquez trois endroits par lesquels le plan doit passer.</translation>
     </message>
     <message>
         <source>Planning...</source>
-        <translation>Wird geplant …</translation>
+        <translation>Planification…</translation>
     </message>
     <message>
         <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
-        <translation>Setzen Sie das Fadenkreuz dorthin, wo der Schnitt verlaufen soll, dann die Ebene hindurch. Ziehen Sie ihre Linie in einer Schicht, um sie zu verschieben, und ein Ende der Linie, um sie zu kippen.</translation>
+        <translation>Placez le réticule là où doit passer la section, puis le plan par ce point. Tirez sa ligne dans une coupe pour le décaler, une extrémité de la ligne pour l’incliner.</translation>
     </message>
     <message>
         <source>Saving the plan</source>
-        <translation>Plan wird gespeichert</translation>
+        <translation>Enregistrement du plan</translation>
     </message>
     <message>
         <source>The plan is in %1</source>
-        <translation>Der Plan liegt in %1</translation>
+        <translation>Le plan est dans %1</translation>
     </message>
     <message>
         <source>Separation</source>
-        <translation>Trennen</translation>
+        <translation>Écartement</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ResectionResults</name>
     <message>
         <source>removed</source>
-        <translation>entfernt</translation>
+        <translation>retiré</translation>
     </message>
     <message>
         <source>stays</source>
-        <translation>bleibt</translation>
+        <translation>reste</translation>
     </message>
     <message>
         <source>cut through</source>
-        <translation>durchschnitten</translation>
+        <translation>sectionné</translation>
     </message>
     <message>
         <source>▲ R1: cut through</source>
-        <translation>▲ R1: durchschnitten</translation>
+        <translation>▲ R1&#xa0;: sectionné</translation>
     </message>
     <message>
         <source>▲ Stays in the patient</source>
-        <translation>▲ Bleibt im Patienten</translation>
+        <translation>▲ Reste dans le patient</translation>
     </message>
     <message>
         <source>▲ R1: under 1 mm</source>
-        <translation>▲ R1: unter 1 mm</translation>
+        <translation>▲ R1&#xa0;: moins de 1 mm</translation>
     </message>
     <message>
         <source>● Under 5 mm</source>
-        <translation>● Unter 5 mm</translation>
+        <translation>● Moins de 5 mm</translation>
     </message>
     <message>
         <source>Margins</source>
-        <translation>Abstände</translation>
+        <translation>Marges</translation>
     </message>
     <message>
         <source>Structure</source>
-        <translation>Struktur</translation>
+        <translation>Structure</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation>Seite</translation>
+        <translation>Côté</translation>
     </message>
     <message>
         <source>mm</source>
@@ -6759,114 +6837,114 @@ figures</source>
     </message>
     <message>
         <source>Smallest distance to the cut inside the liver</source>
-        <translation>Kleinster Abstand zum Schnitt innerhalb der Leber</translation>
+        <translation>Plus petite distance à la section à l’intérieur du foie</translation>
     </message>
     <message>
         <source>R1: a margin under 1 mm counts as tumour at the edge. Under 5 mm is narrow.</source>
-        <translation>R1: Ein Abstand unter 1 mm gilt als Tumor am Rand. Unter 5 mm ist knapp.</translation>
+        <translation>R1&#xa0;: une marge inférieure à 1 mm compte comme tumeur au bord. Moins de 5 mm, c’est étroit.</translation>
     </message>
     <message>
         <source>Vessels crossed</source>
-        <translation>Gekreuzte Gefäße</translation>
+        <translation>Vaisseaux croisés</translation>
     </message>
     <message>
         <source>Vessel</source>
-        <translation>Gefäß</translation>
+        <translation>Vaisseau</translation>
     </message>
     <message>
         <source>Diameter, mm</source>
-        <translation>Durchmesser, mm</translation>
+        <translation>Diamètre, mm</translation>
     </message>
     <message>
         <source>The cut crosses no vessel that was outlined.</source>
-        <translation>Der Schnitt kreuzt kein umrissenes Gefäß.</translation>
+        <translation>La section ne croise aucun vaisseau délimité.</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1 ml&lt;/b&gt; removed (%2 %)</source>
-        <translation>&lt;b&gt;%1 ml&lt;/b&gt; entfernt (%2 %)</translation>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; retirés (%2 %)</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1 ml&lt;/b&gt; stay (%2 %)</source>
-        <translation>&lt;b&gt;%1 ml&lt;/b&gt; bleiben (%2 %)</translation>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; restent (%2 %)</translation>
     </message>
     <message>
         <source>Caution</source>
-        <translation>Vorsicht</translation>
+        <translation>Attention</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SegmentPanel</name>
     <message>
         <source>Segment</source>
-        <translation>Segmentieren</translation>
+        <translation>Segmenter</translation>
     </message>
     <message>
         <source>Outline the liver, its vessels and its tumours.</source>
-        <translation>Leber, Gefäße und Tumoren umreißen.</translation>
+        <translation>Délimiter le foie, ses vaisseaux et ses tumeurs.</translation>
     </message>
     <message>
         <source>Needs a case: open one, or import images.</source>
-        <translation>Braucht einen Fall: Öffnen Sie einen oder importieren Sie Bilder.</translation>
+        <translation>Il faut un cas&#xa0;: ouvrez-en un ou importez des images.</translation>
     </message>
     <message>
         <source>Needs anatomical images: import them in Study.</source>
-        <translation>Braucht anatomische Bilder: Importieren Sie sie unter Studie.</translation>
+        <translation>Il faut des images anatomiques&#xa0;: importez-les dans Étude.</translation>
     </message>
     <message>
         <source>Nothing changed.</source>
-        <translation>Nichts hat sich geändert.</translation>
+        <translation>Rien n’a changé.</translation>
     </message>
     <message>
         <source>Reading the structures</source>
-        <translation>Strukturen werden gelesen</translation>
+        <translation>Lecture des structures</translation>
     </message>
     <message>
         <source>Another name...</source>
-        <translation>Anderer Name …</translation>
+        <translation>Autre nom…</translation>
     </message>
     <message>
         <source>Name of the structure</source>
-        <translation>Name der Struktur</translation>
+        <translation>Nom de la structure</translation>
     </message>
     <message>
         <source>Letters, digits and hyphens:</source>
-        <translation>Buchstaben, Ziffern und Bindestriche:</translation>
+        <translation>Lettres, chiffres et traits d’union&#xa0;:</translation>
     </message>
     <message>
         <source>Choose a structure first, or add one.</source>
-        <translation>Wählen Sie zuerst eine Struktur oder fügen Sie eine hinzu.</translation>
+        <translation>Choisissez d’abord une structure, ou ajoutez-en une.</translation>
     </message>
     <message>
         <source>Click into the structure first, in any slice.</source>
-        <translation>Klicken Sie zuerst in die Struktur, in irgendeiner Schicht.</translation>
+        <translation>Cliquez d’abord dans la structure, sur n’importe quelle coupe.</translation>
     </message>
     <message>
         <source>Replaces the outline by the tissue around the points</source>
-        <translation>Ersetzt den Umriss durch das Gewebe um die Punkte</translation>
+        <translation>Remplace le contour par le tissu autour des points</translation>
     </message>
     <message>
         <source>Click into the tissue, away from large vessels. Points so far: %1</source>
-        <translation>Klicken Sie ins Gewebe, abseits großer Gefäße. Punkte bisher: %1</translation>
+        <translation>Cliquez dans le tissu, loin des gros vaisseaux. Points jusqu’ici&#xa0;: %1</translation>
     </message>
     <message>
         <source>Click on the piece that is to stay; all others go.</source>
-        <translation>Klicken Sie auf das Stück, das bleiben soll; alle anderen gehen.</translation>
+        <translation>Cliquez sur le morceau à garder&#xa0;; tous les autres disparaissent.</translation>
     </message>
     <message>
         <source>Choose a tool to draw in the slices. Without one, clicks move the crosshair.</source>
-        <translation>Wählen Sie ein Werkzeug, um in den Schichten zu zeichnen. Ohne Werkzeug bewegen Klicks das Fadenkreuz.</translation>
+        <translation>Choisissez un outil pour dessiner dans les coupes. Sans outil, les clics déplacent le réticule.</translation>
     </message>
     <message>
         <source>Growing: %1</source>
-        <translation>Wachsen: %1</translation>
+        <translation>Croissance&#xa0;: %1</translation>
     </message>
     <message>
         <source>Structures</source>
-        <translation>Strukturen</translation>
+        <translation>Structures</translation>
     </message>
     <message>
         <source>Structure</source>
-        <translation>Struktur</translation>
+        <translation>Structure</translation>
     </message>
     <message>
         <source>ml</source>
@@ -6874,270 +6952,270 @@ figures</source>
     </message>
     <message>
         <source>The chosen one is drawn on. The box shows or hides it.</source>
-        <translation>Auf der gewählten wird gezeichnet. Das Kästchen zeigt oder verbirgt sie.</translation>
+        <translation>On dessine sur celle qui est choisie. La case l’affiche ou la masque.</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation>Hinzufügen</translation>
+        <translation>Ajouter</translation>
     </message>
     <message>
         <source>A new, empty structure</source>
-        <translation>Eine neue, leere Struktur</translation>
+        <translation>Une nouvelle structure, vide</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation>Umbenennen</translation>
+        <translation>Renommer</translation>
     </message>
     <message>
         <source>Another name, and with it another colour, for the chosen structure</source>
-        <translation>Ein anderer Name und damit eine andere Farbe für die gewählte Struktur</translation>
+        <translation>Un autre nom, et avec lui une autre couleur, pour la structure choisie</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation>Entfernen</translation>
+        <translation>Supprimer</translation>
     </message>
     <message>
         <source>Takes the chosen structure out of the case; Ctrl+Z brings it back</source>
-        <translation>Nimmt die gewählte Struktur aus dem Fall; Strg+Z bringt sie zurück</translation>
+        <translation>Retire la structure choisie du cas&#xa0;; Ctrl+Z la ramène</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation>Werkzeuge</translation>
+        <translation>Outils</translation>
     </message>
     <message>
         <source>Crosshair</source>
-        <translation>Fadenkreuz</translation>
+        <translation>Réticule</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation>Pinsel</translation>
+        <translation>Pinceau</translation>
     </message>
     <message>
         <source>Eraser</source>
-        <translation>Radierer</translation>
+        <translation>Gomme</translation>
     </message>
     <message>
         <source>Smart brush</source>
-        <translation>Gewebepinsel</translation>
+        <translation>Pinceau sélectif</translation>
     </message>
     <message>
         <source>Scissors</source>
-        <translation>Schere</translation>
+        <translation>Ciseaux</translation>
     </message>
     <message>
         <source>Grow</source>
-        <translation>Wachsen</translation>
+        <translation>Croissance</translation>
     </message>
     <message>
         <source>Pick piece</source>
-        <translation>Stück wählen</translation>
+        <translation>Choisir un morceau</translation>
     </message>
     <message>
         <source>Clicks move the crosshair</source>
-        <translation>Klicks bewegen das Fadenkreuz</translation>
+        <translation>Les clics déplacent le réticule</translation>
     </message>
     <message>
         <source>Drag to add. Ctrl: erase instead. Shift+wheel: radius in mm</source>
-        <translation>Ziehen fügt hinzu. Strg: stattdessen löschen. Umschalt+Rad: Radius in mm</translation>
+        <translation>Glisser pour ajouter. Ctrl&#xa0;: effacer. Maj+molette&#xa0;: rayon en mm</translation>
     </message>
     <message>
         <source>Drag to take away. Ctrl: add instead. Shift+wheel: radius in mm</source>
-        <translation>Ziehen nimmt weg. Strg: stattdessen hinzufügen. Umschalt+Rad: Radius in mm</translation>
+        <translation>Glisser pour enlever. Ctrl&#xa0;: ajouter. Maj+molette&#xa0;: rayon en mm</translation>
     </message>
     <message>
         <source>Adds only where the grey values are like those under the click</source>
-        <translation>Fügt nur hinzu, wo die Grauwerte denen unter dem Klick gleichen</translation>
+        <translation>N’ajoute que là où les niveaux de gris ressemblent à ceux sous le clic</translation>
     </message>
     <message>
         <source>Draw around something, and cut away what is inside or outside</source>
-        <translation>Etwas umfahren und wegschneiden, was innen oder außen ist</translation>
+        <translation>Entourer quelque chose et enlever ce qui est à l’intérieur ou à l’extérieur</translation>
     </message>
     <message>
         <source>Click points into the tissue, then let the structure grow over what looks alike</source>
-        <translation>Setzen Sie Punkte ins Gewebe und lassen Sie die Struktur dann über Gleichartiges wachsen</translation>
+        <translation>Placez des points dans le tissu, puis laissez la structure s’étendre sur ce qui lui ressemble</translation>
     </message>
     <message>
         <source>Click on the piece that is to stay; all others go</source>
-        <translation>Klicken Sie auf das Stück, das bleiben soll; alle anderen gehen</translation>
+        <translation>Cliquez sur le morceau à garder&#xa0;; tous les autres disparaissent</translation>
     </message>
     <message>
         <source>%1 (key %2)</source>
-        <translation>%1 (Taste %2)</translation>
+        <translation>%1 (touche %2)</translation>
     </message>
     <message>
         <source>Radius (Shift+wheel)</source>
-        <translation>Radius (Umschalt+Rad)</translation>
+        <translation>Rayon (Maj+molette)</translation>
     </message>
     <message>
         <source>Radius of the brush in mm</source>
-        <translation>Radius des Pinsels in mm</translation>
+        <translation>Rayon du pinceau en mm</translation>
     </message>
     <message>
         <source>Disc in this slice</source>
-        <translation>Scheibe in dieser Schicht</translation>
+        <translation>Disque dans cette coupe</translation>
     </message>
     <message>
         <source>Ball through the slices</source>
-        <translation>Kugel durch die Schichten</translation>
+        <translation>Boule à travers les coupes</translation>
     </message>
     <message>
         <source>Whether the brush reaches into the neighbouring slices</source>
-        <translation>Ob der Pinsel in die Nachbarschichten reicht</translation>
+        <translation>Si le pinceau atteint les coupes voisines</translation>
     </message>
     <message>
         <source>Tolerance (standard deviations)</source>
-        <translation>Toleranz (Standardabweichungen)</translation>
+        <translation>Tolérance (écarts-types)</translation>
     </message>
     <message>
         <source>How far a grey value may be from that under the click, in standard deviations around it</source>
-        <translation>Wie weit ein Grauwert von dem unter dem Klick abweichen darf, in Standardabweichungen um ihn</translation>
+        <translation>Écart permis d’un niveau de gris à celui sous le clic, en écarts-types autour de lui</translation>
     </message>
     <message>
         <source>Cut away what is inside</source>
-        <translation>Wegschneiden, was innen ist</translation>
+        <translation>Enlever ce qui est à l’intérieur</translation>
     </message>
     <message>
         <source>Cut away what is outside</source>
-        <translation>Wegschneiden, was außen ist</translation>
+        <translation>Enlever ce qui est à l’extérieur</translation>
     </message>
     <message>
         <source>In this slice only</source>
-        <translation>Nur in dieser Schicht</translation>
+        <translation>Dans cette coupe seulement</translation>
     </message>
     <message>
         <source>Through all slices</source>
-        <translation>Durch alle Schichten</translation>
+        <translation>À travers toutes les coupes</translation>
     </message>
     <message>
         <source>Forget the points</source>
-        <translation>Punkte vergessen</translation>
+        <translation>Oublier les points</translation>
     </message>
     <message>
         <source>The whole structure</source>
-        <translation>Die ganze Struktur</translation>
+        <translation>La structure entière</translation>
     </message>
     <message>
         <source>Fill between slices</source>
-        <translation>Zwischen Schichten füllen</translation>
+        <translation>Remplir entre les coupes</translation>
     </message>
     <message>
         <source>Fill holes</source>
-        <translation>Löcher füllen</translation>
+        <translation>Combler les trous</translation>
     </message>
     <message>
         <source>Keep the largest</source>
-        <translation>Größtes behalten</translation>
+        <translation>Garder le plus grand</translation>
     </message>
     <message>
         <source>Remove pieces below</source>
-        <translation>Stücke entfernen unter</translation>
+        <translation>Supprimer les morceaux sous</translation>
     </message>
     <message>
         <source>Smooth</source>
-        <translation>Glätten</translation>
+        <translation>Lisser</translation>
     </message>
     <message>
         <source>Grow by</source>
-        <translation>Wachsen um</translation>
+        <translation>Élargir de</translation>
     </message>
     <message>
         <source>Shrink by</source>
-        <translation>Schrumpfen um</translation>
+        <translation>Rétrécir de</translation>
     </message>
     <message>
         <source>Fills the slices between drawn ones by their shapes</source>
-        <translation>Füllt die Schichten zwischen gezeichneten nach deren Formen</translation>
+        <translation>Remplit les coupes entre celles dessinées d’après leurs formes</translation>
     </message>
     <message>
         <source>Fills what is enclosed on all sides</source>
-        <translation>Füllt, was ringsum eingeschlossen ist</translation>
+        <translation>Comble ce qui est entièrement entouré</translation>
     </message>
     <message>
         <source>Keeps the largest piece and drops the others</source>
-        <translation>Behält das größte Stück und entfernt die anderen</translation>
+        <translation>Garde le plus grand morceau et supprime les autres</translation>
     </message>
     <message>
         <source>Drops pieces of less than this volume in ml</source>
-        <translation>Entfernt Stücke von weniger als diesem Volumen in ml</translation>
+        <translation>Supprime les morceaux de volume inférieur à celui-ci, en ml</translation>
     </message>
     <message>
         <source>Rounds what is smaller than about this many mm</source>
-        <translation>Rundet, was kleiner als etwa so viele mm ist</translation>
+        <translation>Arrondit ce qui est plus petit qu’environ ce nombre de mm</translation>
     </message>
     <message>
         <source>Adds a margin of this many mm all around</source>
-        <translation>Fügt ringsum einen Rand von so vielen mm hinzu</translation>
+        <translation>Ajoute tout autour une marge de ce nombre de mm</translation>
     </message>
     <message>
         <source>Takes a margin of this many mm away all around</source>
-        <translation>Nimmt ringsum einen Rand von so vielen mm weg</translation>
+        <translation>Enlève tout autour une marge de ce nombre de mm</translation>
     </message>
     <message>
         <source>Transverse</source>
-        <translation>Transversal</translation>
+        <translation>Transversale</translation>
     </message>
     <message>
         <source>Coronal</source>
-        <translation>Koronal</translation>
+        <translation>Coronale</translation>
     </message>
     <message>
         <source>Sagittal</source>
-        <translation>Sagittal</translation>
+        <translation>Sagittale</translation>
     </message>
     <message>
         <source>The slices that were drawn in</source>
-        <translation>Die Schichten, in denen gezeichnet wurde</translation>
+        <translation>Les coupes dans lesquelles on a dessiné</translation>
     </message>
     <message>
         <source>Least volume in ml</source>
-        <translation>Kleinstes Volumen in ml</translation>
+        <translation>Volume minimal en ml</translation>
     </message>
     <message>
         <source>Radius of smoothing in mm</source>
-        <translation>Radius der Glättung in mm</translation>
+        <translation>Rayon du lissage en mm</translation>
     </message>
     <message>
         <source>Margin in mm</source>
-        <translation>Rand in mm</translation>
+        <translation>Marge en mm</translation>
     </message>
     <message>
         <source>So far to both sides</source>
-        <translation>So weit nach beiden Seiten</translation>
+        <translation>De chaque côté, de</translation>
     </message>
     <message>
         <source>This slice and all towards you</source>
-        <translation>Diese Schicht und alle davor</translation>
+        <translation>Cette coupe et toutes celles devant</translation>
     </message>
     <message>
         <source>This slice and all behind it</source>
-        <translation>Diese Schicht und alle dahinter</translation>
+        <translation>Cette coupe et toutes celles derrière</translation>
     </message>
     <message>
         <source>How deep the scissors cut along your line of sight, in tilted slices too</source>
-        <translation>Wie tief die Schere entlang Ihrer Blickrichtung schneidet, auch in gekippten Schichten</translation>
+        <translation>Profondeur de la coupe des ciseaux le long de votre regard, dans les coupes inclinées aussi</translation>
     </message>
     <message>
         <source>How far the scissors cut before and behind this slice, in mm</source>
-        <translation>Wie weit die Schere vor und hinter dieser Schicht schneidet, in mm</translation>
+        <translation>Distance de coupe des ciseaux devant et derrière cette coupe, en mm</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SeriesTable</name>
     <message>
         <source>Series</source>
-        <translation>Serie</translation>
+        <translation>Série</translation>
     </message>
     <message>
         <source>Size and spacing</source>
-        <translation>Größe und Abstand</translation>
+        <translation>Taille et espacement</translation>
     </message>
     <message>
         <source>Use as</source>
-        <translation>Verwenden als</translation>
+        <translation>Utiliser comme</translation>
     </message>
     <message>
         <source>Remarks</source>
-        <translation>Bemerkungen</translation>
+        <translation>Remarques</translation>
     </message>
     <message>
         <source>Anatomy</source>
@@ -7145,202 +7223,202 @@ figures</source>
     </message>
     <message>
         <source>Stiffness (kPa)</source>
-        <translation>Steifigkeit (kPa)</translation>
+        <translation>Rigidité (kPa)</translation>
     </message>
     <message>
         <source>Confidence</source>
-        <translation>Konfidenz</translation>
+        <translation>Confiance</translation>
     </message>
     <message>
         <source>MRE magnitude</source>
-        <translation>MRE-Magnitude</translation>
+        <translation>Magnitude ERM</translation>
     </message>
     <message>
         <source>MRE phase</source>
-        <translation>MRE-Phase</translation>
+        <translation>Phase ERM</translation>
     </message>
     <message>
         <source>MRE waves</source>
-        <translation>MRE-Wellen</translation>
+        <translation>Ondes ERM</translation>
     </message>
     <message>
         <source>Segmentation</source>
-        <translation>Segmentierung</translation>
+        <translation>Segmentation</translation>
     </message>
     <message>
         <source>Leave out</source>
-        <translation>Auslassen</translation>
+        <translation>Écarter</translation>
     </message>
     <message>
         <source>Without a description</source>
-        <translation>Ohne Beschreibung</translation>
+        <translation>Sans description</translation>
     </message>
     <message>
         <source>%1 volumes</source>
-        <translation>%1 Volumina</translation>
+        <translation>%1 volumes</translation>
     </message>
     <message>
         <source>Use %1 as</source>
-        <translation>%1 verwenden als</translation>
+        <translation>Utiliser %1 comme</translation>
     </message>
     <message>
         <source>What this series is for. The proposal is read from its header.</source>
-        <translation>Wozu diese Serie dient. Der Vorschlag ist aus ihrem Kopf gelesen.</translation>
+        <translation>À quoi sert cette série. La proposition est lue dans son en-tête.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SettingsWindow</name>
     <message>
         <source>Settings - Glisson</source>
-        <translation>Einstellungen - Glisson</translation>
+        <translation>Réglages - Glisson</translation>
     </message>
     <message>
         <source>&amp;Appearance</source>
-        <translation>&amp;Aussehen</translation>
+        <translation>&amp;Apparence</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation>Dunkel</translation>
+        <translation>Sombre</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation>Hell</translation>
+        <translation>Clair</translation>
     </message>
     <message>
         <source>&amp;Language</source>
-        <translation>&amp;Sprache</translation>
+        <translation>&amp;Langue</translation>
     </message>
     <message>
         <source>System language</source>
-        <translation>Sprache des Systems</translation>
+        <translation>Langue du système</translation>
     </message>
     <message>
         <source>&amp;Processors</source>
-        <translation>&amp;Prozessoren</translation>
+        <translation>&amp;Processeurs</translation>
     </message>
     <message>
         <source>All %1</source>
-        <translation>Alle %1</translation>
+        <translation>Les %1</translation>
     </message>
     <message>
         <source>How many processors long computations may take</source>
-        <translation>Wie viele Prozessoren lange Rechnungen nutzen dürfen</translation>
+        <translation>Combien de processeurs les longs calculs peuvent utiliser</translation>
     </message>
     <message>
         <source>&amp;Patients&apos; names in what leaves this window</source>
-        <translation>&amp;Patientennamen in allem, was dieses Fenster verlässt</translation>
+        <translation>Noms des &amp;patients dans ce qui quitte cette fenêtre</translation>
     </message>
     <message>
         <source>Pictures, movies and reports name a patient only then. The log never does.</source>
-        <translation>Nur dann nennen Bilder, Filme und Berichte einen Patienten. Das Protokoll tut es nie.</translation>
+        <translation>Images, films et rapports ne nomment un patient que dans ce cas. Le journal ne le fait jamais.</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation>Schließen</translation>
+        <translation>Fermer</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ShortcutsWindow</name>
     <message>
         <source>Keys - Glisson</source>
-        <translation>Tasten - Glisson</translation>
+        <translation>Touches - Glisson</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation>Suchen</translation>
+        <translation>Rechercher</translation>
     </message>
     <message>
         <source>Words to search for</source>
-        <translation>Suchwörter</translation>
+        <translation>Mots à chercher</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation>Tasten</translation>
+        <translation>Touches</translation>
     </message>
     <message>
         <source>What it does</source>
-        <translation>Was sie tut</translation>
+        <translation>Ce qu’elle fait</translation>
     </message>
     <message>
         <source>Key</source>
-        <translation>Taste</translation>
+        <translation>Touche</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SliceTools</name>
     <message>
         <source>Choose a structure first, or add one.</source>
-        <translation>Wählen Sie zuerst eine Struktur oder fügen Sie eine hinzu.</translation>
+        <translation>Choisissez d’abord une structure, ou ajoutez-en une.</translation>
     </message>
     <message>
         <source>One moment: the last change is being worked off.</source>
-        <translation>Einen Moment: Die letzte Änderung wird noch ausgeführt.</translation>
+        <translation>Un instant&#xa0;: la dernière modification est en cours.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SolvingLight</name>
     <message>
         <source>○ No tool</source>
-        <translation>○ Kein Instrument</translation>
+        <translation>○ Aucun instrument</translation>
     </message>
     <message>
         <source>◐ Solving</source>
-        <translation>◐ Löst</translation>
+        <translation>◐ Résolution</translation>
     </message>
     <message>
         <source>▲ Not to be used</source>
-        <translation>▲ Nicht brauchbar</translation>
+        <translation>▲ Inutilisable</translation>
     </message>
     <message>
         <source>✔ Solved</source>
-        <translation>✔ Gelöst</translation>
+        <translation>✔ Résolu</translation>
     </message>
     <message>
         <source>✖ Not solved</source>
-        <translation>✖ Nicht gelöst</translation>
+        <translation>✖ Non résolu</translation>
     </message>
     <message>
         <source>❚❚ Frozen</source>
-        <translation>❚❚ Eingefroren</translation>
+        <translation>❚❚ Figé</translation>
     </message>
     <message>
         <source>What is shown is from before.</source>
-        <translation>Gezeigt wird der Stand davor.</translation>
+        <translation>Ce qui est montré est l’état précédent.</translation>
     </message>
     <message>
         <source>▲ Outside of the model</source>
-        <translation>▲ Außerhalb des Modells</translation>
+        <translation>▲ Hors du modèle</translation>
     </message>
     <message>
         <source>Use less force.</source>
-        <translation>Nehmen Sie weniger Kraft.</translation>
+        <translation>Utilisez moins de force.</translation>
     </message>
     <message>
         <source>solved in %1 ms · drawn in %2 ms</source>
-        <translation>gelöst in %1 ms · gezeichnet in %2 ms</translation>
+        <translation>résolu en %1 ms · dessiné en %2 ms</translation>
     </message>
     <message>
         <source>Residual %1: how far the equations are from balance</source>
-        <translation>Residuum %1: wie weit die Gleichungen vom Gleichgewicht entfernt sind</translation>
+        <translation>Résidu %1&#xa0;: l’écart des équations à l’équilibre</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::StatusLine</name>
     <message>
         <source>about %1 s left</source>
-        <translation>noch etwa %1 s</translation>
+        <translation>encore %1 s environ</translation>
     </message>
     <message>
         <source>about %1 min left</source>
-        <translation>noch etwa %1 min</translation>
+        <translation>encore %1 min environ</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Abbrechen</translation>
+        <translation>Annuler</translation>
     </message>
     <message>
         <source>Not a medical device</source>
-        <translation>Kein Medizinprodukt</translation>
+        <translation>N’est pas un dispositif médical</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -7351,90 +7429,90 @@ figures</source>
     <name>glisson::widgets::StudyPage</name>
     <message>
         <source>Study</source>
-        <translation>Studie</translation>
+        <translation>Étude</translation>
     </message>
     <message>
         <source>Find images, say what each series is for, and see what the case holds.</source>
-        <translation>Bilder finden, sagen, wozu jede Serie dient, und sehen, was der Fall enthält.</translation>
+        <translation>Trouver des images, dire à quoi sert chaque série et voir ce que contient le cas.</translation>
     </message>
     <message>
         <source>Looking for images</source>
-        <translation>Bilder werden gesucht</translation>
+        <translation>Recherche d’images</translation>
     </message>
     <message>
         <source>Images</source>
-        <translation>Bilder</translation>
+        <translation>Images</translation>
     </message>
     <message>
         <source>Look in a folder...</source>
-        <translation>In einem Ordner suchen …</translation>
+        <translation>Chercher dans un dossier…</translation>
     </message>
     <message>
         <source>A folder, a DICOMDIR or one file; dropping it on the window does the same</source>
-        <translation>Ein Ordner, ein DICOMDIR oder eine Datei; Ablegen auf dem Fenster tut dasselbe</translation>
+        <translation>Un dossier, un DICOMDIR ou un fichier&#xa0;; le déposer sur la fenêtre fait de même</translation>
     </message>
     <message>
         <source>Keep the case as</source>
-        <translation>Fall aufbewahren als</translation>
+        <translation>Conserver le cas sous</translation>
     </message>
     <message>
         <source>Make a case</source>
-        <translation>Fall anlegen</translation>
+        <translation>Créer un cas</translation>
     </message>
     <message>
         <source>Add to the open case</source>
-        <translation>Zum offenen Fall hinzufügen</translation>
+        <translation>Ajouter au cas ouvert</translation>
     </message>
     <message>
         <source>Drop a folder of DICOM images, a DICOMDIR, or a NIfTI, NRRD or MHA file here.</source>
-        <translation>Legen Sie hier einen Ordner mit DICOM-Bildern, ein DICOMDIR oder eine NIfTI-, NRRD- oder MHA-Datei ab.</translation>
+        <translation>Déposez ici un dossier d’images DICOM, un DICOMDIR ou un fichier NIfTI, NRRD ou MHA.</translation>
     </message>
     <message>
         <source>%1: series found: %2</source>
-        <translation>%1: gefundene Serien: %2</translation>
+        <translation>%1&#xa0;: séries trouvées&#xa0;: %2</translation>
     </message>
     <message>
         <source>; files left out: %1</source>
-        <translation>; ausgelassene Dateien: %1</translation>
+        <translation>; fichiers écartés&#xa0;: %1</translation>
     </message>
     <message>
         <source>Give at least one series a role first.</source>
-        <translation>Geben Sie zuerst mindestens einer Serie eine Rolle.</translation>
+        <translation>Donnez d’abord un rôle à au moins une série.</translation>
     </message>
     <message>
         <source>There is something of that name already: choose another.</source>
-        <translation>Unter diesem Namen gibt es schon etwas: Wählen Sie einen anderen.</translation>
+        <translation>Il existe déjà quelque chose de ce nom&#xa0;: choisissez-en un autre.</translation>
     </message>
     <message>
         <source>Copies the chosen series into a new case</source>
-        <translation>Kopiert die gewählten Serien in einen neuen Fall</translation>
+        <translation>Copie les séries choisies dans un nouveau cas</translation>
     </message>
     <message>
         <source>No case is open.</source>
-        <translation>Es ist kein Fall geöffnet.</translation>
+        <translation>Aucun cas n’est ouvert.</translation>
     </message>
     <message>
         <source>Patients&apos; names are neither shown nor kept: a case keeps a hash of them. The images are never written to.</source>
-        <translation>Patientennamen werden weder gezeigt noch behalten: Ein Fall behält nur einen Hashwert davon. In die Bilder wird nie geschrieben.</translation>
+        <translation>Les noms des patients ne sont ni montrés ni gardés : un cas n&apos;en garde qu&apos;une empreinte. Rien n&apos;est jamais écrit dans les images.</translation>
     </message>
     <message>
         <source>Labels need the images that they were drawn on: give one series another role.</source>
-        <translation>Labels brauchen die Bilder, auf denen sie gezeichnet wurden: Geben Sie einer Serie eine andere Rolle.</translation>
+        <translation>Les étiquettes ont besoin des images sur lesquelles elles ont été dessinées : donnez un autre rôle à une série.</translation>
     </message>
     <message>
         <source>Glisson asks before anything is replaced; Ctrl+Z brings it back</source>
-        <translation>Glisson fragt, bevor etwas ersetzt wird; Strg+Z holt es zurück</translation>
+        <translation>Glisson demande avant de remplacer quoi que ce soit ; Ctrl+Z le ramène</translation>
     </message>
     <message>
         <source>Open images: a folder, or a file of them</source>
-        <translation>Bilder öffnen: ein Ordner oder eine Datei davon</translation>
+        <translation>Ouvrir des images : un dossier, ou un de leurs fichiers</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::StudyPanel</name>
     <message>
         <source>Slices show</source>
-        <translation>Schichten zeigen</translation>
+        <translation>Les coupes montrent</translation>
     </message>
     <message>
         <source>Anatomy</source>
@@ -7442,15 +7520,15 @@ figures</source>
     </message>
     <message>
         <source>Stiffness (MR elastography)</source>
-        <translation>Steifigkeit (MR-Elastographie)</translation>
+        <translation>Rigidité (élastographie par RM)</translation>
     </message>
     <message>
         <source>Structures</source>
-        <translation>Strukturen</translation>
+        <translation>Structures</translation>
     </message>
     <message>
         <source>Structure</source>
-        <translation>Struktur</translation>
+        <translation>Structure</translation>
     </message>
     <message>
         <source>ml</source>
@@ -7458,127 +7536,64 @@ figures</source>
     </message>
     <message>
         <source>No patient open</source>
-        <translation>Kein Patient geöffnet</translation>
+        <translation>Aucun patient ouvert</translation>
     </message>
     <message>
         <source>%1 cells
 Young&apos;s modulus %2 kPa (mean)</source>
-        <translation>%1 Zellen
-Elastizitätsmodul %2 kPa (Mittel)</translation>
+        <translation>%1 cellules
+Module de Young&#xa0;%2 kPa (moyenne)</translation>
     </message>
     <message>
         <source>%1 voxels,
 %2 each</source>
-        <translation>%1 Voxel,
-je %2</translation>
+        <translation>%1 voxels,
+de %2 chacun</translation>
     </message>
     <message>
         <source>%1 cells
 Young&apos;s modulus %2 kPa (assumed)</source>
-        <translation>%1 Zellen
-Elastizitätsmodul %2 kPa (angenommen)</translation>
+        <translation>%1 cellules
+Module de Young %2 kPa (supposé)</translation>
     </message>
     <message>
         <source>%1 (fixed)</source>
-        <translation>%1 (fest)</translation>
+        <translation>%1 (fixe)</translation>
     </message>
     <message>
         <source>No part of the model: drawn where it was outlined, it does not move.</source>
-        <translation>Nicht Teil des Modells: gezeichnet, wo es umrissen wurde; es bewegt sich nicht.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::widgets::SuspectsTable</name>
-    <message>
-        <source>Suspect, each by itself</source>
-        <translation>Verdacht, jeder für sich</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Fehler</translation>
-    </message>
-    <message>
-        <source>On trials left out</source>
-        <translation>An ausgelassenen Versuchen</translation>
-    </message>
-    <message>
-        <source>These data cannot tell it from</source>
-        <translation>Diese Daten unterscheiden es nicht von</translation>
-    </message>
-    <message>
-        <source>Root mean square on the trials that it was fitted to</source>
-        <translation>Quadratisches Mittel auf den Versuchen, an die es angepasst wurde</translation>
-    </message>
-    <message>
-        <source>Root mean square on trials that it was not fitted to, left out whole</source>
-        <translation>Quadratisches Mittel auf ganz ausgelassenen Versuchen, an die es nicht angepasst wurde</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>out of the running: %1</source>
-        <translation>aus dem Rennen: %1</translation>
-    </message>
-    <message>
-        <source>very strong</source>
-        <translation>sehr stark</translation>
-    </message>
-    <message>
-        <source>strong</source>
-        <translation>stark</translation>
-    </message>
-    <message>
-        <source>weak</source>
-        <translation>schwach</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keiner</translation>
-    </message>
-    <message>
-        <source>Evidence</source>
-        <translation>Beleg</translation>
-    </message>
-    <message>
-        <source>Against the declared model, by the difference of BIC</source>
-        <translation>Gegen das angegebene Modell, nach dem Unterschied des BIC</translation>
-    </message>
-    <message>
-        <source>ΔBIC %1</source>
-        <translation>ΔBIC %1</translation>
+        <translation>Ne fait pas partie du modèle : dessiné là où il a été délimité, il ne bouge pas.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TakingIn</name>
     <message>
         <source>Looking at the labels</source>
-        <translation>Labels ansehen</translation>
+        <translation>Examen des étiquettes</translation>
     </message>
     <message>
         <source>The case %1 has an anatomy already. These images would replace it; what was outlined and modelled on it then no longer fits.</source>
-        <translation>Der Fall %1 hat schon eine Anatomie. Diese Bilder würden sie ersetzen; was darauf umrissen und modelliert wurde, passt dann nicht mehr.</translation>
+        <translation>Le cas %1 a déjà une anatomie. Ces images la remplaceraient ; ce qui y a été contouré et modélisé ne conviendrait plus.</translation>
     </message>
     <message>
         <source>Replace the anatomy?</source>
-        <translation>Die Anatomie ersetzen?</translation>
+        <translation>Remplacer l&apos;anatomie ?</translation>
     </message>
     <message>
         <source>Is it this patient?</source>
-        <translation>Ist es dieser Patient?</translation>
+        <translation>Est-ce bien ce patient ?</translation>
     </message>
     <message>
         <source>Replace</source>
-        <translation>Ersetzen</translation>
+        <translation>Remplacer</translation>
     </message>
     <message>
         <source>Add all the same</source>
-        <translation>Trotzdem hinzufügen</translation>
+        <translation>Ajouter malgré tout</translation>
     </message>
     <message>
         <source>Importing</source>
-        <translation>Import läuft</translation>
+        <translation>Importation</translation>
     </message>
 </context>
 <context>
@@ -7589,47 +7604,47 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation>Abspielen</translation>
+        <translation>Lire</translation>
     </message>
     <message>
         <source>One frame back</source>
-        <translation>Ein Bild zurück</translation>
+        <translation>Une image en arrière</translation>
     </message>
     <message>
         <source>One frame on</source>
-        <translation>Ein Bild weiter</translation>
+        <translation>Une image en avant</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation>Bild</translation>
+        <translation>Image</translation>
     </message>
     <message>
         <source>No frames</source>
-        <translation>Keine Bilder</translation>
+        <translation>Aucune image</translation>
     </message>
     <message>
         <source>Frame %1 of %2</source>
-        <translation>Bild %1 von %2</translation>
+        <translation>Image %1 sur %2</translation>
     </message>
     <message>
         <source>Open a sequence first</source>
-        <translation>Zuerst eine Sequenz öffnen</translation>
+        <translation>Ouvrez d’abord une séquence</translation>
     </message>
     <message>
         <source>Plays the video at 15 frames a second, round and round (Space)</source>
-        <translation>Spielt das Video mit 15 Bildern je Sekunde, immer wieder (Leertaste)</translation>
+        <translation>Lit la vidéo à 15 images par seconde, en boucle (Espace)</translation>
     </message>
     <message>
         <source>One frame back (Left)</source>
-        <translation>Ein Bild zurück (Links)</translation>
+        <translation>Une image en arrière (Gauche)</translation>
     </message>
     <message>
         <source>One frame on (Right)</source>
-        <translation>Ein Bild weiter (Rechts)</translation>
+        <translation>Une image en avant (Droite)</translation>
     </message>
     <message>
         <source>The frame that is shown (Left, Right, Page Up, Page Down, Home, End)</source>
-        <translation>Das Bild, das gezeigt wird (Links, Rechts, Bild auf, Bild ab, Pos1, Ende)</translation>
+        <translation>L’image affichée (Gauche, Droite, Page préc., Page suiv., Début, Fin)</translation>
     </message>
 </context>
 <context>
@@ -7640,43 +7655,43 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
     <message>
         <source>Direction</source>
-        <translation>Richtung</translation>
+        <translation>Direction</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation>Kraft</translation>
+        <translation>Force</translation>
     </message>
     <message>
         <source>Place by click</source>
-        <translation>Per Klick setzen</translation>
+        <translation>Placer d’un clic</translation>
     </message>
     <message>
         <source>Then click on the liver where the tool is to touch it. By key: Ctrl+T, at the crosshair</source>
-        <translation>Klicken Sie dann auf die Stelle der Leber, die das Instrument berühren soll. Per Taste: Strg+T, am Fadenkreuz</translation>
+        <translation>Cliquez ensuite sur le foie à l’endroit que l’instrument doit toucher. Au clavier&#xa0;: Ctrl+T, au réticule</translation>
     </message>
     <message>
         <source>Hoist segment VI</source>
-        <translation>Segment VI anheben</translation>
+        <translation>Soulever le segment VI</translation>
     </message>
     <message>
         <source>Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head</source>
-        <translation>Setzt das Instrument unter den rechten, unteren, hinteren Teil der Leber und hebt ihn nach vorn und kopfwärts an</translation>
+        <translation>Place l’instrument sous la partie droite, inférieure et postérieure du foie, en la soulevant vers l’avant et la tête</translation>
     </message>
     <message>
         <source>Hoist to front and head</source>
-        <translation>Nach vorn und kopfwärts anheben</translation>
+        <translation>Soulever vers l’avant et la tête</translation>
     </message>
     <message>
         <source>Pull away from the surface</source>
-        <translation>Von der Oberfläche wegziehen</translation>
+        <translation>Tirer loin de la surface</translation>
     </message>
     <message>
         <source>Push into the surface</source>
-        <translation>In die Oberfläche drücken</translation>
+        <translation>Appuyer sur la surface</translation>
     </message>
     <message>
         <source>As the arrow was dragged</source>
-        <translation>Wie der Pfeil gezogen wurde</translation>
+        <translation>Comme la flèche a été tirée</translation>
     </message>
     <message>
         <source> N</source>
@@ -7684,121 +7699,121 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
     <message>
         <source>Touch with the rigid tool itself</source>
-        <translation>Mit dem starren Instrument selbst berühren</translation>
+        <translation>Toucher avec l’instrument rigide lui-même</translation>
     </message>
     <message>
         <source>The tool&apos;s solid in contact with the liver, and several tools at once. Otherwise the force is spread over a patch.</source>
-        <translation>Der Körper des Instruments in Berührung mit der Leber, und mehrere Instrumente zugleich. Sonst verteilt sich die Kraft auf eine Fläche.</translation>
+        <translation>Le solide de l’instrument au contact du foie, et plusieurs instruments à la fois. Sinon, la force est répartie sur une surface.</translation>
     </message>
     <message>
         <source>Several tools at once need rigid tools</source>
-        <translation>Mehrere Instrumente zugleich gehen nur mit starren Instrumenten</translation>
+        <translation>Plusieurs instruments à la fois ne sont possibles qu’avec des instruments rigides</translation>
     </message>
     <message>
         <source>Take the tool away</source>
-        <translation>Instrument wegnehmen</translation>
+        <translation>Retirer l’instrument</translation>
     </message>
     <message>
         <source>From %1 N on, strains are outside of the model</source>
-        <translation>Ab %1 N liegen die Dehnungen außerhalb des Modells</translation>
+        <translation>Dès %1 N, les déformations sont hors du modèle</translation>
     </message>
     <message>
         <source>Add another tool</source>
-        <translation>Weiteres Instrument</translation>
+        <translation>Ajouter un autre instrument</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TourCard</name>
     <message>
         <source>End the tour</source>
-        <translation>Rundgang beenden</translation>
+        <translation>Terminer la visite</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation>Zurück</translation>
+        <translation>Retour</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
+        <translation>%1 sur %2</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation>Weiter</translation>
+        <translation>Suivant</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation>Fertig</translation>
+        <translation>Terminé</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TrackControls</name>
     <message>
         <source>❚❚ Freeze</source>
-        <translation>❚❚ Einfrieren</translation>
+        <translation>❚❚ Figer</translation>
     </message>
     <message>
         <source>Nothing moves the tool while you look around</source>
-        <translation>Nichts bewegt das Instrument, während Sie sich umsehen</translation>
+        <translation>Rien ne déplace l’instrument pendant que vous regardez</translation>
     </message>
     <message>
         <source>▶ Play</source>
-        <translation>▶ Abspielen</translation>
+        <translation>▶ Lire</translation>
     </message>
     <message>
         <source>Shows again what was done, from where the time stands; rests are cut to 1 s</source>
-        <translation>Zeigt noch einmal, was getan wurde, ab der eingestellten Zeit; Pausen sind auf 1 s gekürzt</translation>
+        <translation>Montre à nouveau ce qui a été fait, à partir du temps choisi&#xa0;; les pauses sont réduites à 1 s</translation>
     </message>
     <message>
         <source>Any moment of this rehearsal, in seconds</source>
-        <translation>Ein beliebiger Moment dieser Probe, in Sekunden</translation>
+        <translation>N’importe quel moment de cette répétition, en secondes</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation>Zeit</translation>
+        <translation>Temps</translation>
     </message>
     <message>
         <source>Table...</source>
-        <translation>Tabelle …</translation>
+        <translation>Tableau…</translation>
     </message>
     <message>
         <source>Saves every moment as CSV: tools, forces (N), landmarks (mm)</source>
-        <translation>Speichert jeden Moment als CSV: Instrumente, Kräfte (N), Landmarken (mm)</translation>
+        <translation>Enregistre chaque moment en CSV&#xa0;: instruments, forces (N), repères (mm)</translation>
     </message>
     <message>
         <source>Forget</source>
-        <translation>Vergessen</translation>
+        <translation>Oublier</translation>
     </message>
     <message>
         <source>Forgets what was done so far; the tool stays</source>
-        <translation>Vergisst, was bisher getan wurde; das Instrument bleibt</translation>
+        <translation>Oublie ce qui a été fait jusqu’ici&#xa0;; l’instrument reste</translation>
     </message>
     <message>
         <source>Stop (%1 %)</source>
-        <translation>Anhalten (%1 %)</translation>
+        <translation>Arrêter (%1 %)</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation>Geschrieben: %1</translation>
+        <translation>Écrit&#xa0;: %1</translation>
     </message>
     <message>
         <source>Save a movie of the rehearsal</source>
-        <translation>Film der Probe speichern</translation>
+        <translation>Enregistrer un film de la répétition</translation>
     </message>
     <message>
         <source>Movies (*.mp4);;Folder of pictures (*)</source>
-        <translation>Filme (*.mp4);;Ordner mit Bildern (*)</translation>
+        <translation>Films (*.mp4);;Dossier d’images (*)</translation>
     </message>
     <message>
         <source>Save the rehearsal as a table</source>
-        <translation>Probe als Tabelle speichern</translation>
+        <translation>Enregistrer la répétition dans un tableau</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation>Tabellen (*.csv)</translation>
+        <translation>Tableaux (*.csv)</translation>
     </message>
     <message>
         <source>%1 of %2 s</source>
-        <translation>%1 von %2 s</translation>
+        <translation>%1 sur %2 s</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -7806,19 +7821,19 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
     <message>
         <source>A movie of what the 3D view shows, MP4 or pictures</source>
-        <translation>Ein Film dessen, was die 3D-Ansicht zeigt: MP4 oder Bilder</translation>
+        <translation>Un film de ce que montre la vue 3D&#xa0;: MP4 ou images</translation>
     </message>
     <message>
         <source>Move a tool first: there is nothing to show yet</source>
-        <translation>Bewegen Sie zuerst ein Instrument: Es gibt noch nichts zu zeigen</translation>
+        <translation>Déplacez d’abord un instrument&#xa0;: il n’y a encore rien à montrer</translation>
     </message>
     <message>
         <source>Movie...</source>
-        <translation>Film …</translation>
+        <translation>Film…</translation>
     </message>
     <message>
         <source>Stopped. No movie was written.</source>
-        <translation>Angehalten. Es wurde kein Film geschrieben.</translation>
+        <translation>Arrêté. Aucun film n’a été écrit.</translation>
     </message>
 </context>
 <context>
@@ -7837,11 +7852,11 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
     <message>
         <source>Atlas off</source>
-        <translation>Atlas irrt</translation>
+        <translation>Écart de l’atlas</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation>Kraft</translation>
+        <translation>Force</translation>
     </message>
     <message>
         <source>5 mm</source>
@@ -7849,124 +7864,124 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
     <message>
         <source>Moves at most</source>
-        <translation>Bewegt sich höchstens</translation>
+        <translation>Déplacement maximal</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TriangleHistory</name>
     <message>
         <source>A triangle over the frames</source>
-        <translation>Ein Dreieck über die Bilder</translation>
+        <translation>Un triangle au fil des images</translation>
     </message>
     <message>
         <source>Triangle</source>
-        <translation>Dreieck</translation>
+        <translation>Triangle</translation>
     </message>
     <message>
         <source>none</source>
-        <translation>keines</translation>
+        <translation>aucun</translation>
     </message>
     <message>
         <source>The triangle of the left picture whose history is drawn; or click one in a picture</source>
-        <translation>Das Dreieck des linken Bildes, dessen Verlauf gezeichnet wird; oder klicken Sie eines in einem Bild an</translation>
+        <translation>Le triangle de l’image de gauche dont l’évolution est tracée&#xa0;; ou cliquez-en un dans une image</translation>
     </message>
     <message>
         <source>Error (mm)</source>
-        <translation>Fehler (mm)</translation>
+        <translation>Erreur (mm)</translation>
     </message>
     <message>
         <source>Motion (mm)</source>
-        <translation>Bewegung (mm)</translation>
+        <translation>Mouvement (mm)</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation>Bild</translation>
+        <translation>Image</translation>
     </message>
     <message>
         <source>The chosen triangle over the frames</source>
-        <translation>Das gewählte Dreieck über die Bilder</translation>
+        <translation>Le triangle choisi au fil des images</translation>
     </message>
     <message>
         <source>Left: how far the registered corners are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: what SIRGn&apos;s correlation compares, the motion of the landmarks and of the registration&apos;s warp, mm</source>
-        <translation>Links: wie weit die registrierten Ecken von ihrem Ort auf dem Modell entfernt sind, mm, mit der Toleranz als Strichpunktlinie. Rechts: was die Korrelation von SIRGn vergleicht, die Bewegung der Landmarken und die der Verformung, mm</translation>
+        <translation>À gauche&#xa0;: distance des sommets recalés à leur place sur le modèle, mm, avec la tolérance en trait mixte. À droite&#xa0;: ce que compare la corrélation de SIRGn, le mouvement des repères et celui de la déformation du recalage, mm</translation>
     </message>
     <message>
         <source>Landmarks, %1</source>
-        <translation>Landmarken, %1</translation>
+        <translation>Repères, %1</translation>
     </message>
     <message>
         <source>Warp, %1</source>
-        <translation>Verformung, %1</translation>
+        <translation>Déformation, %1</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::Undo</name>
     <message>
         <source>Undone: %1</source>
-        <translation>Rückgängig gemacht: %1</translation>
+        <translation>Annulé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Done again: %1</source>
-        <translation>Wiederholt: %1</translation>
+        <translation>Rétabli&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation>&amp;Rückgängig: %1</translation>
+        <translation>&amp;Annuler&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
+        <translation>&amp;Annuler</translation>
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation>&amp;Wiederholen: %1</translation>
+        <translation>&amp;Rétablir&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
+        <translation>&amp;Rétablir</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ViewBar</name>
     <message>
         <source>Measure a &amp;distance</source>
-        <translation>A&amp;bstand messen</translation>
+        <translation>Mesurer une &amp;distance</translation>
     </message>
     <message>
         <source>A distance in mm: click its two ends, or press Enter at the crosshair; Escape gives up</source>
-        <translation>Ein Abstand in mm: Klicken Sie auf seine beiden Enden, oder drücken Sie die Eingabetaste am Fadenkreuz; Esc bricht ab</translation>
+        <translation>Une distance en mm&#xa0;: cliquez sur ses deux extrémités, ou appuyez sur Entrée au réticule&#xa0;; Échap annule</translation>
     </message>
     <message>
         <source>Measure an &amp;angle</source>
-        <translation>&amp;Winkel messen</translation>
+        <translation>Mesurer un &amp;angle</translation>
     </message>
     <message>
         <source>An angle in degrees: click one side, the vertex, the other side</source>
-        <translation>Ein Winkel in Grad: Klicken Sie auf einen Schenkel, den Scheitel, den anderen Schenkel</translation>
+        <translation>Un angle en degrés&#xa0;: cliquez sur un côté, le sommet, l’autre côté</translation>
     </message>
     <message>
         <source>Measure a &amp;ball</source>
-        <translation>&amp;Kugel messen</translation>
+        <translation>Mesurer une &amp;boule</translation>
     </message>
     <message>
         <source>A ball&apos;s volume in ml: click its centre, then a point of its surface</source>
-        <translation>Das Volumen einer Kugel in ml: Klicken Sie auf ihren Mittelpunkt, dann auf einen Punkt ihrer Oberfläche</translation>
+        <translation>Le volume d’une boule en ml&#xa0;: cliquez sur son centre, puis sur un point de sa surface</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation>Volumen</translation>
+        <translation>Volume</translation>
     </message>
     <message>
         <source>Lists the volume of a structure, in ml</source>
-        <translation>Nimmt das Volumen einer Struktur in die Liste auf, in ml</translation>
+        <translation>Ajoute à la liste le volume d’une structure, en ml</translation>
     </message>
     <message>
         <source>&amp;Volume of</source>
-        <translation>&amp;Volumen von</translation>
+        <translation>&amp;Volume de</translation>
     </message>
     <message>
         <source>Automatic</source>
-        <translation>Automatisch</translation>
+        <translation>Automatique</translation>
     </message>
     <message>
         <source>Abdomen</source>
@@ -7974,57 +7989,57 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
     <message>
         <source>Liver</source>
-        <translation>Leber</translation>
+        <translation>Foie</translation>
     </message>
     <message>
         <source>Lung</source>
-        <translation>Lunge</translation>
+        <translation>Poumon</translation>
     </message>
     <message>
         <source>Bone</source>
-        <translation>Knochen</translation>
+        <translation>Os</translation>
     </message>
     <message>
         <source>Brightness and contrast of the slices. The presets are for CT; MR has no fixed scale.
 By hand: drag with the right button</source>
-        <translation>Helligkeit und Kontrast der Schichten. Die Voreinstellungen gelten für CT; MR hat keine feste Skala.
-Von Hand: mit der rechten Taste ziehen</translation>
+        <translation>Luminosité et contraste des coupes. Les préréglages sont pour le scanner&#xa0;; l’IRM n’a pas d’échelle fixe.
+À la main&#xa0;: glissez avec le bouton droit</translation>
     </message>
     <message>
         <source>Brightness and contrast</source>
-        <translation>Helligkeit und Kontrast</translation>
+        <translation>Luminosité et contraste</translation>
     </message>
     <message>
         <source>&amp;Next brightness and contrast</source>
-        <translation>&amp;Nächste Helligkeit und Kontrast</translation>
+        <translation>Luminosité et contraste &amp;suivants</translation>
     </message>
     <message>
         <source>Surgeon&apos;s &amp;side</source>
-        <translation>&amp;Seite des Chirurgen</translation>
+        <translation>Côté du &amp;chirurgien</translation>
     </message>
     <message>
         <source>Turns the three slices to where the surgeon stands. By hand: drag the knobs of the crosshair, or Ctrl and drag</source>
-        <translation>Dreht die drei Schichten dorthin, wo der Chirurg steht. Von Hand: an den Griffen des Fadenkreuzes ziehen, oder Strg und ziehen</translation>
+        <translation>Tourne les trois coupes vers là où se tient le chirurgien. À la main&#xa0;: tirez les poignées du réticule, ou Ctrl et glisser</translation>
     </message>
     <message>
         <source>&amp;Four views</source>
-        <translation>&amp;Vier Ansichten</translation>
+        <translation>&amp;Quatre vues</translation>
     </message>
     <message>
         <source>3D &amp;large</source>
-        <translation>3D &amp;groß</translation>
+        <translation>3D en &amp;grand</translation>
     </message>
     <message>
         <source>T&amp;hree slices side by side</source>
-        <translation>&amp;Drei Schichten nebeneinander</translation>
+        <translation>&amp;Trois coupes côte à côte</translation>
     </message>
     <message>
         <source>&amp;One view: the one in use</source>
-        <translation>&amp;Eine Ansicht: die benutzte</translation>
+        <translation>&amp;Une vue&#xa0;: celle utilisée</translation>
     </message>
     <message>
         <source>Save the &amp;picture of the view in use...</source>
-        <translation>&amp;Bild der benutzten Ansicht speichern …</translation>
+        <translation>Enregistrer l’&amp;image de la vue utilisée…</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -8032,73 +8047,73 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>What there is no room for here</source>
-        <translation>Wofür hier kein Platz ist</translation>
+        <translation>Ce qui ne tient pas ici</translation>
     </message>
     <message>
         <source>Own</source>
-        <translation>Eigene</translation>
+        <translation>Personnalisé</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation>Fenster</translation>
+        <translation>Fenêtre</translation>
     </message>
     <message>
         <source>S&amp;tandard planes</source>
-        <translation>S&amp;tandardebenen</translation>
+        <translation>Plans s&amp;tandard</translation>
     </message>
     <message>
         <source>Transverse, coronal and sagittal slices again</source>
-        <translation>Wieder transversale, koronare und sagittale Schichten</translation>
+        <translation>De nouveau des coupes transversales, coronales et sagittales</translation>
     </message>
     <message>
         <source>W %1  L %2</source>
-        <translation>W %1  L %2</translation>
+        <translation>L %1  N %2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ViewFrame</name>
     <message>
         <source>Show all four views</source>
-        <translation>Alle vier Ansichten zeigen</translation>
+        <translation>Montrer les quatre vues</translation>
     </message>
     <message>
         <source>Fill the window with this view</source>
-        <translation>Fenster mit dieser Ansicht füllen</translation>
+        <translation>Remplir la fenêtre avec cette vue</translation>
     </message>
     <message>
         <source>Save the picture of this view</source>
-        <translation>Das Bild dieser Ansicht speichern</translation>
+        <translation>Enregistrer l’image de cette vue</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::WaveView</name>
     <message>
         <source>Elastography waves</source>
-        <translation>Elastographie-Wellen</translation>
+        <translation>Ondes d’élastographie</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation>Anhalten</translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation>Abspielen</translation>
+        <translation>Lecture</translation>
     </message>
     <message>
         <source>A defect in Glisson stopped this: %1</source>
-        <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
+        <translation>Un défaut de Glisson a interrompu cette opération&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Inverting the waves</source>
-        <translation>Wellen werden invertiert</translation>
+        <translation>Inversion des ondes</translation>
     </message>
     <message>
         <source>Saving the maps</source>
-        <translation>Karten werden gespeichert</translation>
+        <translation>Enregistrement des cartes</translation>
     </message>
     <message>
         <source>The case now holds this stiffness. Build its model anew to use it.</source>
-        <translation>Der Fall enthält jetzt diese Steifigkeit. Erstellen Sie sein Modell neu, um sie zu verwenden.</translation>
+        <translation>Le cas contient maintenant cette rigidité. Reconstruisez son modèle pour l’utiliser.</translation>
     </message>
     <message>
         <source> Hz</source>
@@ -8106,47 +8121,47 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>as the images say</source>
-        <translation>wie in den Bildern</translation>
+        <translation>selon les images</translation>
     </message>
     <message>
         <source>&amp;Vibration</source>
-        <translation>&amp;Schwingung</translation>
+        <translation>&amp;Vibration</translation>
     </message>
     <message>
         <source>Complex modulus</source>
-        <translation>Komplexer Modul</translation>
+        <translation>Module complexe</translation>
     </message>
     <message>
         <source>Local wavelength</source>
-        <translation>Lokale Wellenlänge</translation>
+        <translation>Longueur d’onde locale</translation>
     </message>
     <message>
         <source>&amp;Method</source>
-        <translation>&amp;Verfahren</translation>
+        <translation>&amp;Méthode</translation>
     </message>
     <message>
         <source>High-pass</source>
-        <translation>Hochpass</translation>
+        <translation>Passe-haut</translation>
     </message>
     <message>
         <source>Curl</source>
-        <translation>Rotation</translation>
+        <translation>Rotationnel</translation>
     </message>
     <message>
         <source>Keep</source>
-        <translation>Behalten</translation>
+        <translation>Conserver</translation>
     </message>
     <message>
         <source>&amp;Long waves</source>
-        <translation>&amp;Lange Wellen</translation>
+        <translation>Ondes &amp;longues</translation>
     </message>
     <message>
         <source>Compute the stiffness</source>
-        <translation>Steifigkeit berechnen</translation>
+        <translation>Calculer la rigidité</translation>
     </message>
     <message>
         <source>Shear waves</source>
-        <translation>Scherwellen</translation>
+        <translation>Ondes de cisaillement</translation>
     </message>
     <message>
         <source>rad</source>
@@ -8154,7 +8169,7 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>Shear stiffness</source>
-        <translation>Schersteifigkeit</translation>
+        <translation>Rigidité en cisaillement</translation>
     </message>
     <message>
         <source>kPa</source>
@@ -8162,266 +8177,266 @@ Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>Confidence</source>
-        <translation>Konfidenz</translation>
+        <translation>Confiance</translation>
     </message>
     <message>
         <source>Slice</source>
-        <translation>Schicht</translation>
+        <translation>Coupe</translation>
     </message>
     <message>
         <source>Accept into the case</source>
-        <translation>In den Fall übernehmen</translation>
+        <translation>Accepter dans le cas</translation>
     </message>
     <message>
         <source>Compute the stiffness from the waves that the case holds.</source>
-        <translation>Berechnen Sie die Steifigkeit aus den Wellen, die der Fall enthält.</translation>
+        <translation>Calculez la rigidité à partir des ondes que contient le cas.</translation>
     </message>
     <message>
         <source>Shear stiffness %1 kPa on average over %2 confident voxels, %3 % of the region; middle half %4 to %5 kPa; vibration %6 Hz, wavelength %7 mm</source>
-        <translation>Schersteifigkeit im Mittel %1 kPa über %2 vertrauenswürdige Voxel, %3 % der Region; mittlere Hälfte %4 bis %5 kPa; Schwingung %6 Hz, Wellenlänge %7 mm</translation>
+        <translation>Rigidité en cisaillement de&#xa0;%1 kPa en moyenne sur&#xa0;%2 voxels de confiance,&#xa0;%3&#xa0;% de la région&#xa0;; moitié centrale de&#xa0;%4 à&#xa0;%5 kPa&#xa0;; vibration&#xa0;%6 Hz, longueur d’onde&#xa0;%7 mm</translation>
     </message>
     <message>
         <source>Slice %1 of %2</source>
-        <translation>Schicht %1 von %2</translation>
+        <translation>Coupe&#xa0;%1 sur&#xa0;%2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::WelcomePage</name>
     <message>
         <source>Plan a liver operation</source>
-        <translation>Eine Leberoperation planen</translation>
+        <translation>Planifier une opération du foie</translation>
     </message>
     <message>
         <source>Drop a case or a folder of DICOM images here, or begin with the demo patient.</source>
-        <translation>Ziehen Sie einen Fall oder einen Ordner mit DICOM-Bildern hierher, oder beginnen Sie mit dem Demopatienten.</translation>
+        <translation>Déposez ici un cas ou un dossier d’images DICOM, ou commencez par le patient de démonstration.</translation>
     </message>
     <message>
         <source>Open the demo patient</source>
-        <translation>Demopatienten öffnen</translation>
+        <translation>Ouvrir le patient de démonstration</translation>
     </message>
     <message>
         <source>Open a case...</source>
-        <translation>Fall öffnen …</translation>
+        <translation>Ouvrir un cas…</translation>
     </message>
     <message>
         <source>Open images...</source>
-        <translation>Bilder öffnen …</translation>
+        <translation>Ouvrir des images…</translation>
     </message>
     <message>
         <source>Opened before</source>
-        <translation>Zuletzt geöffnet</translation>
+        <translation>Ouverts récemment</translation>
     </message>
     <message>
         <source>Glisson ended unexpectedly. Open %1 as it was</source>
-        <translation>Glisson wurde unerwartet beendet. %1 öffnen, wie es war</translation>
+        <translation>Glisson s’est arrêté de façon inattendue. Ouvrir %1 tel qu’il était</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::WorkspaceBar</name>
     <message>
         <source>%1 (Ctrl+%2)</source>
-        <translation>%1 (Strg+%2)</translation>
+        <translation>%1 (Ctrl+%2)</translation>
     </message>
     <message>
         <source>Research</source>
-        <translation>Forschung</translation>
+        <translation>Recherche</translation>
     </message>
 </context>
 <context>
     <name>patients</name>
     <message>
         <source>Demo patient</source>
-        <translation>Demopatient</translation>
+        <translation>Patient de démonstration</translation>
     </message>
 </context>
 <context>
     <name>structures</name>
     <message>
         <source>Liver</source>
-        <translation>Leber</translation>
+        <translation>Foie</translation>
     </message>
     <message>
         <source>Tumour</source>
-        <translation>Tumor</translation>
+        <translation>Tumeur</translation>
     </message>
     <message>
         <source>Cyst</source>
-        <translation>Zyste</translation>
+        <translation>Kyste</translation>
     </message>
     <message>
         <source>Portal vein</source>
-        <translation>Pfortader</translation>
+        <translation>Veine porte</translation>
     </message>
     <message>
         <source>Hepatic vein</source>
-        <translation>Lebervene</translation>
+        <translation>Veine hépatique</translation>
     </message>
     <message>
         <source>Artery</source>
-        <translation>Arterie</translation>
+        <translation>Artère</translation>
     </message>
     <message>
         <source>Biliary tract</source>
-        <translation>Gallenwege</translation>
+        <translation>Voies biliaires</translation>
     </message>
     <message>
         <source>Necrosis</source>
-        <translation>Nekrose</translation>
+        <translation>Nécrose</translation>
     </message>
     <message>
         <source>Gallbladder</source>
-        <translation>Gallenblase</translation>
+        <translation>Vésicule biliaire</translation>
     </message>
     <message>
         <source>Gastric vein</source>
-        <translation>Magenvene</translation>
+        <translation>Veine gastrique</translation>
     </message>
     <message>
         <source>Aorta</source>
-        <translation>Aorta</translation>
+        <translation>Aorte</translation>
     </message>
     <message>
         <source>Heart</source>
-        <translation>Herz</translation>
+        <translation>Cœur</translation>
     </message>
     <message>
         <source>Stomach</source>
-        <translation>Magen</translation>
+        <translation>Estomac</translation>
     </message>
     <message>
         <source>Kidney</source>
-        <translation>Niere</translation>
+        <translation>Rein</translation>
     </message>
     <message>
         <source>Spleen</source>
-        <translation>Milz</translation>
+        <translation>Rate</translation>
     </message>
     <message>
         <source>Pancreas</source>
-        <translation>Pankreas</translation>
+        <translation>Pancréas</translation>
     </message>
     <message>
         <source>Bone</source>
-        <translation>Knochen</translation>
+        <translation>Os</translation>
     </message>
     <message>
         <source>Hilum</source>
-        <translation>Leberhilus</translation>
+        <translation>Hile hépatique</translation>
     </message>
     <message>
         <source>Vena cava</source>
-        <translation>Hohlvene</translation>
+        <translation>Veine cave</translation>
     </message>
     <message>
         <source>Duodenum</source>
-        <translation>Zwölffingerdarm</translation>
+        <translation>Duodénum</translation>
     </message>
     <message>
         <source>Small bowel</source>
-        <translation>Dünndarm</translation>
+        <translation>Intestin grêle</translation>
     </message>
     <message>
         <source>Colon</source>
-        <translation>Dickdarm</translation>
+        <translation>Côlon</translation>
     </message>
     <message>
         <source>Esophagus</source>
-        <translation>Speiseröhre</translation>
+        <translation>Œsophage</translation>
     </message>
     <message>
         <source>Adrenal gland</source>
-        <translation>Nebenniere</translation>
+        <translation>Glande surrénale</translation>
     </message>
     <message>
         <source>Kidney left</source>
-        <translation>Niere links</translation>
+        <translation>Rein gauche</translation>
     </message>
     <message>
         <source>Kidney right</source>
-        <translation>Niere rechts</translation>
+        <translation>Rein droit</translation>
     </message>
     <message>
         <source>Adrenal gland left</source>
-        <translation>Nebenniere links</translation>
+        <translation>Glande surrénale gauche</translation>
     </message>
     <message>
         <source>Adrenal gland right</source>
-        <translation>Nebenniere rechts</translation>
+        <translation>Glande surrénale droite</translation>
     </message>
 </context>
 <context>
     <name>tour</name>
     <message>
         <source>Study: the images</source>
-        <translation>Studie: die Bilder</translation>
+        <translation>Étude&#xa0;: les images</translation>
     </message>
     <message>
         <source>Every case begins with its images. Drop a DICOM folder on the window: Glisson proposes what each series is for, and you correct it. Here you also see what a case still lacks.</source>
-        <translation>Jeder Fall beginnt mit seinen Bildern. Ziehen Sie einen DICOM-Ordner auf das Fenster: Glisson schlägt vor, wozu jede Serie dient, und Sie berichtigen es. Hier sehen Sie auch, was einem Fall noch fehlt.</translation>
+        <translation>Tout cas commence par ses images. Déposez un dossier DICOM sur la fenêtre&#xa0;: Glisson propose à quoi sert chaque série, et vous corrigez. Vous voyez aussi ici ce qui manque encore à un cas.</translation>
     </message>
     <message>
         <source>Segment: what is where</source>
-        <translation>Segmentieren: was wo liegt</translation>
+        <translation>Segmenter&#xa0;: où se trouve quoi</translation>
     </message>
     <message>
         <source>The liver, its vessels and tumours as coloured outlines in the slices. Paint, erase, grow and smooth; every step can be undone, even after the case was closed.</source>
-        <translation>Die Leber, ihre Gefäße und Tumoren als farbige Umrisse in den Schichten. Malen, radieren, wachsen lassen und glätten; jeder Schritt lässt sich rückgängig machen, auch nachdem der Fall geschlossen war.</translation>
+        <translation>Le foie, ses vaisseaux et ses tumeurs en contours colorés sur les coupes. Peindre, effacer, faire croître et lisser&#xa0;; chaque pas peut être annulé, même après la fermeture du cas.</translation>
     </message>
     <message>
         <source>Model: how stiff each part is</source>
-        <translation>Modell: wie steif jeder Teil ist</translation>
+        <translation>Modèle&#xa0;: la rigidité de chaque partie</translation>
     </message>
     <message>
         <source>The liver becomes tetrahedra, and each gets the patient&apos;s own stiffness from MR elastography. What holds the liver in place is shown too.</source>
-        <translation>Die Leber wird zu Tetraedern, und jedes bekommt die eigene Steifigkeit des Patienten aus der MR-Elastographie. Auch was die Leber hält, ist zu sehen.</translation>
+        <translation>Le foie devient un ensemble de tétraèdres, et chacun reçoit la rigidité propre du patient, tirée de l’élastographie par RM. Ce qui tient le foie en place est montré aussi.</translation>
     </message>
     <message>
         <source>Rehearse: pull, and see</source>
-        <translation>Proben: ziehen und sehen</translation>
+        <translation>Répéter&#xa0;: tirer et voir</translation>
     </message>
     <message>
         <source>Resect: what is left</source>
-        <translation>Resektion: was übrig bleibt</translation>
+        <translation>Résection&#xa0;: ce qui reste</translation>
     </message>
     <message>
         <source>A cutting surface divides the liver: volumes of specimen and remnant, the smallest margin to each tumour, and the vessels that are crossed.</source>
-        <translation>Eine Schnittfläche teilt die Leber: Volumen von Resektat und Rest, der kleinste Abstand zu jedem Tumor und die Gefäße, die gekreuzt werden.</translation>
+        <translation>Une surface de coupe divise le foie&#xa0;: volumes de la pièce et du foie restant, plus petite marge à chaque tumeur, et vaisseaux traversés.</translation>
     </message>
     <message>
         <source>Register: can the overlay be trusted</source>
-        <translation>Registrieren: ist der Überlagerung zu trauen</translation>
+        <translation>Recaler&#xa0;: peut-on se fier à la superposition&#xa0;?</translation>
     </message>
     <message>
         <source>Laparoscopic video is registered to the model, and SIRGn shows on each triangle how well, for one algorithm or two side by side.</source>
-        <translation>Laparoskopisches Video wird auf das Modell registriert, und SIRGn zeigt auf jedem Dreieck, wie gut, für einen Algorithmus oder zwei nebeneinander.</translation>
+        <translation>La vidéo laparoscopique est recalée sur le modèle, et SIRGn montre sur chaque triangle avec quelle qualité, pour un algorithme ou deux côte à côte.</translation>
     </message>
     <message>
         <source>Platform: what to wear</source>
-        <translation>Plattform: was zu tragen ist</translation>
+        <translation>Plateforme&#xa0;: que porter</translation>
     </message>
     <message>
         <source>Which wearable computer carries this case for as long as the operation takes: frames a second, battery and heat, and why the others do not.</source>
-        <translation>Welcher am Körper getragene Rechner diesen Fall so lange bewältigt, wie die Operation dauert: Bilder pro Sekunde, Akku und Wärme, und warum die anderen es nicht tun.</translation>
+        <translation>Quel ordinateur porté sur soi suffit à ce cas pendant toute l’opération&#xa0;: images par seconde, batterie et chaleur, et pourquoi les autres ne suffisent pas.</translation>
     </message>
     <message>
         <source>Evidence: where the model is wrong</source>
-        <translation>Befunde: wo das Modell irrt</translation>
+        <translation>Constats&#xa0;: là où le modèle se trompe</translation>
     </message>
     <message>
         <source>Measurements are held against the model. What it cannot explain is traced to a cause; you accept that cause for this patient, and can take it back.</source>
-        <translation>Messungen werden dem Modell gegenübergestellt. Was es nicht erklären kann, wird auf eine Ursache zurückgeführt; Sie übernehmen sie für diesen Patienten und können sie zurücknehmen.</translation>
+        <translation>Les mesures sont confrontées au modèle. Ce qu’il ne peut expliquer est ramené à une cause&#xa0;; vous l’acceptez pour ce patient, et pouvez revenir en arrière.</translation>
     </message>
     <message>
         <source>Report: one page</source>
-        <translation>Bericht: eine Seite</translation>
+        <translation>Rapport&#xa0;: une page</translation>
     </message>
     <message>
         <source>All that was done for this patient, to read, save or print. The name is masked unless you ask for it in the settings.</source>
-        <translation>Alles, was für diesen Patienten getan wurde, zum Lesen, Speichern oder Drucken. Der Name ist verdeckt, außer Sie verlangen ihn in den Einstellungen.</translation>
+        <translation>Tout ce qui a été fait pour ce patient, à lire, enregistrer ou imprimer. Le nom est masqué, sauf demande dans les réglages.</translation>
     </message>
     <message>
         <source>A retractor hoists segment VI. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
-        <translation>Ein Retraktor hebt Segment VI an. Ändern Sie die Kraft, oder setzen Sie das Instrument per Klick anderswo an: Die Tabelle folgt jedem Tumor und Gefäß und markiert, was 5 mm oder mehr abweicht.</translation>
+        <translation>Un écarteur soulève le segment VI. Changez la force, ou placez l’instrument ailleurs d’un clic : le tableau suit chaque tumeur et chaque vaisseau, et marque ce qui s’écarte de 5 mm ou plus.</translation>
     </message>
 </context>
 </TS>

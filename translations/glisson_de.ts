@@ -1,2320 +1,2320 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
-<TS version="2.1" language="es" sourcelanguage="en">
+<TS version="2.1" language="de" sourcelanguage="en">
 <context>
     <name>AskPath</name>
     <message>
         <source>Take this folder</source>
-        <translation>Tomar esta carpeta</translation>
+        <translation>Diesen Ordner nehmen</translation>
     </message>
 </context>
 <context>
     <name>Workspace</name>
     <message>
         <source>Needs a model of the liver: build it first.</source>
-        <translation>Necesita un modelo del hígado: constrúyalo primero.</translation>
+        <translation>Braucht ein Modell der Leber: Erstellen Sie es zuerst.</translation>
     </message>
     <message>
         <source>The model is being prepared.</source>
-        <translation>El modelo se está preparando.</translation>
+        <translation>Das Modell wird vorbereitet.</translation>
     </message>
 </context>
 <context>
     <name>effects</name>
     <message>
         <source>Stiffer or softer throughout</source>
-        <translation>Más rígido o más blando en todo</translation>
+        <translation>Überall steifer oder weicher</translation>
     </message>
     <message>
         <source>Stiffens as it deforms</source>
-        <translation>Se endurece al deformarse</translation>
+        <translation>Versteift sich bei Verformung</translation>
     </message>
     <message>
         <source>The support gives way</source>
-        <translation>El apoyo cede</translation>
+        <translation>Die Lagerung gibt nach</translation>
     </message>
     <message>
         <source>A hidden stiffer region</source>
-        <translation>Una región más rígida oculta</translation>
+        <translation>Ein verborgener steiferer Bereich</translation>
     </message>
     <message>
         <source>Creeps under load</source>
-        <translation>Fluye bajo carga</translation>
+        <translation>Kriecht unter Last</translation>
     </message>
     <message>
         <source>The force sensor is off</source>
-        <translation>El sensor de fuerza se desvía</translation>
+        <translation>Der Kraftsensor misst falsch</translation>
     </message>
     <message>
         <source>Camera and specimen misaligned</source>
-        <translation>Cámara y muestra desalineadas</translation>
+        <translation>Kamera und Prüfkörper verschoben</translation>
     </message>
     <message>
         <source>Stiffer along one direction</source>
-        <translation>Más rígido en una dirección</translation>
+        <translation>Steifer in einer Richtung</translation>
     </message>
     <message>
         <source>A stiff capsule around it</source>
-        <translation>Una cápsula rígida alrededor</translation>
+        <translation>Eine steife Kapsel darum</translation>
     </message>
     <message>
         <source>Already loaded at the start</source>
-        <translation>Ya cargado al principio</translation>
+        <translation>Schon zu Beginn belastet</translation>
     </message>
     <message>
         <source>Softer once it was stretched</source>
-        <translation>Más blando tras haberse estirado</translation>
+        <translation>Weicher, nachdem es gedehnt wurde</translation>
     </message>
     <message>
         <source>Loading and unloading differ</source>
-        <translation>La carga y la descarga difieren</translation>
+        <translation>Be- und Entlastung unterscheiden sich</translation>
     </message>
     <message>
         <source>Tension and compression differ</source>
-        <translation>La tracción y la compresión difieren</translation>
+        <translation>Zug und Druck unterscheiden sich</translation>
     </message>
     <message>
         <source>The battery&apos;s own resistance</source>
-        <translation>La resistencia propia de la batería</translation>
+        <translation>Der Widerstand des Akkus selbst</translation>
     </message>
     <message>
         <source>Less charge when emptied fast</source>
-        <translation>Menos carga si se vacía rápido</translation>
+        <translation>Weniger Ladung bei schneller Entladung</translation>
     </message>
     <message>
         <source>It warms itself</source>
-        <translation>Se calienta a sí mismo</translation>
+        <translation>Es erwärmt sich selbst</translation>
     </message>
     <message>
         <source>Voltage falls as it empties</source>
-        <translation>La tensión cae al vaciarse</translation>
+        <translation>Spannung fällt beim Entladen</translation>
     </message>
     <message>
         <source>Power drawn at rest</source>
-        <translation>Potencia en reposo</translation>
+        <translation>Leistung im Leerlauf</translation>
     </message>
     <message>
         <source>Power drawn by the work</source>
-        <translation>Potencia debida al trabajo</translation>
+        <translation>Leistung durch die Arbeit</translation>
     </message>
     <message>
         <source>Slows down when hot</source>
-        <translation>Se ralentiza al calentarse</translation>
+        <translation>Wird heiß langsamer</translation>
     </message>
     <message>
         <source>Sheds heat better or worse</source>
-        <translation>Disipa el calor mejor o peor</translation>
+        <translation>Gibt Wärme besser oder schlechter ab</translation>
     </message>
     <message>
         <source>Takes time to warm up</source>
-        <translation>Tarda en calentarse</translation>
+        <translation>Braucht Zeit zum Warmwerden</translation>
     </message>
     <message>
         <source>Power lost in the supply</source>
-        <translation>Pérdidas en la alimentación</translation>
+        <translation>Verlust in der Versorgung</translation>
     </message>
     <message>
         <source>A smooth correction, no cause</source>
-        <translation>Una corrección suave, no una causa</translation>
+        <translation>Eine glatte Korrektur, keine Ursache</translation>
     </message>
 </context>
 <context>
     <name>errors</name>
     <message>
         <source>There is no column &quot;{0}&quot;.</source>
-        <translation>No hay ninguna columna «{0}».</translation>
+        <translation>Es gibt keine Spalte „{0}“.</translation>
     </message>
     <message>
         <source>The columns are {1}.</source>
-        <translation>Las columnas son {1}.</translation>
+        <translation>Die Spalten sind {1}.</translation>
     </message>
     <message>
         <source>{0} has too many columns.</source>
-        <translation>{0} tiene demasiadas columnas.</translation>
+        <translation>{0} hat zu viele Spalten.</translation>
     </message>
     <message>
         <source>{0} holds no rows of numbers.</source>
-        <translation>{0} no contiene ninguna fila de números.</translation>
+        <translation>{0} enthält keine Zeilen mit Zahlen.</translation>
     </message>
     <message>
         <source>The file {0} cannot be read.</source>
-        <translation>No se puede leer el archivo {0}.</translation>
+        <translation>Die Datei {0} kann nicht gelesen werden.</translation>
     </message>
     <message>
         <source>Check that it exists and that you may read it.</source>
-        <translation>Compruebe que existe y que tiene permiso para leerlo.</translation>
+        <translation>Prüfen Sie, ob sie vorhanden ist und Sie sie lesen dürfen.</translation>
     </message>
     <message>
         <source>{0} cannot be written: {1}.</source>
-        <translation>No se puede escribir {0}: {1}.</translation>
+        <translation>{0} kann nicht geschrieben werden: {1}.</translation>
     </message>
     <message>
         <source>Check the folder, your rights there and the free space.</source>
-        <translation>Compruebe la carpeta, sus permisos en ella y el espacio libre.</translation>
+        <translation>Prüfen Sie den Ordner, Ihre Rechte dort und den freien Speicherplatz.</translation>
     </message>
     <message>
         <source>The file {0} has {1} bytes; at most {2} are read.</source>
-        <translation>El archivo {0} tiene {1} bytes; se leen como máximo {2}.</translation>
+        <translation>Die Datei {0} hat {1} Bytes; höchstens {2} werden gelesen.</translation>
     </message>
     <message>
         <source>The files that ship with Glisson were not found.</source>
-        <translation>No se han encontrado los archivos que acompañan a Glisson.</translation>
+        <translation>Die mit Glisson gelieferten Dateien wurden nicht gefunden.</translation>
     </message>
     <message>
         <source>Set GLISSON_RESOURCES to the folder named resources.</source>
-        <translation>Asigne a GLISSON_RESOURCES la ruta de la carpeta resources.</translation>
+        <translation>Setzen Sie GLISSON_RESOURCES auf den Ordner namens resources.</translation>
     </message>
     <message>
         <source>{0} is nested too deep to be one of our files.</source>
-        <translation>{0} está anidado a demasiada profundidad para ser uno de nuestros archivos.</translation>
+        <translation>{0} ist zu tief verschachtelt, um eine unserer Dateien zu sein.</translation>
     </message>
     <message>
         <source>{0} is not valid JSON at line {1}.</source>
-        <translation>{0} no es JSON válido en la línea {1}.</translation>
+        <translation>{0} ist in Zeile {1} kein gültiges JSON.</translation>
     </message>
     <message>
         <source>Look for a missing comma, quote or bracket there.</source>
-        <translation>Busque ahí una coma, unas comillas o un corchete que falte.</translation>
+        <translation>Suchen Sie dort nach einem fehlenden Komma, Anführungszeichen oder einer fehlenden Klammer.</translation>
     </message>
     <message>
         <source>{0} holds a number too large for a computer&apos;s arithmetic.</source>
-        <translation>{0} contiene un número demasiado grande para la aritmética de un ordenador.</translation>
+        <translation>{0} enthält eine Zahl, die zu groß für die Rechnung eines Computers ist.</translation>
     </message>
     <message>
         <source>{0} should be an object in braces.</source>
-        <translation>{0} debe ser un objeto entre llaves.</translation>
+        <translation>{0} muss ein Objekt in geschweiften Klammern sein.</translation>
     </message>
     <message>
         <source>{0} has a key that is not known: &quot;{1}&quot;.</source>
-        <translation>{0} tiene una clave desconocida: «{1}».</translation>
+        <translation>{0} hat einen unbekannten Schlüssel: „{1}“.</translation>
     </message>
     <message>
         <source>Did you mean &quot;{2}&quot;?</source>
-        <translation>¿Quería decir «{2}»?</translation>
+        <translation>Meinten Sie „{2}“?</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation>Cancelado.</translation>
+        <translation>Abgebrochen.</translation>
     </message>
     <message>
         <source>{0} is there already.</source>
-        <translation>{0} ya existe.</translation>
+        <translation>{0} ist schon vorhanden.</translation>
     </message>
     <message>
         <source>Choose another name, or remove it first.</source>
-        <translation>Elija otro nombre o elimínelo antes.</translation>
+        <translation>Wählen Sie einen anderen Namen, oder entfernen Sie es zuerst.</translation>
     </message>
     <message>
         <source>The folder {0} cannot be made: {1}.</source>
-        <translation>No se puede crear la carpeta {0}: {1}.</translation>
+        <translation>Der Ordner {0} kann nicht angelegt werden: {1}.</translation>
     </message>
     <message>
         <source>it holds no case.json</source>
-        <translation>no contiene case.json</translation>
+        <translation>er enthält keine case.json</translation>
     </message>
     <message>
         <source>case.json does not say &quot;format&quot;: &quot;glisson-case/1&quot;</source>
-        <translation>case.json no indica &quot;format&quot;: &quot;glisson-case/1&quot;</translation>
+        <translation>case.json sagt nicht &quot;format&quot;: &quot;glisson-case/1&quot;</translation>
     </message>
     <message>
         <source>The case {0} has no {1} yet.</source>
-        <translation>El caso {0} no tiene todavía {1}.</translation>
+        <translation>Der Fall {0} hat noch kein {1}.</translation>
     </message>
     <message>
         <source>Import a study first (glisson-cli import).</source>
-        <translation>Importe antes un estudio (glisson-cli import).</translation>
+        <translation>Importieren Sie zuerst eine Studie (glisson-cli import).</translation>
     </message>
     <message>
         <source>Segment it first (glisson-cli segment).</source>
-        <translation>Segméntelo antes (glisson-cli segment).</translation>
+        <translation>Segmentieren Sie es zuerst (glisson-cli segment).</translation>
     </message>
     <message>
         <source>Mesh the liver first (glisson-cli mesh).</source>
-        <translation>Malle antes el hígado (glisson-cli mesh).</translation>
+        <translation>Vernetzen Sie zuerst die Leber (glisson-cli mesh).</translation>
     </message>
     <message>
         <source>{0} cannot be put in its place: {1}.</source>
-        <translation>No se puede poner {0} en su lugar: {1}.</translation>
+        <translation>{0} kann nicht an seinen Platz gebracht werden: {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: {1}.</source>
-        <translation>{0} está dañado: {1}.</translation>
+        <translation>{0} ist beschädigt: {1}.</translation>
     </message>
     <message>
         <source>{0} is not a Glisson case: {1}.</source>
-        <translation>{0} no es un caso de Glisson: {1}.</translation>
+        <translation>{0} ist kein Glisson-Fall: {1}.</translation>
     </message>
     <message>
         <source>Make one with: glisson-cli import STUDY --case NAME.glisson</source>
-        <translation>Cree uno con: glisson-cli import ESTUDIO --case NOMBRE.glisson</translation>
+        <translation>Legen Sie einen an mit: glisson-cli import STUDIE --case NAME.glisson</translation>
     </message>
     <message>
         <source>{0} holds nothing that could be written as {1}.</source>
-        <translation>{0} no contiene nada que pueda escribirse como {1}.</translation>
+        <translation>{0} enthält nichts, was als {1} geschrieben werden könnte.</translation>
     </message>
     <message>
         <source>Run the stage that makes it first.</source>
-        <translation>Ejecute antes el paso que lo genera.</translation>
+        <translation>Führen Sie zuerst den Schritt aus, der es erzeugt.</translation>
     </message>
     <message>
         <source>Writing</source>
-        <translation>Escribiendo</translation>
+        <translation>Schreiben</translation>
     </message>
     <message>
         <source>SIMULATED from a real patient&apos;s anatomy, not measured</source>
-        <translation>SIMULADO a partir de la anatomía de un paciente real, no medido</translation>
+        <translation>SIMULIERT nach der Anatomie eines wirklichen Patienten, nicht gemessen</translation>
     </message>
     <message>
         <source>The study has no series {0}.</source>
-        <translation>El estudio no tiene la serie {0}.</translation>
+        <translation>Die Studie hat keine Serie {0}.</translation>
     </message>
     <message>
         <source>glisson-cli scan lists them.</source>
-        <translation>glisson-cli scan las enumera.</translation>
+        <translation>glisson-cli scan führt sie auf.</translation>
     </message>
     <message>
         <source>{0} series could be the {1}:{2}</source>
-        <translation>{0} series podrían ser {1}:{2}</translation>
+        <translation>{0} Serien kommen als {1} infrage:{2}</translation>
     </message>
     <message>
         <source>Name one with {3} UID.</source>
-        <translation>Indique una con {3} UID.</translation>
+        <translation>Nennen Sie eine mit {3} UID.</translation>
     </message>
     <message>
         <source>No series is recognised as the anatomy.{0}</source>
-        <translation>No se reconoce ninguna serie como anatomía.{0}</translation>
+        <translation>Keine Serie ist als Anatomie erkannt.{0}</translation>
     </message>
     <message>
         <source>glisson-cli scan says what is there, and what was skipped.</source>
-        <translation>glisson-cli scan indica qué hay y qué se ha omitido.</translation>
+        <translation>glisson-cli scan sagt, was da ist und was übergangen wurde.</translation>
     </message>
     <message>
         <source>Name one with --anatomy UID.</source>
-        <translation>Indique una con --anatomy UID.</translation>
+        <translation>Nennen Sie eine mit --anatomy UID.</translation>
     </message>
     <message>
         <source>Reading the structures</source>
-        <translation>Leyendo las estructuras</translation>
+        <translation>Strukturen werden gelesen</translation>
     </message>
     <message>
         <source>Saving the mesh</source>
-        <translation>Guardando la malla</translation>
+        <translation>Netz wird gespeichert</translation>
     </message>
     <message>
         <source>Reading the mesh</source>
-        <translation>Leyendo la malla</translation>
+        <translation>Netz wird gelesen</translation>
     </message>
     <message>
         <source>Stiffness of each cell from the MRE map</source>
-        <translation>Rigidez de cada celda a partir del mapa de ERM</translation>
+        <translation>Steifigkeit jeder Zelle aus der MRE-Karte</translation>
     </message>
     <message>
         <source>A Young&apos;s modulus of {0} kPa is not possible.</source>
-        <translation>Un módulo de Young de {0} kPa no es posible.</translation>
+        <translation>Ein Elastizitätsmodul von {0} kPa ist nicht möglich.</translation>
     </message>
     <message>
         <source>Saving the model</source>
-        <translation>Guardando el modelo</translation>
+        <translation>Modell wird gespeichert</translation>
     </message>
     <message>
         <source>Give the mesh its stiffness first (glisson-cli stiffness).</source>
-        <translation>Dé antes a la malla su rigidez (glisson-cli stiffness).</translation>
+        <translation>Geben Sie dem Netz zuerst seine Steifigkeit (glisson-cli stiffness).</translation>
     </message>
     <message>
         <source>The model of {0} has no stiffness.</source>
-        <translation>El modelo de {0} no tiene rigidez.</translation>
+        <translation>Das Modell von {0} hat keine Steifigkeit.</translation>
     </message>
     <message>
         <source>Run glisson-cli stiffness again.</source>
-        <translation>Ejecute de nuevo glisson-cli stiffness.</translation>
+        <translation>Führen Sie glisson-cli stiffness erneut aus.</translation>
     </message>
     <message>
         <source>Import a study with MR elastography, or choose --uniform-kPa or --atlas.</source>
-        <translation>Importe un estudio con elastografía por RM o elija --uniform-kPa o --atlas.</translation>
+        <translation>Importieren Sie eine Studie mit MR-Elastographie, oder wählen Sie --uniform-kPa oder --atlas.</translation>
     </message>
     <message>
         <source>{0} does not hold a simulation&apos;s result: {1}.</source>
-        <translation>{0} no contiene el resultado de una simulación: {1}.</translation>
+        <translation>{0} enthält kein Ergebnis einer Simulation: {1}.</translation>
     </message>
     <message>
         <source>Make one with glisson-cli simulate --out DIR.</source>
-        <translation>Genere uno con glisson-cli simulate --out CARPETA.</translation>
+        <translation>Erzeugen Sie eines mit glisson-cli simulate --out ORDNER.</translation>
     </message>
     <message>
         <source>result.vtu is missing</source>
-        <translation>falta result.vtu</translation>
+        <translation>result.vtu fehlt</translation>
     </message>
     <message>
         <source>result.json does not say &quot;format&quot;: &quot;glisson-result/1&quot;</source>
-        <translation>result.json no indica &quot;format&quot;: &quot;glisson-result/1&quot;</translation>
+        <translation>result.json sagt nicht &quot;format&quot;: &quot;glisson-result/1&quot;</translation>
     </message>
     <message>
         <source>the computation did not converge</source>
-        <translation>el cálculo no ha convergido</translation>
+        <translation>die Rechnung ist nicht konvergiert</translation>
     </message>
     <message>
         <source>The growing left {0} out; it was added to the liver.</source>
-        <translation>El crecimiento dejó fuera {0}; se ha añadido al hígado.</translation>
+        <translation>{0} wurde beim Wachsen ausgelassen und der Leber hinzugefügt.</translation>
     </message>
     <message>
         <source>Reading the labels</source>
-        <translation>Leyendo la segmentación</translation>
+        <translation>Segmentierung wird gelesen</translation>
     </message>
     <message>
         <source>No voxel of label {0} in {1} lies inside the anatomy.</source>
-        <translation>Ningún vóxel de la etiqueta {0} de {1} está dentro de la anatomía.</translation>
+        <translation>Kein Voxel des Labels {0} in {1} liegt innerhalb der Anatomie.</translation>
     </message>
     <message>
         <source>Check that both belong to the same patient and frame of reference.</source>
-        <translation>Compruebe que ambos pertenecen al mismo paciente y al mismo marco de referencia.</translation>
+        <translation>Prüfen Sie, ob beide zum selben Patienten und Bezugssystem gehören.</translation>
     </message>
     <message>
         <source>{0} has no labelled voxel.</source>
-        <translation>{0} no tiene ningún vóxel etiquetado.</translation>
+        <translation>{0} hat kein markiertes Voxel.</translation>
     </message>
     <message>
         <source>{0} has no label {2}; it holds {1}.</source>
-        <translation>{0} no tiene la etiqueta {2}; contiene {1}.</translation>
+        <translation>{0} hat kein Label {2}; enthalten ist {1}.</translation>
     </message>
     <message>
         <source>{0} holds several labels: {1}.</source>
-        <translation>{0} contiene varias etiquetas: {1}.</translation>
+        <translation>{0} enthält mehrere Labels: {1}.</translation>
     </message>
     <message>
         <source>Choose one with --label-value.</source>
-        <translation>Elija una con --label-value.</translation>
+        <translation>Wählen Sie eines mit --label-value.</translation>
     </message>
     <message>
         <source>The magnitude images do not lie on the grid of the waves.</source>
-        <translation>Las imágenes de magnitud no están en la cuadrícula de las ondas.</translation>
+        <translation>Die Magnitudenbilder liegen nicht auf dem Gitter der Wellen.</translation>
     </message>
     <message>
         <source>{0} holds no wave or phase images.</source>
-        <translation>{0} no contiene imágenes de ondas ni de fase.</translation>
+        <translation>{0} enthält keine Wellen- oder Phasenbilder.</translation>
     </message>
     <message>
         <source>Import the phase series of an elastography scan (glisson-cli import --phase).</source>
-        <translation>Importe la serie de fase de una elastografía (glisson-cli import --phase).</translation>
+        <translation>Importieren Sie die Phasenserie einer Elastographie (glisson-cli import --phase).</translation>
     </message>
     <message>
         <source>Reading the waves</source>
-        <translation>Leyendo las ondas</translation>
+        <translation>Wellen werden gelesen</translation>
     </message>
     <message>
         <source>Saving the maps</source>
-        <translation>Guardando los mapas</translation>
+        <translation>Karten werden gespeichert</translation>
     </message>
     <message>
         <source>{0} is not an experiment of the format &quot;glisson-experiment/1&quot;.</source>
-        <translation>{0} no es un experimento con el formato &quot;glisson-experiment/1&quot;.</translation>
+        <translation>{0} ist kein Experiment im Format &quot;glisson-experiment/1&quot;.</translation>
     </message>
     <message>
         <source>An experiment begins with &quot;format&quot;: &quot;glisson-experiment/1&quot; and &quot;kind&quot;.</source>
-        <translation>Un experimento empieza por &quot;format&quot;: &quot;glisson-experiment/1&quot; y &quot;kind&quot;.</translation>
+        <translation>Ein Experiment beginnt mit &quot;format&quot;: &quot;glisson-experiment/1&quot; und &quot;kind&quot;.</translation>
     </message>
     <message>
         <source>There is no kind of experiment called &quot;{0}&quot;.</source>
-        <translation>No hay ningún tipo de experimento llamado «{0}».</translation>
+        <translation>Es gibt keine Art von Experiment namens „{0}“.</translation>
     </message>
     <message>
         <source>The kinds are palpation, material and platform.</source>
-        <translation>Los tipos son palpation, material y platform.</translation>
+        <translation>Die Arten sind palpation, material und platform.</translation>
     </message>
     <message>
         <source>Line {0} of {1} names {2}, which is not there.</source>
-        <translation>La línea {0} de {1} nombra {2}, que no existe.</translation>
+        <translation>Zeile {0} von {1} nennt {2}, das nicht vorhanden ist.</translation>
     </message>
     <message>
         <source>Files are looked for beside the experiment: was it copied without them, or is the name misspelt?</source>
-        <translation>Los archivos se buscan junto al experimento: ¿se copió sin ellos o está mal escrito el nombre?</translation>
+        <translation>Dateien werden neben dem Experiment gesucht: Wurde es ohne sie kopiert, oder ist der Name falsch geschrieben?</translation>
     </message>
     <message>
         <source>{0} lacks &quot;{1}&quot;.</source>
-        <translation>A {0} le falta &quot;{1}&quot;.</translation>
+        <translation>{0} fehlt &quot;{1}&quot;.</translation>
     </message>
     <message>
         <source>{0} must be a finite number.</source>
-        <translation>{0} debe ser un número finito.</translation>
+        <translation>{0} muss eine endliche Zahl sein.</translation>
     </message>
     <message>
         <source>{0} must be above zero.</source>
-        <translation>{0} debe ser mayor que cero.</translation>
+        <translation>{0} muss größer als null sein.</translation>
     </message>
     <message>
         <source>{0} must be a text in quotes.</source>
-        <translation>{0} debe ser un texto entre comillas.</translation>
+        <translation>{0} muss ein Text in Anführungszeichen sein.</translation>
     </message>
     <message>
         <source>{0} must be three numbers [x, y, z].</source>
-        <translation>{0} debe constar de tres números [x, y, z].</translation>
+        <translation>{0} muss aus drei Zahlen [x, y, z] bestehen.</translation>
     </message>
     <message>
         <source>&quot;trials&quot; must be a list with at least one trial.</source>
-        <translation>&quot;trials&quot; debe ser una lista con al menos un ensayo.</translation>
+        <translation>&quot;trials&quot; muss eine Liste mit mindestens einem Versuch sein.</translation>
     </message>
     <message>
         <source>{0} must be an object in braces.</source>
-        <translation>{0} debe ser un objeto entre llaves.</translation>
+        <translation>{0} muss ein Objekt in geschweiften Klammern sein.</translation>
     </message>
     <message>
         <source>Two trials have the id &quot;{0}&quot;.</source>
-        <translation>Dos ensayos tienen el identificador «{0}».</translation>
+        <translation>Zwei Versuche haben die Kennung „{0}“.</translation>
     </message>
     <message>
         <source>{0} has no column &quot;{1}&quot;, which the experiment names for {2}; line {3} has: {4}.</source>
-        <translation>{0} no tiene la columna «{1}», que el experimento nombra para {2}; la línea {3} tiene: {4}.</translation>
+        <translation>{0} hat keine Spalte „{1}“, die das Experiment für {2} nennt; Zeile {3} hat: {4}.</translation>
     </message>
     <message>
         <source>Is the name misspelt, or is this the table of another trial?</source>
-        <translation>¿Está mal escrito el nombre o es la tabla de otro ensayo?</translation>
+        <translation>Ist der Name falsch geschrieben, oder ist dies die Tabelle eines anderen Versuchs?</translation>
     </message>
     <message>
         <source>Line {0} of {1} has no number under &quot;{2}&quot;.</source>
-        <translation>La línea {0} de {1} no tiene ningún número en «{2}».</translation>
+        <translation>Zeile {0} von {1} hat unter „{2}“ keine Zahl.</translation>
     </message>
     <message>
         <source>Is the table cut off, or written with decimal commas?</source>
-        <translation>¿Está cortada la tabla o escrita con comas decimales?</translation>
+        <translation>Ist die Tabelle abgeschnitten oder mit Dezimalkommas geschrieben?</translation>
     </message>
     <message>
         <source>Time goes back at line {0} of {1}: from {2} s to {3} s.</source>
-        <translation>El tiempo retrocede en la línea {0} de {1}: de {2} s a {3} s.</translation>
+        <translation>In Zeile {0} von {1} läuft die Zeit zurück: von {2} s auf {3} s.</translation>
     </message>
     <message>
         <source>Are two recordings in one table, or is this not the column of times?</source>
-        <translation>¿Hay dos registros en una tabla o no es esta la columna de los tiempos?</translation>
+        <translation>Stehen zwei Aufzeichnungen in einer Tabelle, oder ist dies nicht die Zeitspalte?</translation>
     </message>
     <message>
         <source>{0} is {1} kPa, stiffer than any soft tissue.</source>
-        <translation>{0} es {1} kPa, más rígido que cualquier tejido blando.</translation>
+        <translation>{0} ist {1} kPa, steifer als jedes Weichgewebe.</translation>
     </message>
     <message>
         <source>Was it given in Pa?</source>
-        <translation>¿Se indicó en Pa?</translation>
+        <translation>Wurde es in Pa angegeben?</translation>
     </message>
     <message>
         <source>Use the model.json that glisson-cli explain wrote for an experiment of this kind.</source>
-        <translation>Use el model.json que glisson-cli explain escribió para un experimento de este tipo.</translation>
+        <translation>Verwenden Sie die model.json, die glisson-cli explain für ein Experiment dieser Art geschrieben hat.</translation>
     </message>
     <message>
         <source>{0} is not a model of the format {1}.</source>
-        <translation>{0} no es un modelo con el formato {1}.</translation>
+        <translation>{0} ist kein Modell im Format {1}.</translation>
     </message>
     <message>
         <source>{0} was not learnt from an experiment of the kind {1}.</source>
-        <translation>{0} no se aprendió de un experimento del tipo {1}.</translation>
+        <translation>{0} wurde nicht aus einem Experiment der Art {1} gelernt.</translation>
     </message>
     <message>
         <source>{0} is not a complete model.</source>
-        <translation>{0} no es un modelo completo.</translation>
+        <translation>{0} ist kein vollständiges Modell.</translation>
     </message>
     <message>
         <source>The effect {0} is unknown to this experiment.</source>
-        <translation>El efecto {0} es desconocido para este experimento.</translation>
+        <translation>Der Effekt {0} ist diesem Experiment unbekannt.</translation>
     </message>
     <message>
         <source>{0} of {1} is no number.</source>
-        <translation>{0} de {1} no es un número.</translation>
+        <translation>{0} von {1} ist keine Zahl.</translation>
     </message>
     <message>
         <source>The smooth correction was made for other quantities than this experiment has.</source>
-        <translation>La corrección suave se hizo para otras magnitudes que las de este experimento.</translation>
+        <translation>Die glatte Korrektur wurde für andere Größen gemacht, als dieses Experiment hat.</translation>
     </message>
     <message>
         <source>The smooth correction is not complete.</source>
-        <translation>La corrección suave no está completa.</translation>
+        <translation>Die glatte Korrektur ist nicht vollständig.</translation>
     </message>
     <message>
         <source>The search for parameters failed: {0}.</source>
-        <translation>La búsqueda de parámetros ha fallado: {0}.</translation>
+        <translation>Die Suche nach Parametern ist fehlgeschlagen: {0}.</translation>
     </message>
     <message>
         <source>The model has no solution where the search ended.</source>
-        <translation>El modelo no tiene solución donde terminó la búsqueda.</translation>
+        <translation>Das Modell hat dort, wo die Suche endete, keine Lösung.</translation>
     </message>
     <message>
         <source>This experiment proposes no further trials.</source>
-        <translation>Este experimento no propone más ensayos.</translation>
+        <translation>Dieses Experiment schlägt keine weiteren Versuche vor.</translation>
     </message>
     <message>
         <source>The specimen is stiffer or softer than declared, everywhere and at every load.</source>
-        <translation>La muestra es más rígida o más blanda de lo declarado, en todas partes y con cualquier carga.</translation>
+        <translation>Der Prüfkörper ist steifer oder weicher als angegeben, überall und bei jeder Last.</translation>
     </message>
     <message>
         <source>The specimen is not equally stiff under tension and under compression.</source>
-        <translation>La muestra no es igual de rígida a tracción que a compresión.</translation>
+        <translation>Der Prüfkörper ist auf Zug und auf Druck nicht gleich steif.</translation>
     </message>
     <message>
         <source>The tissue gets stiffer (or softer) the further it is deformed: its law is not a straight line.</source>
-        <translation>El tejido se vuelve más rígido (o más blando) cuanto más se deforma: su ley no es una recta.</translation>
+        <translation>Das Gewebe wird mit zunehmender Verformung steifer (oder weicher): Sein Gesetz ist keine Gerade.</translation>
     </message>
     <message>
         <source>The tissue gives way slowly under a load that is held, and recovers slowly after it.</source>
-        <translation>El tejido cede despacio bajo una carga mantenida y se recupera despacio después.</translation>
+        <translation>Das Gewebe gibt unter gehaltener Last langsam nach und erholt sich danach langsam.</translation>
     </message>
     <message>
         <source>Once stretched, the tissue stays softer up to the deformation that it has seen (Mullins effect).</source>
-        <translation>Una vez estirado, el tejido queda más blando hasta la deformación ya sufrida (efecto Mullins).</translation>
+        <translation>Einmal gedehnt, bleibt das Gewebe bis zu der erlebten Verformung weicher (Mullins-Effekt).</translation>
     </message>
     <message>
         <source>Less force comes back on the way out than went in on the way in, in every cycle and at any speed.</source>
-        <translation>A la vuelta se recupera menos fuerza que la aplicada a la ida, en cada ciclo y a cualquier velocidad.</translation>
+        <translation>Beim Entlasten kommt weniger Kraft zurück, als beim Belasten hineinging, in jedem Zyklus und bei jeder Geschwindigkeit.</translation>
     </message>
     <message>
         <source>The load cell is at fault: it does not read zero without load, or its scale is off.</source>
-        <translation>La célula de carga falla: no marca cero sin carga o su escala no es correcta.</translation>
+        <translation>Die Kraftmessdose ist fehlerhaft: Sie zeigt ohne Last nicht null, oder ihr Maßstab stimmt nicht.</translation>
     </message>
     <message>
         <source>The specimen was already loaded when the test began.</source>
-        <translation>La muestra ya estaba cargada cuando empezó el ensayo.</translation>
+        <translation>Der Prüfkörper war schon belastet, als der Versuch begann.</translation>
     </message>
     <message>
         <source>The mode &quot;{0}&quot; is not known.</source>
-        <translation>El modo «{0}» no se conoce.</translation>
+        <translation>Der Modus „{0}“ ist nicht bekannt.</translation>
     </message>
     <message>
         <source>The modes are compression, tension and shear.</source>
-        <translation>Los modos son compression, tension y shear.</translation>
+        <translation>Die Modi sind compression, tension und shear.</translation>
     </message>
     <message>
         <source>The declared law &quot;{0}&quot; is not known.</source>
-        <translation>La ley declarada «{0}» no se conoce.</translation>
+        <translation>Das angegebene Gesetz „{0}“ ist nicht bekannt.</translation>
     </message>
     <message>
         <source>The laws are linear and neo-hookean.</source>
-        <translation>Las leyes son linear y neo-hookean.</translation>
+        <translation>Die Gesetze sind linear und neo-hookean.</translation>
     </message>
     <message>
         <source>{0} gives &quot;{1}&quot;, which needs the specimen&apos;s {2}.</source>
-        <translation>{0} indica &quot;{1}&quot;, que necesita {2} de la muestra.</translation>
+        <translation>{0} gibt &quot;{1}&quot; an; dazu wird {2} des Prüfkörpers gebraucht.</translation>
     </message>
     <message>
         <source>Give the specimen&apos;s diameter_mm (or width_mm and thickness_mm, or area_mm2) and height_mm.</source>
-        <translation>Indique diameter_mm de la muestra (o width_mm y thickness_mm, o area_mm2) y height_mm.</translation>
+        <translation>Geben Sie diameter_mm des Prüfkörpers an (oder width_mm und thickness_mm, oder area_mm2) sowie height_mm.</translation>
     </message>
     <message>
         <source>In {0} stress and strain mostly have opposite signs.</source>
-        <translation>En {0} la tensión y la deformación tienen casi siempre signos opuestos.</translation>
+        <translation>In {0} haben Spannung und Dehnung meist entgegengesetzte Vorzeichen.</translation>
     </message>
     <message>
         <source>In compression stretch is below 1, and displacement, force and stress are negative.</source>
-        <translation>En compresión el estiramiento es menor que 1, y el desplazamiento, la fuerza y la tensión son negativos.</translation>
+        <translation>Bei Druck ist die Streckung kleiner als 1, und Weg, Kraft und Spannung sind negativ.</translation>
     </message>
     <message>
         <source>{0} names no column for &quot;stretch&quot; or &quot;displacement_mm&quot;.</source>
-        <translation>{0} no nombra ninguna columna para &quot;stretch&quot; o &quot;displacement_mm&quot;.</translation>
+        <translation>{0} nennt keine Spalte für &quot;stretch&quot; oder &quot;displacement_mm&quot;.</translation>
     </message>
     <message>
         <source>{0} names no column for &quot;stress_kPa&quot; or &quot;force_N&quot;.</source>
-        <translation>{0} no nombra ninguna columna para &quot;stress_kPa&quot; o &quot;force_N&quot;.</translation>
+        <translation>{0} nennt keine Spalte für &quot;stress_kPa&quot; oder &quot;force_N&quot;.</translation>
     </message>
     <message>
         <source>Line {0} of {1} gives a stretch of {2}, which no specimen survives.</source>
-        <translation>La línea {0} de {1} da un estiramiento de {2}, que ninguna muestra soporta.</translation>
+        <translation>Zeile {0} von {1} gibt eine Streckung von {2} an, die kein Prüfkörper übersteht.</translation>
     </message>
     <message>
         <source>Is it strain, or a percentage? Stretch is length over length at rest.</source>
-        <translation>¿Es la deformación o un porcentaje? El estiramiento es la longitud dividida por la longitud en reposo.</translation>
+        <translation>Ist es die Dehnung oder ein Prozentwert? Streckung ist Länge durch Ruhelänge.</translation>
     </message>
     <message>
         <source>The material law is used beyond the stretch it allows.</source>
-        <translation>La ley del material se usa más allá del estiramiento que permite.</translation>
+        <translation>Das Materialgesetz wird jenseits der Streckung benutzt, die es zulässt.</translation>
     </message>
     <message>
         <source>The specimen in {0} is {1} mm across.</source>
-        <translation>La muestra de {0} mide {1} mm.</translation>
+        <translation>Der Prüfkörper in {0} misst {1} mm.</translation>
     </message>
     <message>
         <source>Is the mesh in metres or micrometres?</source>
-        <translation>¿Está la malla en metros o en micrómetros?</translation>
+        <translation>Ist das Netz in Metern oder Mikrometern?</translation>
     </message>
     <message>
         <source>{0} has no cell array &quot;{1}&quot; with one number a cell.</source>
-        <translation>{0} no tiene una matriz de celdas «{1}» con un número por celda.</translation>
+        <translation>{0} hat kein Zellfeld „{1}“ mit einer Zahl je Zelle.</translation>
     </message>
     <message>
         <source>Young&apos;s modulus must be above zero in every cell.</source>
-        <translation>El módulo de Young debe ser mayor que cero en cada celda.</translation>
+        <translation>Der Elastizitätsmodul muss in jeder Zelle größer als null sein.</translation>
     </message>
     <message>
         <source>{0} must lie between -1 and 0.5, both excluded.</source>
-        <translation>{0} debe estar entre -1 y 0.5, ambos excluidos.</translation>
+        <translation>{0} muss zwischen -1 und 0.5 liegen, beide ausgeschlossen.</translation>
     </message>
     <message>
         <source>Line 1 of {0} names no column &quot;{1}&quot;.</source>
-        <translation>La línea 1 de {0} no nombra ninguna columna «{1}».</translation>
+        <translation>Zeile 1 von {0} nennt keine Spalte „{1}“.</translation>
     </message>
     <message>
         <source>A table of markers has id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</source>
-        <translation>Una tabla de marcadores tiene id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</translation>
+        <translation>Eine Tabelle von Markern hat id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</translation>
     </message>
     <message>
         <source>{0} holds no markers.</source>
-        <translation>{0} no contiene marcadores.</translation>
+        <translation>{0} enthält keine Marker.</translation>
     </message>
     <message>
         <source>All markers of {0} lie within {1} mm (line 2 on), on a specimen of {2} mm.</source>
-        <translation>Todos los marcadores de {0} caben en {1} mm (desde la línea 2), en una muestra de {2} mm.</translation>
+        <translation>Alle Marker von {0} liegen innerhalb von {1} mm (ab Zeile 2), auf einem Prüfkörper von {2} mm.</translation>
     </message>
     <message>
         <source>Are they in metres?</source>
-        <translation>¿Están en metros?</translation>
+        <translation>Sind sie in Metern?</translation>
     </message>
     <message>
         <source>Line {0} of {1}: marker {2} lies {3} mm outside the specimen at rest.</source>
-        <translation>Línea {0} de {1}: el marcador {2} está a {3} mm fuera de la muestra en reposo.</translation>
+        <translation>Zeile {0} von {1}: Marker {2} liegt {3} mm außerhalb des ruhenden Prüfkörpers.</translation>
     </message>
     <message>
         <source>Are markers and mesh in one frame (patient coordinates) and both in mm?</source>
-        <translation>¿Están los marcadores y la malla en el mismo sistema (coordenadas del paciente) y ambos en mm?</translation>
+        <translation>Sind Marker und Netz im selben Bezugssystem (Patientenkoordinaten) und beide in mm?</translation>
     </message>
     <message>
         <source>Line {0} of {1}: marker {2} moved by {3} mm, more than the specimen is long.</source>
-        <translation>Línea {0} de {1}: el marcador {2} se ha movido {3} mm, más que la longitud de la muestra.</translation>
+        <translation>Zeile {0} von {1}: Marker {2} hat sich um {3} mm bewegt, mehr als die Länge des Prüfkörpers.</translation>
     </message>
     <message>
         <source>Are the positions in another unit or frame than the positions at rest?</source>
-        <translation>¿Están las posiciones en otra unidad u otro sistema que las posiciones en reposo?</translation>
+        <translation>Haben die Positionen eine andere Einheit oder ein anderes Bezugssystem als die Ruhepositionen?</translation>
     </message>
     <message>
         <source>{0}: a force of {1} N presses no soft specimen.</source>
-        <translation>{0}: una fuerza de {1} N no se ejerce sobre ninguna muestra blanda.</translation>
+        <translation>{0}: Eine Kraft von {1} N drückt auf keinen weichen Prüfkörper.</translation>
     </message>
     <message>
         <source>Was it given in mN?</source>
-        <translation>¿Se indicó en mN?</translation>
+        <translation>Wurde sie in mN angegeben?</translation>
     </message>
     <message>
         <source>{0} must not be zero.</source>
-        <translation>{0} no debe ser cero.</translation>
+        <translation>{0} darf nicht null sein.</translation>
     </message>
     <message>
         <source>Trial {0} (line {1} of {2}) has no samples.</source>
-        <translation>El ensayo {0} (línea {1} de {2}) no tiene mediciones.</translation>
+        <translation>Versuch {0} (Zeile {1} von {2}) hat keine Messpunkte.</translation>
     </message>
     <message>
         <source>Was the recording interrupted?</source>
-        <translation>¿Se interrumpió el registro?</translation>
+        <translation>Wurde die Aufzeichnung unterbrochen?</translation>
     </message>
     <message>
         <source>In trial {0} (line {1} of {2}) time goes back at sample {3}.</source>
-        <translation>En el ensayo {0} (línea {1} de {2}) el tiempo retrocede en la medición {3}.</translation>
+        <translation>In Versuch {0} (Zeile {1} von {2}) läuft die Zeit bei Messpunkt {3} zurück.</translation>
     </message>
     <message>
         <source>Are two recordings in one trial?</source>
-        <translation>¿Hay dos registros en un ensayo?</translation>
+        <translation>Stehen zwei Aufzeichnungen in einem Versuch?</translation>
     </message>
     <message>
         <source>No sample of trial {0} (line {1} of {2}) names markers.</source>
-        <translation>Ninguna medición del ensayo {0} (línea {1} de {2}) nombra marcadores.</translation>
+        <translation>Kein Messpunkt von Versuch {0} (Zeile {1} von {2}) nennt Marker.</translation>
     </message>
     <message>
         <source>Preparing the specimen</source>
-        <translation>Preparando la muestra</translation>
+        <translation>Prüfkörper wird vorbereitet</translation>
     </message>
     <message>
         <source>No sample of the experiment has markers.</source>
-        <translation>Ninguna medición del experimento tiene marcadores.</translation>
+        <translation>Kein Messpunkt des Experiments hat Marker.</translation>
     </message>
     <message>
         <source>Solved the declared specimen</source>
-        <translation>Muestra declarada resuelta</translation>
+        <translation>Angegebener Prüfkörper gelöst</translation>
     </message>
     <message>
         <source>The specimen&apos;s equations are too badly conditioned to be solved.</source>
-        <translation>Las ecuaciones de la muestra están demasiado mal condicionadas para resolverse.</translation>
+        <translation>Die Gleichungen des Prüfkörpers sind zu schlecht konditioniert, um gelöst zu werden.</translation>
     </message>
     <message>
         <source>No equilibrium of a specimen that stiffens so strongly was found under these loads.</source>
-        <translation>No se ha encontrado equilibrio bajo estas cargas para una muestra que se rigidiza tanto.</translation>
+        <translation>Für einen Prüfkörper, der sich so stark versteift, wurde unter diesen Lasten kein Gleichgewicht gefunden.</translation>
     </message>
     <message>
         <source>The battery&apos;s voltage falls under load: its own resistance turns energy into heat.</source>
-        <translation>La tensión de la batería cae con la carga: su resistencia interna convierte energía en calor.</translation>
+        <translation>Die Spannung des Akkus sinkt unter Last: Sein Innenwiderstand macht aus Energie Wärme.</translation>
     </message>
     <message>
         <source>The battery&apos;s voltage falls under load, and what is lost there is what warms it.</source>
-        <translation>La tensión de la batería cae con la carga, y lo que allí se pierde es lo que la calienta.</translation>
+        <translation>Die Spannung des Akkus sinkt unter Last, und was dort verloren geht, erwärmt ihn.</translation>
     </message>
     <message>
         <source>The faster the battery is emptied, the less it gives (Peukert).</source>
-        <translation>Cuanto más deprisa se vacía la batería, menos entrega (Peukert).</translation>
+        <translation>Je schneller der Akku entladen wird, desto weniger gibt er her (Peukert).</translation>
     </message>
     <message>
         <source>The battery gives less when it is cold and more when it is warm.</source>
-        <translation>La batería entrega menos en frío y más en caliente.</translation>
+        <translation>Der Akku gibt bei Kälte weniger und bei Wärme mehr her.</translation>
     </message>
     <message>
         <source>The battery&apos;s voltage falls while it empties, which a constant voltage leaves out.</source>
-        <translation>La tensión de la batería cae mientras se vacía, algo que una tensión constante no recoge.</translation>
+        <translation>Die Spannung des Akkus sinkt beim Entladen, was eine konstante Spannung nicht erfasst.</translation>
     </message>
     <message>
         <source>The computer draws power whatever it does, more than was declared.</source>
-        <translation>El ordenador consume, haga lo que haga, más potencia de la declarada.</translation>
+        <translation>Der Rechner nimmt, was immer er tut, mehr Leistung auf als angegeben.</translation>
     </message>
     <message>
         <source>A part of the power is lost in the supply before it reaches the computer.</source>
-        <translation>Una parte de la potencia se pierde en la alimentación antes de llegar al ordenador.</translation>
+        <translation>Ein Teil der Leistung geht in der Versorgung verloren, bevor er den Rechner erreicht.</translation>
     </message>
     <message>
         <source>The warmer the computer gets, the more power it draws.</source>
-        <translation>Cuanto más se calienta el ordenador, más consume.</translation>
+        <translation>Je wärmer der Rechner wird, desto mehr Leistung nimmt er auf.</translation>
     </message>
     <message>
         <source>The work itself takes power that was not declared.</source>
-        <translation>El propio trabajo consume una potencia que no se declaró.</translation>
+        <translation>Die Arbeit selbst braucht Leistung, die nicht angegeben war.</translation>
     </message>
     <message>
         <source>The computer slows itself down to stay below a temperature.</source>
-        <translation>El ordenador se ralentiza para no superar una temperatura.</translation>
+        <translation>Der Rechner drosselt sich, um unter einer Temperatur zu bleiben.</translation>
     </message>
     <message>
         <source>Heat leaves the computer better or worse than declared.</source>
-        <translation>El calor sale del ordenador mejor o peor de lo declarado.</translation>
+        <translation>Die Wärme verlässt den Rechner besser oder schlechter als angegeben.</translation>
     </message>
     <message>
         <source>The computer takes time to warm up, longer or shorter than declared.</source>
-        <translation>El ordenador tarda en calentarse, más o menos de lo declarado.</translation>
+        <translation>Der Rechner braucht Zeit, um warm zu werden, länger oder kürzer als angegeben.</translation>
     </message>
     <message>
         <source>&quot;noise&quot; names no quantity, so that nothing can be judged.</source>
-        <translation>&quot;noise&quot; no nombra ninguna magnitud, de modo que no se puede juzgar nada.</translation>
+        <translation>&quot;noise&quot; nennt keine Größe, sodass sich nichts beurteilen lässt.</translation>
     </message>
     <message>
         <source>Give voltage_V, temperature_C or power_W: the standard deviation of that reading.</source>
-        <translation>Indique voltage_V, temperature_C o power_W: la desviación típica de esa lectura.</translation>
+        <translation>Geben Sie voltage_V, temperature_C oder power_W an: die Standardabweichung dieser Ablesung.</translation>
     </message>
     <message>
         <source>The law of platforms is constant: a battery that gives all of its energy at any load.</source>
-        <translation>La ley de las plataformas es constante: una batería que entrega toda su energía con cualquier carga.</translation>
+        <translation>Das Gesetz der Geräte ist konstant: ein Akku, der bei jeder Last seine ganze Energie abgibt.</translation>
     </message>
     <message>
         <source>{0} must not be below zero.</source>
-        <translation>{0} no debe ser menor que cero.</translation>
+        <translation>{0} darf nicht kleiner als null sein.</translation>
     </message>
     <message>
         <source>Line {0} of {1} gives a {2} of {3}, which no worn computer reaches.</source>
-        <translation>La línea {0} de {1} da {2} = {3}, algo que ningún ordenador corporal alcanza.</translation>
+        <translation>Zeile {0} von {1} gibt {2} mit {3} an, was kein getragener Rechner erreicht.</translation>
     </message>
     <message>
         <source>{0} has no column for a quantity whose noise is given.</source>
-        <translation>{0} no tiene columna para una magnitud cuyo ruido se indica.</translation>
+        <translation>{0} hat keine Spalte für eine Größe, deren Rauschen angegeben ist.</translation>
     </message>
     <message>
         <source>The declared figures predict none of the recorded quantities.</source>
-        <translation>Las cifras declaradas no predicen ninguna de las magnitudes registradas.</translation>
+        <translation>Die angegebenen Werte sagen keine der aufgezeichneten Größen vorher.</translation>
     </message>
     <message>
         <source>Voltage needs nominal_voltage_V, temperature needs thermal_resistance_C_per_W and a power, power needs a current or a load.</source>
-        <translation>La tensión necesita nominal_voltage_V, la temperatura thermal_resistance_C_per_W y una potencia, la potencia una corriente o una carga.</translation>
+        <translation>Für die Spannung wird nominal_voltage_V gebraucht, für die Temperatur thermal_resistance_C_per_W und eine Leistung, für die Leistung ein Strom oder eine Last.</translation>
     </message>
     <message>
         <source>The model of the platform has no finite answer here.</source>
-        <translation>El modelo de la plataforma no tiene aquí una respuesta finita.</translation>
+        <translation>Das Modell des Geräts hat hier keine endliche Antwort.</translation>
     </message>
     <message>
         <source>it is proportional to the prediction</source>
-        <translation>es proporcional a la predicción</translation>
+        <translation>es ist proportional zur Vorhersage</translation>
     </message>
     <message>
         <source>it changes with the load</source>
-        <translation>cambia con la carga</translation>
+        <translation>es ändert sich mit der Last</translation>
     </message>
     <message>
         <source>it changes with time</source>
-        <translation>cambia con el tiempo</translation>
+        <translation>es ändert sich mit der Zeit</translation>
     </message>
     <message>
         <source>it has a mean in some direction</source>
-        <translation>tiene una media en alguna dirección</translation>
+        <translation>es hat in einer Richtung einen Mittelwert</translation>
     </message>
     <message>
         <source>it changes across the specimen</source>
-        <translation>cambia a lo largo de la muestra</translation>
+        <translation>es ändert sich über den Prüfkörper hinweg</translation>
     </message>
     <message>
         <source>it differs from trial to trial</source>
-        <translation>difiere de un ensayo a otro</translation>
+        <translation>es unterscheidet sich von Versuch zu Versuch</translation>
     </message>
     <message>
         <source>it is larger than the noise</source>
-        <translation>es mayor que el ruido</translation>
+        <translation>es ist größer als das Rauschen</translation>
     </message>
     <message>
         <source>neighbours are off in the same way</source>
-        <translation>los vecinos se desvían del mismo modo</translation>
+        <translation>Nachbarn weichen auf gleiche Weise ab</translation>
     </message>
     <message>
         <source>trying effects</source>
-        <translation>probando efectos</translation>
+        <translation>Effekte werden probiert</translation>
     </message>
     <message>
         <source>Only an experiment whose trials are measured can be explained.</source>
-        <translation>Solo se puede explicar un experimento cuyos ensayos se hayan medido.</translation>
+        <translation>Nur ein Experiment, dessen Versuche gemessen sind, kann erklärt werden.</translation>
     </message>
     <message>
         <source>predicting with the declared model</source>
-        <translation>prediciendo con el modelo declarado</translation>
+        <translation>Vorhersage mit dem angegebenen Modell</translation>
     </message>
     <message>
         <source>weighing the evidence</source>
-        <translation>sopesando las pruebas</translation>
+        <translation>Belege werden abgewogen</translation>
     </message>
     <message>
         <source>done</source>
-        <translation>terminado</translation>
+        <translation>fertig</translation>
     </message>
     <message>
         <source>No voxel of the stiffness map is reliable: none is positive, confident, inside the organ and {0} mm away from its border at once.</source>
-        <translation>Ningún vóxel del mapa de rigidez es fiable: ninguno es a la vez positivo, de confianza, interior al órgano y alejado {0} mm de su borde.</translation>
+        <translation>Kein Voxel der Steifigkeitskarte ist verlässlich: Keines ist zugleich positiv, vertrauenswürdig, im Organ und {0} mm von dessen Rand entfernt.</translation>
     </message>
     <message>
         <source>Check that map, confidence mask and segmentation belong together, or trust voxels nearer to the border.</source>
-        <translation>Compruebe que el mapa, la máscara de confianza y la segmentación corresponden entre sí o acepte vóxeles más próximos al borde.</translation>
+        <translation>Prüfen Sie, ob Karte, Konfidenzmaske und Segmentierung zusammengehören, oder vertrauen Sie Voxeln näher am Rand.</translation>
     </message>
     <message>
         <source>The model does not lie in the stiffness map: {0} mm are between their boxes (model around {1}, map around {2}).</source>
-        <translation>El modelo no está dentro del mapa de rigidez: {0} mm separan sus cajas (modelo en torno a {1}, mapa en torno a {2}).</translation>
+        <translation>Das Modell liegt nicht in der Steifigkeitskarte: {0} mm trennen ihre Quader (Modell um {1}, Karte um {2}).</translation>
     </message>
     <message>
         <source>They are probably in different frames of reference: take the stiffness series of the same study, or register the two.</source>
-        <translation>Probablemente están en marcos de referencia distintos: tome la serie de rigidez del mismo estudio o registre ambos.</translation>
+        <translation>Wahrscheinlich sind sie in verschiedenen Bezugssystemen: Nehmen Sie die Steifigkeitsserie derselben Studie, oder registrieren Sie beide.</translation>
     </message>
     <message>
         <source>There are no cells to give a stiffness to.</source>
-        <translation>No hay celdas a las que dar una rigidez.</translation>
+        <translation>Es gibt keine Zellen, denen eine Steifigkeit zu geben wäre.</translation>
     </message>
     <message>
         <source>The stiffness map holds no voxels.</source>
-        <translation>El mapa de rigidez no contiene vóxeles.</translation>
+        <translation>Die Steifigkeitskarte enthält keine Voxel.</translation>
     </message>
     <message>
         <source>The axes of the stiffness map are not at right angles, so that the nearest voxel is not to be told.</source>
-        <translation>Los ejes del mapa de rigidez no son perpendiculares, de modo que no se puede determinar el vóxel más próximo.</translation>
+        <translation>Die Achsen der Steifigkeitskarte stehen nicht senkrecht aufeinander, sodass sich das nächste Voxel nicht bestimmen lässt.</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio must lie in (-1, 0.5], the border must not be negative and the averaging length must be positive; they are {0}, {1} mm and {2} mm.</source>
-        <translation>El coeficiente de Poisson debe estar en (-1, 0.5], el borde no debe ser negativo y la longitud de promediado debe ser positiva; son {0}, {1} mm y {2} mm.</translation>
+        <translation>Die Querkontraktionszahl muss in (-1, 0.5] liegen, der Rand darf nicht negativ und die Mittelungslänge muss positiv sein; sie sind {0}, {1} mm und {2} mm.</translation>
     </message>
     <message>
         <source>There are no wave or phase images.</source>
-        <translation>No hay imágenes de ondas ni de fase.</translation>
+        <translation>Es gibt keine Wellen- oder Phasenbilder.</translation>
     </message>
     <message>
         <source>Unwrapping the phase</source>
-        <translation>Desenrollando la fase</translation>
+        <translation>Phase wird entfaltet</translation>
     </message>
     <message>
         <source>The waves give no signal inside the organ.</source>
-        <translation>Las ondas no dan señal dentro del órgano.</translation>
+        <translation>Die Wellen geben im Organ kein Signal.</translation>
     </message>
     <message>
         <source>Check that the segmentation and the wave images belong together.</source>
-        <translation>Compruebe que la segmentación y las imágenes de ondas corresponden entre sí.</translation>
+        <translation>Prüfen Sie, ob Segmentierung und Wellenbilder zusammengehören.</translation>
     </message>
     <message>
         <source>Inverting the waves</source>
-        <translation>Invirtiendo las ondas</translation>
+        <translation>Wellen werden invertiert</translation>
     </message>
     <message>
         <source>Inverted</source>
-        <translation>Invertido</translation>
+        <translation>Invertiert</translation>
     </message>
     <message>
         <source>Not one voxel could be inverted with confidence: there is no wave in these images, or it drowns in noise.</source>
-        <translation>No se ha podido invertir con confianza ni un solo vóxel: no hay onda en estas imágenes o se pierde en el ruido.</translation>
+        <translation>Kein einziges Voxel ließ sich mit Konfidenz invertieren: In diesen Bildern ist keine Welle, oder sie geht im Rauschen unter.</translation>
     </message>
     <message>
         <source>Check that the phase series and the frequency are the right ones.</source>
-        <translation>Compruebe que la serie de fase y la frecuencia son las correctas.</translation>
+        <translation>Prüfen Sie, ob Phasenserie und Frequenz die richtigen sind.</translation>
     </message>
     <message>
         <source>The region lies on another voxel grid than the map.</source>
-        <translation>La región está en otra cuadrícula de vóxeles que el mapa.</translation>
+        <translation>Die Region liegt auf einem anderen Voxelgitter als die Karte.</translation>
     </message>
     <message>
         <source>The region holds no value.</source>
-        <translation>La región no contiene ningún valor.</translation>
+        <translation>Die Region enthält keinen Wert.</translation>
     </message>
     <message>
         <source>The wave images do not all lie on one grid.</source>
-        <translation>Las imágenes de ondas no están todas en una misma cuadrícula.</translation>
+        <translation>Die Wellenbilder liegen nicht alle auf einem Gitter.</translation>
     </message>
     <message>
         <source>The headers do not say at which frequency the organ was shaken.</source>
-        <translation>Las cabeceras no indican con qué frecuencia se hizo vibrar el órgano.</translation>
+        <translation>Die Kopfdaten sagen nicht, mit welcher Frequenz das Organ in Schwingung versetzt wurde.</translation>
     </message>
     <message>
         <source>Give it with --frequency-Hz; liver scans mostly use 60.</source>
-        <translation>Indíquela con --frequency-Hz; en el hígado suele ser 60.</translation>
+        <translation>Geben Sie sie mit --frequency-Hz an; bei der Leber sind es meist 60.</translation>
     </message>
     <message>
         <source>A vibration of {0} Hz is not possible.</source>
-        <translation>Una vibración de {0} Hz no es posible.</translation>
+        <translation>Eine Schwingung von {0} Hz ist nicht möglich.</translation>
     </message>
     <message>
         <source>The headers do not say which of the {0} wave images belong to which direction.</source>
-        <translation>Las cabeceras no indican cuáles de las {0} imágenes de ondas pertenecen a cada dirección.</translation>
+        <translation>Die Kopfdaten sagen nicht, welche der {0} Wellenbilder zu welcher Richtung gehören.</translation>
     </message>
     <message>
         <source>Say how many directions were measured with --directions; mostly 1 or 3.</source>
-        <translation>Indique con --directions cuántas direcciones se midieron; casi siempre 1 o 3.</translation>
+        <translation>Sagen Sie mit --directions, wie viele Richtungen gemessen wurden; meist 1 oder 3.</translation>
     </message>
     <message>
         <source>{0} wave images cannot be shared out among {1} directions.</source>
-        <translation>{0} imágenes de ondas no se pueden repartir entre {1} direcciones.</translation>
+        <translation>{0} Wellenbilder lassen sich nicht auf {1} Richtungen aufteilen.</translation>
     </message>
     <message>
         <source>At {0} Hz direction {1} has {2} instants and the first direction {3}.</source>
-        <translation>A {0} Hz la dirección {1} tiene {2} instantes y la primera dirección {3}.</translation>
+        <translation>Bei {0} Hz hat Richtung {1} {2} Zeitpunkte und die erste Richtung {3}.</translation>
     </message>
     <message>
         <source>Only {0} instants of the wave were measured; at least {1} are needed to tell the wave from noise.</source>
-        <translation>Solo se midieron {0} instantes de la onda; hacen falta al menos {1} para distinguir la onda del ruido.</translation>
+        <translation>Nur {0} Zeitpunkte der Welle wurden gemessen; mindestens {1} sind nötig, um Welle und Rauschen zu trennen.</translation>
     </message>
     <message>
         <source>The curl needs the motion along three known directions, in at least three slices.</source>
-        <translation>El rotacional necesita el movimiento en tres direcciones conocidas, en al menos tres cortes.</translation>
+        <translation>Die Rotation braucht die Bewegung in drei bekannten Richtungen, in mindestens drei Schichten.</translation>
     </message>
     <message>
         <source>Take long waves off with the high-pass instead.</source>
-        <translation>Elimine en su lugar las ondas largas con el paso alto.</translation>
+        <translation>Entfernen Sie lange Wellen stattdessen mit dem Hochpass.</translation>
     </message>
     <message>
         <source>A cutting plane needs a finite point and a normal that is not zero.</source>
-        <translation>Un plano de corte necesita un punto finito y una normal distinta de cero.</translation>
+        <translation>Eine Schnittebene braucht einen endlichen Punkt und eine Normale ungleich null.</translation>
     </message>
     <message>
         <source>A cutting sheet needs 3 to {0} points; there are {1}.</source>
-        <translation>Una superficie de corte necesita de 3 a {0} puntos; hay {1}.</translation>
+        <translation>Eine Schnittfläche braucht 3 bis {0} Punkte; es sind {1}.</translation>
     </message>
     <message>
         <source>A point of the cutting sheet is not finite.</source>
-        <translation>Un punto de la superficie de corte no es finito.</translation>
+        <translation>Ein Punkt der Schnittfläche ist nicht endlich.</translation>
     </message>
     <message>
         <source>The points of the cutting sheet lie almost on a line, which does not say which way to cut: add points away from it, or give a plane.</source>
-        <translation>Los puntos de la superficie de corte están casi alineados, lo que no indica cómo cortar: añada puntos fuera de la línea o indique un plano.</translation>
+        <translation>Die Punkte der Schnittfläche liegen fast auf einer Geraden, was nicht sagt, wie zu schneiden ist: Fügen Sie Punkte abseits davon hinzu, oder geben Sie eine Ebene an.</translation>
     </message>
     <message>
         <source>Points {0} and {1} of the cutting sheet lie above each other: no smooth sheet over their plane passes through both.</source>
-        <translation>Los puntos {0} y {1} de la superficie de corte están uno sobre otro: ninguna superficie suave sobre su plano pasa por ambos.</translation>
+        <translation>Die Punkte {0} und {1} der Schnittfläche liegen übereinander: Keine glatte Fläche über ihrer Ebene geht durch beide.</translation>
     </message>
     <message>
         <source>No smooth sheet passes through the points of the cut.</source>
-        <translation>Ninguna superficie suave pasa por los puntos de la sección.</translation>
+        <translation>Keine glatte Fläche geht durch die Punkte des Schnitts.</translation>
     </message>
     <message>
         <source>The surface is in pieces, between which there is no way along it.</source>
-        <translation>La superficie está en trozos entre los que no hay camino sobre ella.</translation>
+        <translation>Die Oberfläche besteht aus Stücken, zwischen denen kein Weg auf ihr liegt.</translation>
     </message>
     <message>
         <source>Keep its largest piece.</source>
-        <translation>Conserve su trozo mayor.</translation>
+        <translation>Behalten Sie ihr größtes Stück.</translation>
     </message>
     <message>
         <source>Triangle {0} does not fit its neighbours: an edge has more than two triangles, or they are turned against each other.</source>
-        <translation>El triángulo {0} no encaja con sus vecinos: una arista tiene más de dos triángulos o están orientados al revés.</translation>
+        <translation>Dreieck {0} passt nicht zu seinen Nachbarn: Eine Kante hat mehr als zwei Dreiecke, oder sie sind gegeneinander gedreht.</translation>
     </message>
     <message>
         <source>Heat cannot spread over the surface: it has flat triangles.</source>
-        <translation>El calor no puede propagarse por la superficie: tiene triángulos planos.</translation>
+        <translation>Wärme kann sich auf der Oberfläche nicht ausbreiten: Sie hat entartete Dreiecke.</translation>
     </message>
     <message>
         <source>{0} cannot be read as a mesh: {1}.</source>
-        <translation>No se puede leer {0} como malla: {1}.</translation>
+        <translation>{0} kann nicht als Netz gelesen werden: {1}.</translation>
     </message>
     <message>
         <source>Open it in ParaView to see whether it is damaged.</source>
-        <translation>Ábralo en ParaView para ver si está dañado.</translation>
+        <translation>Öffnen Sie es in ParaView, um zu sehen, ob es beschädigt ist.</translation>
     </message>
     <message>
         <source>it names no dataset</source>
-        <translation>no nombra ningún conjunto de datos</translation>
+        <translation>es nennt keinen Datensatz</translation>
     </message>
     <message>
         <source>its points are not all there</source>
-        <translation>no están todos sus puntos</translation>
+        <translation>seine Punkte sind nicht vollständig</translation>
     </message>
     <message>
         <source>its cell types are not all there</source>
-        <translation>no están todos sus tipos de celda</translation>
+        <translation>seine Zelltypen sind nicht vollständig</translation>
     </message>
     <message>
         <source>it has not as many cell types as cells</source>
-        <translation>no tiene tantos tipos de celda como celdas</translation>
+        <translation>es hat nicht so viele Zelltypen wie Zellen</translation>
     </message>
     <message>
         <source>a field says not how many arrays it has</source>
-        <translation>un campo no indica cuántas matrices tiene</translation>
+        <translation>ein Feld sagt nicht, wie viele Arrays es hat</translation>
     </message>
     <message>
         <source>an array before its cells is not all there, or is text</source>
-        <translation>una matriz anterior a sus celdas no está completa o es texto</translation>
+        <translation>ein Array vor seinen Zellen ist nicht vollständig oder ist Text</translation>
     </message>
     <message>
         <source>{0} has no extension that is known for such a mesh.</source>
-        <translation>{0} no tiene una extensión conocida para una malla así.</translation>
+        <translation>{0} hat keine Endung, die für ein solches Netz bekannt ist.</translation>
     </message>
     <message>
         <source>it holds no points</source>
-        <translation>no contiene puntos</translation>
+        <translation>es enthält keine Punkte</translation>
     </message>
     <message>
         <source>a cell names a point that does not exist</source>
-        <translation>una celda nombra un punto que no existe</translation>
+        <translation>eine Zelle nennt einen Punkt, den es nicht gibt</translation>
     </message>
     <message>
         <source>its polygons cannot be cut into triangles</source>
-        <translation>sus polígonos no se pueden dividir en triángulos</translation>
+        <translation>seine Polygone lassen sich nicht in Dreiecke zerlegen</translation>
     </message>
     <message>
         <source>Cell {1} of {0} is a {2} of {3} points; only tetrahedra are used.</source>
-        <translation>La celda {1} de {0} es {2} de {3} puntos; solo se usan tetraedros.</translation>
+        <translation>Zelle {1} von {0} ist {2} mit {3} Punkten; nur Tetraeder werden verwendet.</translation>
     </message>
     <message>
         <source>Cut it into tetrahedra first, for example with ParaView&apos;s Tetrahedralize.</source>
-        <translation>Divídala antes en tetraedros, por ejemplo con Tetrahedralize de ParaView.</translation>
+        <translation>Zerlegen Sie es zuerst in Tetraeder, zum Beispiel mit Tetrahedralize von ParaView.</translation>
     </message>
     <message>
         <source>it holds no tetrahedra</source>
-        <translation>no contiene tetraedros</translation>
+        <translation>es enthält keine Tetraeder</translation>
     </message>
     <message>
         <source>The header of {0} announces {1} items; a file of {2} bytes cannot hold them.</source>
-        <translation>La cabecera de {0} anuncia {1} elementos; un archivo de {2} bytes no puede contenerlos.</translation>
+        <translation>Die Kopfdaten von {0} kündigen {1} Einträge an; eine Datei von {2} Bytes kann sie nicht enthalten.</translation>
     </message>
     <message>
         <source>The file is damaged or cut off; get it again from where it came.</source>
-        <translation>El archivo está dañado o cortado; vuelva a obtenerlo de su origen.</translation>
+        <translation>Die Datei ist beschädigt oder abgeschnitten; holen Sie sie erneut von ihrer Quelle.</translation>
     </message>
     <message>
         <source>Line {1} of {0} is neither a point nor a face.</source>
-        <translation>La línea {1} de {0} no es ni un punto ni una cara.</translation>
+        <translation>Zeile {1} von {0} ist weder ein Punkt noch eine Fläche.</translation>
     </message>
     <message>
         <source>Line {1} of {0} is not what an OFF file holds there.</source>
-        <translation>La línea {1} de {0} no es lo que un archivo OFF contiene ahí.</translation>
+        <translation>Zeile {1} von {0} ist nicht das, was dort in einer OFF-Datei steht.</translation>
     </message>
     <message>
         <source>its header is not that of a PLY file</source>
-        <translation>su cabecera no es la de un archivo PLY</translation>
+        <translation>seine Kopfdaten sind nicht die einer PLY-Datei</translation>
     </message>
     <message>
         <source>Point {0} of the surface has no finite position.</source>
-        <translation>El punto {0} de la superficie no tiene una posición finita.</translation>
+        <translation>Punkt {0} der Oberfläche hat keine endliche Position.</translation>
     </message>
     <message>
         <source>Triangle {0} names point {1}; the surface has {2} points.</source>
-        <translation>El triángulo {0} nombra el punto {1}; la superficie tiene {2} puntos.</translation>
+        <translation>Dreieck {0} nennt Punkt {1}; die Oberfläche hat {2} Punkte.</translation>
     </message>
     <message>
         <source>The surface holds no triangles.</source>
-        <translation>La superficie no contiene triángulos.</translation>
+        <translation>Die Oberfläche enthält keine Dreiecke.</translation>
     </message>
     <message>
         <source>The mesh holds no tetrahedra.</source>
-        <translation>La malla no contiene tetraedros.</translation>
+        <translation>Das Netz enthält keine Tetraeder.</translation>
     </message>
     <message>
         <source>Tetrahedron {0} names point {1}; the mesh has {2} points.</source>
-        <translation>El tetraedro {0} nombra el punto {1}; la malla tiene {2} puntos.</translation>
+        <translation>Tetraeder {0} nennt Punkt {1}; das Netz hat {2} Punkte.</translation>
     </message>
     <message>
         <source>Point {0} of the mesh has no finite position.</source>
-        <translation>El punto {0} de la malla no tiene una posición finita.</translation>
+        <translation>Punkt {0} des Netzes hat keine endliche Position.</translation>
     </message>
     <message>
         <source>Tetrahedron {0} is flat or inside out: its volume is {1} mm3.</source>
-        <translation>El tetraedro {0} es plano o está invertido: su volumen es {1} mm3.</translation>
+        <translation>Tetraeder {0} ist flach oder umgestülpt: Sein Volumen ist {1} mm3.</translation>
     </message>
     <message>
         <source>The face of the points {0}, {1} and {2} belongs to {3} tetrahedra; at most two can.</source>
-        <translation>La cara de los puntos {0}, {1} y {2} pertenece a {3} tetraedros; como máximo pueden ser dos.</translation>
+        <translation>Die Fläche der Punkte {0}, {1} und {2} gehört zu {3} Tetraedern; höchstens zwei sind möglich.</translation>
     </message>
     <message>
         <source>The mesh falls in {0} parts that share no face, of {1} tetrahedra.</source>
-        <translation>La malla se divide en {0} partes sin cara común, de {1} tetraedros.</translation>
+        <translation>Das Netz zerfällt in {0} Teile ohne gemeinsame Fläche, mit {1} Tetraedern.</translation>
     </message>
     <message>
         <source>Keep the largest part, or join them before meshing.</source>
-        <translation>Conserve la parte mayor o únalas antes de mallar.</translation>
+        <translation>Behalten Sie den größten Teil, oder verbinden Sie die Teile vor dem Vernetzen.</translation>
     </message>
     <message>
         <source>{0} is deflated as a whole, which is not read.</source>
-        <translation>{0} está comprimido por completo (deflate), lo que no se lee.</translation>
+        <translation>{0} ist als Ganzes komprimiert (Deflate); das wird nicht gelesen.</translation>
     </message>
     <message>
         <source>Convert it first, for example with dcmconv +te.</source>
-        <translation>Conviértalo antes, por ejemplo con dcmconv +te.</translation>
+        <translation>Wandeln Sie es zuerst um, zum Beispiel mit dcmconv +te.</translation>
     </message>
     <message>
         <source>{0} is empty.</source>
-        <translation>{0} está vacío.</translation>
+        <translation>{0} ist leer.</translation>
     </message>
     <message>
         <source>{0} declares a length beyond its end in its first lines.</source>
-        <translation>{0} declara en sus primeras líneas una longitud que rebasa su final.</translation>
+        <translation>{0} gibt in seinen ersten Zeilen eine Länge jenseits seines Endes an.</translation>
     </message>
     <message>
         <source>{0} is no DICOM file, nor named as one of the volume files that are read.</source>
-        <translation>{0} no es un archivo DICOM ni se llama como uno de los archivos de volumen que se leen.</translation>
+        <translation>{0} ist keine DICOM-Datei und heißt auch nicht wie eine lesbare Volumendatei.</translation>
     </message>
     <message>
         <source>The header of {0} is too large to be that of an image.</source>
-        <translation>La cabecera de {0} es demasiado grande para ser la de una imagen.</translation>
+        <translation>Die Kopfdaten von {0} sind zu groß für die eines Bildes.</translation>
     </message>
     <message>
         <source>{0} is damaged: an item stands outside a sequence at byte {1}.</source>
-        <translation>{0} está dañado: hay un elemento fuera de una secuencia en el byte {1}.</translation>
+        <translation>{0} ist beschädigt: Bei Byte {1} steht ein Eintrag außerhalb einer Sequenz.</translation>
     </message>
     <message>
         <source>{0} is damaged: a value without a length stands at byte {1}.</source>
-        <translation>{0} está dañado: hay un valor sin longitud en el byte {1}.</translation>
+        <translation>{0} ist beschädigt: Bei Byte {1} steht ein Wert ohne Länge.</translation>
     </message>
     <message>
         <source>{0} ends at byte {1}, in the middle of its header.</source>
-        <translation>{0} termina en el byte {1}, en mitad de su cabecera.</translation>
+        <translation>{0} endet bei Byte {1}, mitten in den Kopfdaten.</translation>
     </message>
     <message>
         <source>{0} is damaged: the length at byte {1} leaves what encloses it.</source>
-        <translation>{0} está dañado: la longitud en el byte {1} se sale de lo que la contiene.</translation>
+        <translation>{0} ist beschädigt: Die Länge bei Byte {1} verlässt, was sie umschließt.</translation>
     </message>
     <message>
         <source>{0} ends at byte {1}, in the middle of a sequence.</source>
-        <translation>{0} termina en el byte {1}, en mitad de una secuencia.</translation>
+        <translation>{0} endet bei Byte {1}, mitten in einer Sequenz.</translation>
     </message>
     <message>
         <source>{0} is damaged: a sequence holds something else than items at byte {1}.</source>
-        <translation>{0} está dañado: una secuencia contiene algo que no son elementos en el byte {1}.</translation>
+        <translation>{0} ist beschädigt: Bei Byte {1} enthält eine Sequenz anderes als Einträge.</translation>
     </message>
     <message>
         <source>{0} is damaged: its pixels are not stored in the way its transfer syntax {1} says.</source>
-        <translation>{0} está dañado: sus píxeles no están almacenados como dice su sintaxis de transferencia {1}.</translation>
+        <translation>{0} ist beschädigt: Seine Pixel sind nicht so gespeichert, wie seine Transfersyntax {1} sagt.</translation>
     </message>
     <message>
         <source>{0} is cut short: {1} of {2} bytes of its pixels are there.</source>
-        <translation>{0} está cortado: hay {1} de {2} bytes de sus píxeles.</translation>
+        <translation>{0} ist abgeschnitten: {1} von {2} Bytes seiner Pixel sind da.</translation>
     </message>
     <message>
         <source>{0} is damaged: its compressed pixels are broken at byte {1}.</source>
-        <translation>{0} está dañado: sus píxeles comprimidos están rotos en el byte {1}.</translation>
+        <translation>{0} ist beschädigt: Seine komprimierten Pixel sind bei Byte {1} zerstört.</translation>
     </message>
     <message>
         <source>The pixels of {0} are in too many pieces.</source>
-        <translation>Los píxeles de {0} están en demasiados trozos.</translation>
+        <translation>Die Pixel von {0} sind in zu vielen Stücken.</translation>
     </message>
     <message>
         <source>{0} is cut short in its compressed pixels, at byte {1}.</source>
-        <translation>{0} está cortado en sus píxeles comprimidos, en el byte {1}.</translation>
+        <translation>{0} ist in seinen komprimierten Pixeln abgeschnitten, bei Byte {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: no value type is known for what stands at byte {1}.</source>
-        <translation>{0} está dañado: no se conoce ningún tipo de valor para lo que hay en el byte {1}.</translation>
+        <translation>{0} ist beschädigt: Für das, was bei Byte {1} steht, ist kein Werttyp bekannt.</translation>
     </message>
     <message>
         <source>{0} nests its sequences more than {1} deep, which no image does.</source>
-        <translation>{0} anida sus secuencias a más de {1} niveles, algo que ninguna imagen hace.</translation>
+        <translation>{0} verschachtelt seine Sequenzen mehr als {1} tief, was kein Bild tut.</translation>
     </message>
     <message>
         <source>Copy the file again from where it came.</source>
-        <translation>Copie de nuevo el archivo desde su origen.</translation>
+        <translation>Kopieren Sie die Datei erneut von ihrer Quelle.</translation>
     </message>
     <message>
         <source>The compressed pixels of {0} are damaged.</source>
-        <translation>Los píxeles comprimidos de {0} están dañados.</translation>
+        <translation>Die komprimierten Pixel von {0} sind beschädigt.</translation>
     </message>
     <message>
         <source>{0} is compressed in a way that is not read (transfer syntax {1}).</source>
-        <translation>{0} está comprimido de una forma que no se lee (sintaxis de transferencia {1}).</translation>
+        <translation>{0} ist auf eine Art komprimiert, die nicht gelesen wird (Transfersyntax {1}).</translation>
     </message>
     <message>
         <source>Convert it to an uncompressed or JPEG form first.</source>
-        <translation>Conviértalo antes a una forma sin comprimir o JPEG.</translation>
+        <translation>Wandeln Sie es zuerst in eine unkomprimierte oder JPEG-Form um.</translation>
     </message>
     <message>
         <source>The compressed picture of {0} is {1} x {2} with {3} bits, where its header says {4} x {5} with {6}.</source>
-        <translation>La imagen comprimida de {0} tiene {1} x {2} píxeles con {3} bits, mientras que su cabecera dice {4} x {5} con {6}.</translation>
+        <translation>Das komprimierte Bild von {0} hat {1} x {2} Pixel mit {3} Bit, wo die Kopfdaten {4} x {5} mit {6} sagen.</translation>
     </message>
     <message>
         <source>{0} lies inside {1}, which is only read.</source>
-        <translation>{0} está dentro de {1}, que solo se lee.</translation>
+        <translation>{0} liegt in {1}, das nur gelesen wird.</translation>
     </message>
     <message>
         <source>Choose a folder elsewhere for the files without identity.</source>
-        <translation>Elija una carpeta en otro lugar para los archivos sin identidad.</translation>
+        <translation>Wählen Sie für die Dateien ohne Identität einen Ordner anderswo.</translation>
     </message>
     <message>
         <source>removing identity</source>
-        <translation>eliminando la identidad</translation>
+        <translation>Identität wird entfernt</translation>
     </message>
     <message>
         <source>{0} holds no DICOM file.</source>
-        <translation>{0} no contiene ningún archivo DICOM.</translation>
+        <translation>{0} enthält keine DICOM-Datei.</translation>
     </message>
     <message>
         <source>Give the folder or the file that holds the images.</source>
-        <translation>Indique la carpeta o el archivo que contiene las imágenes.</translation>
+        <translation>Geben Sie den Ordner oder die Datei an, die die Bilder enthält.</translation>
     </message>
     <message>
         <source>{0} cannot be read: {1}.</source>
-        <translation>No se puede leer {0}: {1}.</translation>
+        <translation>{0} kann nicht gelesen werden: {1}.</translation>
     </message>
     <message>
         <source>Check the path and your rights there.</source>
-        <translation>Compruebe la ruta y sus permisos en ella.</translation>
+        <translation>Prüfen Sie den Pfad und Ihre Rechte dort.</translation>
     </message>
     <message>
         <source>{0} holds no image, or is damaged.</source>
-        <translation>{0} no contiene ninguna imagen o está dañado.</translation>
+        <translation>{0} enthält kein Bild oder ist beschädigt.</translation>
     </message>
     <message>
         <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
-        <translation>{0} declara un tamaño imposible: {1} x {2} píxeles en {3} fotogramas.</translation>
+        <translation>{0} gibt eine unmögliche Größe an: {1} x {2} Pixel in {3} Bildern.</translation>
     </message>
     <message>
         <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
-        <translation>{0} declara píxeles imposibles: {1} de {2} bits, el más alto {3}.</translation>
+        <translation>{0} gibt unmögliche Pixel an: {1} von {2} Bit, das höchste {3}.</translation>
     </message>
     <message>
         <source>{0} declares compressed pictures too large to be true.</source>
-        <translation>{0} declara imágenes comprimidas demasiado grandes para ser ciertas.</translation>
+        <translation>{0} gibt komprimierte Bilder an, die zu groß sind, um wahr zu sein.</translation>
     </message>
     <message>
         <source>{0} holds {1} of the {2} frames that it declares.</source>
-        <translation>{0} contiene {1} de los {2} fotogramas que declara.</translation>
+        <translation>{0} enthält {1} der {2} Bilder, die es angibt.</translation>
     </message>
     <message>
         <source>{0} holds {1} bytes of pixels, but its size in pixels asks for {2}.</source>
-        <translation>{0} contiene {1} bytes de píxeles, pero su tamaño exige {2}.</translation>
+        <translation>{0} enthält {1} Bytes an Pixeln, aber seine Größe verlangt {2}.</translation>
     </message>
     <message>
         <source>{0} is damaged: its header cannot be understood.</source>
-        <translation>{0} está dañado: su cabecera no se entiende.</translation>
+        <translation>{0} ist beschädigt: Die Kopfdaten sind nicht zu verstehen.</translation>
     </message>
     <message>
         <source>{0} is DICOM, but holds no picture ({1}).</source>
-        <translation>{0} es DICOM, pero no contiene ninguna imagen ({1}).</translation>
+        <translation>{0} ist DICOM, enthält aber kein Bild ({1}).</translation>
     </message>
     <message>
         <source>{0} is no directory of DICOM files.</source>
-        <translation>{0} no es un directorio de archivos DICOM (DICOMDIR).</translation>
+        <translation>{0} ist kein Verzeichnis von DICOM-Dateien (DICOMDIR).</translation>
     </message>
     <message>
         <source>Open the folder itself instead.</source>
-        <translation>Abra en su lugar la propia carpeta.</translation>
+        <translation>Öffnen Sie stattdessen den Ordner selbst.</translation>
     </message>
     <message>
         <source>Export the segmentation again, as binary and uncompressed DICOM SEG.</source>
-        <translation>Exporte de nuevo la segmentación, como DICOM SEG binario y sin comprimir.</translation>
+        <translation>Exportieren Sie die Segmentierung erneut, als binäres, unkomprimiertes DICOM SEG.</translation>
     </message>
     <message>
         <source>{0} is not a DICOM segmentation.</source>
-        <translation>{0} no es una segmentación DICOM.</translation>
+        <translation>{0} ist keine DICOM-Segmentierung.</translation>
     </message>
     <message>
         <source>The segmentation {0} is compressed (or big endian).</source>
-        <translation>La segmentación {0} está comprimida (o en big endian).</translation>
+        <translation>Die Segmentierung {0} ist komprimiert (oder Big Endian).</translation>
     </message>
     <message>
         <source>The segmentation {0} names no segment, or too many for its size: {1}.</source>
-        <translation>La segmentación {0} no nombra ningún segmento o demasiados para su tamaño: {1}.</translation>
+        <translation>Die Segmentierung {0} nennt kein Segment oder zu viele für ihre Größe: {1}.</translation>
     </message>
     <message>
         <source>The headers of {0} are damaged.</source>
-        <translation>Las cabeceras de {0} están dañadas.</translation>
+        <translation>Die Kopfdaten von {0} sind beschädigt.</translation>
     </message>
     <message>
         <source>The segmentation {0} does not say where its frames are: {1}.</source>
-        <translation>La segmentación {0} no indica dónde están sus fotogramas: {1}.</translation>
+        <translation>Die Segmentierung {0} sagt nicht, wo ihre Bilder liegen: {1}.</translation>
     </message>
     <message>
         <source>rows, columns, frames or bits</source>
-        <translation>filas, columnas, fotogramas o bits</translation>
+        <translation>Zeilen, Spalten, Bilder oder Bits</translation>
     </message>
     <message>
         <source>pixel spacing</source>
-        <translation>espaciado de los píxeles</translation>
+        <translation>Pixelabstand</translation>
     </message>
     <message>
         <source>The frames of the segmentation {0} are not above each other.</source>
-        <translation>Los fotogramas de la segmentación {0} no están superpuestos.</translation>
+        <translation>Die Bilder der Segmentierung {0} liegen nicht übereinander.</translation>
     </message>
     <message>
         <source>The frames of the segmentation {0} are not evenly spaced.</source>
-        <translation>Los fotogramas de la segmentación {0} no están espaciados por igual.</translation>
+        <translation>Die Bilder der Segmentierung {0} haben keine gleichmäßigen Abstände.</translation>
     </message>
     <message>
         <source>The segmentation {0} holds fewer frames than it declares.</source>
-        <translation>La segmentación {0} contiene menos fotogramas de los que declara.</translation>
+        <translation>Die Segmentierung {0} enthält weniger Bilder, als sie angibt.</translation>
     </message>
     <message>
         <source>The segmentation {0} ends before its last frame.</source>
-        <translation>La segmentación {0} termina antes de su último fotograma.</translation>
+        <translation>Die Segmentierung {0} endet vor ihrem letzten Bild.</translation>
     </message>
     <message>
         <source>There is no segment to write.</source>
-        <translation>No hay ningún segmento que escribir.</translation>
+        <translation>Es gibt kein Segment zu schreiben.</translation>
     </message>
     <message>
         <source>A segmentation needs the identifiers of the study, the series and the frame of reference that it was drawn on.</source>
-        <translation>Una segmentación necesita los identificadores del estudio, de la serie y del marco de referencia sobre los que se dibujó.</translation>
+        <translation>Eine Segmentierung braucht die Kennungen der Studie, der Serie und des Bezugssystems, in dem sie gezeichnet wurde.</translation>
     </message>
     <message>
         <source>The segments {0} and {1} lie on different grids; one file holds one grid.</source>
-        <translation>Los segmentos {0} y {1} están en cuadrículas distintas; un archivo contiene una sola.</translation>
+        <translation>Die Segmente {0} und {1} liegen auf verschiedenen Gittern; eine Datei fasst ein Gitter.</translation>
     </message>
     <message>
         <source>The grid of the segment {0} is skewed, left-handed or too large for DICOM.</source>
-        <translation>La cuadrícula del segmento {0} está sesgada, es levógira o demasiado grande para DICOM.</translation>
+        <translation>Das Gitter des Segments {0} ist schief, linkshändig oder zu groß für DICOM.</translation>
     </message>
     <message>
         <source>The volume holds no voxels, so no series can be written to {0}.</source>
-        <translation>El volumen no contiene vóxeles, así que no se puede escribir ninguna serie en {0}.</translation>
+        <translation>Das Volumen enthält keine Voxel, also kann keine Serie nach {0} geschrieben werden.</translation>
     </message>
     <message>
         <source>The slices have {0} x {1} voxels; DICOM counts rows and columns up to 65535.</source>
-        <translation>Los cortes tienen {0} x {1} vóxeles; DICOM cuenta filas y columnas hasta 65535.</translation>
+        <translation>Die Schichten haben {0} x {1} Voxel; DICOM zählt Zeilen und Spalten bis 65535.</translation>
     </message>
     <message>
         <source>The series {0} needs the identifiers of its study, of itself and of its frame of reference.</source>
-        <translation>La serie {0} necesita los identificadores de su estudio, de sí misma y de su marco de referencia.</translation>
+        <translation>Die Serie {0} braucht die Kennungen ihrer Studie, ihrer selbst und ihres Bezugssystems.</translation>
     </message>
     <message>
         <source>The volume holds values that are not finite; DICOM cannot.</source>
-        <translation>El volumen contiene valores no finitos; DICOM no lo permite.</translation>
+        <translation>Das Volumen enthält Werte, die nicht endlich sind; DICOM kann das nicht.</translation>
     </message>
     <message>
         <source>Slice {0} holds the value {1}, which the rescale {2} x + {3} cannot hold in 16 bits.</source>
-        <translation>El corte {0} contiene el valor {1}, que el reescalado {2} x + {3} no puede guardar en 16 bits.</translation>
+        <translation>Schicht {0} enthält den Wert {1}, den die Umskalierung {2} x + {3} in 16 Bit nicht fassen kann.</translation>
     </message>
     <message>
         <source>{0} may not be read by you.</source>
-        <translation>No tiene permiso para leer {0}.</translation>
+        <translation>{0} dürfen Sie nicht lesen.</translation>
     </message>
     <message>
         <source>{0} cannot be opened: it has gone, or is no ordinary file.</source>
-        <translation>No se puede abrir {0}: ha desaparecido o no es un archivo ordinario.</translation>
+        <translation>{0} kann nicht geöffnet werden: Es ist verschwunden oder keine gewöhnliche Datei.</translation>
     </message>
     <message>
         <source>{0} is not any more as it was when the folder was scanned.</source>
-        <translation>{0} ya no está como cuando se examinó la carpeta.</translation>
+        <translation>{0} ist nicht mehr so wie beim Durchsuchen des Ordners.</translation>
     </message>
     <message>
         <source>Scan the folder again.</source>
-        <translation>Examine de nuevo la carpeta.</translation>
+        <translation>Durchsuchen Sie den Ordner erneut.</translation>
     </message>
     <message>
         <source>{0} does not say which of its compressed pieces belong to frame {1}.</source>
-        <translation>{0} no indica cuáles de sus trozos comprimidos pertenecen al fotograma {1}.</translation>
+        <translation>{0} sagt nicht, welche seiner komprimierten Stücke zu Bild {1} gehören.</translation>
     </message>
     <message>
         <source>The series {0} has {1} volumes, counted from 0, and no {2}.</source>
-        <translation>La serie {0} tiene {1} volúmenes, contados desde 0, y ninguno {2}.</translation>
+        <translation>Die Serie {0} hat {1} Volumina, gezählt ab 0, und kein {2}.</translation>
     </message>
     <message>
         <source>The series {0} is a segmentation, not an image.</source>
-        <translation>La serie {0} es una segmentación, no una imagen.</translation>
+        <translation>Die Serie {0} ist eine Segmentierung, kein Bild.</translation>
     </message>
     <message>
         <source>Import it as labels of a structure.</source>
-        <translation>Impórtela como etiquetas de una estructura.</translation>
+        <translation>Importieren Sie sie als Labels einer Struktur.</translation>
     </message>
     <message>
         <source>The series {0} holds pictures in colour and no values to measure.</source>
-        <translation>La serie {0} contiene imágenes en color y ningún valor que medir.</translation>
+        <translation>Die Serie {0} enthält Farbbilder und keine messbaren Werte.</translation>
     </message>
     <message>
         <source>Choose the grey-scale series that it was made from.</source>
-        <translation>Elija la serie en escala de grises de la que procede.</translation>
+        <translation>Wählen Sie die Graustufenserie, aus der sie entstanden ist.</translation>
     </message>
     <message>
         <source>The series {0} needs {1} GiB of memory, more than this computer has.</source>
-        <translation>La serie {0} necesita {1} GiB de memoria, más de la que tiene este ordenador.</translation>
+        <translation>Die Serie {0} braucht {1} GiB Speicher, mehr als dieser Rechner hat.</translation>
     </message>
     <message>
         <source>Reading the slices</source>
-        <translation>Leyendo los cortes</translation>
+        <translation>Schichten werden gelesen</translation>
     </message>
     <message>
         <source>Sorting the series</source>
-        <translation>Ordenando las series</translation>
+        <translation>Serien werden sortiert</translation>
     </message>
     <message>
         <source>The folder {0} cannot be read.</source>
-        <translation>No se puede leer la carpeta {0}.</translation>
+        <translation>Der Ordner {0} kann nicht gelesen werden.</translation>
     </message>
     <message>
         <source>Check your rights there.</source>
-        <translation>Compruebe sus permisos en ella.</translation>
+        <translation>Prüfen Sie Ihre Rechte dort.</translation>
     </message>
     <message>
         <source>Files found</source>
-        <translation>Archivos encontrados</translation>
+        <translation>Gefundene Dateien</translation>
     </message>
     <message>
         <source>There is nothing at {0}.</source>
-        <translation>No hay nada en {0}.</translation>
+        <translation>Unter {0} ist nichts vorhanden.</translation>
     </message>
     <message>
         <source>Check the path.</source>
-        <translation>Compruebe la ruta.</translation>
+        <translation>Prüfen Sie den Pfad.</translation>
     </message>
     <message>
         <source>Files looked at</source>
-        <translation>Archivos examinados</translation>
+        <translation>Durchgesehene Dateien</translation>
     </message>
     <message>
         <source>The map is in {0}, which is no unit of stiffness.</source>
-        <translation>El mapa está en {0}, que no es una unidad de rigidez.</translation>
+        <translation>Die Karte ist in {0}, was keine Einheit der Steifigkeit ist.</translation>
     </message>
     <message>
         <source>The stiffness map holds no value above zero.</source>
-        <translation>El mapa de rigidez no contiene ningún valor mayor que cero.</translation>
+        <translation>Die Steifigkeitskarte enthält keinen Wert über null.</translation>
     </message>
     <message>
         <source>It cannot be decided whether the stiffness map is in Pa or kPa: its median, {0}, is no stiffness of soft tissue in either.</source>
-        <translation>No se puede decidir si el mapa de rigidez está en Pa o en kPa: su mediana, {0}, no es una rigidez de tejido blando en ninguna de las dos.</translation>
+        <translation>Ob die Steifigkeitskarte in Pa oder kPa ist, lässt sich nicht entscheiden: Ihr Median, {0}, ist in keiner von beiden eine Steifigkeit von Weichgewebe.</translation>
     </message>
     <message>
         <source>The stiffness map is marked as {0}, but its median, {1}, is a stiffness of soft tissue only in {2}.</source>
-        <translation>El mapa de rigidez está marcado como {0}, pero su mediana, {1}, solo es una rigidez de tejido blando en {2}.</translation>
+        <translation>Die Steifigkeitskarte ist als {0} gekennzeichnet, aber ihr Median, {1}, ist nur in {2} eine Steifigkeit von Weichgewebe.</translation>
     </message>
     <message>
         <source>Correct the unit in the file after asking where it came from.</source>
-        <translation>Corrija la unidad en el archivo después de consultar a quien lo generó.</translation>
+        <translation>Berichtigen Sie die Einheit in der Datei, nachdem Sie bei deren Herkunft nachgefragt haben.</translation>
     </message>
     <message>
         <source>{0} is not a label map: it holds the value {1}.</source>
-        <translation>{0} no es un mapa de etiquetas: contiene el valor {1}.</translation>
+        <translation>{0} ist keine Labelkarte: Sie enthält den Wert {1}.</translation>
     </message>
     <message>
         <source>A label map holds whole numbers from 0 to 65535.</source>
-        <translation>Un mapa de etiquetas contiene números enteros de 0 a 65535.</translation>
+        <translation>Eine Labelkarte enthält ganze Zahlen von 0 bis 65535.</translation>
     </message>
     <message>
         <source>{0} is not of a known kind of volume file.</source>
-        <translation>{0} no es de un tipo conocido de archivo de volumen.</translation>
+        <translation>{0} ist keine bekannte Art von Volumendatei.</translation>
     </message>
     <message>
         <source>Known are .nii, .nii.gz, .nrrd, .nhdr, .mha and .mhd.</source>
-        <translation>Se conocen .nii, .nii.gz, .nrrd, .nhdr, .mha y .mhd.</translation>
+        <translation>Bekannt sind .nii, .nii.gz, .nrrd, .nhdr, .mha und .mhd.</translation>
     </message>
     <message>
         <source>Check that the file is whole, for example by opening it in 3D Slicer.</source>
-        <translation>Compruebe que el archivo está completo, por ejemplo abriéndolo en 3D Slicer.</translation>
+        <translation>Prüfen Sie, ob die Datei vollständig ist, zum Beispiel durch Öffnen in 3D Slicer.</translation>
     </message>
     <message>
         <source>it is empty</source>
-        <translation>está vacío</translation>
+        <translation>sie ist leer</translation>
     </message>
     <message>
         <source>its header is not of that format</source>
-        <translation>su cabecera no es de ese formato</translation>
+        <translation>ihre Kopfdaten sind nicht von diesem Format</translation>
     </message>
     <message>
         <source>{0} holds {1} values at each voxel; one is needed.</source>
-        <translation>{0} contiene {1} valores por vóxel; se necesita uno.</translation>
+        <translation>{0} enthält {1} Werte je Voxel; einer wird gebraucht.</translation>
     </message>
     <message>
         <source>Save one component (or a grey image in place of a colour one).</source>
-        <translation>Guarde una sola componente (o una imagen gris en lugar de una en color).</translation>
+        <translation>Speichern Sie eine Komponente (oder ein Graubild statt eines Farbbilds).</translation>
     </message>
     <message>
         <source>{0} is not a three-dimensional volume: it has {1} axes.</source>
-        <translation>{0} no es un volumen tridimensional: tiene {1} ejes.</translation>
+        <translation>{0} ist kein dreidimensionales Volumen: Es hat {1} Achsen.</translation>
     </message>
     <message>
         <source>Save one volume (one point in time) to a file.</source>
-        <translation>Guarde un solo volumen (un solo instante) en un archivo.</translation>
+        <translation>Speichern Sie ein Volumen (einen Zeitpunkt) in eine Datei.</translation>
     </message>
     <message>
         <source>The header of {0} gives no usable grid: sizes and spacings must be positive and the axes at right angles.</source>
-        <translation>La cabecera de {0} no da una cuadrícula utilizable: los tamaños y espaciados deben ser positivos y los ejes perpendiculares.</translation>
+        <translation>Die Kopfdaten von {0} ergeben kein brauchbares Gitter: Größen und Abstände müssen positiv und die Achsen rechtwinklig sein.</translation>
     </message>
     <message>
         <source>Resample the volume onto a regular grid and save it again.</source>
-        <translation>Remuestree el volumen en una cuadrícula regular y guárdelo de nuevo.</translation>
+        <translation>Rechnen Sie das Volumen auf ein regelmäßiges Gitter um, und speichern Sie es neu.</translation>
     </message>
     <message>
         <source>{0} is too short: its header declares {1} bytes of voxels and the file can hold {2} at most.</source>
-        <translation>{0} es demasiado corto: su cabecera declara {1} bytes de vóxeles y el archivo puede contener {2} como máximo.</translation>
+        <translation>{0} ist zu kurz: Die Kopfdaten geben {1} Bytes an Voxeln an, und die Datei kann höchstens {2} enthalten.</translation>
     </message>
     <message>
         <source>its numbers are of an unknown type</source>
-        <translation>sus números son de un tipo desconocido</translation>
+        <translation>ihre Zahlen sind von unbekanntem Typ</translation>
     </message>
     <message>
         <source>The supports do not hold the body: it {0}, so no equilibrium exists.</source>
-        <translation>Los apoyos no sujetan el cuerpo: {0}, así que no existe equilibrio.</translation>
+        <translation>Die Lagerung hält den Körper nicht: Er {0}, also gibt es kein Gleichgewicht.</translation>
     </message>
     <message>
         <source>Hold more of it, or put a foundation under part of its surface.</source>
-        <translation>Sujete una parte mayor o ponga una cimentación bajo parte de su superficie.</translation>
+        <translation>Halten Sie mehr davon fest, oder legen Sie eine Bettung unter einen Teil seiner Oberfläche.</translation>
     </message>
     <message>
         <source>The mesh has {0} cells; at most {1} can be solved.</source>
-        <translation>La malla tiene {0} celdas; se pueden resolver como máximo {1}.</translation>
+        <translation>Das Netz hat {0} Zellen; höchstens {1} sind lösbar.</translation>
     </message>
     <message>
         <source>Mesh with fewer cells.</source>
-        <translation>Malle con menos celdas.</translation>
+        <translation>Vernetzen Sie mit weniger Zellen.</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio must lie between -1 and 0.5, both excluded; it is {0}.</source>
-        <translation>El coeficiente de Poisson debe estar entre -1 y 0.5, ambos excluidos; es {0}.</translation>
+        <translation>Die Querkontraktionszahl muss zwischen -1 und 0.5 liegen, beide ausgeschlossen; sie ist {0}.</translation>
     </message>
     <message>
         <source>For tissue that is nearly incompressible take 0.45 to 0.499.</source>
-        <translation>Para tejido casi incompresible tome de 0.45 a 0.499.</translation>
+        <translation>Für fast inkompressibles Gewebe nehmen Sie 0.45 bis 0.499.</translation>
     </message>
     <message>
         <source>The density must be a finite number, zero or above.</source>
-        <translation>La densidad debe ser un número finito, cero o mayor.</translation>
+        <translation>Die Dichte muss eine endliche Zahl sein, null oder größer.</translation>
     </message>
     <message>
         <source>There are {0} values of Young&apos;s modulus for {1} cells.</source>
-        <translation>Hay {0} valores del módulo de Young para {1} celdas.</translation>
+        <translation>Es gibt {0} Werte des Elastizitätsmoduls für {1} Zellen.</translation>
     </message>
     <message>
         <source>Young&apos;s modulus of cell {0} is {1} kPa; it must be a number above zero.</source>
-        <translation>El módulo de Young de la celda {0} es {1} kPa; debe ser un número mayor que cero.</translation>
+        <translation>Der Elastizitätsmodul der Zelle {0} ist {1} kPa; er muss eine Zahl größer als null sein.</translation>
     </message>
     <message>
         <source>Fill the cells without data before simulating.</source>
-        <translation>Complete las celdas sin datos antes de simular.</translation>
+        <translation>Füllen Sie die Zellen ohne Daten vor der Simulation.</translation>
     </message>
     <message>
         <source>The tool at ({0}, {1}, {2}) mm with radius {3} mm touches nothing: the centre of the nearest face of the surface is {4} mm away.</source>
-        <translation>El instrumento en ({0}, {1}, {2}) mm, de radio {3} mm, no toca nada: el centro de la cara más próxima de la superficie está a {4} mm.</translation>
+        <translation>Das Instrument bei ({0}, {1}, {2}) mm mit dem Radius {3} mm berührt nichts: Die Mitte der nächsten Fläche der Oberfläche ist {4} mm entfernt.</translation>
     </message>
     <message>
         <source>Move its centre onto the surface, or make its radius larger than {4} mm.</source>
-        <translation>Mueva su centro a la superficie o haga su radio mayor que {4} mm.</translation>
+        <translation>Verschieben Sie seine Mitte auf die Oberfläche, oder machen Sie seinen Radius größer als {4} mm.</translation>
     </message>
     <message>
         <source>Ordering the equations</source>
-        <translation>Ordenando las ecuaciones</translation>
+        <translation>Gleichungen werden geordnet</translation>
     </message>
     <message>
         <source>Solving for {0} unknowns would take {1} GB of memory; the limit is {2} GB.</source>
-        <translation>Resolver {0} incógnitas requeriría {1} GB de memoria; el límite es {2} GB.</translation>
+        <translation>Die Lösung für {0} Unbekannte bräuchte {1} GB Speicher; die Grenze ist {2} GB.</translation>
     </message>
     <message>
         <source>Factorising</source>
-        <translation>Factorizando</translation>
+        <translation>Faktorisierung</translation>
     </message>
     <message>
         <source>The stiffness matrix is not positive definite (column {0} of {1}).</source>
-        <translation>La matriz de rigidez no es definida positiva (columna {0} de {1}).</translation>
+        <translation>Die Steifigkeitsmatrix ist nicht positiv definit (Spalte {0} von {1}).</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio may be too near 1/2, or cells may be flat: look at the mesh&apos;s quality.</source>
-        <translation>El coeficiente de Poisson puede estar demasiado cerca de 1/2 o haber celdas planas: mire la calidad de la malla.</translation>
+        <translation>Die Querkontraktionszahl liegt vielleicht zu nahe bei 1/2, oder Zellen sind flach: Sehen Sie sich die Qualität des Netzes an.</translation>
     </message>
     <message>
         <source>The solver ran out of memory for {0} unknowns.</source>
-        <translation>Al solucionador le faltó memoria para {0} incógnitas.</translation>
+        <translation>Dem Löser fehlte der Speicher für {0} Unbekannte.</translation>
     </message>
     <message>
         <source>Factorised</source>
-        <translation>Factorizado</translation>
+        <translation>Faktorisiert</translation>
     </message>
     <message>
         <source>The equilibrium was not found. {0}</source>
-        <translation>No se ha encontrado el equilibrio. {0}</translation>
+        <translation>Das Gleichgewicht wurde nicht gefunden. {0}</translation>
     </message>
     <message>
         <source>The body&apos;s answer to a force on its surface was not found: the relative residual stayed at {0}.</source>
-        <translation>No se ha encontrado la respuesta del cuerpo a una fuerza en su superficie: el residuo relativo se quedó en {0}.</translation>
+        <translation>Die Antwort des Körpers auf eine Kraft an seiner Oberfläche wurde nicht gefunden: Das relative Residuum blieb bei {0}.</translation>
     </message>
     <message>
         <source>The tool at ({0}, {1}, {2}) mm meets no surface on its way.</source>
-        <translation>El instrumento en ({0}, {1}, {2}) mm no encuentra ninguna superficie en su camino.</translation>
+        <translation>Das Instrument bei ({0}, {1}, {2}) mm trifft auf seinem Weg keine Oberfläche.</translation>
     </message>
     <message>
         <source>Move it in front of the liver, or turn it towards it.</source>
-        <translation>Muévalo delante del hígado o gírelo hacia él.</translation>
+        <translation>Verschieben Sie es vor die Leber, oder drehen Sie es zu ihr hin.</translation>
     </message>
     <message>
         <source>A grasper needs a finite place and a radius above zero.</source>
-        <translation>Una pinza necesita un lugar finito y un radio mayor que cero.</translation>
+        <translation>Eine Fasszange braucht einen endlichen Ort und einen Radius größer als null.</translation>
     </message>
     <message>
         <source>The grasper holds no point of the surface.</source>
-        <translation>La pinza no sujeta ningún punto de la superficie.</translation>
+        <translation>Die Fasszange hält keinen Punkt der Oberfläche.</translation>
     </message>
     <message>
         <source>Move it onto the surface, or open its jaws wider.</source>
-        <translation>Muévala a la superficie o abra más sus mordazas.</translation>
+        <translation>Verschieben Sie sie auf die Oberfläche, oder öffnen Sie ihre Branchen weiter.</translation>
     </message>
     <message>
         <source>A body computed straight from data can be held, but not stand on a foundation.</source>
-        <translation>Un cuerpo calculado directamente a partir de datos se puede sujetar, pero no apoyar en una cimentación.</translation>
+        <translation>Ein direkt aus Daten berechneter Körper kann gehalten werden, aber nicht auf einer Bettung stehen.</translation>
     </message>
     <message>
         <source>Looking for states that the data know</source>
-        <translation>Buscando estados que los datos conocen</translation>
+        <translation>Suche nach Zuständen, die die Daten kennen</translation>
     </message>
     <message>
         <source>Looking for the equilibrium</source>
-        <translation>Buscando el equilibrio</translation>
+        <translation>Suche nach dem Gleichgewicht</translation>
     </message>
     <message>
         <source>Solved</source>
-        <translation>Resuelto</translation>
+        <translation>Gelöst</translation>
     </message>
     <message>
         <source>is not held at all</source>
-        <translation>no está sujeto en absoluto</translation>
+        <translation>ist überhaupt nicht gehalten</translation>
     </message>
     <message>
         <source>can slide in every direction</source>
-        <translation>puede deslizarse en todas las direcciones</translation>
+        <translation>kann in jede Richtung gleiten</translation>
     </message>
     <message>
         <source>The tool of load {0} needs a finite centre and force.</source>
-        <translation>El instrumento de la carga {0} necesita un centro y una fuerza finitos.</translation>
+        <translation>Das Instrument der Last {0} braucht eine endliche Mitte und Kraft.</translation>
     </message>
     <message>
         <source>The tool of load {0} needs a radius above zero.</source>
-        <translation>El instrumento de la carga {0} necesita un radio mayor que cero.</translation>
+        <translation>Das Instrument der Last {0} braucht einen Radius größer als null.</translation>
     </message>
     <message>
         <source>The pressure of load {0} is not a finite number.</source>
-        <translation>La presión de la carga {0} no es un número finito.</translation>
+        <translation>Der Druck der Last {0} ist keine endliche Zahl.</translation>
     </message>
     <message>
         <source>The gravity of load {0} is not a finite vector.</source>
-        <translation>La gravedad de la carga {0} no es un vector finito.</translation>
+        <translation>Die Schwerkraft der Last {0} ist kein endlicher Vektor.</translation>
     </message>
     <message>
         <source>A material needs at least 3 measurements of strain and stress.</source>
-        <translation>Un material necesita al menos 3 mediciones de deformación y tensión.</translation>
+        <translation>Ein Material braucht mindestens 3 Messungen von Dehnung und Spannung.</translation>
     </message>
     <message>
         <source>A measurement of strain and stress is not a finite number.</source>
-        <translation>Una medición de deformación y tensión no es un número finito.</translation>
+        <translation>Eine Messung von Dehnung und Spannung ist keine endliche Zahl.</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio must lie between -1 and 0.5, and one neighbour or more is needed for a hull.</source>
-        <translation>El coeficiente de Poisson debe estar entre -1 y 0.5, y hace falta al menos un vecino para una envolvente.</translation>
+        <translation>Die Querkontraktionszahl muss zwischen -1 und 0.5 liegen, und für eine Hülle ist mindestens ein Nachbar nötig.</translation>
     </message>
     <message>
         <source>The measured stress does not grow with the strain.</source>
-        <translation>La tensión medida no crece con la deformación.</translation>
+        <translation>Die gemessene Spannung wächst nicht mit der Dehnung.</translation>
     </message>
     <message>
         <source>Assembling the stiffness</source>
-        <translation>Ensamblando la rigidez</translation>
+        <translation>Steifigkeit wird zusammengestellt</translation>
     </message>
     <message>
         <source>Assembled</source>
-        <translation>Ensamblado</translation>
+        <translation>Zusammengestellt</translation>
     </message>
     <message>
         <source>A motion needs a step and a tolerance above zero, and damping not below it.</source>
-        <translation>Un movimiento necesita un paso y una tolerancia mayores que cero y un amortiguamiento no negativo.</translation>
+        <translation>Eine Bewegung braucht einen Schritt und eine Toleranz größer als null und eine Dämpfung nicht kleiner.</translation>
     </message>
     <message>
         <source>{0} nodes in this body need more than 5e8 voxels: take fewer.</source>
-        <translation>{0} nodos en este cuerpo necesitan más de 5e8 vóxeles: tome menos.</translation>
+        <translation>{0} Knoten in diesem Körper brauchen mehr als 5e8 Voxel: Nehmen Sie weniger.</translation>
     </message>
     <message>
         <source>Spreading the nodes</source>
-        <translation>Repartiendo los nodos</translation>
+        <translation>Knoten werden verteilt</translation>
     </message>
     <message>
         <source>Measuring how the material sees the body</source>
-        <translation>Midiendo cómo ve el material el cuerpo</translation>
+        <translation>Messung, wie das Material den Körper sieht</translation>
     </message>
     <message>
         <source>{0} nodes, {1} voxels a node and an overlap of {2} cannot be: the last two must be at least 1 and above 1.</source>
-        <translation>{0} nodos, {1} vóxeles por nodo y un solapamiento de {2} no son posibles: los dos últimos deben ser al menos 1 y mayor que 1.</translation>
+        <translation>{0} Knoten, {1} Voxel je Knoten und eine Überlappung von {2} sind nicht möglich: Die letzten beiden müssen mindestens 1 und größer als 1 sein.</translation>
     </message>
     <message>
         <source>One linear solve a step moves the materials &quot;linear&quot; and &quot;corotational&quot;, without ligaments or a capsule.</source>
-        <translation>Una resolución lineal por paso mueve los materiales &quot;linear&quot; y &quot;corotational&quot;, sin ligamentos ni cápsula.</translation>
+        <translation>Mit einer linearen Lösung je Schritt bewegen sich die Materialien &quot;linear&quot; und &quot;corotational&quot;, ohne Bänder oder Kapsel.</translation>
     </message>
     <message>
         <source>A tool needs rods with finite ends and a radius above zero, and a pose that turns and moves it.</source>
-        <translation>Un instrumento necesita barras con extremos finitos y radio mayor que cero, y una pose que lo gire y lo mueva.</translation>
+        <translation>Ein Instrument braucht Stäbe mit endlichen Enden und einem Radius größer als null und eine Lage, die es dreht und bewegt.</translation>
     </message>
     <message>
         <source>{0} must be a name in quotes.</source>
-        <translation>{0} debe ser un nombre entre comillas.</translation>
+        <translation>{0} muss ein Name in Anführungszeichen sein.</translation>
     </message>
     <message>
         <source>{0} must be one of {1}.</source>
-        <translation>{0} debe ser uno de {1}.</translation>
+        <translation>{0} muss eines von {1} sein.</translation>
     </message>
     <message>
         <source>{0} must be a list in brackets.</source>
-        <translation>{0} debe ser una lista entre corchetes.</translation>
+        <translation>{0} muss eine Liste in eckigen Klammern sein.</translation>
     </message>
     <message>
         <source>{0} goes with the material &quot;veronda-westmann&quot;: give both or neither.</source>
-        <translation>{0} va con el material &quot;veronda-westmann&quot;: indique ambos o ninguno.</translation>
+        <translation>{0} gehört zum Material &quot;veronda-westmann&quot;: Geben Sie beide an oder keines.</translation>
     </message>
     <message>
         <source>{0} and &quot;youngs_modulus_kPa&quot; both say how stiff the body is: give one.</source>
-        <translation>{0} y &quot;youngs_modulus_kPa&quot; indican ambos la rigidez del cuerpo: indique solo uno.</translation>
+        <translation>{0} und &quot;youngs_modulus_kPa&quot; sagen beide, wie steif der Körper ist: Geben Sie eines an.</translation>
     </message>
     <message>
         <source>{0} has the same id &quot;{1}&quot; as another.</source>
-        <translation>{0} tiene el mismo identificador «{1}» que otro.</translation>
+        <translation>{0} hat dieselbe Kennung „{1}“ wie ein anderes.</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;point_array&quot;, &quot;sphere&quot; and &quot;box&quot;.</source>
-        <translation>{0} necesita exactamente uno de &quot;point_array&quot;, &quot;sphere&quot; y &quot;box&quot;.</translation>
+        <translation>{0} braucht genau eines von &quot;point_array&quot;, &quot;sphere&quot; und &quot;box&quot;.</translation>
     </message>
     <message>
         <source>In {0} the box&apos;s min_mm must not exceed its max_mm.</source>
-        <translation>En {0} el min_mm de la caja no debe superar su max_mm.</translation>
+        <translation>In {0} darf min_mm des Quaders sein max_mm nicht übersteigen.</translation>
     </message>
     <message>
         <source>{0} is a ligament: it takes neither &quot;foundation_kPa_per_mm&quot; nor &quot;directions&quot;.</source>
-        <translation>{0} es un ligamento: no admite ni &quot;foundation_kPa_per_mm&quot; ni &quot;directions&quot;.</translation>
+        <translation>{0} ist ein Band: Es nimmt weder &quot;foundation_kPa_per_mm&quot; noch &quot;directions&quot;.</translation>
     </message>
     <message>
         <source>{0} has both &quot;foundation_kPa_per_mm&quot; and &quot;directions&quot;: a foundation acts in all directions.</source>
-        <translation>{0} tiene a la vez &quot;foundation_kPa_per_mm&quot; y &quot;directions&quot;: una cimentación actúa en todas las direcciones.</translation>
+        <translation>{0} hat sowohl &quot;foundation_kPa_per_mm&quot; als auch &quot;directions&quot;: Eine Bettung wirkt in alle Richtungen.</translation>
     </message>
     <message>
         <source>The directions of {0} must be a list such as [&quot;x&quot;, &quot;z&quot;].</source>
-        <translation>Las direcciones de {0} deben ser una lista, por ejemplo [&quot;x&quot;, &quot;z&quot;].</translation>
+        <translation>Die Richtungen von {0} müssen eine Liste sein, etwa [&quot;x&quot;, &quot;z&quot;].</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; and &quot;gravity_of_patient&quot;.</source>
-        <translation>{0} necesita exactamente uno de &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; y &quot;gravity_of_patient&quot;.</translation>
+        <translation>{0} braucht genau eines von &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; und &quot;gravity_of_patient&quot;.</translation>
     </message>
     <message>
         <source>{0} must lie between -90 and 90 degrees.</source>
-        <translation>{0} debe estar entre -90 y 90 grados.</translation>
+        <translation>{0} muss zwischen -90 und 90 Grad liegen.</translation>
     </message>
     <message>
         <source>{0} has both &quot;left_tilt_deg&quot; and &quot;right_tilt_deg&quot;: give one.</source>
-        <translation>{0} tiene a la vez &quot;left_tilt_deg&quot; y &quot;right_tilt_deg&quot;: indique solo uno.</translation>
+        <translation>{0} hat sowohl &quot;left_tilt_deg&quot; als auch &quot;right_tilt_deg&quot;: Geben Sie eines an.</translation>
     </message>
     <message>
         <source>{0} must be true or false.</source>
-        <translation>{0} debe ser true o false.</translation>
+        <translation>{0} muss true oder false sein.</translation>
     </message>
     <message>
         <source>The steps of {0} must be a whole number from 1 to 1000000.</source>
-        <translation>Los pasos de {0} deben ser un número entero de 1 a 1000000.</translation>
+        <translation>Die Schritte von {0} müssen eine ganze Zahl von 1 bis 1000000 sein.</translation>
     </message>
     <message>
         <source>The nodes of {0} must be a whole number from 1 to 1000000.</source>
-        <translation>Los nodos de {0} deben ser un número entero de 1 a 1000000.</translation>
+        <translation>Die Knoten von {0} müssen eine ganze Zahl von 1 bis 1000000 sein.</translation>
     </message>
     <message>
         <source>The mesh has no cell array {0} with one value a cell.</source>
-        <translation>La malla no tiene una matriz de celdas {0} con un valor por celda.</translation>
+        <translation>Das Netz hat kein Zellfeld {0} mit einem Wert je Zelle.</translation>
     </message>
     <message>
         <source>Give the scenario &quot;youngs_modulus_kPa&quot;, a number or the name of a cell array; the mesh&apos;s cell arrays are: {1}.</source>
-        <translation>Dé al escenario &quot;youngs_modulus_kPa&quot;, un número o el nombre de una matriz de celdas; las matrices de celdas de la malla son: {1}.</translation>
+        <translation>Geben Sie dem Szenario &quot;youngs_modulus_kPa&quot;, eine Zahl oder den Namen eines Zellfelds; die Zellfelder des Netzes sind: {1}.</translation>
     </message>
     <message>
         <source>The position of landmark {0} is not a finite point.</source>
-        <translation>La posición del punto de referencia {0} no es un punto finito.</translation>
+        <translation>Die Position der Landmarke {0} ist kein endlicher Punkt.</translation>
     </message>
     <message>
         <source>Landmark {0} lies {1} mm outside the body.</source>
-        <translation>El punto de referencia {0} está a {1} mm fuera del cuerpo.</translation>
+        <translation>Landmarke {0} liegt {1} mm außerhalb des Körpers.</translation>
     </message>
     <message>
         <source>Check that landmarks and mesh are in the same coordinates (LPS, mm).</source>
-        <translation>Compruebe que los puntos de referencia y la malla están en las mismas coordenadas (LPS, mm).</translation>
+        <translation>Prüfen Sie, ob Landmarken und Netz in denselben Koordinaten sind (LPS, mm).</translation>
     </message>
     <message>
         <source>Solving</source>
-        <translation>Resolviendo</translation>
+        <translation>Lösen</translation>
     </message>
     <message>
         <source>Moving</source>
-        <translation>Moviendo</translation>
+        <translation>Bewegung</translation>
     </message>
     <message>
         <source>Checking the model</source>
-        <translation>Comprobando el modelo</translation>
+        <translation>Modell wird geprüft</translation>
     </message>
     <message>
         <source>A ligament only pulls, so it is not linear: look for the equilibrium by steps.</source>
-        <translation>Un ligamento solo tira, así que no es lineal: busque el equilibrio por pasos.</translation>
+        <translation>Ein Band zieht nur, ist also nicht linear: Suchen Sie das Gleichgewicht schrittweise.</translation>
     </message>
     <message>
         <source>Nodal loads need {0} values: three a node.</source>
-        <translation>Las cargas nodales necesitan {0} valores: tres por nodo.</translation>
+        <translation>Knotenlasten brauchen {0} Werte: drei je Knoten.</translation>
     </message>
     <message>
         <source>A nodal load is not a finite number.</source>
-        <translation>Una carga nodal no es un número finito.</translation>
+        <translation>Eine Knotenlast ist keine endliche Zahl.</translation>
     </message>
     <message>
         <source>Support {0} names no point of the mesh.</source>
-        <translation>El apoyo {0} no nombra ningún punto de la malla.</translation>
+        <translation>Lagerung {0} nennt keinen Punkt des Netzes.</translation>
     </message>
     <message>
         <source>Move or enlarge its region, or name another point array.</source>
-        <translation>Mueva o amplíe su región o nombre otra matriz de puntos.</translation>
+        <translation>Verschieben oder vergrößern Sie ihre Region, oder nennen Sie ein anderes Punktfeld.</translation>
     </message>
     <message>
         <source>The foundation of support {0} needs a stiffness above zero, not {1} kPa/mm.</source>
-        <translation>La cimentación del apoyo {0} necesita una rigidez mayor que cero, no {1} kPa/mm.</translation>
+        <translation>Die Bettung der Lagerung {0} braucht eine Steifigkeit größer als null, nicht {1} kPa/mm.</translation>
     </message>
     <message>
         <source>The foundation of support {0} covers no face: no face of the surface has all three points named.</source>
-        <translation>La cimentación del apoyo {0} no cubre ninguna cara: ninguna cara de la superficie tiene nombrados sus tres puntos.</translation>
+        <translation>Die Bettung der Lagerung {0} bedeckt keine Fläche: Bei keiner Fläche der Oberfläche sind alle drei Punkte genannt.</translation>
     </message>
     <message>
         <source>Move or enlarge its region.</source>
-        <translation>Mueva o amplíe su región.</translation>
+        <translation>Verschieben oder vergrößern Sie ihre Region.</translation>
     </message>
     <message>
         <source>Support {0} asks for the point array {1}, which the mesh does not have with one value a point.</source>
-        <translation>El apoyo {0} pide la matriz de puntos {1}, que la malla no tiene con un valor por punto.</translation>
+        <translation>Lagerung {0} verlangt das Punktfeld {1}, das das Netz nicht mit einem Wert je Punkt hat.</translation>
     </message>
     <message>
         <source>The mesh&apos;s point arrays are: {2}.</source>
-        <translation>Las matrices de puntos de la malla son: {2}.</translation>
+        <translation>Die Punktfelder des Netzes sind: {2}.</translation>
     </message>
     <message>
         <source>The point array {0} is not a number at point {1}.</source>
-        <translation>La matriz de puntos {0} no es un número en el punto {1}.</translation>
+        <translation>Das Punktfeld {0} ist bei Punkt {1} keine Zahl.</translation>
     </message>
     <message>
         <source>The sphere of support {0} needs a finite centre and a radius above zero.</source>
-        <translation>La esfera del apoyo {0} necesita un centro finito y un radio mayor que cero.</translation>
+        <translation>Die Kugel der Lagerung {0} braucht eine endliche Mitte und einen Radius größer als null.</translation>
     </message>
     <message>
         <source>The box of support {0} needs finite corners, the smaller one first.</source>
-        <translation>La caja del apoyo {0} necesita esquinas finitas, la menor primero.</translation>
+        <translation>Der Quader der Lagerung {0} braucht endliche Ecken, die kleinere zuerst.</translation>
     </message>
     <message>
         <source>The ligament of support {0} needs a finite anchor, a stiffness above zero and a slack not below it.</source>
-        <translation>El ligamento del apoyo {0} necesita un anclaje finito, una rigidez mayor que cero y una holgura no negativa.</translation>
+        <translation>Das Band der Lagerung {0} braucht einen endlichen Ankerpunkt, eine Steifigkeit größer als null und eine nicht negative Schlaffheit.</translation>
     </message>
     <message>
         <source>The ligament of support {0} names no point of the surface.</source>
-        <translation>El ligamento del apoyo {0} no nombra ningún punto de la superficie.</translation>
+        <translation>Das Band der Lagerung {0} nennt keinen Punkt der Oberfläche.</translation>
     </message>
     <message>
         <source>There is no published tissue {0}.</source>
-        <translation>No hay ningún tejido publicado {0}.</translation>
+        <translation>Es gibt kein veröffentlichtes Gewebe {0}.</translation>
     </message>
     <message>
         <source>The tissues are: {1}.</source>
-        <translation>Los tejidos son: {1}.</translation>
+        <translation>Die Gewebe sind: {1}.</translation>
     </message>
     <message>
         <source>{0} nodes in {1} rounds cannot be made; both must be at least 1.</source>
-        <translation>{0} nodos en {1} rondas no son posibles; ambos deben ser al menos 1.</translation>
+        <translation>{0} Knoten in {1} Runden sind nicht möglich; beide müssen mindestens 1 sein.</translation>
     </message>
     <message>
         <source>The body holds no voxels.</source>
-        <translation>El cuerpo no contiene vóxeles.</translation>
+        <translation>Der Körper enthält keine Voxel.</translation>
     </message>
     <message>
         <source>{0} nodes are more than the body has voxels ({1}).</source>
-        <translation>{0} nodos son más que los vóxeles del cuerpo ({1}).</translation>
+        <translation>{0} Knoten sind mehr, als der Körper Voxel hat ({1}).</translation>
     </message>
     <message>
         <source>The mesh generator gave up: {0}.</source>
-        <translation>El generador de mallas ha desistido: {0}.</translation>
+        <translation>Der Netzgenerator hat aufgegeben: {0}.</translation>
     </message>
     <message>
         <source>Ask for another number of cells, or smooth the labels.</source>
-        <translation>Pida otro número de celdas o suavice las etiquetas.</translation>
+        <translation>Verlangen Sie eine andere Zahl von Zellen, oder glätten Sie die Labels.</translation>
     </message>
     <message>
         <source>The label map holds no labelled voxel, so there is no body to mesh.</source>
-        <translation>El mapa de etiquetas no contiene ningún vóxel etiquetado, así que no hay cuerpo que mallar.</translation>
+        <translation>Die Labelkarte enthält kein markiertes Voxel, also gibt es keinen Körper zu vernetzen.</translation>
     </message>
     <message>
         <source>Segment the liver first.</source>
-        <translation>Segmente antes el hígado.</translation>
+        <translation>Segmentieren Sie zuerst die Leber.</translation>
     </message>
     <message>
         <source>The label map has {0} values for a grid of {1} x {2} x {3} voxels.</source>
-        <translation>El mapa de etiquetas tiene {0} valores para una cuadrícula de {1} x {2} x {3} vóxeles.</translation>
+        <translation>Die Labelkarte hat {0} Werte für ein Gitter von {1} x {2} x {3} Voxeln.</translation>
     </message>
     <message>
         <source>The label map&apos;s axes are not at right angles, or its spacing is not positive.</source>
-        <translation>Los ejes del mapa de etiquetas no son perpendiculares o su espaciado no es positivo.</translation>
+        <translation>Die Achsen der Labelkarte sind nicht rechtwinklig, oder ihr Abstand ist nicht positiv.</translation>
     </message>
     <message>
         <source>A structure without voxels has no surface.</source>
-        <translation>Una estructura sin vóxeles no tiene superficie.</translation>
+        <translation>Eine Struktur ohne Voxel hat keine Oberfläche.</translation>
     </message>
     <message>
         <source>Preparing the labels</source>
-        <translation>Preparando las etiquetas</translation>
+        <translation>Labels werden vorbereitet</translation>
     </message>
     <message>
         <source>Removing slivers</source>
-        <translation>Eliminando los tetraedros planos</translation>
+        <translation>Flache Tetraeder werden entfernt</translation>
     </message>
     <message>
         <source>Measuring the distance to the label boundary</source>
-        <translation>Midiendo la distancia al límite de las etiquetas</translation>
+        <translation>Abstand zur Grenze der Labels wird gemessen</translation>
     </message>
     <message>
         <source>The surface of the mesh is not a closed manifold.</source>
-        <translation>La superficie de la malla no es una variedad cerrada.</translation>
+        <translation>Die Oberfläche des Netzes ist keine geschlossene Mannigfaltigkeit.</translation>
     </message>
     <message>
         <source>Meshed</source>
-        <translation>Mallado</translation>
+        <translation>Vernetzt</translation>
     </message>
     <message>
         <source>A mesh of {0} cells cannot be made; from {1} to {2} can.</source>
-        <translation>No se puede hacer una malla de {0} celdas; sí de {1} a {2}.</translation>
+        <translation>Ein Netz mit {0} Zellen ist nicht möglich; von {1} bis {2} geht es.</translation>
     </message>
     <message>
         <source>The share of cells for inner structures is {0}; it must be in 0 to 1.</source>
-        <translation>La proporción de celdas para estructuras internas es {0}; debe estar entre 0 y 1.</translation>
+        <translation>Der Anteil der Zellen für innere Strukturen ist {0}; er muss in 0 bis 1 liegen.</translation>
     </message>
     <message>
         <source>Filling the body with tetrahedra</source>
-        <translation>Rellenando el cuerpo con tetraedros</translation>
+        <translation>Körper wird mit Tetraedern gefüllt</translation>
     </message>
     <message>
         <source>A piece of {0} has {1} ml, but its cells only {2} ml: the mesh has lost it.</source>
-        <translation>Un trozo de {0} tiene {1} ml, pero sus celdas solo {2} ml: la malla lo ha perdido.</translation>
+        <translation>Ein Stück von {0} hat {1} ml, seine Zellen aber nur {2} ml: Das Netz hat es verloren.</translation>
     </message>
     <message>
         <source>Ask for more cells.</source>
-        <translation>Pida más celdas.</translation>
+        <translation>Verlangen Sie mehr Zellen.</translation>
     </message>
     <message>
         <source>A battery with a {0} of {1} does not exist.</source>
-        <translation>No existe una batería con {0} = {1}.</translation>
+        <translation>Einen Akku mit {0} = {1} gibt es nicht.</translation>
     </message>
     <message>
         <source>Correct the device&apos;s battery.</source>
-        <translation>Corrija la batería del dispositivo.</translation>
+        <translation>Berichtigen Sie den Akku des Geräts.</translation>
     </message>
     <message>
         <source>A load of {0} W is more than the battery&apos;s internal resistance lets through.</source>
-        <translation>Una carga de {0} W es más de lo que deja pasar la resistencia interna de la batería.</translation>
+        <translation>Eine Last von {0} W ist mehr, als der Innenwiderstand des Akkus durchlässt.</translation>
     </message>
     <message>
         <source>A batch of {0} nodes takes more than the {1} MB there are for it.</source>
-        <translation>Un lote de {0} nodos ocupa más que los {1} MB disponibles.</translation>
+        <translation>Ein Paket von {0} Knoten braucht mehr als die vorhandenen {1} MB.</translation>
     </message>
     <message>
         <source>{0} lacks a reading within the discharge.</source>
-        <translation>A {0} le falta una lectura durante la descarga.</translation>
+        <translation>{0} fehlt eine Ablesung während der Entladung.</translation>
     </message>
     <message>
         <source>The time goes back in {0}.</source>
-        <translation>El tiempo retrocede en {0}.</translation>
+        <translation>In {0} läuft die Zeit zurück.</translation>
     </message>
     <message>
         <source>{0} holds no discharge.</source>
-        <translation>{0} no contiene ninguna descarga.</translation>
+        <translation>{0} enthält keine Entladung.</translation>
     </message>
     <message>
         <source>{0} lacks a reading of the ambient.</source>
-        <translation>A {0} le falta una lectura del ambiente.</translation>
+        <translation>{0} fehlt eine Ablesung der Umgebung.</translation>
     </message>
     <message>
         <source>A cell is set up from one slow discharge and at least two that are five times as fast.</source>
-        <translation>Una celda se determina con una descarga lenta y al menos dos cinco veces más rápidas.</translation>
+        <translation>Eine Zelle wird aus einer langsamen Entladung und mindestens zwei fünfmal so schnellen bestimmt.</translation>
     </message>
     <message>
         <source>A convergence curve has 2 to {0} points; this one has {1}.</source>
-        <translation>Una curva de convergencia tiene de 2 a {0} puntos; esta tiene {1}.</translation>
+        <translation>Eine Konvergenzkurve hat 2 bis {0} Punkte; diese hat {1}.</translation>
     </message>
     <message>
         <source>Point {0} of the convergence curve, {1} mm3 and {2} mm, is not positive or does not increase from the point before.</source>
-        <translation>El punto {0} de la curva de convergencia, {1} mm3 y {2} mm, no es positivo o no aumenta respecto al anterior.</translation>
+        <translation>Punkt {0} der Konvergenzkurve, {1} mm3 und {2} mm, ist nicht positiv oder steigt gegenüber dem vorigen Punkt nicht an.</translation>
     </message>
     <message>
         <source>{0} has no list of points.</source>
-        <translation>{0} no tiene ninguna lista de puntos.</translation>
+        <translation>{0} hat keine Liste von Punkten.</translation>
     </message>
     <message>
         <source>An accuracy of {0} mm is finer than the convergence study reaches ({1} mm at {2} mm3 a node).</source>
-        <translation>Una precisión de {0} mm es más fina de lo que alcanza el estudio de convergencia ({1} mm a {2} mm3 por nodo).</translation>
+        <translation>Eine Genauigkeit von {0} mm ist feiner, als die Konvergenzstudie reicht ({1} mm bei {2} mm3 je Knoten).</translation>
     </message>
     <message>
         <source>Ask for {1} mm or more.</source>
-        <translation>Pida {1} mm o más.</translation>
+        <translation>Verlangen Sie {1} mm oder mehr.</translation>
     </message>
     <message>
         <source>Device {0} has {1} {2}; it must lie between {3} and {4}.</source>
-        <translation>El dispositivo {0} tiene {1} {2}; debe estar entre {3} y {4}.</translation>
+        <translation>Gerät {0} hat {1} {2}; es muss zwischen {3} und {4} liegen.</translation>
     </message>
     <message>
         <source>Correct that figure in the device&apos;s file.</source>
-        <translation>Corrija esa cifra en el archivo del dispositivo.</translation>
+        <translation>Berichtigen Sie diesen Wert in der Datei des Geräts.</translation>
     </message>
     <message>
         <source>Device {0} has measured points that are not positive, not by increasing nodes, or more than {1}.</source>
-        <translation>El dispositivo {0} tiene puntos medidos que no son positivos, no están por nodos crecientes o son más de {1}.</translation>
+        <translation>Gerät {0} hat Messpunkte, die nicht positiv, nicht nach steigenden Knoten geordnet oder mehr als {1} sind.</translation>
     </message>
     <message>
         <source>{0} has no list &quot;devices&quot; of 1 to {1} devices.</source>
-        <translation>{0} no tiene una lista &quot;devices&quot; de 1 a {1} dispositivos.</translation>
+        <translation>{0} hat keine Liste &quot;devices&quot; von 1 bis {1} Geräten.</translation>
     </message>
     <message>
         <source>Two devices have the id &quot;{0}&quot;.</source>
-        <translation>Dos dispositivos tienen el identificador «{0}».</translation>
+        <translation>Zwei Geräte haben die Kennung „{0}“.</translation>
     </message>
     <message>
         <source>Give each its own.</source>
-        <translation>Dé a cada uno el suyo.</translation>
+        <translation>Geben Sie jedem seine eigene.</translation>
     </message>
     <message>
         <source>{0} has the id &quot;{1}&quot;.</source>
-        <translation>{0} tiene el identificador «{1}».</translation>
+        <translation>{0} hat die Kennung „{1}“.</translation>
     </message>
     <message>
         <source>Use up to 64 small letters, digits and dashes.</source>
-        <translation>Use hasta 64 letras minúsculas, cifras y guiones.</translation>
+        <translation>Verwenden Sie bis zu 64 Kleinbuchstaben, Ziffern und Bindestriche.</translation>
     </message>
     <message>
         <source>{0} is worn &quot;{1}&quot;.</source>
-        <translation>{0} se lleva «{1}».</translation>
+        <translation>{0} wird als „{1}“ getragen.</translation>
     </message>
     <message>
         <source>Use head, belt or back.</source>
-        <translation>Use head, belt o back.</translation>
+        <translation>Verwenden Sie head, belt oder back.</translation>
     </message>
     <message>
         <source>The energy meter {0} stopped answering.</source>
-        <translation>El medidor de energía {0} ha dejado de responder.</translation>
+        <translation>Das Energiemessgerät {0} antwortet nicht mehr.</translation>
     </message>
     <message>
         <source>The processor&apos;s energy counters (RAPL) at {0} may be read by root only.</source>
-        <translation>Solo root puede leer los contadores de energía del procesador (RAPL) en {0}.</translation>
+        <translation>Die Energiezähler des Prozessors (RAPL) bei {0} darf nur root lesen.</translation>
     </message>
     <message>
         <source>No energy counters of the processor (RAPL) at {0}.</source>
-        <translation>No hay contadores de energía del procesador (RAPL) en {0}.</translation>
+        <translation>Keine Energiezähler des Prozessors (RAPL) bei {0}.</translation>
     </message>
     <message>
         <source>No current sensors (INA) at {0}.</source>
-        <translation>No hay sensores de corriente (INA) en {0}.</translation>
+        <translation>Keine Stromsensoren (INA) bei {0}.</translation>
     </message>
     <message>
         <source>The battery is not discharging: unplug the machine to measure by its gauge.</source>
-        <translation>La batería no se descarga: desenchufe la máquina para medir con su indicador.</translation>
+        <translation>Der Akku entlädt sich nicht: Ziehen Sie den Netzstecker, um mit seiner Anzeige zu messen.</translation>
     </message>
     <message>
         <source>No battery gauge at {0}.</source>
-        <translation>No hay indicador de batería en {0}.</translation>
+        <translation>Keine Akkuanzeige bei {0}.</translation>
     </message>
     <message>
         <source>{0} does not say &quot;format&quot;: &quot;{1}&quot;.</source>
-        <translation>{0} no indica &quot;format&quot;: &quot;{1}&quot;.</translation>
+        <translation>{0} sagt nicht &quot;format&quot;: &quot;{1}&quot;.</translation>
     </message>
     <message>
         <source>Check that it is the file you meant.</source>
-        <translation>Compruebe que es el archivo que quería.</translation>
+        <translation>Prüfen Sie, ob es die gemeinte Datei ist.</translation>
     </message>
     <message>
         <source>{0} has no &quot;{1}&quot;, or not of the right kind.</source>
-        <translation>{0} no tiene &quot;{1}&quot; o no es del tipo correcto.</translation>
+        <translation>{0} hat kein &quot;{1}&quot; oder nicht von der richtigen Art.</translation>
     </message>
     <message>
         <source>The shipped devices.json shows every key.</source>
-        <translation>El archivo devices.json incluido muestra todas las claves.</translation>
+        <translation>Die mitgelieferte devices.json zeigt jeden Schlüssel.</translation>
     </message>
     <message>
         <source>{0} has &quot;{1}&quot; {2}; it must lie between {3} and {4}.</source>
-        <translation>{0} tiene &quot;{1}&quot; {2}; debe estar entre {3} y {4}.</translation>
+        <translation>{0} hat &quot;{1}&quot; {2}; es muss zwischen {3} und {4} liegen.</translation>
     </message>
     <message>
         <source>{0} has &quot;{1}&quot; empty or longer than {2} characters.</source>
-        <translation>{0} tiene &quot;{1}&quot; vacío o de más de {2} caracteres.</translation>
+        <translation>{0} hat &quot;{1}&quot; leer oder länger als {2} Zeichen.</translation>
     </message>
     <message>
         <source>{0} has the source &quot;{1}&quot;.</source>
-        <translation>{0} tiene la fuente «{1}».</translation>
+        <translation>{0} hat die Quelle „{1}“.</translation>
     </message>
     <message>
         <source>Idle power</source>
-        <translation>Potencia en reposo</translation>
+        <translation>Leistung im Leerlauf</translation>
     </message>
     <message>
         <source>Nothing on this machine tells its energy: idle and active power are assumed. Measure them with a current clamp or a power meter, and give them.</source>
-        <translation>Nada en esta máquina indica su energía: las potencias en reposo y en carga son supuestas. Mídalas con una pinza amperimétrica o un vatímetro e indíquelas.</translation>
+        <translation>Nichts auf diesem Rechner sagt seine Energie: Leerlauf- und Arbeitsleistung sind angenommen. Messen Sie sie mit einer Stromzange oder einem Leistungsmesser, und geben Sie sie an.</translation>
     </message>
     <message>
         <source>Memory bandwidth</source>
-        <translation>Ancho de banda de la memoria</translation>
+        <translation>Speicherbandbreite</translation>
     </message>
     <message>
         <source>Block products</source>
-        <translation>Productos por bloques</translation>
+        <translation>Blockprodukte</translation>
     </message>
     <message>
         <source>Other work disturbed the timing: batches usually took {0} times as long as the fastest one. Measure again on a quiet machine.</source>
-        <translation>Otro trabajo ha perturbado la medida del tiempo: los lotes tardaron por lo general {0} veces más que el más rápido. Mida de nuevo en una máquina sin carga.</translation>
+        <translation>Andere Arbeit hat die Zeitmessung gestört: Pakete dauerten meist {0}-mal so lange wie das schnellste. Messen Sie erneut auf einem ruhigen Rechner.</translation>
     </message>
     <message>
         <source>The grid holds no problem.</source>
-        <translation>La cuadrícula no contiene ningún problema.</translation>
+        <translation>Das Raster enthält kein Problem.</translation>
     </message>
     <message>
         <source>{0} of {1} problems are larger than the memory allowed and were left out; beyond {2} nodes the plan goes on in proportion.</source>
-        <translation>{0} de {1} problemas superan la memoria permitida y se han omitido; más allá de {2} nodos el plan continúa en proporción.</translation>
+        <translation>{0} von {1} Problemen sind größer, als der Speicher erlaubt, und wurden ausgelassen; über {2} Knoten hinaus rechnet der Plan proportional weiter.</translation>
     </message>
     <message>
         <source>This build has no OpenCL.</source>
-        <translation>Esta versión no tiene OpenCL.</translation>
+        <translation>Diese Version hat kein OpenCL.</translation>
     </message>
     <message>
         <source>Build with -DGLISSON_OPENCL=ON.</source>
-        <translation>Compile con -DGLISSON_OPENCL=ON.</translation>
+        <translation>Bauen Sie mit -DGLISSON_OPENCL=ON.</translation>
     </message>
     <message>
         <source>OpenCL&apos;s {0} failed with {1}.</source>
-        <translation>{0} de OpenCL ha fallado con {1}.</translation>
+        <translation>{0} von OpenCL ist mit {1} fehlgeschlagen.</translation>
     </message>
     <message>
         <source>There is no OpenCL device &quot;{0}&quot;.</source>
-        <translation>No hay ningún dispositivo OpenCL «{0}».</translation>
+        <translation>Es gibt kein OpenCL-Gerät „{0}“.</translation>
     </message>
     <message>
         <source>Found: {1}. A device shows once its driver is installed (pocl-opencl-icd for processors).</source>
-        <translation>Encontrado: {1}. Un dispositivo aparece cuando su controlador está instalado (pocl-opencl-icd para procesadores).</translation>
+        <translation>Gefunden: {1}. Ein Gerät erscheint, sobald sein Treiber installiert ist (pocl-opencl-icd für Prozessoren).</translation>
     </message>
     <message>
         <source>{0} of {1} is not between {2} and {3}.</source>
-        <translation>{0} de {1} no está entre {2} y {3}.</translation>
+        <translation>{0} von {1} liegt nicht zwischen {2} und {3}.</translation>
     </message>
     <message>
         <source>Correct the question.</source>
-        <translation>Corrija la pregunta.</translation>
+        <translation>Berichtigen Sie die Frage.</translation>
     </message>
     <message>
         <source>A room of {0} C is not cooler than the limit of {1} C.</source>
-        <translation>Una sala a {0} C no está más fría que el límite de {1} C.</translation>
+        <translation>Ein Raum von {0} C ist nicht kühler als die Grenze von {1} C.</translation>
     </message>
     <message>
         <source>It draws {0} W when idle; its battery allows {1} W over {2} h, and is empty after {3} h without computing anything.</source>
-        <translation>Consume {0} W en reposo; su batería permite {1} W durante {2} h y se vacía en {3} h sin calcular nada.</translation>
+        <translation>Es nimmt im Leerlauf {0} W auf; sein Akku erlaubt {1} W über {2} h und ist nach {3} h leer, ohne dass etwas gerechnet wurde.</translation>
     </message>
     <message>
         <source>Its battery is empty after {0} h of {1} h: only {2} W of headroom over idling.</source>
-        <translation>Su batería se vacía tras {0} h de {1} h: solo {2} W de margen sobre el reposo.</translation>
+        <translation>Sein Akku ist nach {0} h von {1} h leer: nur {2} W Spielraum über dem Leerlauf.</translation>
     </message>
     <message>
         <source>It reaches {0} C when idle; the limit is {1} C.</source>
-        <translation>Alcanza {0} C en reposo; el límite es {1} C.</translation>
+        <translation>Es erreicht im Leerlauf {0} C; die Grenze ist {1} C.</translation>
     </message>
     <message>
         <source>It reaches {0} C; the limit is {1} C.</source>
-        <translation>Alcanza {0} C; el límite es {1} C.</translation>
+        <translation>Es erreicht {0} C; die Grenze ist {1} C.</translation>
     </message>
     <message>
         <source>It computes {0} frames a second of {1}.</source>
-        <translation>Calcula {0} fotogramas por segundo de {1}.</translation>
+        <translation>Es rechnet {0} von {1} Bildern je Sekunde.</translation>
     </message>
     <message>
         <source>{0} mm is coarser than the convergence study reaches; planned is its coarsest resolution, {1} mm3 a node.</source>
-        <translation>{0} mm es más grueso de lo que alcanza el estudio de convergencia; se planifica con su resolución más gruesa, {1} mm3 por nodo.</translation>
+        <translation>{0} mm ist gröber, als die Konvergenzstudie reicht; geplant wird mit ihrer gröbsten Auflösung, {1} mm3 je Knoten.</translation>
     </message>
     <message>
         <source>A frame is {0} block products as in the dissertation, without the vector updates of conjugate gradients; a simulation that couples 27 nodes moves {1} times as much.</source>
-        <translation>Un fotograma son {0} productos por bloques como en la tesis, sin las actualizaciones de vectores del gradiente conjugado; una simulación que acopla 27 nodos mueve {1} veces más datos.</translation>
+        <translation>Ein Bild sind {0} Blockprodukte wie in der Dissertation, ohne die Vektorschritte des Verfahrens der konjugierten Gradienten; eine Simulation, die 27 Knoten koppelt, bewegt {1}-mal so viel.</translation>
     </message>
     <message>
         <source>{0} holds with next to no headroom: its battery allows {1} W over {2} h, and idling takes {3} W of them.</source>
-        <translation>{0} aguanta casi sin margen: su batería permite {1} W durante {2} h, y el reposo consume {3} W de ellos.</translation>
+        <translation>{0} hält fast ohne Spielraum: Sein Akku erlaubt {1} W über {2} h, und der Leerlauf nimmt davon {3} W.</translation>
     </message>
     <message>
         <source>{0}: after {1} s comes {2} s.</source>
-        <translation>{0}: después de {1} s viene {2} s.</translation>
+        <translation>{0}: Nach {1} s kommt {2} s.</translation>
     </message>
     <message>
         <source>Give the column that holds the time, or cut the file there.</source>
-        <translation>Indique la columna que contiene el tiempo o corte ahí el archivo.</translation>
+        <translation>Nennen Sie die Spalte mit der Zeit, oder schneiden Sie die Datei dort ab.</translation>
     </message>
     <message>
         <source>{0} has {1} samples and {2} rows without a reading.</source>
-        <translation>{0} tiene {1} mediciones y {2} filas sin lectura.</translation>
+        <translation>{0} hat {1} Messpunkte und {2} Zeilen ohne Ablesung.</translation>
     </message>
     <message>
         <source>Check the columns; at most every tenth row may be empty.</source>
-        <translation>Compruebe las columnas; como máximo una de cada diez filas puede estar vacía.</translation>
+        <translation>Prüfen Sie die Spalten; höchstens jede zehnte Zeile darf leer sein.</translation>
     </message>
     <message>
         <source>The trace holds {0} runs, the log {1}.</source>
-        <translation>El registro contiene {0} ejecuciones, el diario {1}.</translation>
+        <translation>Die Aufzeichnung enthält {0} Läufe, das Protokoll {1}.</translation>
     </message>
     <message>
         <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
-        <translation>Cambie la ejecución y la pausa más cortas o recorte el registro a las ejecuciones del diario.</translation>
+        <translation>Ändern Sie den kürzesten Lauf und die kürzeste Pause, oder schneiden Sie die Aufzeichnung auf die protokollierten Läufe zu.</translation>
     </message>
     <message>
         <source>Run {0} drew nothing above idle, or nothing was run in it.</source>
-        <translation>La ejecución {0} no consumió nada por encima del reposo o no se ejecutó nada en ella.</translation>
+        <translation>Lauf {0} nahm nichts über dem Leerlauf auf, oder es lief nichts darin.</translation>
     </message>
     <message>
         <source>A trace needs a channel, and factors and a range that are positive.</source>
-        <translation>Un registro necesita un canal, y factores y un intervalo positivos.</translation>
+        <translation>Eine Aufzeichnung braucht einen Kanal sowie positive Faktoren und einen positiven Bereich.</translation>
     </message>
     <message>
         <source>The power does not move between two levels, so no runs can be told from pauses.</source>
-        <translation>La potencia no se mueve entre dos niveles, de modo que no se distinguen las ejecuciones de las pausas.</translation>
+        <translation>Die Leistung bewegt sich nicht zwischen zwei Stufen, sodass sich Läufe nicht von Pausen unterscheiden lassen.</translation>
     </message>
     <message>
         <source>Record pauses between the runs; check that the right column was read.</source>
-        <translation>Registre pausas entre las ejecuciones; compruebe que se leyó la columna correcta.</translation>
+        <translation>Zeichnen Sie Pausen zwischen den Läufen auf; prüfen Sie, ob die richtige Spalte gelesen wurde.</translation>
     </message>
     <message>
         <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
-        <translation>El registro tiene {0} huecos; las ejecuciones terminan ahí y no se inventa nada para ellos.</translation>
+        <translation>Die Aufzeichnung hat {0} Lücken; Läufe enden dort, und für die Lücken wird nichts erfunden.</translation>
     </message>
     <message>
         <source>{0} rows held no reading.</source>
-        <translation>{0} filas no contenían ninguna lectura.</translation>
+        <translation>{0} Zeilen enthielten keine Ablesung.</translation>
     </message>
     <message>
         <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
-        <translation>{0} ejecuciones alcanzan el final del intervalo de un canal: su potencia es una cota inferior. Registre de nuevo con un intervalo mayor.</translation>
+        <translation>{0} Läufe erreichen das Ende des Bereichs eines Kanals: Ihre Leistung ist eine untere Schranke. Zeichnen Sie erneut mit größerem Bereich auf.</translation>
     </message>
     <message>
         <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
-        <translation>La potencia en reposo varía {0} W durante el registro; cada ejecución se compara con las pausas contiguas.</translation>
+        <translation>Die Leerlaufleistung ändert sich während der Aufzeichnung um {0} W; jeder Lauf wird mit den Pausen daneben verglichen.</translation>
     </message>
     <message>
         <source>A liver of {0} cm3 is outside {1} to {2} cm3.</source>
-        <translation>Un hígado de {0} cm3 está fuera del intervalo de {1} a {2} cm3.</translation>
+        <translation>Eine Leber von {0} cm3 liegt außerhalb von {1} bis {2} cm3.</translation>
     </message>
     <message>
         <source>Check the volume and its unit: 1 litre is 1000 cm3.</source>
-        <translation>Compruebe el volumen y su unidad: 1 litro son 1000 cm3.</translation>
+        <translation>Prüfen Sie das Volumen und seine Einheit: 1 Liter sind 1000 cm3.</translation>
     </message>
     <message>
         <source>A node cannot stand for {0} mm3.</source>
-        <translation>Un nodo no puede representar {0} mm3.</translation>
+        <translation>Ein Knoten kann nicht für {0} mm3 stehen.</translation>
     </message>
     <message>
         <source>A domain of influence of {0} nodes is no cube around a node.</source>
-        <translation>Un dominio de influencia de {0} nodos no es un cubo alrededor de un nodo.</translation>
+        <translation>Ein Einflussbereich von {0} Knoten ist kein Würfel um einen Knoten.</translation>
     </message>
     <message>
         <source>Use 1, 27 or 125.</source>
-        <translation>Use 1, 27 o 125.</translation>
+        <translation>Verwenden Sie 1, 27 oder 125.</translation>
     </message>
     <message>
         <source>{0} products a frame are not between 1 and 100000.</source>
-        <translation>{0} productos por fotograma no están entre 1 y 100000.</translation>
+        <translation>{0} Produkte je Bild liegen nicht zwischen 1 und 100000.</translation>
     </message>
     <message>
         <source>The folder {0} holds no judgement of a registration.</source>
-        <translation>La carpeta {0} no contiene ninguna valoración de un registro.</translation>
+        <translation>Der Ordner {0} enthält kein Urteil über eine Registrierung.</translation>
     </message>
     <message>
         <source>Make one: glisson-cli sirgn SEQUENCE.json --method icp --out FOLDER.</source>
-        <translation>Genere una: glisson-cli sirgn SECUENCIA.json --method icp --out CARPETA.</translation>
+        <translation>Erzeugen Sie eines: glisson-cli sirgn SEQUENZ.json --method icp --out ORDNER.</translation>
     </message>
     <message>
         <source>{0}: {1}.</source>
@@ -2322,2156 +2322,2231 @@
     </message>
     <message>
         <source>A sequence names frames with a cloud each, and landmarks.</source>
-        <translation>Una secuencia nombra fotogramas con una nube de puntos cada uno y puntos de referencia.</translation>
+        <translation>Eine Sequenz nennt Bilder mit je einer Punktwolke sowie Landmarken.</translation>
     </message>
     <message>
         <source>it is not an object</source>
-        <translation>no es un objeto</translation>
+        <translation>sie ist kein Objekt</translation>
     </message>
     <message>
         <source>it has no list of frames</source>
-        <translation>no tiene lista de fotogramas</translation>
+        <translation>sie hat keine Liste von Bildern</translation>
     </message>
     <message>
         <source>registered does not name one cloud a frame</source>
-        <translation>registered no nombra una nube de puntos por fotograma</translation>
+        <translation>registered nennt nicht je Bild eine Punktwolke</translation>
     </message>
     <message>
         <source>registered holds something that is no file name</source>
-        <translation>registered contiene algo que no es un nombre de archivo</translation>
+        <translation>registered enthält etwas, das kein Dateiname ist</translation>
     </message>
     <message>
         <source>Frame {0} is missing: there is no file {1}.</source>
-        <translation>Falta el fotograma {0}: no hay ningún archivo {1}.</translation>
+        <translation>Bild {0} fehlt: Es gibt keine Datei {1}.</translation>
     </message>
     <message>
         <source>Remove the frame from the sequence (and number the tracks anew), or add it.</source>
-        <translation>Quite el fotograma de la secuencia (y renumere las trayectorias) o añádalo.</translation>
+        <translation>Entfernen Sie das Bild aus der Sequenz (und nummerieren Sie die Spuren neu), oder fügen Sie es hinzu.</translation>
     </message>
     <message>
         <source>it names no file of landmarks</source>
-        <translation>no nombra ningún archivo de puntos de referencia</translation>
+        <translation>sie nennt keine Datei mit Landmarken</translation>
     </message>
     <message>
         <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm with a frame below {2}.</source>
-        <translation>La línea {1} de {0} no es landmark,frame,x_mm,y_mm,z_mm con un fotograma menor que {2}.</translation>
+        <translation>Zeile {1} von {0} ist nicht landmark,frame,x_mm,y_mm,z_mm mit einem Bild unter {2}.</translation>
     </message>
     <message>
         <source>Frame {0} holds no point that is finite.</source>
-        <translation>El fotograma {0} no contiene ningún punto finito.</translation>
+        <translation>Bild {0} enthält keinen endlichen Punkt.</translation>
     </message>
     <message>
         <source>frames</source>
-        <translation>fotogramas</translation>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
-        <translation>{0} puntos de referencia se vieron en tres o más fotogramas; hacen falta cuatro no alineados.</translation>
+        <translation>{0} Landmarken wurden in drei oder mehr Bildern gesehen; vier, die nicht auf einer Geraden liegen, sind nötig.</translation>
     </message>
     <message>
         <source>Track more features, or mark them by hand.</source>
-        <translation>Siga más rasgos o márquelos a mano.</translation>
+        <translation>Verfolgen Sie mehr Merkmale, oder markieren Sie sie von Hand.</translation>
     </message>
     <message>
         <source>warps</source>
-        <translation>deformaciones</translation>
+        <translation>Verformungen</translation>
     </message>
     <message>
         <source>triangles</source>
-        <translation>triángulos</translation>
+        <translation>Dreiecke</translation>
     </message>
     <message>
         <source>{0} frames are too few to correlate; {1} are needed.</source>
-        <translation>{0} fotogramas son demasiado pocos para correlacionar; hacen falta {1}.</translation>
+        <translation>{0} Bilder sind zu wenige für eine Korrelation; {1} sind nötig.</translation>
     </message>
     <message>
         <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
-        <translation>El fotograma {0} tiene {1} puntos, y {2} tras el registro: deben corresponderse uno a uno.</translation>
+        <translation>Bild {0} hat {1} Punkte und nach der Registrierung {2}: Sie müssen einzeln übereinstimmen.</translation>
     </message>
     <message>
         <source>Landmark {0} was followed through {1} frames of {2}.</source>
-        <translation>El punto de referencia {0} se siguió en {1} fotogramas de {2}.</translation>
+        <translation>Landmarke {0} wurde durch {1} von {2} Bildern verfolgt.</translation>
     </message>
     <message>
         <source>A tolerance must be a positive number of mm.</source>
-        <translation>Una tolerancia debe ser un número positivo de mm.</translation>
+        <translation>Eine Toleranz muss eine positive Zahl in mm sein.</translation>
     </message>
     <message>
         <source>The folder {0} is not empty.</source>
-        <translation>La carpeta {0} no está vacía.</translation>
+        <translation>Der Ordner {0} ist nicht leer.</translation>
     </message>
     <message>
         <source>Name a new folder for the sequence.</source>
-        <translation>Indique una carpeta nueva para la secuencia.</translation>
+        <translation>Nennen Sie einen neuen Ordner für die Sequenz.</translation>
     </message>
     <message>
         <source>The {0} video ends after {1} frames, before the other.</source>
-        <translation>El vídeo {0} termina tras {1} fotogramas, antes que el otro.</translation>
+        <translation>Das Video {0} endet nach {1} Bildern, vor dem anderen.</translation>
     </message>
     <message>
         <source>{0} frames show something; {1} are needed.</source>
-        <translation>{0} fotogramas muestran algo; hacen falta {1}.</translation>
+        <translation>{0} Bilder zeigen etwas; {1} sind nötig.</translation>
     </message>
     <message>
         <source>No feature could be followed through {0} frames.</source>
-        <translation>Ningún rasgo se pudo seguir a lo largo de {0} fotogramas.</translation>
+        <translation>Kein Merkmal ließ sich durch {0} Bilder verfolgen.</translation>
     </message>
     <message>
         <source>Take more frames, or give landmarks and a model of your own.</source>
-        <translation>Tome más fotogramas o indique puntos de referencia y un modelo propios.</translation>
+        <translation>Nehmen Sie mehr Bilder, oder geben Sie eigene Landmarken und ein eigenes Modell an.</translation>
     </message>
     <message>
         <source>matching</source>
-        <translation>emparejando</translation>
+        <translation>Zuordnung</translation>
     </message>
     <message>
         <source>No two frames share four landmarks.</source>
-        <translation>No hay dos fotogramas que compartan cuatro puntos de referencia.</translation>
+        <translation>Keine zwei Bilder haben vier gemeinsame Landmarken.</translation>
     </message>
     <message>
         <source>Track more features, or leave out fewer frames.</source>
-        <translation>Siga más rasgos u omita menos fotogramas.</translation>
+        <translation>Verfolgen Sie mehr Merkmale, oder lassen Sie weniger Bilder aus.</translation>
     </message>
     <message>
         <source>Two frames or more can be aligned.</source>
-        <translation>Se pueden alinear dos fotogramas o más.</translation>
+        <translation>Ausrichten lassen sich zwei Bilder oder mehr.</translation>
     </message>
     <message>
         <source>A landmark was followed through {0} frames of {1}.</source>
-        <translation>Un punto de referencia se siguió en {0} fotogramas de {1}.</translation>
+        <translation>Eine Landmarke wurde durch {0} von {1} Bildern verfolgt.</translation>
     </message>
     <message>
         <source>aligning frames</source>
-        <translation>alineando fotogramas</translation>
+        <translation>Bilder werden ausgerichtet</translation>
     </message>
     <message>
         <source>The distances between the points of the {0} are not square.</source>
-        <translation>Las distancias entre los puntos de {0} no forman una matriz cuadrada.</translation>
+        <translation>Die Abstände zwischen den Punkten von {0} sind nicht quadratisch angeordnet.</translation>
     </message>
     <message>
         <source>The {0} has fewer than two points to match.</source>
-        <translation>{0} tiene menos de dos puntos que emparejar.</translation>
+        <translation>{0} hat weniger als zwei Punkte zum Zuordnen.</translation>
     </message>
     <message>
         <source>The {0} has {1} points to match; {2} is the most.</source>
-        <translation>{0} tiene {1} puntos que emparejar; el máximo es {2}.</translation>
+        <translation>{0} hat {1} Punkte zum Zuordnen; höchstens {2} sind möglich.</translation>
     </message>
     <message>
         <source>Some points of the {0} are not connected over the surface.</source>
-        <translation>Algunos puntos de {0} no están conectados sobre la superficie.</translation>
+        <translation>Einige Punkte von {0} sind über die Oberfläche nicht verbunden.</translation>
     </message>
     <message>
         <source>Keep the largest connected piece, or bridge the gap before matching.</source>
-        <translation>Conserve el mayor trozo conexo o cierre el hueco antes de emparejar.</translation>
+        <translation>Behalten Sie das größte zusammenhängende Stück, oder schließen Sie die Lücke vor der Zuordnung.</translation>
     </message>
     <message>
         <source>The distances between the points of the {0} are not those of a metric.</source>
-        <translation>Las distancias entre los puntos de {0} no son las de una métrica.</translation>
+        <translation>Die Abstände zwischen den Punkten von {0} sind nicht die einer Metrik.</translation>
     </message>
     <message>
         <source>The seed must hold one finite cost a source point and target point.</source>
-        <translation>La semilla debe contener un coste finito por cada punto de origen y de destino.</translation>
+        <translation>Der Startwert muss endliche Kosten für jedes Paar aus Quell- und Zielpunkt enthalten.</translation>
     </message>
     <message>
         <source>sigma, tau and q must be positive.</source>
-        <translation>sigma, tau y q deben ser positivos.</translation>
+        <translation>sigma, tau und q müssen positiv sein.</translation>
     </message>
     <message>
         <source>The written-out field needs {0} MB; {1} MB are allowed.</source>
-        <translation>El campo desarrollado necesita {0} MB; se permiten {1} MB.</translation>
+        <translation>Das ausgeschriebene Feld braucht {0} MB; {1} MB sind erlaubt.</translation>
     </message>
     <message>
         <source>No point of one surface has a partner on the other.</source>
-        <translation>Ningún punto de una superficie tiene pareja en la otra.</translation>
+        <translation>Kein Punkt der einen Oberfläche hat einen Partner auf der anderen.</translation>
     </message>
     <message>
         <source>Align the surfaces roughly first, or give landmarks.</source>
-        <translation>Alinee antes las superficies de forma aproximada o indique puntos de referencia.</translation>
+        <translation>Richten Sie die Oberflächen zuerst grob aus, oder geben Sie Landmarken an.</translation>
     </message>
     <message>
         <source>non-rigid alignment</source>
-        <translation>alineación no rígida</translation>
+        <translation>nichtstarre Ausrichtung</translation>
     </message>
     <message>
         <source>A landmark names point {0}, which cannot be led anywhere.</source>
-        <translation>Un punto de referencia nombra el punto {0}, que no se puede llevar a ninguna parte.</translation>
+        <translation>Eine Landmarke nennt Punkt {0}, der nirgendwohin geführt werden kann.</translation>
     </message>
     <message>
         <source>The step of the non-rigid alignment has no solution.</source>
-        <translation>El paso de la alineación no rígida no tiene solución.</translation>
+        <translation>Der Schritt der nichtstarren Ausrichtung hat keine Lösung.</translation>
     </message>
     <message>
         <source>By their geodesic distances the surfaces match only inside out.</source>
-        <translation>Por sus distancias geodésicas, las superficies solo encajan invertidas.</translation>
+        <translation>Nach ihren geodätischen Abständen passen die Oberflächen nur umgestülpt zueinander.</translation>
     </message>
     <message>
         <source>Align them roughly and match with positions as prior, or use more points.</source>
-        <translation>Alinéelas de forma aproximada y empareje con las posiciones como información previa, o use más puntos.</translation>
+        <translation>Richten Sie sie grob aus, und ordnen Sie mit den Positionen als Vorwissen zu, oder verwenden Sie mehr Punkte.</translation>
     </message>
     <message>
         <source>{0} points cannot be aligned to {1}.</source>
-        <translation>{0} puntos no se pueden alinear con {1}.</translation>
+        <translation>{0} Punkte lassen sich nicht auf {1} ausrichten.</translation>
     </message>
     <message>
         <source>A rigid alignment needs three pairs of points that do not lie on one line.</source>
-        <translation>Una alineación rígida necesita tres pares de puntos no alineados.</translation>
+        <translation>Eine starre Ausrichtung braucht drei Punktpaare, die nicht auf einer Geraden liegen.</translation>
     </message>
     <message>
         <source>Some of the points to align are not finite.</source>
-        <translation>Algunos de los puntos que alinear no son finitos.</translation>
+        <translation>Einige der auszurichtenden Punkte sind nicht endlich.</translation>
     </message>
     <message>
         <source>rigid alignment</source>
-        <translation>alineación rígida</translation>
+        <translation>starre Ausrichtung</translation>
     </message>
     <message>
         <source>A surface of {0} points cannot give {1} samples.</source>
-        <translation>Una superficie de {0} puntos no puede dar {1} muestras.</translation>
+        <translation>Eine Oberfläche mit {0} Punkten kann keine {1} Stützpunkte liefern.</translation>
     </message>
     <message>
         <source>geodesic distances</source>
-        <translation>distancias geodésicas</translation>
+        <translation>geodätische Abstände</translation>
     </message>
     <message>
         <source>A spline needs as many finite points to start from as to lead to.</source>
-        <translation>Una spline necesita tantos puntos finitos de partida como de llegada.</translation>
+        <translation>Ein Spline braucht ebenso viele endliche Ausgangs- wie Zielpunkte.</translation>
     </message>
     <message>
         <source>{0} points are too many for a spline; {1} is the most.</source>
-        <translation>{0} puntos son demasiados para una spline; el máximo es {1}.</translation>
+        <translation>{0} Punkte sind zu viele für einen Spline; höchstens {1} sind möglich.</translation>
     </message>
     <message>
         <source>A spline needs four matched points that do not lie in one plane.</source>
-        <translation>Una spline necesita cuatro puntos emparejados que no estén en un plano.</translation>
+        <translation>Ein Spline braucht vier zugeordnete Punkte, die nicht in einer Ebene liegen.</translation>
     </message>
     <message>
         <source>A result lacks the point array {0} with three values a point.</source>
-        <translation>A un resultado le falta la matriz de puntos {0} con tres valores por punto.</translation>
+        <translation>Einem Ergebnis fehlt das Punktfeld {0} mit drei Werten je Punkt.</translation>
     </message>
     <message>
         <source>Compare results of the same mesh.</source>
-        <translation>Compare resultados de la misma malla.</translation>
+        <translation>Vergleichen Sie Ergebnisse desselben Netzes.</translation>
     </message>
     <message>
         <source>The two results are not of the same mesh: {0} points and {1} cells against {2} and {3}.</source>
-        <translation>Los dos resultados no son de la misma malla: {0} puntos y {1} celdas frente a {2} y {3}.</translation>
+        <translation>Die beiden Ergebnisse sind nicht vom selben Netz: {0} Punkte und {1} Zellen gegen {2} und {3}.</translation>
     </message>
     <message>
         <source>The two results are not of the same mesh: point {0} rests at different places.</source>
-        <translation>Los dos resultados no son de la misma malla: el punto {0} reposa en lugares distintos.</translation>
+        <translation>Die beiden Ergebnisse sind nicht vom selben Netz: Punkt {0} ruht an verschiedenen Orten.</translation>
     </message>
     <message>
         <source>No part of the surface looks like the liver&apos;s bare area (its upper rear).</source>
-        <translation>Ninguna parte de la superficie se parece al área desnuda del hígado (arriba y detrás).</translation>
+        <translation>Kein Teil der Oberfläche sieht wie die Area nuda der Leber aus (oben hinten).</translation>
     </message>
     <message>
         <source>Name the supports in the scenario, by a sphere or a box.</source>
-        <translation>Nombre los apoyos en el escenario, con una esfera o una caja.</translation>
+        <translation>Benennen Sie die Lagerungen im Szenario, durch eine Kugel oder einen Quader.</translation>
     </message>
     <message>
         <source>{0} of the session cannot be read: {1}.</source>
-        <translation>No se puede leer {0} de la sesión: {1}.</translation>
+        <translation>{0} der Sitzung kann nicht gelesen werden: {1}.</translation>
     </message>
     <message>
         <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} or {&quot;undo&quot;: true}.</source>
-        <translation>Una orden es {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} o {&quot;undo&quot;: true}.</translation>
+        <translation>Ein Befehl ist {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} oder {&quot;undo&quot;: true}.</translation>
     </message>
     <message>
         <source>The cut passes the liver by.</source>
-        <translation>La sección no pasa por el hígado.</translation>
+        <translation>Der Schnitt geht an der Leber vorbei.</translation>
     </message>
     <message>
         <source>Move it through the liver; positions are patient coordinates (LPS, mm).</source>
-        <translation>Muévala a través del hígado; las posiciones son coordenadas del paciente (LPS, mm).</translation>
+        <translation>Verschieben Sie ihn durch die Leber; Positionen sind Patientenkoordinaten (LPS, mm).</translation>
     </message>
     <message>
         <source>The point of the specimen lies on the cut, or is not finite.</source>
-        <translation>El punto de la pieza quirúrgica está sobre la sección o no es finito.</translation>
+        <translation>Der Punkt des Resektats liegt auf dem Schnitt oder ist nicht endlich.</translation>
     </message>
     <message>
         <source>The step did not converge: after {0} rounds a tool still reaches {1} mm into the surface, which still moves by {2} mm.</source>
-        <translation>El paso no ha convergido: tras {0} rondas un instrumento aún penetra {1} mm en la superficie, que aún se mueve {2} mm.</translation>
+        <translation>Der Schritt ist nicht konvergiert: Nach {0} Runden reicht ein Instrument noch {1} mm in die Oberfläche, die sich noch um {2} mm bewegt.</translation>
     </message>
     <message>
         <source>Placing landmarks and structures</source>
-        <translation>Colocando los puntos de referencia y las estructuras</translation>
+        <translation>Landmarken und Strukturen werden eingefügt</translation>
     </message>
     <message>
         <source>Ready</source>
-        <translation>Listo</translation>
+        <translation>Bereit</translation>
     </message>
     <message>
         <source>Nathanson liver retractor</source>
-        <translation>Separador hepático de Nathanson</translation>
+        <translation>Nathanson-Leberretraktor</translation>
     </message>
     <message>
         <source>A bent rod that lies under the liver as a hook some centimetres across, sold in several sizes. We found no published drawing and no measured force: that it spreads its pull over a disc of 70 mm is our assumption, and 2 N is the weight of 190 ml of liver (1.06 kg/l), what lifting the lower part of segment VI takes. On a real liver&apos;s shape with a uniform 6 kPa, 2 N hoist it by 18 mm; linear elasticity is strained beyond.</source>
-        <translation>Una varilla curvada que se apoya bajo el hígado como un gancho de unos centímetros, a la venta en varios tamaños. No hemos encontrado ningún dibujo publicado ni ninguna fuerza medida: que reparta su tracción sobre un disco de 70 mm es una suposición nuestra, y 2 N es el peso de 190 ml de hígado (1.06 kg/l), lo que exige elevar la parte inferior del segmento VI. Con la forma de un hígado real de 6 kPa uniformes, 2 N lo elevan 18 mm; más allá, la elasticidad lineal deja de ser válida.</translation>
+        <translation>Ein gebogener Stab, der als einige Zentimeter breiter Haken unter der Leber liegt und in mehreren Größen verkauft wird. Wir fanden keine veröffentlichte Zeichnung und keine gemessene Kraft: Dass er seinen Zug auf eine Scheibe von 70 mm verteilt, ist unsere Annahme, und 2 N sind das Gewicht von 190 ml Leber (1.06 kg/l), so viel, wie das Anheben des unteren Teils von Segment VI braucht. An der Form einer wirklichen Leber mit gleichmäßig 6 kPa heben 2 N sie um 18 mm an; darüber hinaus ist die lineare Elastizität überfordert.</translation>
     </message>
     <message>
         <source>Grasper</source>
-        <translation>Pinza de agarre</translation>
+        <translation>Fasszange</translation>
     </message>
     <message>
         <source>Grip forces in porcine laparoscopic liver resection: 1.75 N on average, 3.38 N at most (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). The jaw&apos;s patch of 12 mm is our assumption.</source>
-        <translation>Fuerzas de agarre en resecciones hepáticas laparoscópicas en cerdos: 1.75 N de media, 3.38 N como máximo (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). El contacto de la mordaza, de 12 mm, es una suposición nuestra.</translation>
+        <translation>Griffkräfte bei der laparoskopischen Leberresektion am Schwein: im Mittel 1.75 N, höchstens 3.38 N (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). Die Auflage der Branche von 12 mm ist unsere Annahme.</translation>
     </message>
     <message>
         <source>Palpation probe</source>
-        <translation>Sonda de palpación</translation>
+        <translation>Palpationssonde</translation>
     </message>
     <message>
         <source>A sphere of 10 mm pressed lightly; size and force are our assumption.</source>
-        <translation>Una esfera de 10 mm apretada levemente; el tamaño y la fuerza son suposiciones nuestras.</translation>
+        <translation>Eine leicht angedrückte Kugel von 10 mm; Größe und Kraft sind unsere Annahme.</translation>
     </message>
     <message>
         <source>There is no tool {0}.</source>
-        <translation>No hay ningún instrumento {0}.</translation>
+        <translation>Es gibt kein Instrument {0}.</translation>
     </message>
     <message>
         <source>The tools are: {1}.</source>
-        <translation>Los instrumentos son: {1}.</translation>
+        <translation>Die Instrumente sind: {1}.</translation>
     </message>
     <message>
         <source>A case has no scene named {0}; it has {1}.</source>
-        <translation>Un caso no tiene ninguna escena llamada {0}; tiene {1}.</translation>
+        <translation>Ein Fall hat keine Szene namens {0}; er hat {1}.</translation>
     </message>
     <message>
         <source>{0} has no displacement.</source>
-        <translation>{0} no tiene desplazamiento.</translation>
+        <translation>{0} hat keine Verschiebung.</translation>
     </message>
     <message>
         <source>A picture has from {0} to {1} pixels a side; {2} x {3} were asked for.</source>
-        <translation>Una imagen tiene de {0} a {1} píxeles por lado; se pidieron {2} x {3}.</translation>
+        <translation>Ein Bild hat {0} bis {1} Pixel je Seite; {2} x {3} wurden verlangt.</translation>
     </message>
     <message>
         <source>There is nothing to draw with: neither EGL with OpenGL 3.2 nor an X server.</source>
-        <translation>No hay con qué dibujar: ni EGL con OpenGL 3.2 ni un servidor X.</translation>
+        <translation>Es gibt nichts, womit gezeichnet werden könnte: weder EGL mit OpenGL 3.2 noch einen X-Server.</translation>
     </message>
     <message>
         <source>Install Mesa&apos;s drivers (on Debian: libegl-mesa0 and libgl1-mesa-dri).</source>
-        <translation>Instale los controladores de Mesa (en Debian: libegl-mesa0 y libgl1-mesa-dri).</translation>
+        <translation>Installieren Sie die Treiber von Mesa (unter Debian: libegl-mesa0 und libgl1-mesa-dri).</translation>
     </message>
     <message>
         <source>The picture could not be written: {0}.</source>
-        <translation>No se ha podido escribir la imagen: {0}.</translation>
+        <translation>Das Bild konnte nicht geschrieben werden: {0}.</translation>
     </message>
     <message>
         <source>Choose a folder that you may write to, on a disk with room.</source>
-        <translation>Elija una carpeta en la que pueda escribir, en un disco con espacio.</translation>
+        <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen, auf einem Datenträger mit freiem Platz.</translation>
     </message>
     <message>
         <source>This is not a PNG picture that can be read: {0}.</source>
-        <translation>Esta no es una imagen PNG legible: {0}.</translation>
+        <translation>Dies ist kein lesbares PNG-Bild: {0}.</translation>
     </message>
     <message>
         <source>Check that the file is whole.</source>
-        <translation>Compruebe que el archivo está completo.</translation>
+        <translation>Prüfen Sie, ob die Datei vollständig ist.</translation>
     </message>
     <message>
         <source>it is larger than 16384 pixels a side</source>
-        <translation>tiene más de 16384 píxeles por lado</translation>
+        <translation>es ist größer als 16384 Pixel je Seite</translation>
     </message>
     <message>
         <source>The picture cannot be drawn: {0}.</source>
-        <translation>No se puede dibujar la imagen: {0}.</translation>
+        <translation>Das Bild kann nicht gezeichnet werden: {0}.</translation>
     </message>
     <message>
         <source>Every voxel of the image has the same value: there is nothing to grow in.</source>
-        <translation>Todos los vóxeles de la imagen tienen el mismo valor: no hay dónde crecer.</translation>
+        <translation>Jedes Voxel des Bildes hat denselben Wert: Es gibt nichts, worin etwas wachsen könnte.</translation>
     </message>
     <message>
         <source>Growing</source>
-        <translation>Creciendo</translation>
+        <translation>Region wächst</translation>
     </message>
     <message>
         <source>No tissue thick enough to be an organ hangs together with the seeds.</source>
-        <translation>Ningún tejido lo bastante grueso para ser un órgano está unido a las semillas.</translation>
+        <translation>Kein Gewebe, das dick genug für ein Organ wäre, hängt mit den Saatpunkten zusammen.</translation>
     </message>
     <message>
         <source>Move the seed into the middle of the liver, away from vessels and edges.</source>
-        <translation>Mueva la semilla al centro del hígado, lejos de vasos y bordes.</translation>
+        <translation>Setzen Sie den Saatpunkt in die Mitte der Leber, fern von Gefäßen und Rändern.</translation>
     </message>
     <message>
         <source>Smoothing the outline</source>
-        <translation>Suavizando el contorno</translation>
+        <translation>Umriss wird geglättet</translation>
     </message>
     <message>
         <source>There is no image value around seed {0}.</source>
-        <translation>No hay ningún valor de imagen alrededor de la semilla {0}.</translation>
+        <translation>Um Saatpunkt {0} gibt es keinen Bildwert.</translation>
     </message>
     <message>
         <source>Seed {0} is much brighter ({1}) than seed {2} ({3}): one of them is probably not in the liver. Take it away.</source>
-        <translation>La semilla {0} es mucho más clara ({1}) que la semilla {2} ({3}): una de ellas probablemente no está en el hígado. Quítela.</translation>
+        <translation>Saatpunkt {0} ist viel heller ({1}) als Saatpunkt {2} ({3}): Einer davon liegt wahrscheinlich nicht in der Leber. Nehmen Sie ihn weg.</translation>
     </message>
     <message>
         <source>Nothing grew from seed {0}: the tissue around it is too thin or uneven. Move it to the middle of the liver.</source>
-        <translation>Nada ha crecido desde la semilla {0}: el tejido que la rodea es demasiado fino o irregular. Muévala al centro del hígado.</translation>
+        <translation>Von Saatpunkt {0} ist nichts gewachsen: Das Gewebe ringsum ist zu dünn oder zu ungleichmäßig. Setzen Sie ihn in die Mitte der Leber.</translation>
     </message>
     <message>
         <source>The region reaches the side of the image: it has probably leaked into the body wall. Cut it there, or raise neck_radius_mm.</source>
-        <translation>La región llega al lado de la imagen: probablemente se ha extendido a la pared abdominal. Córtela ahí o aumente neck_radius_mm.</translation>
+        <translation>Die Region reicht bis zur Seite des Bildes: Sie ist wahrscheinlich in die Bauchwand ausgelaufen. Schneiden Sie sie dort ab, oder erhöhen Sie neck_radius_mm.</translation>
     </message>
     <message>
         <source>The region reaches the first or last slice: the liver is not wholly in the image, and its volume is that of the part seen.</source>
-        <translation>La región llega al primer o al último corte: el hígado no está entero en la imagen y su volumen es el de la parte visible.</translation>
+        <translation>Die Region reicht bis zur ersten oder letzten Schicht: Die Leber ist nicht ganz im Bild, und ihr Volumen ist das des sichtbaren Teils.</translation>
     </message>
     <message>
         <source>{0} ml is more than a liver holds: the region has probably leaked into a neighbour. Raise neck_radius_mm, or cut it by hand.</source>
-        <translation>{0} ml es más de lo que tiene un hígado: la región probablemente se ha extendido a un órgano vecino. Aumente neck_radius_mm o córtela a mano.</translation>
+        <translation>{0} ml sind mehr, als eine Leber fasst: Die Region ist wahrscheinlich in ein Nachbarorgan ausgelaufen. Erhöhen Sie neck_radius_mm, oder schneiden Sie sie von Hand.</translation>
     </message>
     <message>
         <source>{0} ml is less than an adult&apos;s liver holds: the growth has probably stopped early. Add a seed in the part that is missing, or raise tolerance_sd.</source>
-        <translation>{0} ml es menos de lo que tiene el hígado de un adulto: el crecimiento probablemente se ha detenido demasiado pronto. Añada una semilla en la parte que falta o aumente tolerance_sd.</translation>
+        <translation>{0} ml sind weniger, als die Leber eines Erwachsenen fasst: Das Wachstum hat wahrscheinlich zu früh aufgehört. Setzen Sie einen Saatpunkt in den fehlenden Teil, oder erhöhen Sie tolerance_sd.</translation>
     </message>
     <message>
         <source>An image of {0} x {1} x {2} voxels is too thin to grow in.</source>
-        <translation>Una imagen de {0} x {1} x {2} vóxeles es demasiado fina para crecer en ella.</translation>
+        <translation>Ein Bild von {0} x {1} x {2} Voxeln ist zu dünn, um darin zu wachsen.</translation>
     </message>
     <message>
         <source>The options of growing must be positive, and one is {0}.</source>
-        <translation>Las opciones del crecimiento deben ser positivas, y una es {0}.</translation>
+        <translation>Die Optionen des Wachsens müssen positiv sein, und eine ist {0}.</translation>
     </message>
     <message>
         <source>There is no seed to grow from.</source>
-        <translation>No hay ninguna semilla.</translation>
+        <translation>Es gibt keinen Saatpunkt.</translation>
     </message>
     <message>
         <source>Give at least one point in the middle of the liver.</source>
-        <translation>Indique al menos un punto en el centro del hígado.</translation>
+        <translation>Geben Sie mindestens einen Punkt in der Mitte der Leber an.</translation>
     </message>
     <message>
         <source>Seed {0} at ({1}) mm lies {2} mm outside the image.</source>
-        <translation>La semilla {0} en ({1}) mm está a {2} mm fuera de la imagen.</translation>
+        <translation>Saatpunkt {0} bei ({1}) mm liegt {2} mm außerhalb des Bildes.</translation>
     </message>
     <message>
         <source>Seeds are DICOM patient coordinates (LPS) in mm, not voxel indices.</source>
-        <translation>Las semillas son coordenadas DICOM del paciente (LPS) en mm, no índices de vóxeles.</translation>
+        <translation>Saatpunkte sind DICOM-Patientenkoordinaten (LPS) in mm, keine Voxelindizes.</translation>
     </message>
     <message>
         <source>There is no structure to label.</source>
-        <translation>No hay ninguna estructura que etiquetar.</translation>
+        <translation>Es gibt keine Struktur, die ein Label bekommen könnte.</translation>
     </message>
     <message>
         <source>The structures {0} and {1} lie on different voxel grids.</source>
-        <translation>Las estructuras {0} y {1} están en cuadrículas de vóxeles distintas.</translation>
+        <translation>Die Strukturen {0} und {1} liegen auf verschiedenen Voxelgittern.</translation>
     </message>
     <message>
         <source>None of the structures is the liver.</source>
-        <translation>Ninguna de las estructuras es el hígado.</translation>
+        <translation>Keine der Strukturen ist die Leber.</translation>
     </message>
     <message>
         <source>Segment it first, or name a structure &quot;liver&quot;.</source>
-        <translation>Segméntelo antes o llame &quot;liver&quot; a una estructura.</translation>
+        <translation>Segmentieren Sie sie zuerst, oder nennen Sie eine Struktur &quot;liver&quot;.</translation>
     </message>
     <message>
         <source>The structure {0} holds no voxels.</source>
-        <translation>La estructura {0} no contiene vóxeles.</translation>
+        <translation>Die Struktur {0} enthält keine Voxel.</translation>
     </message>
     <message>
         <source>The two masks lie on different voxel grids.</source>
-        <translation>Las dos máscaras están en cuadrículas de vóxeles distintas.</translation>
+        <translation>Die beiden Masken liegen auf verschiedenen Voxelgittern.</translation>
     </message>
     <message>
         <source>There are no patients in this cohort.</source>
-        <translation>No hay pacientes en esta cohorte.</translation>
+        <translation>Diese Kohorte enthält keine Patienten.</translation>
     </message>
     <message>
         <source>The cohort has no patient {0}.</source>
-        <translation>La cohorte no tiene al paciente {0}.</translation>
+        <translation>Die Kohorte hat keinen Patienten {0}.</translation>
     </message>
     <message>
         <source>Patient</source>
-        <translation>Paciente</translation>
+        <translation>Patient</translation>
     </message>
     <message>
         <source>None of the {0} patients could be used; the first one: {1}</source>
-        <translation>No se ha podido usar ninguno de los {0} pacientes; el primero: {1}</translation>
+        <translation>Keiner der {0} Patienten war verwendbar; der erste: {1}</translation>
     </message>
     <message>
         <source>{0} holds files that are not an earlier demo&apos;s.</source>
-        <translation>{0} contiene archivos que no son de una demostración anterior.</translation>
+        <translation>{0} enthält Dateien, die nicht von einer früheren Demonstration sind.</translation>
     </message>
     <message>
         <source>Choose an empty or a new folder.</source>
-        <translation>Elija una carpeta vacía o nueva.</translation>
+        <translation>Wählen Sie einen leeren oder neuen Ordner.</translation>
     </message>
     <message>
         <source>Drawing</source>
-        <translation>Dibujando</translation>
+        <translation>Zeichnen</translation>
     </message>
     <message>
         <source>The surface in {0} is not closed, so nothing lies inside it.</source>
-        <translation>La superficie de {0} no está cerrada, así que no hay nada en su interior.</translation>
+        <translation>Die Oberfläche in {0} ist nicht geschlossen, also liegt nichts in ihr.</translation>
     </message>
     <message>
         <source>Use the anatomy that ships with the program.</source>
-        <translation>Use la anatomía incluida con el programa.</translation>
+        <translation>Verwenden Sie die mitgelieferte Anatomie.</translation>
     </message>
     <message>
         <source>{0} does not list the demo&apos;s landmarks: {1}.</source>
-        <translation>{0} no enumera los puntos de referencia de la demostración: {1}.</translation>
+        <translation>{0} führt die Landmarken der Demonstration nicht auf: {1}.</translation>
     </message>
     <message>
         <source>reading the anatomy</source>
-        <translation>leyendo la anatomía</translation>
+        <translation>Anatomie wird gelesen</translation>
     </message>
     <message>
         <source>simulating the MR images</source>
-        <translation>simulando las imágenes de RM</translation>
+        <translation>MR-Bilder werden simuliert</translation>
     </message>
     <message>
         <source>simulating the elastography</source>
-        <translation>simulando la elastografía</translation>
+        <translation>Elastographie wird simuliert</translation>
     </message>
     <message>
         <source>writing the study</source>
-        <translation>escribiendo el estudio</translation>
+        <translation>Studie wird geschrieben</translation>
     </message>
     <message>
         <source>writing the truth</source>
-        <translation>escribiendo los valores verdaderos</translation>
+        <translation>Sollwerte werden geschrieben</translation>
     </message>
     <message>
         <source>Check the folder and your rights there.</source>
-        <translation>Compruebe la carpeta y sus permisos en ella.</translation>
+        <translation>Prüfen Sie den Ordner und Ihre Rechte dort.</translation>
     </message>
     <message>
         <source>{0} holds none of the scans, such as A-1.69N.ply.</source>
-        <translation>{0} no contiene ninguno de los escaneos, como A-1.69N.ply.</translation>
+        <translation>{0} enthält keinen der Scans, etwa A-1.69N.ply.</translation>
     </message>
     <message>
         <source>None of the trials could be compared; the first one: {0}</source>
-        <translation>No se ha podido comparar ningún ensayo; el primero: {0}</translation>
+        <translation>Keiner der Versuche ließ sich vergleichen; der erste: {0}</translation>
     </message>
     <message>
         <source>The phantom&apos;s equilibrium was not reached: {0}</source>
-        <translation>No se ha alcanzado el equilibrio del maniquí: {0}</translation>
+        <translation>Das Gleichgewicht des Phantoms wurde nicht erreicht: {0}</translation>
     </message>
     <message>
         <source>The two judge different videos: {0} and {1}.</source>
-        <translation>Los dos valoran vídeos distintos: {0} y {1}.</translation>
+        <translation>Die beiden beurteilen verschiedene Videos: {0} und {1}.</translation>
     </message>
     <message>
         <source>Judge both registrations on the same sequence.json.</source>
-        <translation>Valore ambos registros con el mismo sequence.json.</translation>
+        <translation>Beurteilen Sie beide Registrierungen an derselben sequence.json.</translation>
     </message>
     <message>
         <source>The sequence names no camera to draw with.</source>
-        <translation>La secuencia no nombra ninguna cámara con la que dibujar.</translation>
+        <translation>Die Sequenz nennt keine Kamera zum Zeichnen.</translation>
     </message>
     <message>
         <source>Add &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</source>
-        <translation>Añada &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</translation>
+        <translation>Fügen Sie hinzu: &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</translation>
     </message>
     <message>
         <source>Frame {0} of the sequence names no image.</source>
-        <translation>El fotograma {0} de la secuencia no nombra ninguna imagen.</translation>
+        <translation>Bild {0} der Sequenz nennt keine Bilddatei.</translation>
     </message>
     <message>
         <source>Add &quot;image&quot; to each frame.</source>
-        <translation>Añada &quot;image&quot; a cada fotograma.</translation>
+        <translation>Fügen Sie jedem Bild &quot;image&quot; hinzu.</translation>
     </message>
     <message>
         <source>pictures</source>
-        <translation>imágenes</translation>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>Sample {0} of {1} has a size, a way or a force that is not positive.</source>
-        <translation>La muestra {0} de {1} tiene un tamaño, un recorrido o una fuerza que no es positivo.</translation>
+        <translation>Messung {0} von {1} hat eine Größe, einen Weg oder eine Kraft, die nicht positiv ist.</translation>
     </message>
     <message>
         <source>No labelled voxel of {0} lies where {1} has a stiffness.</source>
-        <translation>Ningún vóxel etiquetado de {0} está donde {1} tiene una rigidez.</translation>
+        <translation>Kein markiertes Voxel von {0} liegt dort, wo {1} eine Steifigkeit hat.</translation>
     </message>
     <message>
         <source>Material {0} was never put under the testing machine.</source>
-        <translation>El material {0} nunca se puso en la máquina de ensayos.</translation>
+        <translation>Material {0} war nie in der Prüfmaschine.</translation>
     </message>
     <message>
         <source>Give its samples in the file of tests, or leave the region out.</source>
-        <translation>Indique sus muestras en el archivo de ensayos u omita la región.</translation>
+        <translation>Geben Sie seine Messungen in der Datei der Prüfungen an, oder lassen Sie die Region aus.</translation>
     </message>
     <message>
         <source>A board has from {0} to {1} points a side and a positive spacing; {2} x {3} at {4} mm were given.</source>
-        <translation>Un tablero tiene de {0} a {1} puntos por lado y un espaciado positivo; se indicaron {2} x {3} a {4} mm.</translation>
+        <translation>Eine Tafel hat {0} bis {1} Punkte je Seite und einen positiven Abstand; angegeben wurden {2} x {3} mit {4} mm.</translation>
     </message>
     <message>
         <source>The picture shows no board of {0} x {1} points.</source>
-        <translation>La imagen no muestra ningún tablero de {0} x {1} puntos.</translation>
+        <translation>Das Bild zeigt keine Tafel von {0} x {1} Punkten.</translation>
     </message>
     <message>
         <source>Count inner corners or circles, columns first; the board must be sharp and lit.</source>
-        <translation>Cuente las esquinas interiores o los círculos, primero las columnas; el tablero debe estar nítido e iluminado.</translation>
+        <translation>Zählen Sie die inneren Ecken oder Kreise, Spalten zuerst; die Tafel muss scharf und beleuchtet sein.</translation>
     </message>
     <message>
         <source>{0} has {1} x {2} pixels, the first picture has {3} x {4}.</source>
-        <translation>{0} tiene {1} x {2} píxeles, la primera imagen tiene {3} x {4}.</translation>
+        <translation>{0} hat {1} x {2} Pixel, das erste Bild hat {3} x {4}.</translation>
     </message>
     <message>
         <source>{0} of {1} pairs show the board to both eyes; {2} are needed.</source>
-        <translation>{0} de {1} pares muestran el tablero a ambos ojos; hacen falta {2}.</translation>
+        <translation>{0} von {1} Paaren zeigen beiden Augen die Tafel; {2} sind nötig.</translation>
     </message>
     <message>
         <source>Check the board&apos;s kind, its columns and rows; take it from several sides.</source>
-        <translation>Compruebe el tipo de tablero, sus columnas y filas; tómelo desde varios lados.</translation>
+        <translation>Prüfen Sie Art, Spalten und Zeilen der Tafel; nehmen Sie sie aus mehreren Richtungen auf.</translation>
     </message>
     <message>
         <source>The calibration did not converge: {0}.</source>
-        <translation>La calibración no ha convergido: {0}.</translation>
+        <translation>Die Kalibrierung ist nicht konvergiert: {0}.</translation>
     </message>
     <message>
         <source>By these pictures the right eye lies to the left of the left one.</source>
-        <translation>Según estas imágenes el ojo derecho está a la izquierda del izquierdo.</translation>
+        <translation>Nach diesen Bildern liegt das rechte Auge links vom linken.</translation>
     </message>
     <message>
         <source>Exchange the left and the right pictures.</source>
-        <translation>Intercambie las imágenes izquierda y derecha.</translation>
+        <translation>Vertauschen Sie die linken und rechten Bilder.</translation>
     </message>
     <message>
         <source>The calibration {0} has no {1}.</source>
-        <translation>A la calibración {0} le falta: {1}.</translation>
+        <translation>Der Kalibrierung {0} fehlt: {1}.</translation>
     </message>
     <message>
         <source>It needs left and right, each with a matrix and distortion, and left_to_right.</source>
-        <translation>Necesita left y right, cada uno con matriz y distorsión, y left_to_right.</translation>
+        <translation>Sie braucht left und right, jeweils mit Matrix und Verzeichnung, und left_to_right.</translation>
     </message>
     <message>
         <source>A camera&apos;s focal length is not positive.</source>
-        <translation>La distancia focal de una cámara no es positiva.</translation>
+        <translation>Die Brennweite einer Kamera ist nicht positiv.</translation>
     </message>
     <message>
         <source>A coefficient of distortion is not finite.</source>
-        <translation>Un coeficiente de distorsión no es finito.</translation>
+        <translation>Ein Koeffizient der Verzeichnung ist nicht endlich.</translation>
     </message>
     <message>
         <source>Both eyes are in one place: there is no depth to see.</source>
-        <translation>Ambos ojos están en el mismo lugar: no se ve ninguna profundidad.</translation>
+        <translation>Beide Augen sind an einem Ort: Es ist keine Tiefe zu sehen.</translation>
     </message>
     <message>
         <source>left_to_right does not hold a rotation: R R^T or the last row is off by {0}.</source>
-        <translation>left_to_right no contiene una rotación: R R^T o la última fila se desvía {0}.</translation>
+        <translation>left_to_right enthält keine Drehung: R R^T oder die letzte Zeile weicht um {0} ab.</translation>
     </message>
     <message>
         <source>The picture {0} cannot be read.</source>
-        <translation>No se puede leer la imagen {0}.</translation>
+        <translation>Das Bild {0} kann nicht gelesen werden.</translation>
     </message>
     <message>
         <source>PNG, JPEG, TIFF and BMP are read.</source>
-        <translation>Se leen PNG, JPEG, TIFF y BMP.</translation>
+        <translation>Gelesen werden PNG, JPEG, TIFF und BMP.</translation>
     </message>
     <message>
         <source>The picture {0} cannot be written.</source>
-        <translation>No se puede escribir la imagen {0}.</translation>
+        <translation>Das Bild {0} kann nicht geschrieben werden.</translation>
     </message>
     <message>
         <source>The folder must exist, and the name end in .png or .jpg.</source>
-        <translation>La carpeta debe existir y el nombre terminar en .png o .jpg.</translation>
+        <translation>Der Ordner muss vorhanden sein und der Name auf .png oder .jpg enden.</translation>
     </message>
     <message>
         <source>The folder {0} holds no pictures.</source>
-        <translation>La carpeta {0} no contiene imágenes.</translation>
+        <translation>Der Ordner {0} enthält keine Bilder.</translation>
     </message>
     <message>
         <source>The video {0} cannot be read.</source>
-        <translation>No se puede leer el vídeo {0}.</translation>
+        <translation>Das Video {0} kann nicht gelesen werden.</translation>
     </message>
     <message>
         <source>Give a video file that OpenCV (FFmpeg) reads, or a folder of pictures.</source>
-        <translation>Indique un archivo de vídeo que lea OpenCV (FFmpeg) o una carpeta de imágenes.</translation>
+        <translation>Geben Sie eine Videodatei an, die OpenCV (FFmpeg) liest, oder einen Ordner mit Bildern.</translation>
     </message>
     <message>
         <source>The video {0} cannot be decoded: {1}.</source>
-        <translation>No se puede decodificar el vídeo {0}: {1}.</translation>
+        <translation>Das Video {0} kann nicht dekodiert werden: {1}.</translation>
     </message>
     <message>
         <source>A picture of {0} has {1} x {2} pixels, the first has {3} x {4}.</source>
-        <translation>Una imagen de {0} tiene {1} x {2} píxeles, la primera tiene {3} x {4}.</translation>
+        <translation>Ein Bild von {0} hat {1} x {2} Pixel, das erste hat {3} x {4}.</translation>
     </message>
     <message>
         <source>The pair could not be matched: {0}.</source>
-        <translation>No se ha podido emparejar el par: {0}.</translation>
+        <translation>Das Paar ließ sich nicht zuordnen: {0}.</translation>
     </message>
     <message>
         <source>The calibration is not of these pictures: half of the {0} features that both show miss their epipolar lines by {1} pixels or more.</source>
-        <translation>La calibración no es de estas imágenes: la mitad de los {0} rasgos que ambas muestran se aparta de sus líneas epipolares {1} píxeles o más.</translation>
+        <translation>Die Kalibrierung gehört nicht zu diesen Bildern: Die Hälfte der {0} Merkmale, die beide zeigen, verfehlt ihre Epipolarlinien um {1} Pixel oder mehr.</translation>
     </message>
     <message>
         <source>Check that the calibration is this camera&apos;s, at this size of picture, and that left and right are not exchanged.</source>
-        <translation>Compruebe que la calibración es de esta cámara, con este tamaño de imagen, y que izquierda y derecha no están intercambiadas.</translation>
+        <translation>Prüfen Sie, ob die Kalibrierung zu dieser Kamera und Bildgröße gehört und links und rechts nicht vertauscht sind.</translation>
     </message>
     <message>
         <source>By the calibration, {0} % of what both pictures show would lie behind the camera.</source>
-        <translation>Según la calibración, el {0} % de lo que muestran ambas imágenes estaría detrás de la cámara.</translation>
+        <translation>Nach der Kalibrierung lägen {0} % dessen, was beide Bilder zeigen, hinter der Kamera.</translation>
     </message>
     <message>
         <source>Left and right pictures are exchanged, or the calibration is of another camera.</source>
-        <translation>Las imágenes izquierda y derecha están intercambiadas o la calibración es de otra cámara.</translation>
+        <translation>Linkes und rechtes Bild sind vertauscht, oder die Kalibrierung gehört zu einer anderen Kamera.</translation>
     </message>
     <message>
         <source>The nearest depth must be positive and less than the farthest.</source>
-        <translation>La profundidad más próxima debe ser positiva y menor que la más lejana.</translation>
+        <translation>Die kleinste Tiefe muss positiv und kleiner als die größte sein.</translation>
     </message>
     <message>
         <source>The calibration is of pictures of another size: its principal point {0}, {1} lies outside {2} x {3} pixels.</source>
-        <translation>La calibración es de imágenes de otro tamaño: su punto principal {0}, {1} está fuera de {2} x {3} píxeles.</translation>
+        <translation>Die Kalibrierung gehört zu Bildern anderer Größe: Ihr Hauptpunkt {0}, {1} liegt außerhalb von {2} x {3} Pixeln.</translation>
     </message>
     <message>
         <source>Calibrate at the size of the video, or scale the calibration&apos;s matrices.</source>
-        <translation>Calibre con el tamaño del vídeo o escale las matrices de la calibración.</translation>
+        <translation>Kalibrieren Sie in der Größe des Videos, oder skalieren Sie die Matrizen der Kalibrierung.</translation>
     </message>
     <message>
         <source>The left image is {0} x {1} pixels, the right one {2} x {3}.</source>
-        <translation>La imagen izquierda tiene {0} x {1} píxeles, la derecha {2} x {3}.</translation>
+        <translation>Das linke Bild hat {0} x {1} Pixel, das rechte {2} x {3}.</translation>
     </message>
     <message>
         <source>The images are {0} x {1} pixels; {2} x {3} were expected.</source>
-        <translation>Las imágenes tienen {0} x {1} píxeles; se esperaban {2} x {3}.</translation>
+        <translation>Die Bilder haben {0} x {1} Pixel; erwartet wurden {2} x {3}.</translation>
     </message>
     <message>
         <source>There are {0} left and {1} right pictures: they must be taken in pairs.</source>
-        <translation>Hay {0} imágenes izquierdas y {1} derechas: deben tomarse por pares.</translation>
+        <translation>Es gibt {0} linke und {1} rechte Bilder: Sie müssen paarweise aufgenommen sein.</translation>
     </message>
     <message>
         <source>calibrating</source>
-        <translation>calibrando</translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>There is not enough memory for this.</source>
-        <translation>No hay memoria suficiente para esto.</translation>
+        <translation>Dafür reicht der Speicher nicht.</translation>
     </message>
     <message>
         <source>--channel wants COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], not &quot;{0}&quot;.</source>
-        <translation>--channel espera COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], no «{0}».</translation>
+        <translation>--channel erwartet COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], nicht „{0}“.</translation>
     </message>
     <message>
         <source>A column that holds watts is just COLUMN.</source>
-        <translation>Una columna que contiene vatios es simplemente COLUMN.</translation>
+        <translation>Eine Spalte mit Watt ist einfach COLUMN.</translation>
     </message>
     <message>
         <source>Nothing was measured.</source>
-        <translation>No se ha medido nada.</translation>
+        <translation>Es wurde nichts gemessen.</translation>
     </message>
     <message>
         <source>There is no device &quot;{0}&quot;.</source>
-        <translation>No hay ningún dispositivo «{0}».</translation>
+        <translation>Es gibt kein Gerät „{0}“.</translation>
     </message>
     <message>
         <source>glisson-cli platform list shows their ids.</source>
-        <translation>glisson-cli platform list muestra sus identificadores.</translation>
+        <translation>glisson-cli platform list zeigt ihre Kennungen.</translation>
     </message>
     <message>
         <source>A result has no scene named {0}; it has displacement.</source>
-        <translation>Un resultado no tiene ninguna escena llamada {0}; tiene displacement.</translation>
+        <translation>Ein Ergebnis hat keine Szene namens {0}; es hat displacement.</translation>
     </message>
     <message>
         <source>Reading</source>
-        <translation>Leyendo</translation>
+        <translation>Lesen</translation>
     </message>
     <message>
         <source>The points of a cut need three columns: x_mm, y_mm, z_mm.</source>
-        <translation>Los puntos de una sección necesitan tres columnas: x_mm, y_mm, z_mm.</translation>
+        <translation>Die Punkte eines Schnitts brauchen drei Spalten: x_mm, y_mm, z_mm.</translation>
     </message>
     <message>
         <source>Reading the liver</source>
-        <translation>Leyendo el hígado</translation>
+        <translation>Leber wird gelesen</translation>
     </message>
     <message>
         <source>Cutting</source>
-        <translation>Seccionando</translation>
+        <translation>Schneiden</translation>
     </message>
     <message>
         <source>Reading the model</source>
-        <translation>Leyendo el modelo</translation>
+        <translation>Modell wird gelesen</translation>
     </message>
     <message>
         <source>Moving the tools</source>
-        <translation>Moviendo los instrumentos</translation>
+        <translation>Instrumente werden bewegt</translation>
     </message>
     <message>
         <source>Command {0} led to another state than was recorded.</source>
-        <translation>La orden {0} llevó a un estado distinto del registrado.</translation>
+        <translation>Befehl {0} führte zu einem anderen Zustand, als aufgezeichnet wurde.</translation>
     </message>
     <message>
         <source>Replay with the case and the version that it was recorded with.</source>
-        <translation>Reproduzca con el caso y la versión con los que se registró.</translation>
+        <translation>Spielen Sie mit dem Fall und der Version ab, mit denen aufgezeichnet wurde.</translation>
     </message>
     <message>
         <source>{0} wants a position X,Y,Z in mm, not &quot;{1}&quot;.</source>
-        <translation>{0} espera una posición X,Y,Z en mm, no «{1}».</translation>
+        <translation>{0} erwartet eine Position X,Y,Z in mm, nicht „{1}“.</translation>
     </message>
     <message>
         <source>--size wants WxH in pixels, 16 to 16384 each, not &quot;{0}&quot;.</source>
-        <translation>--size espera ANCHOxALTO en píxeles, de 16 a 16384 cada uno, no «{0}».</translation>
+        <translation>--size erwartet BxH in Pixeln, jeweils 16 bis 16384, nicht „{0}“.</translation>
     </message>
     <message>
         <source>The computation did not converge: {0}</source>
-        <translation>El cálculo no ha convergido: {0}</translation>
+        <translation>Die Rechnung ist nicht konvergiert: {0}</translation>
     </message>
     <message>
         <source>The sequence names no registered clouds.</source>
-        <translation>La secuencia no nombra nubes de puntos registradas.</translation>
+        <translation>Die Sequenz nennt keine registrierten Punktwolken.</translation>
     </message>
     <message>
         <source>Add &quot;registered&quot;, or choose --method icp or geo.</source>
-        <translation>Añada &quot;registered&quot; o elija --method icp o geo.</translation>
+        <translation>Fügen Sie &quot;registered&quot; hinzu, oder wählen Sie --method icp oder geo.</translation>
     </message>
     <message>
         <source>The sequence names no model to register its clouds to.</source>
-        <translation>La secuencia no nombra ningún modelo al que registrar sus nubes de puntos.</translation>
+        <translation>Die Sequenz nennt kein Modell, auf das ihre Punktwolken registriert werden könnten.</translation>
     </message>
     <message>
         <source>Add &quot;model&quot;: a surface file.</source>
-        <translation>Añada &quot;model&quot;: un archivo de superficie.</translation>
+        <translation>Fügen Sie &quot;model&quot; hinzu: eine Oberflächendatei.</translation>
     </message>
     <message>
         <source>Frame {0} shares too few landmarks with the others.</source>
-        <translation>El fotograma {0} comparte demasiado pocos puntos de referencia con los demás.</translation>
+        <translation>Bild {0} hat zu wenige Landmarken mit den anderen gemeinsam.</translation>
     </message>
     <message>
         <source>The two pictures agree nowhere.</source>
-        <translation>Las dos imágenes no coinciden en ninguna parte.</translation>
+        <translation>Die beiden Bilder stimmen nirgends überein.</translation>
     </message>
     <message>
         <source>Check that left and right are not exchanged and that the calibration is theirs.</source>
-        <translation>Compruebe que izquierda y derecha no están intercambiadas y que la calibración es la suya.</translation>
+        <translation>Prüfen Sie, ob links und rechts nicht vertauscht sind und die Kalibrierung zu ihnen gehört.</translation>
     </message>
     <message>
         <source>Name the cohort&apos;s folder, or ask for a simulated one with --simulated N.</source>
-        <translation>Indique la carpeta de la cohorte o pida una simulada con --simulated N.</translation>
+        <translation>Nennen Sie den Ordner der Kohorte, oder verlangen Sie eine simulierte mit --simulated N.</translation>
     </message>
     <message>
         <source>Reading the case</source>
-        <translation>Leyendo el caso</translation>
+        <translation>Fall wird gelesen</translation>
     </message>
     <message>
         <source>Preparing the model</source>
-        <translation>Preparando el modelo</translation>
+        <translation>Modell wird vorbereitet</translation>
     </message>
     <message>
         <source>Known are: {1}</source>
-        <translation>Se conocen: {1}</translation>
+        <translation>Bekannt sind: {1}</translation>
     </message>
     <message>
         <source>Cut {0} opens the body nowhere.</source>
-        <translation>La sección {0} no abre el cuerpo en ninguna parte.</translation>
+        <translation>Schnitt {0} öffnet den Körper nirgends.</translation>
     </message>
     <message>
         <source>Move it through the body, or open it wider; positions are LPS, in mm.</source>
-        <translation>Muévala a través del cuerpo o ábrala más; las posiciones son LPS, en mm.</translation>
+        <translation>Verschieben Sie ihn durch den Körper, oder öffnen Sie ihn weiter; Positionen sind LPS, in mm.</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;normal&quot; (a plane) and &quot;points_mm&quot; (a sheet through them).</source>
-        <translation>{0} necesita exactamente uno de &quot;normal&quot; (un plano) y &quot;points_mm&quot; (una superficie que pasa por ellos).</translation>
+        <translation>{0} braucht genau eines von &quot;normal&quot; (eine Ebene) und &quot;points_mm&quot; (eine Fläche durch sie).</translation>
     </message>
     <message>
         <source>{0} is a sheet: its &quot;center_mm&quot; needs the &quot;radius_mm&quot; that it is open within.</source>
-        <translation>{0} es una superficie: su &quot;center_mm&quot; necesita el &quot;radius_mm&quot; dentro del cual está abierta.</translation>
+        <translation>{0} ist eine Fläche: Ihr &quot;center_mm&quot; braucht den &quot;radius_mm&quot;, in dem sie offen ist.</translation>
     </message>
     <message>
         <source>{0} must be a list of three points or more.</source>
-        <translation>{0} debe ser una lista de al menos tres puntos.</translation>
+        <translation>{0} muss eine Liste von mindestens drei Punkten sein.</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;{1}&quot; and &quot;{2}&quot;.</source>
-        <translation>{0} necesita exactamente uno de &quot;{1}&quot; y &quot;{2}&quot;.</translation>
+        <translation>{0} braucht genau eines von &quot;{1}&quot; und &quot;{2}&quot;.</translation>
     </message>
     <message>
         <source>{0} must be &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; or {&quot;rods&quot;: [...]}.</source>
-        <translation>{0} debe ser &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; o {&quot;rods&quot;: [...]}.</translation>
+        <translation>{0} muss &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; oder {&quot;rods&quot;: [...]} sein.</translation>
     </message>
     <message>
         <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments, tools or the meshfree engine.</source>
-        <translation>Directamente a partir de datos hay equilibrios por elementos finitos: sin movimiento, cápsula, ligamentos, instrumentos ni motor sin malla.</translation>
+        <translation>Direkt aus Daten gibt es Gleichgewichte mit finiten Elementen: ohne Bewegung, Kapsel, Bänder, Instrumente oder das netzfreie Verfahren.</translation>
     </message>
     <message>
         <source>At {0} Hz the phase of {1} % of the tissue does not come back to itself over a period; those voxels were left out.</source>
-        <translation>A {0} Hz la fase del {1} % del tejido no vuelve a sí misma en un periodo; esos vóxeles se han omitido.</translation>
+        <translation>Bei {0} Hz kehrt die Phase von {1} % des Gewebes über eine Periode nicht zu sich zurück; diese Voxel wurden ausgelassen.</translation>
     </message>
     <message>
         <source>The loss came out negative, as when the instants run backwards in time; its sign was turned.</source>
-        <translation>La pérdida salió negativa, como cuando los instantes van hacia atrás en el tiempo; se ha invertido su signo.</translation>
+        <translation>Der Verlustmodul kam negativ heraus, wie wenn die Zeitpunkte rückwärts laufen; sein Vorzeichen wurde umgekehrt.</translation>
     </message>
     <message>
         <source>The headers name no directions: the {0} images were taken as {1} x {2} instants in their order.</source>
-        <translation>Las cabeceras no nombran direcciones: las {0} imágenes se han tomado como {1} x {2} instantes en su orden.</translation>
+        <translation>Die Kopfdaten nennen keine Richtungen: Die {0} Bilder wurden als {1} x {2} Zeitpunkte in ihrer Reihenfolge genommen.</translation>
     </message>
     <message>
         <source>The phase images have no unit: their full range, {0} to {1}, was taken as one turn.</source>
-        <translation>Las imágenes de fase no tienen unidad: su intervalo completo, de {0} a {1}, se ha tomado como una vuelta.</translation>
+        <translation>Die Phasenbilder haben keine Einheit: Ihr ganzer Bereich, {0} bis {1}, wurde als eine Umdrehung genommen.</translation>
     </message>
     <message>
         <source>The plan has no figure for the effect {0}; it is left out.</source>
-        <translation>El plan no tiene ninguna cifra para el efecto {0}; se omite.</translation>
+        <translation>Der Plan hat für den Effekt {0} keinen Wert; er wird ausgelassen.</translation>
     </message>
     <message>
         <source>{0} was not learnt from the recordings of a platform.</source>
-        <translation>{0} no se aprendió de los registros de una plataforma.</translation>
+        <translation>{0} wurde nicht aus den Aufzeichnungen eines Geräts gelernt.</translation>
     </message>
     <message>
         <source>Use the model.json that glisson-cli explain wrote for an experiment of kind &quot;platform&quot;.</source>
-        <translation>Use el model.json que glisson-cli explain escribió para un experimento del tipo &quot;platform&quot;.</translation>
+        <translation>Verwenden Sie die model.json, die glisson-cli explain für ein Experiment der Art &quot;platform&quot; geschrieben hat.</translation>
     </message>
     <message>
         <source>A smooth correction has no cause and is left out of the plan.</source>
-        <translation>Una corrección suave no tiene causa y queda fuera del plan.</translation>
+        <translation>Eine glatte Korrektur hat keine Ursache und bleibt aus dem Plan.</translation>
     </message>
     <message>
         <source>These recordings are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
-        <translation>Los efectos encontrados no explican estos registros: quitan una parte del error y no prueban ninguna causa.</translation>
+        <translation>Die gefundenen Effekte erklären diese Aufzeichnungen nicht: Sie nehmen einen Teil des Fehlers weg und beweisen keine Ursache.</translation>
     </message>
     <message>
         <source>The experiment is not of kind &quot;material&quot;: it holds no strain and stress.</source>
-        <translation>El experimento no es del tipo &quot;material&quot;: no contiene deformación ni tensión.</translation>
+        <translation>Das Experiment ist nicht von der Art &quot;material&quot;: Es enthält keine Dehnung und Spannung.</translation>
     </message>
     <message>
         <source>A shear test cannot be used straight: take compression or tension.</source>
-        <translation>Un ensayo de cizalla no se puede usar directamente: tome compresión o tracción.</translation>
+        <translation>Ein Scherversuch kann nicht direkt verwendet werden: Nehmen Sie Druck oder Zug.</translation>
     </message>
     <message>
         <source>A figure is measured, computed, from the dissertation (dissertation), or assumed.</source>
-        <translation>Una cifra está medida (measured), calculada (computed), procede de la tesis (dissertation) o es supuesta (assumed).</translation>
+        <translation>Ein Wert ist gemessen (measured), berechnet (computed), aus der Dissertation (dissertation) oder angenommen (assumed).</translation>
     </message>
     <message>
         <source>It slows itself down at {0} C, and then computes {1} frames a second of {2}.</source>
-        <translation>Se ralentiza a {0} C y entonces calcula {1} fotogramas por segundo de {2}.</translation>
+        <translation>Es drosselt sich bei {0} C und rechnet dann {1} von {2} Bildern je Sekunde.</translation>
     </message>
     <message>
         <source>The resolution for {0} mm in tissue of {1} kPa comes from this curve ({2}): {3}</source>
-        <translation>La resolución para {0} mm en tejido de {1} kPa procede de esta curva ({2}): {3}</translation>
+        <translation>Die Auflösung für {0} mm in Gewebe von {1} kPa stammt aus dieser Kurve ({2}): {3}</translation>
     </message>
     <message>
         <source>No beam of 50 x 10 x 10 mm fits into the liver.</source>
-        <translation>Ninguna viga de 50 x 10 x 10 mm cabe en el hígado.</translation>
+        <translation>Kein Balken von 50 x 10 x 10 mm passt in die Leber.</translation>
     </message>
     <message>
         <source>A beam found no equilibrium: {0}</source>
-        <translation>Una viga no encontró el equilibrio: {0}</translation>
+        <translation>Ein Balken fand kein Gleichgewicht: {0}</translation>
     </message>
     <message>
         <source>Resolutions must grow from 0.5 mm3 or more to 600 mm3 or less, in 2 to 100 steps.</source>
-        <translation>Las resoluciones deben crecer desde 0.5 mm3 o más hasta 600 mm3 o menos, en 2 a 100 pasos.</translation>
+        <translation>Auflösungen müssen von 0.5 mm3 oder mehr bis 600 mm3 oder weniger ansteigen, in 2 bis 100 Schritten.</translation>
     </message>
     <message>
         <source>With {0} nodes the beam did not converge: {1}</source>
-        <translation>Con {0} nodos la viga no ha convergido: {1}</translation>
+        <translation>Mit {0} Knoten ist der Balken nicht konvergiert: {1}</translation>
     </message>
     <message>
         <source>Looking for the softest, stiffest and most uneven parts</source>
-        <translation>Buscando las partes más blandas, más rígidas y más irregulares</translation>
+        <translation>Suche nach den weichsten, steifsten und ungleichmäßigsten Teilen</translation>
     </message>
     <message>
         <source>Hoisting the beams</source>
-        <translation>Elevando las vigas</translation>
+        <translation>Balken werden angehoben</translation>
     </message>
     <message>
         <source>Drawing typical and extreme patients</source>
-        <translation>Dibujando pacientes típicos y extremos</translation>
+        <translation>Typische und extreme Patienten werden gezeichnet</translation>
     </message>
     <message>
         <source>{0} has no effect that could be accepted: nothing is missing.</source>
-        <translation>{0} no contiene ningún efecto que aceptar: no falta nada.</translation>
+        <translation>{0} enthält keinen Effekt, der übernommen werden könnte: Es fehlt nichts.</translation>
     </message>
     <message>
         <source>The effect {0} was not accepted into {1}.</source>
-        <translation>El efecto {0} no se había aceptado en {1}.</translation>
+        <translation>Der Effekt {0} wurde nicht in {1} übernommen.</translation>
     </message>
     <message>
         <source>The accepted evidence of {0} cannot be read: {1}</source>
-        <translation>No se puede leer la evidencia aceptada de {0}: {1}</translation>
+        <translation>Der übernommene Befund von {0} ist nicht lesbar: {1}</translation>
     </message>
     <message>
         <source>Take it back (glisson-cli accept CASE --take-back) and accept it again.</source>
-        <translation>Retírela (glisson-cli accept CASE --take-back) y acéptela de nuevo.</translation>
+        <translation>Nehmen Sie ihn zurück (glisson-cli accept CASE --take-back) und übernehmen Sie ihn neu.</translation>
     </message>
     <message>
         <source>The model was made anew after this evidence had been accepted: see whether it still holds.</source>
-        <translation>El modelo se hizo de nuevo después de aceptar esta evidencia: compruebe si sigue siendo válida.</translation>
+        <translation>Das Modell wurde neu gemacht, nachdem dieser Befund übernommen worden war: Prüfen Sie, ob er noch gilt.</translation>
     </message>
     <message>
         <source>The scenario says itself what holds the organ: the effect {0} is left out.</source>
-        <translation>El escenario dice por sí mismo qué sujeta el órgano: el efecto {0} se omite.</translation>
+        <translation>Das Szenario sagt selbst, was das Organ hält: Der Effekt {0} bleibt weg.</translation>
     </message>
     <message>
         <source>The scenario says itself how stiff the organ is: the effect {0} is left out.</source>
-        <translation>El escenario dice por sí mismo la rigidez del órgano: el efecto {0} se omite.</translation>
+        <translation>Das Szenario sagt selbst, wie steif das Organ ist: Der Effekt {0} bleibt weg.</translation>
     </message>
     <message>
         <source>The scenario says itself what skin the organ has: the effect {0} is left out.</source>
-        <translation>El escenario dice por sí mismo qué envoltura tiene el órgano: el efecto {0} se omite.</translation>
+        <translation>Das Szenario sagt selbst, welche Hülle das Organ hat: Der Effekt {0} bleibt weg.</translation>
     </message>
     <message>
         <source>Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.</source>
-        <translation>Solo un equilibrio lineal por elementos finitos puede tener una dirección de fibras: el efecto {0} se omite.</translation>
+        <translation>Nur ein lineares Gleichgewicht mit finiten Elementen kann eine Faserrichtung haben: Der Effekt {0} bleibt weg.</translation>
     </message>
     <message>
         <source>{0} was not learnt from tissue.</source>
-        <translation>{0} no se aprendió de un tejido.</translation>
+        <translation>{0} wurde nicht an Gewebe gelernt.</translation>
     </message>
     <message>
         <source>Use the model.json that glisson-cli explain wrote for a palpation or a material test; a platform&apos;s goes to glisson-cli platform learn.</source>
-        <translation>Use el model.json que glisson-cli explain escribió para una palpación o un ensayo de material; el de una plataforma va a glisson-cli platform learn.</translation>
+        <translation>Nehmen Sie die model.json, die glisson-cli explain für eine Palpation oder einen Materialversuch geschrieben hat; die einer Plattform gehört zu glisson-cli platform learn.</translation>
     </message>
     <message>
         <source>In {0} no tissue can have such a {1}.</source>
-        <translation>En {0}, ningún tejido puede tener tal {1}.</translation>
+        <translation>In {0}: Kein Gewebe kann ein solches {1} haben.</translation>
     </message>
     <message>
         <source>{0} has no effect {1}.</source>
-        <translation>{0} no tiene ningún efecto {1}.</translation>
+        <translation>{0} enthält keinen Effekt {1}.</translation>
     </message>
     <message>
         <source>The organ stiffens with strain, which this linear rehearsal cannot hold; a scenario can, with the material &quot;veronda-westmann&quot; and &quot;strain_stiffening&quot;: {0}.</source>
-        <translation>El órgano se rigidiza con la deformación, lo que este ensayo lineal no puede recoger; un escenario sí puede, con el material &quot;veronda-westmann&quot; y &quot;strain_stiffening&quot;: {0}.</translation>
+        <translation>Das Organ versteift mit der Dehnung, was diese lineare Probe nicht fassen kann; ein Szenario kann es, mit dem Material &quot;veronda-westmann&quot; und &quot;strain_stiffening&quot;: {0}.</translation>
     </message>
     <message>
         <source>The organ stiffens with strain, which this linear rehearsal cannot hold.</source>
-        <translation>El órgano se rigidiza con la deformación, lo que este ensayo lineal no puede recoger.</translation>
+        <translation>Das Organ versteift mit der Dehnung, was diese lineare Probe nicht fassen kann.</translation>
     </message>
     <message>
         <source>What loaded the specimen while it was measured does not load the organ.</source>
-        <translation>Lo que cargaba la muestra durante la medición no carga el órgano.</translation>
+        <translation>Was den Prüfkörper während der Messung belastet hat, belastet das Organ nicht.</translation>
     </message>
     <message>
         <source>A pressure of {0} kPa acts on the organ all the time.</source>
-        <translation>Una presión de {0} kPa actúa siempre sobre el órgano.</translation>
+        <translation>Ein Druck von {0} kPa wirkt ständig auf das Organ.</translation>
     </message>
     <message>
         <source>A weight acts on the organ all the time, by ({0}, {1}, {2}) m/s2.</source>
-        <translation>Un peso actúa siempre sobre el órgano, de ({0}, {1}, {2}) m/s2.</translation>
+        <translation>Ein Gewicht wirkt ständig auf das Organ, mit ({0}, {1}, {2}) m/s2.</translation>
     </message>
     <message>
         <source>The organ is {0} times as stiff along ({1}, {2}, {3}) as across.</source>
-        <translation>El órgano es {0} veces tan rígido a lo largo de ({1}, {2}, {3}) como a través.</translation>
+        <translation>Das Organ ist entlang ({1}, {2}, {3}) {0}-mal so steif wie quer dazu.</translation>
     </message>
     <message>
         <source>The organ is {0} times as stiff along ({1}, {2}, {3}) as across: the specimen&apos;s axes are taken for the patient&apos;s.</source>
-        <translation>El órgano es {0} veces tan rígido a lo largo de ({1}, {2}, {3}) como a través: los ejes de la muestra se toman por los del paciente.</translation>
+        <translation>Das Organ ist entlang ({1}, {2}, {3}) {0}-mal so steif wie quer dazu: Die Achsen des Prüfkörpers werden für die des Patienten genommen.</translation>
     </message>
     <message>
         <source>The whole organ is {0} times as stiff as was declared.</source>
-        <translation>El órgano entero es {0} veces tan rígido como se declaró.</translation>
+        <translation>Das ganze Organ ist {0}-mal so steif wie angegeben.</translation>
     </message>
     <message>
         <source>Held for long, the organ creeps: it is {0} times as stiff as at once.</source>
-        <translation>Sujetado mucho tiempo, el órgano fluye: es entonces {0} veces tan rígido como al instante.</translation>
+        <translation>Lange gehalten, kriecht das Organ: Es ist dann {0}-mal so steif wie im ersten Augenblick.</translation>
     </message>
     <message>
         <source>The specimen&apos;s hard spot has no place in the organ: the specimen is not this organ in this place.</source>
-        <translation>El punto duro de la muestra no tiene lugar en el órgano: la muestra no es este órgano en este lugar.</translation>
+        <translation>Die harte Stelle des Prüfkörpers hat im Organ keinen Ort: Der Prüfkörper ist nicht dieses Organ an diesem Ort.</translation>
     </message>
     <message>
         <source>A spot of {0} mm radius at ({1}, {2}, {3}) is {4} times as stiff as around it.</source>
-        <translation>Una zona de {0} mm de radio en ({1}, {2}, {3}) es {4} veces tan rígida como su entorno.</translation>
+        <translation>Eine Stelle mit {0} mm Radius bei ({1}, {2}, {3}) ist {4}-mal so steif wie um sie herum.</translation>
     </message>
     <message>
         <source>What holds the organ gives way like a spring of {0} kPa/mm.</source>
-        <translation>Lo que sujeta el órgano cede como un muelle de {0} kPa/mm.</translation>
+        <translation>Was das Organ hält, gibt nach wie eine Feder von {0} kPa/mm.</translation>
     </message>
     <message>
         <source>A skin of {0} N/mm lies around the organ.</source>
-        <translation>Una envoltura de {0} N/mm rodea el órgano.</translation>
+        <translation>Eine Hülle von {0} N/mm liegt um das Organ.</translation>
     </message>
     <message>
         <source>The load cell was off: that is of the measurement, and leaves the organ as it is.</source>
-        <translation>La célula de carga estaba desajustada: eso atañe a la medición y deja el órgano como está.</translation>
+        <translation>Die Kraftmessdose war verstellt: Das betrifft die Messung und lässt das Organ, wie es ist.</translation>
     </message>
     <message>
         <source>The camera&apos;s frame was off: that is of the measurement, and leaves the organ as it is.</source>
-        <translation>El sistema de la cámara estaba desplazado: eso atañe a la medición y deja el órgano como está.</translation>
+        <translation>Das Koordinatensystem der Kamera war verschoben: Das betrifft die Messung und lässt das Organ, wie es ist.</translation>
     </message>
     <message>
         <source>This linear rehearsal cannot hold the effect {0}.</source>
-        <translation>Este ensayo lineal no puede recoger el efecto {0}.</translation>
+        <translation>Diese lineare Probe kann den Effekt {0} nicht fassen.</translation>
     </message>
     <message>
         <source>A smooth correction has no cause and is left out of the rehearsal.</source>
-        <translation>Una corrección suave no tiene causa y queda fuera del ensayo.</translation>
+        <translation>Eine glatte Korrektur hat keine Ursache und bleibt aus der Probe.</translation>
     </message>
     <message>
         <source>These measurements are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
-        <translation>Los efectos encontrados no explican estas mediciones: quitan una parte del error y no prueban ninguna causa.</translation>
+        <translation>Die gefundenen Effekte erklären diese Messungen nicht: Sie nehmen einen Teil des Fehlers weg und beweisen keine Ursache.</translation>
     </message>
     <message>
         <source>A grain needs an axis of some length and a ratio above zero.</source>
-        <translation>Una dirección de fibras necesita un eje de cierta longitud y una razón mayor que cero.</translation>
+        <translation>Eine Faserrichtung braucht eine Achse von einiger Länge und ein Verhältnis über null.</translation>
     </message>
     <message>
         <source>With a ratio of {0} along the grain no stable material is left at a Poisson&apos;s ratio of {1}.</source>
-        <translation>Con una razón de {0} a lo largo de las fibras no queda ningún material estable con un coeficiente de Poisson de {1}.</translation>
+        <translation>Mit einem Verhältnis von {0} entlang der Fasern bleibt bei einer Querkontraktionszahl von {1} kein stabiles Material.</translation>
     </message>
     <message>
         <source>A grain is there for equilibrium by finite elements, with the material &quot;linear&quot; and without ligaments.</source>
-        <translation>Una dirección de fibras existe para el equilibrio por elementos finitos, con el material &quot;linear&quot; y sin ligamentos.</translation>
+        <translation>Eine Faserrichtung gibt es für das Gleichgewicht mit finiten Elementen, mit dem Material &quot;linear&quot; und ohne Bänder.</translation>
     </message>
     <message>
         <source>{0} would not come out as it was.</source>
-        <translation>{0} no quedaría tal como estaba.</translation>
+        <translation>{0} käme nicht so heraus, wie es war.</translation>
     </message>
     <message>
         <source>{0} is open in another window: what is done here cannot be undone.</source>
-        <translation>{0} está abierto en otra ventana: lo que se haga aquí no se puede deshacer.</translation>
+        <translation>{0} ist in einem anderen Fenster geöffnet: Was hier geschieht, kann nicht rückgängig gemacht werden.</translation>
     </message>
     <message>
         <source>Close the other window, then open the case anew.</source>
-        <translation>Cierre la otra ventana y vuelva a abrir el caso.</translation>
+        <translation>Schließen Sie das andere Fenster und öffnen Sie den Fall dann erneut.</translation>
     </message>
     <message>
         <source>There is nothing left to undo.</source>
-        <translation>No queda nada por deshacer.</translation>
+        <translation>Es gibt nichts mehr rückgängig zu machen.</translation>
     </message>
     <message>
         <source>There is nothing left to redo.</source>
-        <translation>No queda nada por rehacer.</translation>
+        <translation>Es gibt nichts mehr zu wiederholen.</translation>
     </message>
     <message>
         <source>{0} has been changed by something else since: what was done before cannot be undone any more.</source>
-        <translation>Otro programa ha modificado {0} desde entonces: lo hecho antes ya no se puede deshacer.</translation>
+        <translation>{0} wurde seither von anderer Seite geändert: Was davor geschah, kann nicht mehr rückgängig gemacht werden.</translation>
     </message>
     <message>
         <source>The history of the case cannot be read: {0}.</source>
-        <translation>No se puede leer el historial del caso: {0}.</translation>
+        <translation>Der Verlauf des Falls kann nicht gelesen werden: {0}.</translation>
     </message>
     <message>
         <source>A stored step of the history does not fit its case.</source>
-        <translation>Un paso guardado del historial no corresponde a su caso.</translation>
+        <translation>Ein gespeicherter Schritt des Verlaufs passt nicht zu seinem Fall.</translation>
     </message>
     <message>
         <source>A stored step of the history reaches beyond its image.</source>
-        <translation>Un paso guardado del historial sobrepasa los límites de su imagen.</translation>
+        <translation>Ein gespeicherter Schritt des Verlaufs reicht über sein Bild hinaus.</translation>
     </message>
     <message>
         <source>A stored step of the history is cut off.</source>
-        <translation>Un paso guardado del historial está truncado.</translation>
+        <translation>Ein gespeicherter Schritt des Verlaufs ist abgeschnitten.</translation>
     </message>
     <message>
         <source>{0} does not hold a planned resection: {1}.</source>
-        <translation>{0} no contiene una resección planificada: {1}.</translation>
+        <translation>{0} enthält keine geplante Resektion: {1}.</translation>
     </message>
     <message>
         <source>Plan it again, or make one with glisson-cli resect.</source>
-        <translation>Planifíquela de nuevo o cree una con glisson-cli resect.</translation>
+        <translation>Planen Sie sie neu, oder erstellen Sie eine mit glisson-cli resect.</translation>
     </message>
     <message>
         <source>Reading the experiment</source>
-        <translation>Leyendo el experimento</translation>
+        <translation>Experiment wird gelesen</translation>
     </message>
     <message>
         <source>{0} landmarks seen in fewer than three frames were left out</source>
-        <translation>Se omitieron {0} puntos de referencia vistos en menos de tres fotogramas</translation>
+        <translation>{0} Landmarken, die in weniger als drei Bildern zu sehen waren, wurden weggelassen</translation>
     </message>
     <message>
         <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
-        <translation>{0} triángulos tienen todos sus vértices en menos de tres fotogramas: su correlación es 0</translation>
+        <translation>Bei {0} Dreiecken sind alle Ecken in weniger als drei Bildern zu sehen: ihre Korrelation ist 0</translation>
     </message>
     <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
-        <translation>no se dio ningún modelo, así que no hay distancia a él (RMSE)</translation>
+        <translation>kein Modell angegeben, daher auch kein Abstand davon (RMSE)</translation>
     </message>
     <message>
         <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULADO: la forma del hígado de un paciente real, que respira y es presionado por un instrumento según una fórmula. El registro llamado «dado» es el verdadero con un fallo introducido a la izquierda de la imagen.</translation>
+        <translation>SIMULIERT: die Form der Leber eines wirklichen Patienten, die nach einer Formel atmet und von einem Instrument eingedrückt wird. Die „vorgegebene“ Registrierung ist die wahre, in die links im Bild ein Fehler eingebaut wurde.</translation>
     </message>
     <message>
         <source>The movie {0} cannot be written.</source>
-        <translation>No se puede escribir la película {0}.</translation>
+        <translation>Der Film {0} kann nicht geschrieben werden.</translation>
     </message>
     <message>
         <source>Choose a folder that exists.</source>
-        <translation>Elija una carpeta que exista.</translation>
+        <translation>Wählen Sie einen Ordner, den es gibt.</translation>
     </message>
     <message>
         <source>Choose a name that is not there yet.</source>
-        <translation>Elija un nombre que aún no exista.</translation>
+        <translation>Wählen Sie einen Namen, den es dort noch nicht gibt.</translation>
     </message>
     <message>
         <source>Choose a folder in which you may write.</source>
-        <translation>Elija una carpeta en la que pueda escribir.</translation>
+        <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen.</translation>
     </message>
     <message>
         <source>Leave the window&apos;s size as it is while the movie is made.</source>
-        <translation>No cambie el tamaño de la ventana mientras se hace la película.</translation>
+        <translation>Lassen Sie die Größe des Fensters, wie sie ist, solange der Film entsteht.</translation>
     </message>
     <message>
         <source>Choose a folder in which you may write, or a name without .mp4: then it becomes a folder of pictures.</source>
-        <translation>Elija una carpeta en la que pueda escribir, o un nombre sin .mp4: entonces será una carpeta de imágenes.</translation>
+        <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen, oder einen Namen ohne .mp4: Dann wird es ein Ordner mit Bildern.</translation>
     </message>
     <message>
         <source>Look whether the disk is full.</source>
-        <translation>Compruebe si el disco está lleno.</translation>
+        <translation>Sehen Sie nach, ob der Datenträger voll ist.</translation>
     </message>
     <message>
         <source>The liver&apos;s shape with the tools there was not found: {0}</source>
-        <translation>No se halló la forma del hígado con los instrumentos allí: {0}</translation>
+        <translation>Die Form der Leber mit den Instrumenten dort wurde nicht gefunden: {0}</translation>
     </message>
     <message>
         <source>Press less, or move the tool by smaller steps.</source>
-        <translation>Apriete menos, o mueva el instrumento a pasos más pequeños.</translation>
+        <translation>Drücken Sie weniger, oder bewegen Sie das Instrument in kleineren Schritten.</translation>
     </message>
     <message>
         <source>A rigid tool that only touches the liver cannot pull it.</source>
-        <translation>Un instrumento rígido que solo toca el hígado no puede tirar de él.</translation>
+        <translation>Ein starres Instrument, das die Leber nur berührt, kann sie nicht ziehen.</translation>
     </message>
     <message>
         <source>Push into the surface, or take the grasper.</source>
-        <translation>Empuje hacia la superficie, o tome la pinza.</translation>
+        <translation>Drücken Sie in die Oberfläche hinein, oder nehmen Sie die Fasszange.</translation>
     </message>
     <message>
         <source>Tool {0} would move by {1} mm a step, past a surface that it should meet.</source>
-        <translation>El instrumento {0} se movería {1} mm en un paso y pasaría de largo una superficie que debería tocar.</translation>
+        <translation>Das Instrument {0} würde sich in einem Schritt um {1} mm bewegen, an einer Oberfläche vorbei, auf die es treffen sollte.</translation>
     </message>
     <message>
         <source>Take more steps: at most half the radius of the tool&apos;s rods in each.</source>
-        <translation>Tome más pasos: en cada uno, como mucho la mitad del radio de las varillas del instrumento.</translation>
+        <translation>Nehmen Sie mehr Schritte: in jedem höchstens den halben Radius der Stäbe des Instruments.</translation>
     </message>
     <message>
         <source>Comparing the files with what they were made from</source>
-        <translation>Comparando los archivos con aquello de lo que se hicieron</translation>
+        <translation>Dateien werden mit dem verglichen, woraus sie entstanden</translation>
     </message>
     <message>
         <source>{0} does not hold a report of measurements: {1}.</source>
-        <translation>{0} no contiene un informe de mediciones: {1}.</translation>
+        <translation>{0} enthält keinen Bericht über Messungen: {1}.</translation>
     </message>
     <message>
         <source>Open an experiment to make one; it holds report.json, report.html and model.json.</source>
-        <translation>Abra un experimento para crear uno; contiene report.json, report.html y model.json.</translation>
+        <translation>Öffnen Sie ein Experiment, um einen zu erstellen; er enthält report.json, report.html und model.json.</translation>
     </message>
     <message>
         <source>Two series are to be the {0}: {1} is the second.</source>
-        <translation>Dos series deben ser {0}: {1} es la segunda.</translation>
+        <translation>Zwei Serien sollen {0} sein: {1} ist die zweite.</translation>
     </message>
     <message>
         <source>Leave one of them out, or give it another role.</source>
-        <translation>Omita una de ellas o dele otra función.</translation>
+        <translation>Lassen Sie eine davon aus oder geben Sie ihr eine andere Rolle.</translation>
     </message>
     <message>
         <source>No series is chosen: give at least one of them a role.</source>
-        <translation>No se ha elegido ninguna serie: dé una función a al menos una.</translation>
+        <translation>Keine Serie ist gewählt: Geben Sie mindestens einer eine Rolle.</translation>
     </message>
     <message>
         <source>There is nothing of this structure at that place.</source>
-        <translation>En ese lugar no hay nada de esta estructura.</translation>
+        <translation>An dieser Stelle ist nichts von dieser Struktur.</translation>
     </message>
     <message>
         <source>Fill between slices of {0}</source>
-        <translation>Rellenar entre cortes de {0}</translation>
+        <translation>Zwischen Schichten von {0} füllen</translation>
     </message>
     <message>
         <source>Fill holes of {0}</source>
-        <translation>Rellenar huecos de {0}</translation>
+        <translation>Löcher von {0} füllen</translation>
     </message>
     <message>
         <source>Keep the largest piece of {0}</source>
-        <translation>Conservar el trozo mayor de {0}</translation>
+        <translation>Größtes Stück von {0} behalten</translation>
     </message>
     <message>
         <source>Remove small pieces of {0}</source>
-        <translation>Quitar trozos pequeños de {0}</translation>
+        <translation>Kleine Stücke von {0} entfernen</translation>
     </message>
     <message>
         <source>Smooth {0}</source>
-        <translation>Suavizar {0}</translation>
+        <translation>{0} glätten</translation>
     </message>
     <message>
         <source>Margin around {0}</source>
-        <translation>Margen alrededor de {0}</translation>
+        <translation>Rand um {0}</translation>
     </message>
     <message>
         <source>Shrink {0}</source>
-        <translation>Reducir {0}</translation>
+        <translation>{0} schrumpfen</translation>
     </message>
     <message>
         <source>Keep one piece of {0}</source>
-        <translation>Conservar un trozo de {0}</translation>
+        <translation>Ein Stück von {0} behalten</translation>
     </message>
     <message>
         <source>Smart brush on {0}</source>
-        <translation>Pincel selectivo en {0}</translation>
+        <translation>Gewebepinsel auf {0}</translation>
     </message>
     <message>
         <source>Brush on {0}</source>
-        <translation>Pincel en {0}</translation>
+        <translation>Pinsel auf {0}</translation>
     </message>
     <message>
         <source>Eraser on {0}</source>
-        <translation>Goma en {0}</translation>
+        <translation>Radierer auf {0}</translation>
     </message>
     <message>
         <source>Scissors on {0}</source>
-        <translation>Tijeras en {0}</translation>
+        <translation>Schere an {0}</translation>
     </message>
     <message>
         <source>New structure {0}</source>
-        <translation>Estructura nueva {0}</translation>
+        <translation>Neue Struktur {0}</translation>
     </message>
     <message>
         <source>Rename {0}</source>
-        <translation>Renombrar {0}</translation>
+        <translation>{0} umbenennen</translation>
     </message>
     <message>
         <source>Remove {0}</source>
-        <translation>Quitar {0}</translation>
+        <translation>{0} entfernen</translation>
     </message>
     <message>
         <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
-        <translation>Las estructuras han cambiado desde que se construyó el modelo y {0} puntos de referencia quedan fuera de él: se omiten. Vuelva a construir el modelo.</translation>
+        <translation>Die Strukturen haben sich geändert, seit das Modell erstellt wurde, und {0} Landmarken liegen nun außerhalb: Sie werden ausgelassen. Erstellen Sie das Modell neu.</translation>
     </message>
     <message>
         <source>The model cannot be used. Build it anew.</source>
-        <translation>El modelo no se puede usar. Vuelva a construirlo.</translation>
+        <translation>Das Modell kann nicht verwendet werden. Erstellen Sie es neu.</translation>
     </message>
     <message>
         <source>Place the tool</source>
-        <translation>Colocar el instrumento</translation>
+        <translation>Instrument platzieren</translation>
     </message>
     <message>
         <source>Take the tool away</source>
-        <translation>Retirar el instrumento</translation>
+        <translation>Instrument wegnehmen</translation>
     </message>
     <message>
         <source>Move the tool</source>
-        <translation>Mover el instrumento</translation>
+        <translation>Instrument bewegen</translation>
     </message>
     <message>
         <source>Change the force</source>
-        <translation>Cambiar la fuerza</translation>
+        <translation>Kraft ändern</translation>
     </message>
     <message>
         <source>No images were found in {0}.</source>
-        <translation>No se encontraron imágenes en {0}.</translation>
+        <translation>In {0} wurden keine Bilder gefunden.</translation>
     </message>
     <message>
         <source>By the meshfree engine a grasper pulls with a force; {0} has a displacement.</source>
-        <translation>Con el motor sin malla una pinza tira con una fuerza; {0} tiene un desplazamiento.</translation>
+        <translation>Mit dem netzfreien Verfahren zieht eine Fasszange mit einer Kraft; {0} hat eine Verschiebung.</translation>
     </message>
     <message>
         <source>Give it a pull, or take finite elements.</source>
-        <translation>Dele una tracción, o tome los elementos finitos.</translation>
+        <translation>Geben Sie ihr einen Zug, oder nehmen Sie finite Elemente.</translation>
     </message>
     <message>
         <source>camera has no 3 x 3 matrix with positive focal lengths, or a distortion that is no list of numbers</source>
-        <translation>camera no tiene una matriz 3 x 3 con distancias focales positivas, o su distorsión no es una lista de números</translation>
+        <translation>camera hat keine 3 x 3-Matrix mit positiven Brennweiten oder eine Verzeichnung, die keine Zahlenliste ist</translation>
     </message>
     <message>
         <source>The first line of {0} is not {1}.</source>
-        <translation>La primera línea de {0} no es {1}.</translation>
+        <translation>Die erste Zeile von {0} lautet nicht {1}.</translation>
     </message>
     <message>
         <source>Name the columns so, in this order, with commas between them.</source>
-        <translation>Nombre así las columnas, en este orden, separadas por comas.</translation>
+        <translation>Benennen Sie die Spalten so, in dieser Reihenfolge, durch Kommas getrennt.</translation>
     </message>
     <message>
         <source>{0} of {1} landmarks lie far from the points of their frames.</source>
-        <translation>{0} de {1} puntos de referencia están lejos de los puntos de sus imágenes.</translation>
+        <translation>{0} von {1} Landmarken liegen weit von den Punkten ihrer Bilder entfernt.</translation>
     </message>
     <message>
         <source>Check that tracks and clouds are both in mm of the left camera.</source>
-        <translation>Compruebe que las trayectorias y las nubes estén ambas en mm de la cámara izquierda.</translation>
+        <translation>Prüfen Sie, ob Spuren und Punktwolken beide in mm der linken Kamera angegeben sind.</translation>
     </message>
     <message>
         <source>{0} landmarks far from the points of their frames were left out</source>
-        <translation>se omitieron {0} puntos de referencia lejos de los puntos de sus imágenes</translation>
+        <translation>{0} Landmarken, die weit von den Punkten ihrer Bilder entfernt liegen, wurden weggelassen</translation>
     </message>
     <message>
         <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
-        <translation>En la línea {0} no hay ningún número en la columna «{1}».</translation>
+        <translation>In Zeile {0} steht in der Spalte „{1}“ keine Zahl.</translation>
     </message>
     <message>
         <source>A line needs a strain (0.05 for 5 %) and a stress in kPa, numbers with a dot: look for a missing value, a unit, or a decimal comma.</source>
-        <translation>Cada línea necesita una deformación (0.05 para el 5 %) y una tensión en kPa, números con punto: busque un valor que falta, una unidad o una coma decimal.</translation>
+        <translation>Eine Zeile braucht eine Dehnung (0.05 für 5 %) und eine Spannung in kPa, Zahlen mit Punkt: Zu suchen ist nach einem fehlenden Wert, einer Einheit oder einem Dezimalkomma.</translation>
     </message>
     <message>
         <source>Tools with friction are not there for a body with a grain.</source>
-        <translation>No hay instrumentos con fricción para un cuerpo con dirección de fibras.</translation>
+        <translation>Instrumente mit Reibung gibt es nicht für einen Körper mit Faserrichtung.</translation>
     </message>
     <message>
         <source>Leave out the grain or the friction.</source>
-        <translation>Quite la dirección de las fibras o la fricción.</translation>
+        <translation>Die Faserrichtung oder die Reibung weglassen.</translation>
     </message>
     <message>
         <source>The mean of the elastography&apos;s magnitude images serves as the anatomy.</source>
-        <translation>La media de las imágenes de magnitud de la elastografía sirve de anatomía.</translation>
+        <translation>Als Anatomie dient das Mittel der Magnitudenbilder der Elastografie.</translation>
     </message>
     <message>
         <source>{0} was not wholly inside the liver; it was meshed as part of it.</source>
-        <translation>{0} no estaba del todo dentro del hígado; se malló como parte de él.</translation>
+        <translation>{0} lag nicht ganz in der Leber und wurde als Teil von ihr vernetzt.</translation>
     </message>
     <message>
         <source>{0} holds no voxels.</source>
-        <translation>{0} no contiene ningún vóxel.</translation>
+        <translation>{0} enthält keine Voxel.</translation>
     </message>
     <message>
         <source>The body falls in {0} parts; the largest is kept, and the rest is left out: {1}.</source>
-        <translation>El cuerpo se divide en {0} partes; se conserva la mayor y se descarta el resto: {1}.</translation>
+        <translation>Der Körper zerfällt in {0} Teile; der größte bleibt, der Rest fällt weg: {1}.</translation>
     </message>
     <message>
         <source>Holes without a label inside the body, {0} ml together, are filled.</source>
-        <translation>Los huecos sin etiqueta dentro del cuerpo, {0} ml en total, se rellenan.</translation>
+        <translation>Löcher ohne Label im Körper, zusammen {0} ml, sind gefüllt.</translation>
     </message>
     <message>
         <source>{0} speck of fewer than {1} voxels ({2} voxels together) became part of what it touches.</source>
-        <translation>{0} mota de menos de {1} vóxeles ({2} vóxeles en total) pasó a formar parte de lo que toca.</translation>
+        <translation>{0} Fleck mit weniger als {1} Voxeln (zusammen {2} Voxel) wurde Teil dessen, was er berührt.</translation>
     </message>
     <message>
         <source>{0} specks of fewer than {1} voxels ({2} voxels together) became part of what they touch.</source>
-        <translation>{0} motas de menos de {1} vóxeles ({2} vóxeles en total) pasaron a formar parte de lo que tocan.</translation>
+        <translation>{0} Flecken mit weniger als {1} Voxeln (zusammen {2} Voxel) wurden Teil dessen, was sie berühren.</translation>
     </message>
     <message>
         <source>The mesh has {0} cells instead of {1}; its shape and inner structures ask for them.</source>
-        <translation>La malla tiene {0} celdas en vez de {1}; su forma y sus estructuras internas las requieren.</translation>
+        <translation>Das Netz hat {0} Zellen statt {1}; Form und innere Strukturen verlangen sie.</translation>
     </message>
     <message>
         <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
-        <translation>Se quitaron {0} celdas donde el cuerpo se tocaba a sí mismo en un punto o una arista.</translation>
+        <translation>{0} Zellen wurden entfernt, wo der Körper sich selbst in einem Punkt oder einer Kante berührte.</translation>
     </message>
     <message>
         <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
-        <translation>{0}: {1} trozo ({2} ml), demasiado fino para {3} celdas, no tiene celdas propias; con unas {4} celdas se vería.</translation>
+        <translation>{0}: {1} Stück ({2} ml) ist für {3} Zellen zu dünn und bekam keine eigenen; mit etwa {4} Zellen wäre es zu sehen.</translation>
     </message>
     <message>
         <source>{0}: {1} pieces ({2} ml) too thin for {3} cells got no cells of their own; about {4} cells would show them.</source>
-        <translation>{0}: {1} trozos ({2} ml), demasiado finos para {3} celdas, no tienen celdas propias; con unas {4} celdas se verían.</translation>
+        <translation>{0}: {1} Stücke ({2} ml) sind für {3} Zellen zu dünn und bekamen keine eigenen; mit etwa {4} Zellen wären sie zu sehen.</translation>
     </message>
     <message>
         <source>Another way of touching</source>
-        <translation>Otra manera de tocar</translation>
+        <translation>Andere Art der Berührung</translation>
     </message>
     <message>
         <source>Place another tool</source>
-        <translation>Colocar otra herramienta</translation>
+        <translation>Weiteres Instrument platzieren</translation>
     </message>
     <message>
         <source>The walls of cuts can be kept apart in equilibrium by finite elements, without a grain and not straight from data.</source>
-        <translation>Las paredes de las secciones pueden mantenerse separadas en equilibrio con elementos finitos, sin dirección de fibras y no directamente a partir de datos.</translation>
+        <translation>Die Wände von Schnitten können im Gleichgewicht mit finiten Elementen auseinandergehalten werden, ohne Faserrichtung und nicht unmittelbar aus Daten.</translation>
     </message>
     <message>
         <source>The displacement has {0} points, the liver {1}; or one of them is not a number.</source>
-        <translation>El desplazamiento tiene {0} puntos, el hígado {1}; o uno de ellos no es un número.</translation>
+        <translation>Die Verschiebung hat {0} Punkte, die Leber {1}; oder eine davon ist keine Zahl.</translation>
     </message>
     <message>
         <source>Simulate it again with the model as it is now.</source>
-        <translation>Simúlelo de nuevo con el modelo tal como es ahora.</translation>
+        <translation>Simulieren Sie erneut mit dem jetzigen Modell.</translation>
     </message>
     <message>
         <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
-        <translation>Sujeto así, {0} celdas del hígado están vueltas del revés: allí no se puede medir nada.</translation>
+        <translation>So gehalten sind {0} Zellen der Leber umgestülpt: Dort lässt sich nichts messen.</translation>
     </message>
     <message>
         <source>Pull or push with less force.</source>
-        <translation>Tire o empuje con menos fuerza.</translation>
+        <translation>Ziehen oder drücken Sie mit weniger Kraft.</translation>
     </message>
     <message>
         <source>The result {0} is not of this model: its points at rest are others.</source>
-        <translation>El resultado {0} no es de este modelo: sus puntos en reposo son otros.</translation>
+        <translation>Das Ergebnis {0} gehört nicht zu diesem Modell: Seine Punkte in Ruhe sind andere.</translation>
     </message>
     <message>
         <source>one of its elements does not end</source>
-        <translation>uno de sus elementos no termina</translation>
+        <translation>eines ihrer Elemente endet nicht</translation>
     </message>
     <message>
         <source>a compressed array has no blocks</source>
-        <translation>una matriz comprimida no tiene bloques</translation>
+        <translation>ein komprimiertes Feld hat keine Blöcke</translation>
     </message>
     <message>
         <source>the blocks of a compressed array have no size</source>
-        <translation>los bloques de una matriz comprimida no tienen tamaño</translation>
+        <translation>die Blöcke eines komprimierten Felds haben keine Größe</translation>
     </message>
     <message>
         <source>a compressed array has more bytes than the file can hold</source>
-        <translation>una matriz comprimida tiene más bytes de los que caben en el archivo</translation>
+        <translation>ein komprimiertes Feld hat mehr Bytes, als die Datei fassen kann</translation>
     </message>
     <message>
         <source>an array begins behind its end</source>
-        <translation>una matriz empieza después de su final</translation>
+        <translation>ein Feld beginnt hinter ihrem Ende</translation>
     </message>
     <message>
         <source>Mesh the surface anew, for example with MeshLab.</source>
-        <translation>Vuelva a mallar la superficie, por ejemplo con MeshLab.</translation>
+        <translation>Vernetzen Sie die Oberfläche neu, zum Beispiel mit MeshLab.</translation>
     </message>
     <message>
         <source>No triangle of the surface has an area.</source>
-        <translation>Ningún triángulo de la superficie tiene área.</translation>
+        <translation>Kein Dreieck der Oberfläche hat eine Fläche.</translation>
     </message>
     <message>
         <source>Make the surface anew; a cloud of points is not one.</source>
-        <translation>Genere de nuevo la superficie; una nube de puntos no lo es.</translation>
+        <translation>Erzeugen Sie die Oberfläche neu; eine Punktwolke ist keine.</translation>
     </message>
     <message>
         <source>The surface is in {0} pieces, between which there is no way along it; the largest has {1} % of its area.</source>
-        <translation>La superficie está en {0} piezas, entre las que no hay camino sobre ella; la mayor tiene el {1} % de su área.</translation>
+        <translation>Die Oberfläche besteht aus {0} Stücken, zwischen denen kein Weg auf ihr führt; das größte hat {1} % ihrer Fläche.</translation>
     </message>
     <message>
         <source>Keep its largest piece, or join the pieces.</source>
-        <translation>Conserve la pieza mayor o una las piezas.</translation>
+        <translation>Behalten Sie das größte Stück, oder verbinden Sie die Stücke.</translation>
     </message>
     <message>
         <source>Points at the place of another, joined with it: {0}.</source>
-        <translation>Puntos en el lugar de otro, unidos a él: {0}.</translation>
+        <translation>Punkte am Ort eines anderen, mit ihm vereint: {0}.</translation>
     </message>
     <message>
         <source>Doubled or empty triangles left out: {0}.</source>
-        <translation>Triángulos dobles o vacíos omitidos: {0}.</translation>
+        <translation>Doppelte oder leere Dreiecke weggelassen: {0}.</translation>
     </message>
     <message>
         <source>Triangles turned to fit their neighbours: {0}.</source>
-        <translation>Triángulos girados para concordar con sus vecinos: {0}.</translation>
+        <translation>Dreiecke, die passend zu ihren Nachbarn gedreht wurden: {0}.</translation>
     </message>
     <message>
         <source>Points parted where the surface only touches itself: {0}.</source>
-        <translation>Puntos separados donde la superficie solo se toca: {0}.</translation>
+        <translation>Punkte, die geteilt wurden, wo die Oberfläche sich nur berührt: {0}.</translation>
     </message>
     <message>
         <source>Pieces left out, together below 1 % of the area: {0}.</source>
-        <translation>Piezas omitidas, juntas menos del 1 % del área: {0}.</translation>
+        <translation>Weggelassene Stücke, zusammen unter 1 % der Fläche: {0}.</translation>
     </message>
     <message>
         <source>the patient&apos;s left</source>
-        <translation>la izquierda del paciente</translation>
+        <translation>zur linken Seite des Patienten</translation>
     </message>
     <message>
         <source>the patient&apos;s right</source>
-        <translation>la derecha del paciente</translation>
+        <translation>zur rechten Seite des Patienten</translation>
     </message>
     <message>
         <source>the back</source>
-        <translation>la espalda</translation>
+        <translation>zum Rücken</translation>
     </message>
     <message>
         <source>the front</source>
-        <translation>el frente</translation>
+        <translation>nach vorn</translation>
     </message>
     <message>
         <source>the head</source>
-        <translation>la cabeza</translation>
+        <translation>zum Kopf</translation>
     </message>
     <message>
         <source>the feet</source>
-        <translation>los pies</translation>
+        <translation>zu den Füßen</translation>
     </message>
     <message>
         <source>The image cuts the body off towards {0}; it is closed there by a flat cap.</source>
-        <translation>La imagen corta el cuerpo hacia {0}; allí se cierra con una tapa plana.</translation>
+        <translation>Das Bild schneidet den Körper {0} hin ab; dort ist er durch eine ebene Kappe geschlossen.</translation>
     </message>
     <message>
         <source>Most rows of {0} are far shorter than its first.</source>
-        <translation>La mayoría de las filas de {0} son mucho más cortas que la primera.</translation>
+        <translation>Die meisten Zeilen von {0} sind weit kürzer als die erste.</translation>
     </message>
     <message>
         <source>{0} is left out: its pixels cannot be written without what else is stored with them.</source>
-        <translation>{0} se omite: sus píxeles no pueden escribirse sin lo que está guardado junto a ellos.</translation>
+        <translation>{0} wird weggelassen: Seine Bildpunkte lassen sich nicht ohne das schreiben, was sonst mit ihnen gespeichert ist.</translation>
     </message>
     <message>
         <source>{0} does not say whether its pixels are signed: PixelRepresentation is {1}.</source>
-        <translation>{0} no dice si sus píxeles tienen signo: PixelRepresentation es {1}.</translation>
+        <translation>{0} sagt nicht, ob seine Bildpunkte ein Vorzeichen haben: PixelRepresentation ist {1}.</translation>
     </message>
     <message>
         <source>its voxels lie in several files</source>
-        <translation>sus vóxeles están en varios archivos</translation>
+        <translation>seine Voxel liegen in mehreren Dateien</translation>
     </message>
     <message>
         <source>its voxels are encoded in a way that is not read</source>
-        <translation>sus vóxeles están codificados de una manera que no se lee</translation>
+        <translation>seine Voxel sind auf eine Weise kodiert, die nicht gelesen wird</translation>
     </message>
     <message>
         <source>{0} has {1} million voxels; at most {2} million are read.</source>
-        <translation>{0} tiene {1} millones de vóxeles; se leen como máximo {2} millones.</translation>
+        <translation>{0} hat {1} Millionen Voxel; höchstens {2} Millionen werden gelesen.</translation>
     </message>
     <message>
         <source>Cut out the part that is needed, or resample it to larger voxels.</source>
-        <translation>Recorte la parte necesaria o remuestree con vóxeles más grandes.</translation>
+        <translation>Schneiden Sie den benötigten Teil aus oder rechnen Sie auf größere Voxel um.</translation>
     </message>
     <message>
         <source>The compressed voxels of {0} are damaged or cut short.</source>
-        <translation>Los vóxeles comprimidos de {0} están dañados o cortados.</translation>
+        <translation>Die komprimierten Voxel von {0} sind beschädigt oder abgeschnitten.</translation>
     </message>
     <message>
         <source>{0} holds more voxels than its header declares: its sizes are not those that it was written with.</source>
-        <translation>{0} contiene más vóxeles de los que declara su cabecera: sus tamaños no son aquellos con los que se escribió.</translation>
+        <translation>{0} enthält mehr Voxel, als sein Kopf angibt: Seine Größen sind nicht die, mit denen es geschrieben wurde.</translation>
     </message>
     <message>
         <source>There is no room in the liver for {0} of {1} mm: make it smaller, or let it lie elsewhere.</source>
-        <translation>No hay sitio en el hígado para {0} de {1} mm: redúzcala o colóquela en otro lugar.</translation>
+        <translation>In der Leber ist kein Platz für {0} von {1} mm: Machen Sie sie kleiner, oder lassen Sie sie anderswo liegen.</translation>
     </message>
     <message>
         <source>A liver of {0} ml cannot be made: ask for 800 to 2800 ml.</source>
-        <translation>No se puede generar un hígado de {0} ml: pida de 800 a 2800 ml.</translation>
+        <translation>Eine Leber von {0} ml lässt sich nicht erzeugen: Verlangen Sie 800 bis 2800 ml.</translation>
     </message>
     <message>
         <source>A fat fraction of {0} with fibrosis of stage {1} cannot be made: the first is 0 to 0.5, the second 0 to 4.</source>
-        <translation>No se puede generar una fracción de grasa de {0} con fibrosis de estadio {1}: la primera va de 0 a 0.5, el segundo de 0 a 4.</translation>
+        <translation>Ein Fettanteil von {0} mit Fibrose im Stadium {1} lässt sich nicht erzeugen: Der erste liegt zwischen 0 und 0.5, das zweite zwischen 0 und 4.</translation>
     </message>
     <message>
         <source>shaping the liver</source>
-        <translation>dando forma al hígado</translation>
+        <translation>die Leber wird geformt</translation>
     </message>
     <message>
         <source>growing the vessels</source>
-        <translation>creciendo los vasos</translation>
+        <translation>die Gefäße wachsen</translation>
     </message>
     <message>
         <source>The lesion {0} is not understood: give its diameter in mm, as 30, and if you like its segment, 30@7, or its place, 30@x,y,z.</source>
-        <translation>No se entiende la lesión {0}: indique su diámetro en mm, como 30, y si quiere su segmento, 30@7, o su lugar, 30@x,y,z.</translation>
+        <translation>Die Läsion {0} ist nicht verständlich: Geben Sie den Durchmesser in mm an, wie 30, und wenn Sie möchten das Segment, 30@7, oder den Ort, 30@x,y,z.</translation>
     </message>
     <message>
         <source>others are writing it</source>
-        <translation>otros lo están escribiendo</translation>
+        <translation>andere schreiben sie gerade</translation>
     </message>
     <message>
         <source>{0} is a link to another place, where nothing is written.</source>
-        <translation>{0} es un enlace a otro lugar, donde no se escribe nada.</translation>
+        <translation>{0} verweist auf einen anderen Ort; dorthin wird nichts geschrieben.</translation>
     </message>
     <message>
         <source>Put the folder itself there.</source>
-        <translation>Ponga allí la carpeta misma.</translation>
+        <translation>Legen Sie den Ordner selbst dorthin.</translation>
     </message>
     <message>
         <source>{0} names a file outside its place in the case folder: {1}.</source>
-        <translation>{0} nombra un archivo fuera de su lugar en la carpeta del caso: {1}.</translation>
+        <translation>{0} nennt eine Datei außerhalb ihres Platzes im Fallordner: {1}.</translation>
     </message>
     <message>
         <source>{0} is being made by another program.</source>
-        <translation>Otro programa está creando {0}.</translation>
+        <translation>{0} wird gerade von einem anderen Programm angelegt.</translation>
     </message>
     <message>
         <source>Wait until it has finished, or choose another name.</source>
-        <translation>Espere a que termine o elija otro nombre.</translation>
+        <translation>Warten Sie, bis es fertig ist, oder wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>{0} was replaced by another program and does not fit the liver of this case.</source>
-        <translation>{0} fue sustituido por otro programa y no corresponde al hígado de este caso.</translation>
+        <translation>{0} wurde von einem anderen Programm ersetzt und passt nicht zur Leber dieses Falls.</translation>
     </message>
     <message>
         <source>Put the file back, or make it anew: glisson-cli segment, mesh, stiffness.</source>
-        <translation>Devuelva el archivo o hágalo de nuevo: glisson-cli segment, mesh, stiffness.</translation>
+        <translation>Legen Sie die Datei zurück oder erzeugen Sie sie neu: glisson-cli segment, mesh, stiffness.</translation>
     </message>
     <message>
         <source>Another program has changed {0} since it was saved.</source>
-        <translation>Otro programa ha cambiado {0} desde que se guardó.</translation>
+        <translation>Ein anderes Programm hat {0} seit dem Speichern geändert.</translation>
     </message>
     <message>
         <source>What {0} was made from has changed since: make it anew.</source>
-        <translation>Aquello de lo que se hizo {0} ha cambiado desde entonces: hágalo de nuevo.</translation>
+        <translation>Woraus {0} entstand, hat sich seitdem geändert: erzeugen Sie es neu.</translation>
     </message>
     <message>
         <source>Point {0} of the surface lies farther off than a thousand kilometres.</source>
-        <translation>El punto {0} de la superficie está a más de mil kilómetros.</translation>
+        <translation>Punkt {0} der Oberfläche liegt weiter als tausend Kilometer entfernt.</translation>
     </message>
     <message>
         <source>No triangle of the surface has an area: they are lines or points.</source>
-        <translation>Ningún triángulo de la superficie tiene área: son líneas o puntos.</translation>
+        <translation>Kein Dreieck der Oberfläche hat eine Fläche: es sind Linien oder Punkte.</translation>
     </message>
     <message>
         <source>Point {0} of the mesh lies farther off than a thousand kilometres.</source>
-        <translation>El punto {0} de la malla está a más de mil kilómetros.</translation>
+        <translation>Punkt {0} des Netzes liegt weiter als tausend Kilometer entfernt.</translation>
     </message>
     <message>
         <source>The command is done, but its answer cannot be written: {0}.</source>
-        <translation>La orden está hecha, pero no se puede escribir su respuesta: {0}.</translation>
+        <translation>Der Befehl ist ausgeführt, aber seine Antwort kann nicht geschrieben werden: {0}.</translation>
     </message>
     <message>
         <source>Check where standard output goes, and the space there.</source>
-        <translation>Compruebe adónde va la salida estándar y el espacio que hay allí.</translation>
+        <translation>Prüfen Sie, wohin die Standardausgabe geht, und den Platz dort.</translation>
     </message>
     <message>
         <source>They are of another patient.</source>
-        <translation>Son de otro paciente.</translation>
+        <translation>Sie sind von einem anderen Patienten.</translation>
     </message>
     <message>
         <source>They are of another examination.</source>
-        <translation>Son de otro examen.</translation>
+        <translation>Sie sind von einer anderen Untersuchung.</translation>
     </message>
     <message>
         <source>They have another frame of reference: the patient may have moved between them.</source>
-        <translation>Tienen otro sistema de referencia: el paciente puede haberse movido entre ellas.</translation>
+        <translation>Sie haben ein anderes Bezugssystem: Der Patient kann sich dazwischen bewegt haben.</translation>
     </message>
     <message>
         <source>They lie elsewhere: only {0} % of their place is that of the case&apos;s anatomy.</source>
-        <translation>Están en otro lugar: solo el {0} % de su espacio es el de la anatomía del caso.</translation>
+        <translation>Sie liegen anderswo: Nur {0} % ihres Raumes sind der der Anatomie des Falls.</translation>
     </message>
     <message>
         <source>This was measured on &quot;{0}&quot;, and nothing shows that it is tissue of {1}.</source>
-        <translation>Esto se midió en «{0}», y nada muestra que sea tejido de {1}.</translation>
+        <translation>Das wurde an „{0}“ gemessen, und nichts zeigt, dass es Gewebe von {1} ist.</translation>
     </message>
     <message>
         <source>Where it is, name the case in the experiment&apos;s title, or say so with --of-this-patient.</source>
-        <translation>Si lo es, nombre el caso en el título del experimento, o dígalo con --of-this-patient.</translation>
+        <translation>Ist es das, so nennen Sie den Fall im Titel des Versuchs, oder sagen Sie es mit --of-this-patient.</translation>
     </message>
     <message>
         <source>The effect {0} would change nothing in the rehearsal: {1}</source>
-        <translation>El efecto {0} no cambiaría nada en el ensayo: {1}</translation>
+        <translation>Die Wirkung {0} würde an der Probe nichts ändern: {1}</translation>
     </message>
     <message>
         <source>Accept the others alone (--effect KIND).</source>
-        <translation>Acepte solo los otros (--effect CLASE).</translation>
+        <translation>Nehmen Sie die anderen allein an (--effect ART).</translation>
     </message>
     <message>
         <source>Make a case of their own, or take them all the same with --replace.</source>
-        <translation>Haga de ellas un caso aparte, o tómelas de todos modos con --replace.</translation>
+        <translation>Machen Sie einen eigenen Fall daraus, oder nehmen Sie sie trotzdem mit --replace.</translation>
     </message>
     <message>
         <source>These images may not belong to {0}.{1}</source>
-        <translation>Puede que estas imágenes no pertenezcan a {0}.{1}</translation>
+        <translation>Diese Bilder gehören vielleicht nicht zu {0}.{1}</translation>
     </message>
     <message>
         <source>{0} has an anatomy already, which these images would replace.</source>
-        <translation>{0} ya tiene una anatomía, que estas imágenes reemplazarían.</translation>
+        <translation>{0} hat schon eine Anatomie, die diese Bilder ersetzen würden.</translation>
     </message>
     <message>
         <source>Drawn on another grid ({0} x {1} x {2}) and carried to the anatomy&apos;s, each voxel from the nearest one.</source>
-        <translation>Dibujado en otra rejilla ({0} x {1} x {2}) y llevado a la de la anatomía, cada vóxel desde el más cercano.</translation>
+        <translation>Auf einem anderen Gitter gezeichnet ({0} x {1} x {2}) und auf das der Anatomie übertragen, jedes Voxel vom nächsten.</translation>
     </message>
     <message>
         <source>Left out of the label map: {0}.</source>
-        <translation>Omitido del mapa de etiquetas: {0}.</translation>
+        <translation>Aus der Labelkarte weggelassen: {0}.</translation>
     </message>
     <message>
         <source>Nothing says what the values of {0} are: {1}.</source>
-        <translation>Nada dice qué son los valores de {0}: {1}.</translation>
+        <translation>Nichts sagt, was die Werte von {0} sind: {1}.</translation>
     </message>
     <message>
         <source>Name them, as in --label-value 1=liver --label-value 2=tumour-1.</source>
-        <translation>Nómbrelos, como en --label-value 1=liver --label-value 2=tumour-1.</translation>
+        <translation>Benennen Sie sie, etwa --label-value 1=liver --label-value 2=tumour-1.</translation>
     </message>
     <message>
         <source>Two files bring the structure {0}: {1} is the second.</source>
-        <translation>Dos archivos traen la estructura {0}: {1} es el segundo.</translation>
+        <translation>Zwei Dateien bringen die Struktur {0}: {1} ist die zweite.</translation>
     </message>
     <message>
         <source>Leave one of them out (--labels UID takes that label map alone).</source>
-        <translation>Omita uno de ellos (--labels UID toma solo ese mapa de etiquetas).</translation>
+        <translation>Lassen Sie eine davon weg (--labels UID nimmt nur diese Labelkarte).</translation>
     </message>
     <message>
         <source>No voxel of {0} lies inside the anatomy.</source>
-        <translation>Ningún vóxel de {0} está dentro de la anatomía.</translation>
+        <translation>Kein Voxel von {0} liegt in der Anatomie.</translation>
     </message>
     <message>
         <source>Named after the file.</source>
-        <translation>Nombrado por el archivo.</translation>
+        <translation>Nach der Datei benannt.</translation>
     </message>
     <message>
         <source>Named by you.</source>
-        <translation>Nombrado por usted.</translation>
+        <translation>Von Ihnen benannt.</translation>
     </message>
     <message>
         <source>Named by 3D Slicer&apos;s segments.</source>
-        <translation>Nombrado por los segmentos de 3D Slicer.</translation>
+        <translation>Nach den Segmenten von 3D Slicer benannt.</translation>
     </message>
     <message>
         <source>Named by the table in the file.</source>
-        <translation>Nombrado por la tabla del archivo.</translation>
+        <translation>Nach der Tabelle in der Datei benannt.</translation>
     </message>
     <message>
         <source>Named by the label description beside the file.</source>
-        <translation>Nombrado por la descripción de etiquetas junto al archivo.</translation>
+        <translation>Nach der Label-Beschreibung neben der Datei benannt.</translation>
     </message>
     <message>
         <source>Named by TotalSegmentator&apos;s class numbers: see whether they are right.</source>
-        <translation>Nombrado por los números de clase de TotalSegmentator: compruebe que son correctos.</translation>
+        <translation>Nach den Klassennummern von TotalSegmentator benannt: Prüfen Sie, ob sie stimmen.</translation>
     </message>
     <message>
         <source>The stiffness is assumed, {0} kPa for all cells, and not measured: it is not compared with the atlas.</source>
-        <translation>La rigidez es supuesta, {0} kPa para todas las celdas, y no medida: no se compara con el atlas.</translation>
+        <translation>Die Steifigkeit ist angenommen, {0} kPa für alle Zellen, und nicht gemessen: Sie wird nicht mit dem Atlas verglichen.</translation>
     </message>
     <message>
         <source>The stiffness is assumed, the atlas&apos;s {0} kPa for all cells, and not measured: it is not compared with the atlas.</source>
-        <translation>La rigidez es supuesta, los {0} kPa del atlas para todas las celdas, y no medida: no se compara con el atlas.</translation>
+        <translation>Die Steifigkeit ist angenommen, die {0} kPa des Atlas für alle Zellen, und nicht gemessen: Sie wird nicht mit dem Atlas verglichen.</translation>
     </message>
     <message>
         <source>The result in {0} is not to be used: {1}.</source>
-        <translation>El resultado en {0} no es utilizable: {1}.</translation>
+        <translation>Das Ergebnis in {0} ist nicht brauchbar: {1}.</translation>
     </message>
     <message>
         <source>Simulate it again with less force, or on other supports.</source>
-        <translation>Simúlelo de nuevo con menos fuerza o con otros apoyos.</translation>
+        <translation>Simulieren Sie es noch einmal mit weniger Kraft oder auf anderen Auflagern.</translation>
     </message>
     <message>
         <source>Within the model: strains reach {0} %.</source>
-        <translation>Dentro del modelo: las deformaciones llegan al {0} %.</translation>
+        <translation>Innerhalb des Modells: Die Dehnungen erreichen {0} %.</translation>
     </message>
     <message>
         <source>Outside of the model: strains reach {0} %, and beyond {1} % it is an extrapolation.</source>
-        <translation>Fuera del modelo: las deformaciones llegan al {0} %, y por encima del {1} % es una extrapolación.</translation>
+        <translation>Außerhalb des Modells: Die Dehnungen erreichen {0} %, und über {1} % ist es eine Extrapolation.</translation>
     </message>
     <message>
         <source>Not to be used: cells turned inside out: {0}.</source>
-        <translation>No utilizable: celdas invertidas: {0}.</translation>
+        <translation>Nicht brauchbar: umgestülpte Zellen: {0}.</translation>
     </message>
     <message>
         <source>Not to be used: the computation did not converge.</source>
-        <translation>No utilizable: el cálculo no ha convergido.</translation>
+        <translation>Nicht brauchbar: Die Rechnung ist nicht konvergiert.</translation>
     </message>
     <message>
         <source>cells turned inside out: {0}</source>
-        <translation>celdas invertidas: {0}</translation>
+        <translation>umgestülpte Zellen: {0}</translation>
     </message>
     <message>
         <source>Plan a resection first, and save it.</source>
-        <translation>Planifique primero una resección y guárdela.</translation>
+        <translation>Planen Sie zuerst eine Resektion, und speichern Sie sie.</translation>
     </message>
     <message>
         <source>The result {0} is not to be used: {1}.</source>
-        <translation>El resultado {0} no es utilizable: {1}.</translation>
+        <translation>Das Ergebnis {0} ist nicht brauchbar: {1}.</translation>
     </message>
     <message>
         <source>Simulate it again with less force.</source>
-        <translation>Simúlelo de nuevo con menos fuerza.</translation>
+        <translation>Simulieren Sie es noch einmal mit weniger Kraft.</translation>
     </message>
     <message>
         <source>A result that did not converge cannot be compared: {0}</source>
-        <translation>Un resultado que no ha convergido no se puede comparar: {0}</translation>
+        <translation>Ein nicht konvergiertes Ergebnis kann nicht verglichen werden: {0}</translation>
     </message>
     <message>
         <source>The retraction&apos;s answer is not to be used: {0}.</source>
-        <translation>La respuesta de la retracción no es utilizable: {0}.</translation>
+        <translation>Die Antwort der Retraktion ist nicht brauchbar: {0}.</translation>
     </message>
     <message>
         <source>Use less force.</source>
-        <translation>Use menos fuerza.</translation>
+        <translation>Nehmen Sie weniger Kraft.</translation>
     </message>
     <message>
         <source>Less than 5 % of the organ is seen: too little to say where the rest is.</source>
-        <translation>Se ve menos del 5 % del órgano: demasiado poco para decir dónde está el resto.</translation>
+        <translation>Weniger als 5 % des Organs sind zu sehen: zu wenig, um zu sagen, wo der Rest liegt.</translation>
     </message>
     <message>
         <source>What is seen does not fit this organ: more than half of the points lie far from it.</source>
-        <translation>Lo que se ve no corresponde a este órgano: más de la mitad de los puntos está lejos de él.</translation>
+        <translation>Was zu sehen ist, passt nicht zu diesem Organ: Mehr als die Hälfte der Punkte liegt weit davon entfernt.</translation>
     </message>
     <message>
         <source>Preparing the organ</source>
-        <translation>Preparando el órgano</translation>
+        <translation>Organ wird vorbereitet</translation>
     </message>
     <message>
         <source>Fewer than 20 points of the surface were seen.</source>
-        <translation>Se vieron menos de 20 puntos de la superficie.</translation>
+        <translation>Es wurden weniger als 20 Punkte der Oberfläche gesehen.</translation>
     </message>
     <message>
         <source>What was seen is twenty times smaller than the organ: lengths are in mm, are these in metres?</source>
-        <translation>Lo visto es veinte veces más pequeño que el órgano: las longitudes son en mm, ¿están estas en metros?</translation>
+        <translation>Das Gesehene ist zwanzigmal kleiner als das Organ: Längen sind in mm, stehen diese in Metern?</translation>
     </message>
     <message>
         <source>What was seen is five times larger than the organ: lengths are in mm.</source>
-        <translation>Lo visto es cinco veces mayor que el órgano: las longitudes son en mm.</translation>
+        <translation>Das Gesehene ist fünfmal größer als das Organ: Längen sind in mm.</translation>
     </message>
     <message>
         <source>Placing the organ</source>
-        <translation>Situando el órgano</translation>
+        <translation>Organ wird eingepasst</translation>
     </message>
     <message>
         <source>The folder cannot be made: {0}</source>
-        <translation>No se puede crear la carpeta: {0}</translation>
+        <translation>Der Ordner kann nicht angelegt werden: {0}</translation>
     </message>
     <message>
         <source>In {0}: {1}.</source>
-        <translation>En {0}: {1}.</translation>
+        <translation>In {0}: {1}.</translation>
     </message>
     <message>
         <source>The format &quot;glisson-guidance/1&quot; is described in the documentation.</source>
-        <translation>El formato &quot;glisson-guidance/1&quot; se describe en la documentación.</translation>
+        <translation>Das Format &quot;glisson-guidance/1&quot; ist in der Dokumentation beschrieben.</translation>
     </message>
     <message>
         <source>The first line must be id,x_mm,y_mm,z_mm.</source>
-        <translation>La primera línea debe ser id,x_mm,y_mm,z_mm.</translation>
+        <translation>Die erste Zeile muss id,x_mm,y_mm,z_mm lauten.</translation>
     </message>
     <message>
         <source>Line {0} must hold an id and three numbers.</source>
-        <translation>La línea {0} debe contener un identificador y tres números.</translation>
+        <translation>Zeile {0} muss eine Kennung und drei Zahlen enthalten.</translation>
     </message>
     <message>
         <source>Frame {0} has no pose_guess, and {1} points on its features are too few to find where the organ is.</source>
-        <translation>La imagen {0} no tiene pose_guess, y {1} puntos en sus referencias son muy pocos para encontrar el órgano.</translation>
+        <translation>Bild {0} hat keine pose_guess, und {1} Punkte auf seinen Merkmalen sind zu wenige, um das Organ zu finden.</translation>
     </message>
     <message>
         <source>Give a pose_guess, or mark ridges or the falciform ligament.</source>
-        <translation>Indique una pose_guess, o marque bordes o el ligamento falciforme.</translation>
+        <translation>Geben Sie eine pose_guess an, oder markieren Sie Kanten oder das Ligamentum falciforme.</translation>
     </message>
     <message>
         <source>Under no pose does what frame {0} saw lie near the organ.</source>
-        <translation>En ninguna posición lo que vio la imagen {0} queda cerca del órgano.</translation>
+        <translation>In keiner Lage liegt das, was Bild {0} zeigt, nahe am Organ.</translation>
     </message>
     <message>
         <source>Check that the features have the same names on both sides, that lengths are in mm, and that the frame is of this patient.</source>
-        <translation>Compruebe que las referencias tengan los mismos nombres en ambos lados, que las longitudes sean en mm y que la imagen sea de este paciente.</translation>
+        <translation>Prüfen Sie, ob die Merkmale auf beiden Seiten gleich heißen, Längen in mm sind und das Bild von diesem Patienten ist.</translation>
     </message>
     <message>
         <source>Reading the guidance case</source>
-        <translation>Leyendo el caso de guiado</translation>
+        <translation>Fall zur Bildführung wird gelesen</translation>
     </message>
     <message>
         <source>Another window has {0} open: here it can be looked at, and nothing is changed.</source>
-        <translation>Otra ventana tiene abierto {0}: aquí se puede mirar, y nada se cambia.</translation>
+        <translation>{0} ist in einem anderen Fenster offen: Hier wird es nur gezeigt, und nichts wird geändert.</translation>
     </message>
     <message>
         <source>Close it there and open it here again.</source>
-        <translation>Ciérrelo allí y vuelva a abrirlo aquí.</translation>
+        <translation>Schließen Sie es dort, und öffnen Sie es hier erneut.</translation>
     </message>
     <message>
         <source>The folder of {0} takes no files: the case can be looked at, and nothing is kept.</source>
-        <translation>La carpeta de {0} no admite archivos: el caso se puede mirar, y nada se guarda.</translation>
+        <translation>Der Ordner von {0} nimmt keine Dateien an: Der Fall lässt sich ansehen, doch nichts wird behalten.</translation>
     </message>
     <message>
         <source>Copy it to where you may write, and open the copy.</source>
-        <translation>Cópielo a donde pueda escribir y abra la copia.</translation>
+        <translation>Kopieren Sie ihn an einen Ort, an dem Sie schreiben dürfen, und öffnen Sie die Kopie.</translation>
     </message>
     <message>
         <source>The folder {0} is gone: nothing more of this case can be kept.</source>
-        <translation>La carpeta {0} ha desaparecido: nada más de este caso se puede guardar.</translation>
+        <translation>Der Ordner {0} ist fort: Von diesem Fall lässt sich nichts mehr behalten.</translation>
     </message>
     <message>
         <source>Bring it back to its place, or open the case where it is now.</source>
-        <translation>Devuélvala a su sitio, o abra el caso donde esté ahora.</translation>
+        <translation>Bringen Sie ihn an seinen Platz zurück, oder öffnen Sie den Fall dort, wo er jetzt ist.</translation>
+    </message>
+    <message>
+        <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
+        <translation>Die Moduln in {0} wurden mit der Querkontraktionszahl {1} aus Schubmoduln berechnet, nicht mit {2}.</translation>
+    </message>
+    <message>
+        <source>Say &quot;poisson_ratio&quot;: {1} in the specimen.</source>
+        <translation>Geben Sie im Prüfkörper (specimen) &quot;poisson_ratio&quot;: {1} an.</translation>
+    </message>
+    <message>
+        <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
+        <translation>Die Querkontraktionszahl des Netzes muss über -1 und darf nicht über 0.5 liegen; sie ist {0}.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
     <message>
         <source>ICP: nearest points</source>
-        <translation>ICP: puntos más cercanos</translation>
+        <translation>ICP: nächste Punkte</translation>
     </message>
     <message>
         <source>GEO: distances along the surface</source>
-        <translation>GEO: distancias a lo largo de la superficie</translation>
+        <translation>GEO: Abstände entlang der Oberfläche</translation>
     </message>
     <message>
         <source>GNRA: all frames by their landmarks</source>
-        <translation>GNRA: todos los fotogramas por sus puntos de referencia</translation>
+        <translation>GNRA: alle Bilder über ihre Landmarken</translation>
     </message>
     <message>
         <source>Given by the sequence</source>
-        <translation>Dado por la secuencia</translation>
+        <translation>Von der Sequenz vorgegeben</translation>
     </message>
     <message>
         <source>Given</source>
-        <translation>Dado</translation>
+        <translation>Vorgegeben</translation>
     </message>
     <message>
         <source>Algorithms</source>
-        <translation>Algoritmos</translation>
+        <translation>Algorithmen</translation>
     </message>
     <message>
         <source>First algorithm</source>
-        <translation>Primer algoritmo</translation>
+        <translation>Erster Algorithmus</translation>
     </message>
     <message>
         <source>Second algorithm</source>
-        <translation>Segundo algoritmo</translation>
+        <translation>Zweiter Algorithmus</translation>
     </message>
     <message>
         <source>What the left picture shows</source>
-        <translation>Lo que muestra la imagen izquierda</translation>
+        <translation>Was das linke Bild zeigt</translation>
     </message>
     <message>
         <source>What the right picture shows, or nothing</source>
-        <translation>Lo que muestra la imagen derecha, o nada</translation>
+        <translation>Was das rechte Bild zeigt, oder nichts</translation>
     </message>
     <message>
         <source>Register and judge</source>
-        <translation>Registrar y juzgar</translation>
+        <translation>Registrieren und beurteilen</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Cancelar</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Stops registering; what was computed before stays</source>
-        <translation>Detiene el registro; lo calculado antes se conserva</translation>
+        <translation>Hält das Registrieren an; was vorher berechnet war, bleibt</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation>Progreso</translation>
+        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>No second algorithm</source>
-        <translation>Sin segundo algoritmo</translation>
+        <translation>Kein zweiter Algorithmus</translation>
     </message>
     <message>
         <source>The sequence names no registered clouds</source>
-        <translation>La secuencia no indica nubes registradas</translation>
+        <translation>Die Sequenz nennt keine registrierten Punktwolken</translation>
     </message>
     <message>
         <source>The sequence names no model</source>
-        <translation>La secuencia no indica ningún modelo</translation>
+        <translation>Die Sequenz nennt kein Modell</translation>
     </message>
     <message>
         <source>Open a sequence first</source>
-        <translation>Abra primero una secuencia</translation>
+        <translation>Zuerst eine Sequenz öffnen</translation>
     </message>
     <message>
         <source>It is being computed</source>
-        <translation>Se está calculando</translation>
+        <translation>Es wird gerade berechnet</translation>
     </message>
     <message>
         <source>Both algorithms are computed already</source>
-        <translation>Ambos algoritmos ya están calculados</translation>
+        <translation>Beide Algorithmen sind schon berechnet</translation>
     </message>
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
-        <translation>Registra cada fotograma con los algoritmos de arriba y los juzga con SIRGn: hasta un segundo por fotograma, más o menos</translation>
+        <translation>Registriert jedes Bild mit den Algorithmen oben und beurteilt sie mit SIRGn: bis etwa eine Sekunde je Bild</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::CandidatesTable</name>
+    <message>
+        <source>Suspect, each by itself</source>
+        <translation>Verdacht, jeder für sich</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>On trials left out</source>
+        <translation>An ausgelassenen Versuchen</translation>
+    </message>
+    <message>
+        <source>These data cannot tell it from</source>
+        <translation>Diese Daten unterscheiden es nicht von</translation>
+    </message>
+    <message>
+        <source>Root mean square on the trials that it was fitted to</source>
+        <translation>Quadratisches Mittel auf den Versuchen, an die es angepasst wurde</translation>
+    </message>
+    <message>
+        <source>Root mean square on trials that it was not fitted to, left out whole</source>
+        <translation>Quadratisches Mittel auf ganz ausgelassenen Versuchen, an die es nicht angepasst wurde</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>out of the running: %1</source>
+        <translation>aus dem Rennen: %1</translation>
+    </message>
+    <message>
+        <source>very strong</source>
+        <translation>sehr stark</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>stark</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>schwach</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Beleg</translation>
+    </message>
+    <message>
+        <source>Against the declared model, by the difference of BIC</source>
+        <translation>Gegen das angegebene Modell, nach dem Unterschied des BIC</translation>
+    </message>
+    <message>
+        <source>ΔBIC %1</source>
+        <translation>ΔBIC %1</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::CaseOverview</name>
     <message>
         <source>The open case</source>
-        <translation>El caso abierto</translation>
+        <translation>Der offene Fall</translation>
     </message>
     <message>
         <source>What</source>
-        <translation>Elemento</translation>
+        <translation>Was</translation>
     </message>
     <message>
         <source>State</source>
-        <translation>Estado</translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>Made by</source>
-        <translation>Creado por</translation>
+        <translation>Erstellt durch</translation>
     </message>
     <message>
         <source>What comes next</source>
-        <translation>Lo que sigue</translation>
+        <translation>Was als Nächstes kommt</translation>
     </message>
     <message>
         <source>up to date</source>
-        <translation>al día</translation>
+        <translation>aktuell</translation>
     </message>
     <message>
         <source>⚠ stale</source>
-        <translation>⚠ desfasado</translation>
+        <translation>⚠ veraltet</translation>
     </message>
     <message>
         <source>⚠ changed by another program</source>
-        <translation>⚠ modificado por otro programa</translation>
+        <translation>⚠ von einem anderen Programm geändert</translation>
     </message>
     <message>
         <source>⚠ file is gone</source>
-        <translation>⚠ falta el archivo</translation>
+        <translation>⚠ Datei fehlt</translation>
     </message>
     <message>
         <source>Something that it was made from has changed since.</source>
-        <translation>Algo de lo que se hizo ha cambiado desde entonces.</translation>
+        <translation>Etwas, woraus es gemacht wurde, hat sich seither geändert.</translation>
     </message>
     <message>
         <source>No case is open. Open images, choose what each series is for, and make a case of them.</source>
-        <translation>No hay ningún caso abierto. Abra imágenes, elija para qué es cada serie y cree un caso con ellas.</translation>
+        <translation>Es ist kein Fall geöffnet. Öffnen Sie Bilder, wählen Sie, wozu jede Serie dient, und legen Sie daraus einen Fall an.</translation>
     </message>
     <message>
         <source>Everything is up to date.</source>
-        <translation>Todo está al día.</translation>
+        <translation>Alles ist aktuell.</translation>
     </message>
     <message>
         <source>Stale: %1. They were made from something that has changed since.</source>
-        <translation>Desfasados: %1. Se hicieron de algo que ha cambiado desde entonces.</translation>
+        <translation>Veraltet: %1. Sie wurden aus etwas gemacht, das sich seither geändert hat.</translation>
     </message>
     <message>
         <source>Make the model anew</source>
-        <translation>Rehacer el modelo</translation>
+        <translation>Modell neu erstellen</translation>
     </message>
     <message>
         <source>There are no anatomical images: without them nothing can be outlined. Open them on the left.</source>
-        <translation>No hay imágenes anatómicas: sin ellas no se puede delimitar nada. Ábralas a la izquierda.</translation>
+        <translation>Es gibt keine anatomischen Bilder: Ohne sie kann nichts umrissen werden. Öffnen Sie sie links.</translation>
     </message>
     <message>
         <source>The elastography has not been inverted: File, Elastography waves (Ctrl+W) makes the stiffness of it.</source>
-        <translation>La elastografía no se ha invertido: Archivo, Ondas de elastografía (Ctrl+W) obtiene de ella la rigidez.</translation>
+        <translation>Die Elastographie ist noch nicht invertiert: Datei, Elastographie-Wellen (Strg+W) macht daraus die Steifigkeit.</translation>
     </message>
     <message>
         <source>The liver is not outlined yet.</source>
-        <translation>El hígado aún no está delimitado.</translation>
+        <translation>Die Leber ist noch nicht umrissen.</translation>
     </message>
     <message>
         <source>Outline it in Segment</source>
-        <translation>Delimitarlo en Segmentar</translation>
+        <translation>In Segmentieren umreißen</translation>
     </message>
     <message>
         <source>There is no model yet.</source>
-        <translation>Aún no hay modelo.</translation>
+        <translation>Es gibt noch kein Modell.</translation>
     </message>
     <message>
         <source>Build the model</source>
-        <translation>Construir el modelo</translation>
+        <translation>Modell erstellen</translation>
     </message>
     <message>
         <source>The model is there.</source>
-        <translation>El modelo está hecho.</translation>
+        <translation>Das Modell ist da.</translation>
     </message>
     <message>
         <source>Rehearse</source>
-        <translation>Ensayar</translation>
+        <translation>Proben</translation>
     </message>
     <message>
         <source>Building the model</source>
-        <translation>Construyendo el modelo</translation>
+        <translation>Modell wird erstellt</translation>
     </message>
     <message>
         <source>import</source>
-        <translation>importación</translation>
+        <translation>Import</translation>
     </message>
     <message>
         <source>outlining</source>
-        <translation>delimitación</translation>
+        <translation>Umreißen</translation>
     </message>
     <message>
         <source>meshing</source>
-        <translation>mallado</translation>
+        <translation>Vernetzung</translation>
     </message>
     <message>
         <source>giving stiffness</source>
-        <translation>asignación de rigidez</translation>
+        <translation>Steifigkeit zuweisen</translation>
     </message>
     <message>
         <source>inversion of waves</source>
-        <translation>inversión de las ondas</translation>
+        <translation>Inversion der Wellen</translation>
     </message>
     <message>
         <source>Outline: %1</source>
-        <translation>Contorno: %1</translation>
+        <translation>Umriss: %1</translation>
     </message>
     <message>
         <source>Surface: %1</source>
-        <translation>Superficie: %1</translation>
+        <translation>Oberfläche: %1</translation>
     </message>
     <message>
         <source>Tetrahedra of the liver</source>
-        <translation>Tetraedros del hígado</translation>
+        <translation>Tetraeder der Leber</translation>
     </message>
     <message>
         <source>Model: stiffness of each cell</source>
-        <translation>Modelo: rigidez de cada celda</translation>
+        <translation>Modell: Steifigkeit jeder Zelle</translation>
     </message>
     <message>
         <source>Images: anatomy</source>
-        <translation>Imágenes: anatomía</translation>
+        <translation>Bilder: Anatomie</translation>
     </message>
     <message>
         <source>Map: stiffness (kPa)</source>
-        <translation>Mapa: rigidez (kPa)</translation>
+        <translation>Karte: Steifigkeit (kPa)</translation>
     </message>
     <message>
         <source>Map: confidence</source>
-        <translation>Mapa: confianza</translation>
+        <translation>Karte: Konfidenz</translation>
     </message>
     <message>
         <source>MRE magnitude</source>
-        <translation>Magnitud de ERM</translation>
+        <translation>MRE-Magnitude</translation>
     </message>
     <message>
         <source>MRE phase</source>
-        <translation>Fase de ERM</translation>
+        <translation>MRE-Phase</translation>
     </message>
     <message>
         <source>MRE waves</source>
-        <translation>Ondas de ERM</translation>
+        <translation>MRE-Wellen</translation>
     </message>
     <message>
         <source>There is no model yet. Without elastography its stiffness is assumed: the atlas&apos;s.</source>
-        <translation>Todavía no hay modelo. Sin elastografía su rigidez es supuesta: la del atlas.</translation>
+        <translation>Es gibt noch kein Modell. Ohne Elastographie ist seine Steifigkeit angenommen: die des Atlas.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
     <message>
         <source>Patient</source>
-        <translation>Paciente</translation>
+        <translation>Patient</translation>
     </message>
     <message>
         <source>Atlas</source>
@@ -4479,113 +4554,113 @@
     </message>
     <message>
         <source>With one stiffness for the whole liver, as an atlas gives it</source>
-        <translation>Con una sola rigidez para todo el hígado, como la da un atlas</translation>
+        <translation>Mit einer einzigen Steifigkeit für die ganze Leber, wie ein Atlas sie angibt</translation>
     </message>
     <message>
         <source>Both</source>
-        <translation>Ambos</translation>
+        <translation>Beide</translation>
     </message>
     <message>
         <source>Atlas in red, patient in blue: purple where they agree</source>
-        <translation>Atlas en rojo, paciente en azul: violeta donde coinciden</translation>
+        <translation>Atlas in Rot, Patient in Blau: violett, wo sie übereinstimmen</translation>
     </message>
     <message>
         <source>Side by side</source>
-        <translation>Lado a lado</translation>
+        <translation>Nebeneinander</translation>
     </message>
     <message>
         <source>Two 3D views that turn together: the patient on the left, the atlas on the right</source>
-        <translation>Dos vistas 3D que giran juntas: el paciente a la izquierda, el atlas a la derecha</translation>
+        <translation>Zwei 3D-Ansichten, die sich gemeinsam drehen: links der Patient, rechts der Atlas</translation>
     </message>
     <message>
         <source>No stiffness was measured: there is nothing to compare with the atlas</source>
-        <translation>No se midió ninguna rigidez: no hay nada que comparar con el atlas</translation>
+        <translation>Es wurde keine Steifigkeit gemessen: Mit dem Atlas ist nichts zu vergleichen</translation>
     </message>
     <message>
         <source>With this patient&apos;s own stiffness, as it was measured</source>
-        <translation>Con la rigidez propia de este paciente, tal como se midió</translation>
+        <translation>Mit der eigenen Steifigkeit dieses Patienten, wie sie gemessen wurde</translation>
     </message>
     <message>
         <source>With the assumed stiffness</source>
-        <translation>Con la rigidez supuesta</translation>
+        <translation>Mit der angenommenen Steifigkeit</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ContourPlot</name>
     <message>
         <source>Liver (cm³)</source>
-        <translation>Hígado (cm³)</translation>
+        <translation>Leber (cm³)</translation>
     </message>
     <message>
         <source>Volume of a node (mm³)</source>
-        <translation>Volumen de un nodo (mm³)</translation>
+        <translation>Volumen eines Knotens (mm³)</translation>
     </message>
     <message>
         <source>Accuracy (mm)</source>
-        <translation>Precisión (mm)</translation>
+        <translation>Genauigkeit (mm)</translation>
     </message>
     <message>
         <source>hot spot</source>
-        <translation>punto caliente</translation>
+        <translation>heiße Stelle</translation>
     </message>
     <message>
         <source>this case</source>
-        <translation>este caso</translation>
+        <translation>dieser Fall</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::CutControls</name>
     <message>
         <source>Cut by a plane</source>
-        <translation>Sección por un plano</translation>
+        <translation>Schnitt mit einer Ebene</translation>
     </message>
     <message>
         <source>Cut by a smooth surface through points</source>
-        <translation>Sección por una superficie suave que pasa por puntos</translation>
+        <translation>Schnitt mit einer glatten Fläche durch Punkte</translation>
     </message>
     <message>
         <source>Divides</source>
-        <translation>Separa</translation>
+        <translation>Trennt</translation>
     </message>
     <message>
         <source>left from right</source>
-        <translation>izquierda de derecha</translation>
+        <translation>links von rechts</translation>
     </message>
     <message>
         <source>front from back</source>
-        <translation>delante de detrás</translation>
+        <translation>vorn von hinten</translation>
     </message>
     <message>
         <source>head from foot</source>
-        <translation>cabeza de pies</translation>
+        <translation>Kopf- von Fußseite</translation>
     </message>
     <message>
         <source>Through crosshair</source>
-        <translation>Por la cruz</translation>
+        <translation>Durchs Fadenkreuz</translation>
     </message>
     <message>
         <source>Puts the plane through the crosshair, across the direction above</source>
-        <translation>Pone el plano por la cruz, transversal a la dirección de arriba</translation>
+        <translation>Legt die Ebene durch das Fadenkreuz, quer zur Richtung darüber</translation>
     </message>
     <message>
         <source>By three clicks</source>
-        <translation>Con tres clics</translation>
+        <translation>Mit drei Klicks</translation>
     </message>
     <message>
         <source>Then click three places on the liver or in the slices</source>
-        <translation>Haga clic después en tres lugares del hígado o de los cortes</translation>
+        <translation>Klicken Sie dann drei Stellen auf der Leber oder in den Schichten an</translation>
     </message>
     <message>
         <source>Shift</source>
-        <translation>Desplazar</translation>
+        <translation>Verschieben</translation>
     </message>
     <message>
         <source>Turn</source>
-        <translation>Girar</translation>
+        <translation>Drehen</translation>
     </message>
     <message>
         <source>Tilt</source>
-        <translation>Inclinar</translation>
+        <translation>Kippen</translation>
     </message>
     <message>
         <source> mm</source>
@@ -4597,421 +4672,421 @@
     </message>
     <message>
         <source>Distance of the plane from the middle of the liver, along its normal</source>
-        <translation>Distancia del plano al centro del hígado, a lo largo de su normal</translation>
+        <translation>Abstand der Ebene von der Mitte der Leber, entlang ihrer Normalen</translation>
     </message>
     <message>
         <source>The normal about the axis from feet to head: 0° to the patient&apos;s left, 90° to the back</source>
-        <translation>La normal alrededor del eje de pies a cabeza: 0° hacia la izquierda del paciente, 90° hacia atrás</translation>
+        <translation>Die Normale um die Achse von den Füßen zum Kopf: 0° zur linken Seite des Patienten, 90° nach hinten</translation>
     </message>
     <message>
         <source>The normal upwards: 90° to the head</source>
-        <translation>La normal hacia arriba: 90° hacia la cabeza</translation>
+        <translation>Die Normale nach oben: 90° zum Kopf</translation>
     </message>
     <message>
         <source>Set points</source>
-        <translation>Poner puntos</translation>
+        <translation>Punkte setzen</translation>
     </message>
     <message>
         <source>Each click on the liver or in a slice sets a point; points can be dragged</source>
-        <translation>Cada clic en el hígado o en un corte pone un punto; los puntos se pueden arrastrar</translation>
+        <translation>Jeder Klick auf die Leber oder in eine Schicht setzt einen Punkt; Punkte lassen sich ziehen</translation>
     </message>
     <message>
         <source>Drop the last</source>
-        <translation>Quitar el último</translation>
+        <translation>Letzten entfernen</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation>Borrar</translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Points set: %1. Three are needed.</source>
-        <translation>Puntos puestos: %1. Hacen falta tres.</translation>
+        <translation>Gesetzte Punkte: %1. Drei sind nötig.</translation>
     </message>
     <message>
         <source>Points set: %1. Drag them in any view.</source>
-        <translation>Puntos puestos: %1. Arrástrelos en cualquier vista.</translation>
+        <translation>Gesetzte Punkte: %1. Sie lassen sich in jeder Ansicht ziehen.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::DiaryWindow</name>
     <message>
         <source>Log - Glisson</source>
-        <translation>Registro - Glisson</translation>
+        <translation>Protokoll - Glisson</translation>
     </message>
     <message>
         <source>What Glisson did, in English, for those who mend it. It holds nothing about a patient: no names, no paths, no values. Nothing is sent anywhere; you decide who gets it.</source>
-        <translation>Lo que Glisson ha hecho, en inglés, para quienes lo reparan. No contiene nada sobre un paciente: ni nombres, ni rutas, ni valores. No se envía nada a ninguna parte; usted decide quién lo recibe.</translation>
+        <translation>Was Glisson getan hat, auf Englisch, für alle, die es reparieren. Über Patienten steht hier nichts: keine Namen, keine Pfade, keine Werte. Nichts wird irgendwohin gesendet; Sie entscheiden, wer es bekommt.</translation>
     </message>
     <message>
         <source>The log</source>
-        <translation>El registro</translation>
+        <translation>Das Protokoll</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation>Copiar</translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Save a report of the problem...</source>
-        <translation>Guardar un informe del problema…</translation>
+        <translation>Bericht über das Problem speichern …</translation>
     </message>
     <message>
         <source>Save a report of the problem</source>
-        <translation>Guardar un informe del problema</translation>
+        <translation>Bericht über das Problem speichern</translation>
     </message>
     <message>
         <source>Text (*.txt)</source>
-        <translation>Texto (*.txt)</translation>
+        <translation>Text (*.txt)</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ErrorsTable</name>
     <message>
         <source>%1 × noise</source>
-        <translation>%1 × ruido</translation>
+        <translation>%1 × Rauschen</translation>
     </message>
     <message>
         <source>Error, × noise</source>
-        <translation>Error, × ruido</translation>
+        <translation>Fehler, × Rauschen</translation>
     </message>
     <message>
         <source>Error, %1</source>
-        <translation>Error, %1</translation>
+        <translation>Fehler, %1</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation>Antes</translation>
+        <translation>Vorher</translation>
     </message>
     <message>
         <source>After</source>
-        <translation>Después</translation>
+        <translation>Nachher</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation>%1 a %2</translation>
+        <translation>%1 bis %2</translation>
     </message>
     <message>
         <source>On trials left out</source>
-        <translation>En ensayos apartados</translation>
+        <translation>An ausgelassenen Versuchen</translation>
     </message>
     <message>
         <source>95 % interval of it</source>
-        <translation>Intervalo del 95 %</translation>
+        <translation>95-%-Intervall davon</translation>
     </message>
     <message>
         <source>Root mean square</source>
-        <translation>Media cuadrática</translation>
+        <translation>Quadratisches Mittel</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation>Media</translation>
+        <translation>Mittel</translation>
     </message>
     <message>
         <source>95 of 100 are below</source>
-        <translation>95 de cada 100 están por debajo</translation>
+        <translation>95 von 100 liegen darunter</translation>
     </message>
     <message>
         <source>Noise of the measurement</source>
-        <translation>Ruido de la medición</translation>
+        <translation>Rauschen der Messung</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::EvidenceAnswer</name>
     <message>
         <source>What was found</source>
-        <translation>Lo que se encontró</translation>
+        <translation>Was gefunden wurde</translation>
     </message>
     <message>
         <source>Residual (mm)</source>
-        <translation>Residuo (mm)</translation>
+        <translation>Residuum (mm)</translation>
     </message>
     <message>
         <source>Measured less predicted, where this trial was farthest off. Arrows %1 times as long as they are; colours reach to %2 mm, between markers interpolated.</source>
-        <translation>Medido menos predicho, donde este ensayo más se apartó. Flechas alargadas %1 veces; colores hasta %2 mm, interpolados entre marcadores.</translation>
+        <translation>Gemessen minus vorhergesagt, wo dieser Versuch am weitesten abwich. Pfeile %1-fach verlängert; Farben bis %2 mm, zwischen Markern interpoliert.</translation>
     </message>
     <message>
         <source>Nothing is missing: what the declared model leaves, %1, is noise.</source>
-        <translation>No falta nada: lo que deja el modelo declarado, %1, es ruido.</translation>
+        <translation>Nichts fehlt: Was das angegebene Modell übrig lässt, %1, ist Rauschen.</translation>
     </message>
     <message>
         <source>No test finds anything in it that noise would not do.</source>
-        <translation>Ninguna prueba encuentra en ello nada que el ruido no haría.</translation>
+        <translation>Kein Test findet darin etwas, das Rauschen nicht täte.</translation>
     </message>
     <message>
         <source>What the declared model leaves is not noise: %1.</source>
-        <translation>Lo que deja el modelo declarado no es ruido: %1.</translation>
+        <translation>Was das angegebene Modell übrig lässt, ist kein Rauschen: %1.</translation>
     </message>
     <message>
         <source>What is left at the end: %1.</source>
-        <translation>Lo que queda al final: %1.</translation>
+        <translation>Was am Ende bleibt: %1.</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation>Antes</translation>
+        <translation>Vorher</translation>
     </message>
     <message>
         <source>After</source>
-        <translation>Después</translation>
+        <translation>Nachher</translation>
     </message>
     <message>
         <source>Suspects</source>
-        <translation>Sospechosos</translation>
+        <translation>Verdächtige</translation>
     </message>
     <message>
         <source>What to measure next</source>
-        <translation>Qué medir después</translation>
+        <translation>Was als Nächstes zu messen ist</translation>
     </message>
     <message>
         <source>No further trial is known that would tell the leading explanations apart.</source>
-        <translation>No se conoce otro ensayo que distinga las explicaciones principales.</translation>
+        <translation>Kein weiterer Versuch ist bekannt, der die führenden Erklärungen unterschiede.</translation>
     </message>
     <message>
         <source>Trial that is shown</source>
-        <translation>Ensayo mostrado</translation>
+        <translation>Gezeigter Versuch</translation>
     </message>
     <message>
         <source>What is left, in space</source>
-        <translation>Lo que queda, en el espacio</translation>
+        <translation>Was übrig bleibt, im Raum</translation>
     </message>
     <message>
         <source>The error before and after</source>
-        <translation>El error antes y después</translation>
+        <translation>Der Fehler vorher und nachher</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation>Detalles</translation>
+        <translation>Einzelheiten</translation>
     </message>
     <message>
         <source>%1: no effect that Glisson knows explains the error.</source>
-        <translation>%1: ningún efecto que Glisson conozca explica el error.</translation>
+        <translation>%1: Kein Effekt, den Glisson kennt, erklärt den Fehler.</translation>
     </message>
     <message>
         <source>%1: %2. This takes away %3 % of the error; what is left is noise.</source>
-        <translation>%1: %2. Esto quita el %3 % del error; lo que queda es ruido.</translation>
+        <translation>%1: %2. Das nimmt %3 % des Fehlers weg; was bleibt, ist Rauschen.</translation>
     </message>
     <message>
         <source>%1: %2. This takes away %3 % of the error. More than noise is left: it is a part of the answer, and no proof of a cause.</source>
-        <translation>%1: %2. Esto quita el %3 % del error. Queda más que ruido: es una parte de la respuesta, y no prueba de una causa.</translation>
+        <translation>%1: %2. Das nimmt %3 % des Fehlers weg. Mehr als Rauschen bleibt: Es ist ein Teil der Antwort und kein Beweis einer Ursache.</translation>
     </message>
     <message>
         <source>The error falls from %1 to %2.</source>
-        <translation>El error baja de %1 a %2.</translation>
+        <translation>Der Fehler fällt von %1 auf %2.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::EvidenceView</name>
     <message>
         <source>Evidence</source>
-        <translation>Evidencia</translation>
+        <translation>Befunde</translation>
     </message>
     <message>
         <source>Hold measurements against the model, and find what it lacks.</source>
-        <translation>Contrastar mediciones con el modelo y encontrar lo que le falta.</translation>
+        <translation>Messungen gegen das Modell halten und finden, was ihm fehlt.</translation>
     </message>
     <message>
         <source>Measurements</source>
-        <translation>Mediciones</translation>
+        <translation>Messungen</translation>
     </message>
     <message>
         <source>Open an experiment...</source>
-        <translation>Abrir un experimento…</translation>
+        <translation>Experiment öffnen …</translation>
     </message>
     <message>
         <source>A file that says what was measured and which model was assumed (Help, Closing the loop)</source>
-        <translation>Un archivo que dice qué se midió y qué modelo se supuso (Ayuda, Cerrar el círculo con mediciones)</translation>
+        <translation>Eine Datei, die sagt, was gemessen und welches Modell angenommen wurde (Hilfe, Den Kreis mit Messungen schließen)</translation>
     </message>
     <message>
         <source>Try the example</source>
-        <translation>Probar el ejemplo</translation>
+        <translation>Das Beispiel probieren</translation>
     </message>
     <message>
         <source>Silicone of liver-like stiffness, compressed: measured, not simulated</source>
-        <translation>Silicona de rigidez parecida al hígado, comprimida: medida, no simulada</translation>
+        <translation>Silikon von leberähnlicher Steifigkeit unter Druck: gemessen, nicht simuliert</translation>
     </message>
     <message>
         <source>Open a report...</source>
-        <translation>Abrir un informe…</translation>
+        <translation>Bericht öffnen …</translation>
     </message>
     <message>
         <source>A folder with report.json and model.json, written here or by glisson-cli explain</source>
-        <translation>Una carpeta con report.json y model.json, escrita aquí o por glisson-cli explain</translation>
+        <translation>Ein Ordner mit report.json und model.json, hier oder von glisson-cli explain geschrieben</translation>
     </message>
     <message>
         <source>For the patient</source>
-        <translation>Para el paciente</translation>
+        <translation>Für den Patienten</translation>
     </message>
     <message>
         <source>Accept for this patient</source>
-        <translation>Aceptar para este paciente</translation>
+        <translation>Für diesen Patienten übernehmen</translation>
     </message>
     <message>
         <source>Take back</source>
-        <translation>Retirar</translation>
+        <translation>Zurücknehmen</translation>
     </message>
     <message>
         <source>Other trials</source>
-        <translation>Otros ensayos</translation>
+        <translation>Andere Versuche</translation>
     </message>
     <message>
         <source>Predict other trials...</source>
-        <translation>Predecir otros ensayos…</translation>
+        <translation>Andere Versuche vorhersagen …</translation>
     </message>
     <message>
         <source>An experiment of the same kind; where it was measured, both models are compared with it</source>
-        <translation>Un experimento del mismo tipo; donde se midió, ambos modelos se comparan con él</translation>
+        <translation>Ein Experiment derselben Art; wo gemessen wurde, werden beide Modelle damit verglichen</translation>
     </message>
     <message>
         <source>Save the report...</source>
-        <translation>Guardar el informe…</translation>
+        <translation>Bericht speichern …</translation>
     </message>
     <message>
         <source>Open measurements of a palpation, a material test or a wearable computer.
 Glisson says how far the declared model is off, what it lacks, and how sure that is.
 
 No measurements at hand? Try the example: silicone of liver-like stiffness in compression.</source>
-        <translation>Abra mediciones de una palpación, un ensayo de material o un ordenador corporal.
-Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué certeza.
+        <translation>Öffnen Sie Messungen einer Palpation, eines Materialversuchs oder eines am Körper getragenen Rechners.
+Glisson sagt, wie weit das angegebene Modell danebenliegt, was ihm fehlt und wie sicher das ist.
 
-¿No tiene mediciones a mano? Pruebe el ejemplo: silicona de rigidez parecida al hígado, en compresión.</translation>
+Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnlicher Steifigkeit unter Druck.</translation>
     </message>
     <message>
         <source>Explaining %1</source>
-        <translation>Explicando %1</translation>
+        <translation>%1 wird erklärt</translation>
     </message>
     <message>
         <source>Open measurements first.</source>
-        <translation>Abra primero mediciones.</translation>
+        <translation>Öffnen Sie zuerst Messungen.</translation>
     </message>
     <message>
         <source>Nothing was found missing that could be accepted.</source>
-        <translation>No se encontró que faltara nada que pudiera aceptarse.</translation>
+        <translation>Nichts Fehlendes gefunden, das übernommen werden könnte.</translation>
     </message>
     <message>
         <source>What was found is of a computer, not of a patient.</source>
-        <translation>Lo encontrado es de un ordenador, no de un paciente.</translation>
+        <translation>Das Gefundene betrifft einen Rechner, keinen Patienten.</translation>
     </message>
     <message>
         <source>Open the patient&apos;s case first.</source>
-        <translation>Abra primero el caso del paciente.</translation>
+        <translation>Öffnen Sie zuerst den Fall des Patienten.</translation>
     </message>
     <message>
         <source>Tick an effect among what was found.</source>
-        <translation>Marque un efecto entre lo encontrado.</translation>
+        <translation>Kreuzen Sie unter dem Gefundenen einen Effekt an.</translation>
     </message>
     <message>
         <source>%1, learnt from %2</source>
-        <translation>%1, aprendido de %2</translation>
+        <translation>%1, gelernt aus %2</translation>
     </message>
     <message>
         <source>A palpation</source>
-        <translation>Una palpación</translation>
+        <translation>Eine Palpation</translation>
     </message>
     <message>
         <source>A material test</source>
-        <translation>Un ensayo de material</translation>
+        <translation>Ein Materialversuch</translation>
     </message>
     <message>
         <source>A wearable computer</source>
-        <translation>Un ordenador corporal</translation>
+        <translation>Ein am Körper getragener Rechner</translation>
     </message>
     <message>
         <source>Nothing is open.</source>
-        <translation>No hay nada abierto.</translation>
+        <translation>Nichts ist geöffnet.</translation>
     </message>
     <message>
         <source>The ticked effects change the organ that is rehearsed</source>
-        <translation>Los efectos marcados cambian el órgano que se ensaya</translation>
+        <translation>Die angekreuzten Effekte ändern das Organ, das geprobt wird</translation>
     </message>
     <message>
         <source>Nothing was accepted for this patient.</source>
-        <translation>No se aceptó nada para este paciente.</translation>
+        <translation>Für diesen Patienten wurde nichts übernommen.</translation>
     </message>
     <message>
         <source>The organ is again what it was before</source>
-        <translation>El órgano vuelve a ser lo que era</translation>
+        <translation>Das Organ ist wieder, was es vorher war</translation>
     </message>
     <message>
         <source>Accepted: %1</source>
-        <translation>Aceptado: %1</translation>
+        <translation>Übernommen: %1</translation>
     </message>
     <message>
         <source>Accepted, but left out: %1</source>
-        <translation>Aceptado, pero omitido: %1</translation>
+        <translation>Übernommen, aber ausgelassen: %1</translation>
     </message>
     <message>
         <source>About %1 s left</source>
-        <translation>Quedan unos %1 s</translation>
+        <translation>Noch etwa %1 s</translation>
     </message>
     <message>
         <source>About %1 min left</source>
-        <translation>Quedan unos %1 min</translation>
+        <translation>Noch etwa %1 min</translation>
     </message>
     <message>
         <source>Accepting the evidence</source>
-        <translation>Aceptando la evidencia</translation>
+        <translation>Befund wird übernommen</translation>
     </message>
     <message>
         <source>Taking the evidence back</source>
-        <translation>Retirando la evidencia</translation>
+        <translation>Befund wird zurückgenommen</translation>
     </message>
     <message>
         <source>Predicting the trials of %1</source>
-        <translation>Prediciendo los ensayos de %1</translation>
+        <translation>Versuche von %1 werden vorhergesagt</translation>
     </message>
     <message>
         <source>not measured</source>
-        <translation>no medido</translation>
+        <translation>nicht gemessen</translation>
     </message>
     <message>
         <source>Trial</source>
-        <translation>Ensayo</translation>
+        <translation>Versuch</translation>
     </message>
     <message>
         <source>Declared</source>
-        <translation>Declarado</translation>
+        <translation>Angegebenes</translation>
     </message>
     <message>
         <source>Better</source>
-        <translation>Mejor</translation>
+        <translation>Besseres</translation>
     </message>
     <message>
         <source>Root mean square error, %1</source>
-        <translation>Error cuadrático medio, %1</translation>
+        <translation>Mittlerer quadratischer Fehler, %1</translation>
     </message>
     <message>
         <source>Open an experiment</source>
-        <translation>Abrir un experimento</translation>
+        <translation>Experiment öffnen</translation>
     </message>
     <message>
         <source>Experiments (*.json)</source>
-        <translation>Experimentos (*.json)</translation>
+        <translation>Experimente (*.json)</translation>
     </message>
     <message>
         <source>Open a report (a folder with report.json)</source>
-        <translation>Abrir un informe (una carpeta con report.json)</translation>
+        <translation>Einen Bericht öffnen (ein Ordner mit report.json)</translation>
     </message>
     <message>
         <source>Predict other trials</source>
-        <translation>Predecir otros ensayos</translation>
+        <translation>Andere Versuche vorhersagen</translation>
     </message>
     <message>
         <source>Save the report in this folder</source>
-        <translation>Guardar el informe en esta carpeta</translation>
+        <translation>Den Bericht in diesem Ordner speichern</translation>
     </message>
     <message>
         <source>The report is in %1</source>
-        <translation>El informe está en %1</translation>
+        <translation>Der Bericht liegt in %1</translation>
     </message>
     <message>
         <source>What was found would change nothing in the rehearsal: %1</source>
-        <translation>Lo hallado no cambiaría nada en el ensayo: %1</translation>
+        <translation>Was gefunden wurde, würde an der Probe nichts ändern: %1</translation>
     </message>
     <message>
         <source>This was measured on &quot;%1&quot;, and nothing shows that it is tissue of %2.</source>
-        <translation>Esto se midió en «%1», y nada muestra que sea tejido de %2.</translation>
+        <translation>Das wurde an „%1“ gemessen, und nichts zeigt, dass es Gewebe von %2 ist.</translation>
     </message>
     <message>
         <source>Accept for this patient?</source>
-        <translation>¿Aceptar para este paciente?</translation>
+        <translation>Für diesen Patienten annehmen?</translation>
     </message>
     <message>
         <source>Specimen: %1
@@ -5019,50 +5094,50 @@ Patient: %2
 
 The organ that is rehearsed changes:
 %3</source>
-        <translation>Muestra: %1
-Paciente: %2
+        <translation>Probe: %1
+Patient: %2
 
-El órgano que se ensaya cambia:
+Das geprobte Organ ändert sich:
 %3</translation>
     </message>
     <message>
         <source>Accept</source>
-        <translation>Aceptar</translation>
+        <translation>Annehmen</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ExportMenu</name>
     <message>
         <source>Images and outlines as NIfTI...</source>
-        <translation>Imágenes y contornos como NIfTI...</translation>
+        <translation>Bilder und Umrisse als NIfTI...</translation>
     </message>
     <message>
         <source>Images and outlines as NRRD (3D Slicer)...</source>
-        <translation>Imágenes y contornos como NRRD (3D Slicer)...</translation>
+        <translation>Bilder und Umrisse als NRRD (3D Slicer)...</translation>
     </message>
     <message>
         <source>Outlines as DICOM SEG...</source>
-        <translation>Contornos como DICOM SEG...</translation>
+        <translation>Umrisse als DICOM SEG...</translation>
     </message>
     <message>
         <source>Surfaces as STL...</source>
-        <translation>Superficies como STL...</translation>
+        <translation>Oberflächen als STL...</translation>
     </message>
     <message>
         <source>Surfaces as OBJ...</source>
-        <translation>Superficies como OBJ...</translation>
+        <translation>Oberflächen als OBJ...</translation>
     </message>
     <message>
         <source>Surfaces as VTP (ParaView)...</source>
-        <translation>Superficies como VTP (ParaView)...</translation>
+        <translation>Oberflächen als VTP (ParaView)...</translation>
     </message>
     <message>
         <source>The model&apos;s tetrahedra as VTU...</source>
-        <translation>Los tetraedros del modelo como VTU...</translation>
+        <translation>Die Tetraeder des Modells als VTU...</translation>
     </message>
     <message>
         <source>Save the outlines</source>
-        <translation>Guardar los contornos</translation>
+        <translation>Umrisse speichern</translation>
     </message>
     <message>
         <source>DICOM (*.dcm)</source>
@@ -5070,38 +5145,38 @@ El órgano que se ensaya cambia:
     </message>
     <message>
         <source>Save the model</source>
-        <translation>Guardar el modelo</translation>
+        <translation>Modell speichern</translation>
     </message>
     <message>
         <source>VTK meshes (*.vtu)</source>
-        <translation>Mallas VTK (*.vtu)</translation>
+        <translation>VTK-Netze (*.vtu)</translation>
     </message>
     <message>
         <source>Write the files into this folder</source>
-        <translation>Escribir los archivos en esta carpeta</translation>
+        <translation>Dateien in diesen Ordner schreiben</translation>
     </message>
     <message>
         <source>Exporting</source>
-        <translation>Exportación</translation>
+        <translation>Export</translation>
     </message>
     <message>
         <source>Files written: %1, in %2</source>
-        <translation>Archivos escritos: %1, en %2</translation>
+        <translation>Geschriebene Dateien: %1, in %2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::FiguresTable</name>
     <message>
         <source>Figures of the registrations</source>
-        <translation>Cifras de los registros</translation>
+        <translation>Kennzahlen der Registrierungen</translation>
     </message>
     <message>
         <source>Mean correlation</source>
-        <translation>Correlación media</translation>
+        <translation>Mittlere Korrelation</translation>
     </message>
     <message>
         <source>Rejected (%)</source>
-        <translation>Rechazados (%)</translation>
+        <translation>Verworfen (%)</translation>
     </message>
     <message>
         <source>TRE (mm)</source>
@@ -5109,7 +5184,7 @@ El órgano que se ensaya cambia:
     </message>
     <message>
         <source>TRE, this frame (mm)</source>
-        <translation>TRE, este fotograma (mm)</translation>
+        <translation>TRE, dieses Bild (mm)</translation>
     </message>
     <message>
         <source>RMSE (mm)</source>
@@ -5117,50 +5192,50 @@ El órgano que se ensaya cambia:
     </message>
     <message>
         <source>RMSE, this frame (mm)</source>
-        <translation>RMSE, este fotograma (mm)</translation>
+        <translation>RMSE, dieses Bild (mm)</translation>
     </message>
     <message>
         <source>Landmarks</source>
-        <translation>Puntos de referencia</translation>
+        <translation>Landmarken</translation>
     </message>
     <message>
         <source>Triangles</source>
-        <translation>Triángulos</translation>
+        <translation>Dreiecke</translation>
     </message>
     <message>
         <source>Time (s)</source>
-        <translation>Tiempo (s)</translation>
+        <translation>Zeit (s)</translation>
     </message>
     <message>
         <source>SIRGn, over the triangles: 1 is best</source>
-        <translation>SIRGn, sobre los triángulos: 1 es lo mejor</translation>
+        <translation>SIRGn, über die Dreiecke: 1 ist am besten</translation>
     </message>
     <message>
         <source>Share of the triangles whose corners are off by %1 mm or more on average</source>
-        <translation>Proporción de triángulos cuyos vértices se desvían en promedio %1 mm o más</translation>
+        <translation>Anteil der Dreiecke, deren Ecken im Mittel um %1 mm oder mehr danebenliegen</translation>
     </message>
     <message>
         <source>Target registration error: how far registered landmarks are from where they are on the model, mm</source>
-        <translation>Error de registro del objetivo (TRE): distancia entre los puntos de referencia registrados y su lugar en el modelo, mm</translation>
+        <translation>Zielregistrierungsfehler (TRE): wie weit registrierte Landmarken von ihrem Ort auf dem Modell entfernt sind, mm</translation>
     </message>
     <message>
         <source>How far the registered cloud is from the model (root mean square), mm</source>
-        <translation>Distancia de la nube registrada al modelo (media cuadrática), mm</translation>
+        <translation>Wie weit die registrierte Punktwolke vom Modell entfernt ist (quadratisches Mittel), mm</translation>
     </message>
     <message>
         <source>To register all frames and to judge them, s</source>
-        <translation>Para registrar todos los fotogramas y juzgarlos, s</translation>
+        <translation>Um alle Bilder zu registrieren und zu beurteilen, s</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::FoundTree</name>
     <message>
         <source>Effect</source>
-        <translation>Efecto</translation>
+        <translation>Effekt</translation>
     </message>
     <message>
         <source>Value ± sd</source>
-        <translation>Valor ± desv.</translation>
+        <translation>Wert ± Std.abw.</translation>
     </message>
     <message>
         <source>95 %</source>
@@ -5168,26 +5243,26 @@ El órgano que se ensaya cambia:
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation>%1 a %2</translation>
+        <translation>%1 bis %2</translation>
     </message>
     <message>
         <source>● left open by the data</source>
-        <translation>● los datos lo dejan abierto</translation>
+        <translation>● von den Daten offen gelassen</translation>
     </message>
     <message>
         <source>changes nothing in the rehearsal</source>
-        <translation>no cambia nada en el ensayo</translation>
+        <translation>ändert an der Probe nichts</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::LabelNamesDialog</name>
     <message>
         <source>What the labels are</source>
-        <translation>Qué son las etiquetas</translation>
+        <translation>Was die Labels sind</translation>
     </message>
     <message>
         <source>%1 does not say what its values are. Choose a structure for each that you want.</source>
-        <translation>%1 no dice qué son sus valores. Elija una estructura para cada uno de los que quiera.</translation>
+        <translation>%1 sagt nicht, was seine Werte sind. Wählen Sie für jeden, den Sie wollen, eine Struktur.</translation>
     </message>
     <message>
         <source>%1: %2 ml</source>
@@ -5195,67 +5270,65 @@ El órgano que se ensaya cambia:
     </message>
     <message>
         <source>Leave out</source>
-        <translation>Omitir</translation>
+        <translation>Weglassen</translation>
     </message>
     <message>
         <source>Take them</source>
-        <translation>Tomarlas</translation>
+        <translation>Übernehmen</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::LandmarkTable</name>
     <message>
         <source>Landmark</source>
-        <translation>Punto</translation>
+        <translation>Landmarke</translation>
     </message>
     <message>
         <source>Moves
 mm</source>
-        <translation>Despl.
+        <translation>Weg
 mm</translation>
     </message>
     <message>
         <source>Atlas off
 mm</source>
-        <translation>Error
-atlas
+        <translation>Atlas irrt
 mm</translation>
     </message>
     <message>
         <source>From 5 mm</source>
-        <translation>Desde
-5 mm</translation>
+        <translation>Ab 5 mm</translation>
     </message>
     <message>
         <source>How far from there the atlas&apos;s stiffness puts it</source>
-        <translation>A qué distancia de ahí lo sitúa la rigidez del atlas</translation>
+        <translation>Wie weit entfernt davon die Steifigkeit des Atlas sie platziert</translation>
     </message>
     <message>
         <source>5 mm and more matters to a surgeon</source>
-        <translation>5 mm o más son importantes para un cirujano</translation>
+        <translation>5 mm und mehr sind für Chirurgen von Bedeutung</translation>
     </message>
     <message>
         <source>▲ Atlas off</source>
-        <translation>▲ Atlas falla</translation>
+        <translation>▲ Atlas irrt</translation>
     </message>
     <message>
         <source>● Moves</source>
-        <translation>● Se mueve</translation>
+        <translation>● Bewegt sich</translation>
     </message>
     <message>
         <source>How far the landmark moves from where the scan shows it</source>
-        <translation>Cuánto se aleja el punto de referencia de donde lo muestra la exploración</translation>
+        <translation>Wie weit sich die Landmarke von dort bewegt, wo die Aufnahme sie zeigt</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::LanguageMenu</name>
     <message>
         <source>&amp;Language</source>
-        <translation>&amp;Idioma</translation>
+        <translation>&amp;Sprache</translation>
     </message>
     <message>
         <source>System language</source>
-        <translation>Idioma del sistema</translation>
+        <translation>Sprache des Systems</translation>
     </message>
 </context>
 <context>
@@ -5266,39 +5339,39 @@ mm</translation>
     </message>
     <message>
         <source>Patient</source>
-        <translation>Paciente</translation>
+        <translation>Patient</translation>
     </message>
     <message>
         <source>Coronal</source>
-        <translation>Coronal</translation>
+        <translation>Koronal</translation>
     </message>
     <message>
         <source>Sagittal</source>
-        <translation>Sagital</translation>
+        <translation>Sagittal</translation>
     </message>
     <message>
         <source>Drag: turn. Shift+drag: shift. Wheel: zoom. Click: crosshair there.</source>
-        <translation>Arrastrar: girar. Mayús+arrastrar: desplazar. Rueda: zoom. Clic: cruz en ese lugar.</translation>
+        <translation>Ziehen: Drehen. Umschalt+Ziehen: Verschieben. Rad: Zoom. Klick: Fadenkreuz dorthin.</translation>
     </message>
     <message>
         <source>Surgeon</source>
-        <translation>Cirujano</translation>
+        <translation>Chirurg</translation>
     </message>
     <message>
         <source>Front</source>
-        <translation>Delante</translation>
+        <translation>Vorn</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation>Derecha</translation>
+        <translation>Rechts</translation>
     </message>
     <message>
         <source>Below</source>
-        <translation>Debajo</translation>
+        <translation>Unten</translation>
     </message>
     <message>
         <source>Look from here, everything in view</source>
-        <translation>Mirar desde aquí, con todo a la vista</translation>
+        <translation>Von hier blicken, alles im Bild</translation>
     </message>
     <message>
         <source>Atlas</source>
@@ -5307,27 +5380,27 @@ mm</translation>
     <message>
         <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
 Ctrl+wheel: zoom. Shift+drag: shift. Ctrl+drag: turn. Knobs of the crosshair: tilt the other slices.</source>
-        <translation>Clic: cruz. Arrastrar con el derecho: brillo y contraste. Rueda: corte siguiente.
-Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores de la cruz: inclinar los otros cortes.</translation>
+        <translation>Klick: Fadenkreuz. Mit rechter Taste ziehen: Helligkeit und Kontrast. Rad: nächste Schicht.
+Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fadenkreuz: die anderen Schichten kippen.</translation>
     </message>
     <message>
         <source>Save the picture</source>
-        <translation>Guardar la imagen</translation>
+        <translation>Bild speichern</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
-        <translation>Imágenes (*.png)</translation>
+        <translation>Bilder (*.png)</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::MainWindow</name>
     <message>
         <source>Opening %1</source>
-        <translation>Abriendo %1</translation>
+        <translation>%1 wird geöffnet</translation>
     </message>
     <message>
         <source>Opening the demo patient</source>
-        <translation>Abriendo el paciente de demostración</translation>
+        <translation>Demopatient wird geöffnet</translation>
     </message>
     <message>
         <source>Glisson</source>
@@ -5339,31 +5412,31 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     </message>
     <message>
         <source>&amp;File</source>
-        <translation>&amp;Archivo</translation>
+        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>&amp;Open a case...</source>
-        <translation>&amp;Abrir un caso…</translation>
+        <translation>Fall ö&amp;ffnen …</translation>
     </message>
     <message>
         <source>Open the &amp;demo patient</source>
-        <translation>Abrir el paciente de &amp;demostración</translation>
+        <translation>&amp;Demopatienten öffnen</translation>
     </message>
     <message>
         <source>&amp;Save the picture...</source>
-        <translation>&amp;Guardar la imagen…</translation>
+        <translation>Bild &amp;speichern …</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Salir</translation>
+        <translation>&amp;Beenden</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation>A&amp;yuda</translation>
+        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>&amp;About Glisson</source>
-        <translation>&amp;Acerca de Glisson</translation>
+        <translation>&amp;Über Glisson</translation>
     </message>
     <message>
         <source>%1 (%2 %)</source>
@@ -5371,209 +5444,209 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     </message>
     <message>
         <source>A defect in Glisson stopped this: %1</source>
-        <translation>Un defecto de Glisson ha interrumpido esto: %1</translation>
+        <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
     </message>
     <message>
         <source>Click on the liver where the tool is to touch it.</source>
-        <translation>Haga clic en el hígado donde el instrumento deba tocarlo.</translation>
+        <translation>Klicken Sie auf die Leber, wo das Instrument sie berühren soll.</translation>
     </message>
     <message>
         <source>Tool placed in %1 ms.</source>
-        <translation>Instrumento colocado en %1 ms.</translation>
+        <translation>Instrument in %1 ms gesetzt.</translation>
     </message>
     <message>
         <source>Open a case (a folder NAME.glisson)</source>
-        <translation>Abrir un caso (una carpeta NOMBRE.glisson)</translation>
+        <translation>Fall öffnen (ein Ordner NAME.glisson)</translation>
     </message>
     <message>
         <source>Save the picture</source>
-        <translation>Guardar la imagen</translation>
+        <translation>Bild speichern</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
-        <translation>Imágenes (*.png)</translation>
+        <translation>Bilder (*.png)</translation>
     </message>
     <message>
         <source>The picture could not be written to %1.</source>
-        <translation>No se ha podido escribir la imagen en %1.</translation>
+        <translation>Das Bild konnte nicht nach %1 geschrieben werden.</translation>
     </message>
     <message>
         <source>About Glisson</source>
-        <translation>Acerca de Glisson</translation>
+        <translation>Über Glisson</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planning and reviewing liver surgery.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not a medical device.&lt;/b&gt; Not for diagnosis or treatment.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planificación y revisión de la cirugía hepática.&lt;/p&gt;&lt;p&gt;&lt;b&gt;No es un producto sanitario.&lt;/b&gt; No apto para diagnóstico ni tratamiento.&lt;/p&gt;&lt;p&gt;Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planung und Auswertung von Leberoperationen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Kein Medizinprodukt.&lt;/b&gt; Nicht für Diagnose oder Behandlung.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Something else is still under way. Wait for it, or cancel it first.</source>
-        <translation>Hay otra operación en curso. Espere a que termine o cancélela antes.</translation>
+        <translation>Etwas anderes läuft noch. Warten Sie darauf, oder brechen Sie es zuerst ab.</translation>
     </message>
     <message>
         <source>Outlining the liver</source>
-        <translation>Delimitando el hígado</translation>
+        <translation>Leber wird umrissen</translation>
     </message>
     <message>
         <source>Building the model</source>
-        <translation>Construyendo el modelo</translation>
+        <translation>Modell wird erstellt</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation>Cancelado.</translation>
+        <translation>Abgebrochen.</translation>
     </message>
     <message>
         <source>Elastography &amp;waves...</source>
-        <translation>&amp;Ondas de elastografía…</translation>
+        <translation>Elastographie-&amp;Wellen …</translation>
     </message>
     <message>
         <source>&amp;Manual</source>
-        <translation>&amp;Manual</translation>
+        <translation>&amp;Handbuch</translation>
     </message>
     <message>
         <source>Rehearse</source>
-        <translation>Ensayar</translation>
+        <translation>Proben</translation>
     </message>
     <message>
         <source>Pull with a tool, and see what moves and how far.</source>
-        <translation>Tirar con un instrumento y ver qué se mueve y cuánto.</translation>
+        <translation>Mit einem Instrument ziehen und sehen, was sich wie weit bewegt.</translation>
     </message>
     <message>
         <source>Platform</source>
-        <translation>Plataforma</translation>
+        <translation>Plattform</translation>
     </message>
     <message>
         <source>Find what can be worn for this case.</source>
-        <translation>Encontrar qué se puede llevar puesto en este caso.</translation>
+        <translation>Finden, was sich für diesen Fall tragen lässt.</translation>
     </message>
     <message>
         <source>&amp;Go</source>
-        <translation>&amp;Ir</translation>
+        <translation>&amp;Gehe zu</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation>Abiertos &amp;recientemente</translation>
+        <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>Se&amp;ttings...</source>
-        <translation>&amp;Ajustes…</translation>
+        <translation>&amp;Einstellungen …</translation>
     </message>
     <message>
         <source>&amp;Keys...</source>
-        <translation>&amp;Teclas…</translation>
+        <translation>&amp;Tasten …</translation>
     </message>
     <message>
         <source>&amp;Log and problems...</source>
-        <translation>&amp;Registro y problemas…</translation>
+        <translation>&amp;Protokoll und Probleme …</translation>
     </message>
     <message>
         <source>None yet</source>
-        <translation>Ninguno todavía</translation>
+        <translation>Noch keine</translation>
     </message>
     <message>
         <source>Forget them</source>
-        <translation>Vaciar la lista</translation>
+        <translation>Liste leeren</translation>
     </message>
     <message>
         <source>&amp;Tour on the demo patient</source>
-        <translation>&amp;Recorrido con el paciente de demostración</translation>
+        <translation>&amp;Rundgang am Demopatienten</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation>&amp;Editar</translation>
+        <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation>&amp;Ver</translation>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>Open &amp;images...</source>
-        <translation>Abrir &amp;imágenes...</translation>
+        <translation>&amp;Bilder öffnen...</translation>
     </message>
     <message>
         <source>&amp;Add labels...</source>
-        <translation>&amp;Añadir etiquetas...</translation>
+        <translation>&amp;Labels hinzufügen...</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation>&amp;Exportar</translation>
+        <translation>&amp;Export</translation>
     </message>
     <message>
         <source>&amp;Close the case</source>
-        <translation>&amp;Cerrar el caso</translation>
+        <translation>Fall s&amp;chließen</translation>
     </message>
     <message>
         <source>Open images: a folder, or a file of them</source>
-        <translation>Abrir imágenes: una carpeta o uno de sus archivos</translation>
+        <translation>Bilder öffnen: ein Ordner oder eine Datei davon</translation>
     </message>
     <message>
         <source>Add labels</source>
-        <translation>Añadir etiquetas</translation>
+        <translation>Labels hinzufügen</translation>
     </message>
     <message>
         <source>Label maps and DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;All files (*)</source>
-        <translation>Mapas de etiquetas y DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;Todos los archivos (*)</translation>
+        <translation>Labelkarten und DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>%1 is still under way. If you close now, it is given up, and the case stays as it was.</source>
-        <translation>%1 sigue en curso. Si cierra ahora, se abandona y el caso queda como estaba.</translation>
+        <translation>%1 läuft noch. Wenn Sie jetzt schließen, wird das aufgegeben, und der Fall bleibt, wie er war.</translation>
     </message>
     <message>
         <source>Keep working</source>
-        <translation>Seguir</translation>
+        <translation>Weiterarbeiten</translation>
     </message>
     <message>
         <source>Give it up and close</source>
-        <translation>Abandonar y cerrar</translation>
+        <translation>Aufgeben und schließen</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
     <message>
         <source>Manual - Glisson</source>
-        <translation>Manual - Glisson</translation>
+        <translation>Handbuch - Glisson</translation>
     </message>
     <message>
         <source>Search the manual</source>
-        <translation>Buscar en el manual</translation>
+        <translation>Handbuch durchsuchen</translation>
     </message>
     <message>
         <source>Words to search for</source>
-        <translation>Palabras que buscar</translation>
+        <translation>Suchwörter</translation>
     </message>
     <message>
         <source>Pages of the manual</source>
-        <translation>Páginas del manual</translation>
+        <translation>Seiten des Handbuchs</translation>
     </message>
     <message>
         <source>The page</source>
-        <translation>La página</translation>
+        <translation>Die Seite</translation>
     </message>
     <message>
         <source>The manual was not found among the files that ship with Glisson.</source>
-        <translation>No se ha encontrado el manual entre los archivos que acompañan a Glisson.</translation>
+        <translation>Das Handbuch wurde unter den mit Glisson gelieferten Dateien nicht gefunden.</translation>
     </message>
     <message>
         <source>No page holds these words.</source>
-        <translation>Ninguna página contiene estas palabras.</translation>
+        <translation>Keine Seite enthält diese Wörter.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::MeasureList</name>
     <message>
         <source>Measurements</source>
-        <translation>Medidas</translation>
+        <translation>Messungen</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation>Distancia</translation>
+        <translation>Abstand</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation>Ángulo</translation>
+        <translation>Winkel</translation>
     </message>
     <message>
         <source>Ball</source>
-        <translation>Bola</translation>
+        <translation>Kugel</translation>
     </message>
     <message>
         <source>Volume: %1</source>
@@ -5581,50 +5654,50 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     </message>
     <message>
         <source>Takes this measurement away</source>
-        <translation>Quita esta medida</translation>
+        <translation>Nimmt diese Messung weg</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ModelPanel</name>
     <message>
         <source>Model</source>
-        <translation>Modelo</translation>
+        <translation>Modell</translation>
     </message>
     <message>
         <source>Bring it up to date</source>
-        <translation>Actualizarlo</translation>
+        <translation>Auf den neuesten Stand bringen</translation>
     </message>
     <message>
         <source>Cells, stiffness and supports of the liver, and building them anew.</source>
-        <translation>Celdas, rigidez y apoyos del hígado, y cómo construirlos de nuevo.</translation>
+        <translation>Zellen, Steifigkeit und Lagerung der Leber, und wie sie neu erstellt werden.</translation>
     </message>
     <message>
         <source>Needs an outline of the liver: make it in Segment.</source>
-        <translation>Necesita un contorno del hígado: hágalo en Segmentar.</translation>
+        <translation>Braucht einen Umriss der Leber: Machen Sie ihn unter Segmentieren.</translation>
     </message>
     <message>
         <source>The 3D view shows</source>
-        <translation>La vista 3D muestra</translation>
+        <translation>Die 3D-Ansicht zeigt</translation>
     </message>
     <message>
         <source>Stiffness</source>
-        <translation>Rigidez</translation>
+        <translation>Steifigkeit</translation>
     </message>
     <message>
         <source>The patient</source>
-        <translation>El paciente</translation>
+        <translation>Den Patienten</translation>
     </message>
     <message>
         <source>Cells</source>
-        <translation>Celdas</translation>
+        <translation>Zellen</translation>
     </message>
     <message>
         <source>Young&apos;s modulus</source>
-        <translation>Módulo de Young</translation>
+        <translation>E-Modul</translation>
     </message>
     <message>
         <source>From MR elastography</source>
-        <translation>De la elastografía por RM</translation>
+        <translation>Aus der MR-Elastographie</translation>
     </message>
     <message>
         <source> kPa</source>
@@ -5632,159 +5705,159 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     </message>
     <message>
         <source>Young&apos;s modulus, about three times the shear modulus</source>
-        <translation>Módulo de Young, unas tres veces el módulo de cizalla</translation>
+        <translation>Elastizitätsmodul, etwa das Dreifache des Schubmoduls</translation>
     </message>
     <message>
         <source>Give it this stiffness</source>
-        <translation>Darle esta rigidez</translation>
+        <translation>Diese Steifigkeit geben</translation>
     </message>
     <message>
         <source>Elastography waves...</source>
-        <translation>Ondas de elastografía…</translation>
+        <translation>Elastographie-Wellen …</translation>
     </message>
     <message>
         <source>Build</source>
-        <translation>Construir</translation>
+        <translation>Erstellen</translation>
     </message>
     <message>
         <source> cells</source>
-        <translation> celdas</translation>
+        <translation> Zellen</translation>
     </message>
     <message>
         <source>Wanted number of cells: more are finer and slower. 20 000 answer at once.</source>
-        <translation>Número de celdas deseado: más son más finas y lentas. 20 000 responden al instante.</translation>
+        <translation>Gewünschte Zahl der Zellen: mehr sind feiner und langsamer. 20 000 antworten sofort.</translation>
     </message>
     <message>
         <source>Building the model</source>
-        <translation>Construyendo el modelo</translation>
+        <translation>Modell wird erstellt</translation>
     </message>
     <message>
         <source>Opening %1</source>
-        <translation>Abriendo %1</translation>
+        <translation>%1 wird geöffnet</translation>
     </message>
     <message>
         <source>Held</source>
-        <translation>Sujeto</translation>
+        <translation>Gehalten</translation>
     </message>
     <message>
         <source>On springs</source>
-        <translation>Sobre muelles</translation>
+        <translation>Auf Federn</translation>
     </message>
     <message>
         <source>Young&apos;s modulus (kPa)</source>
-        <translation>Módulo de Young (kPa)</translation>
+        <translation>Elastizitätsmodul (kPa)</translation>
     </message>
     <message>
         <source>Needs a case: open one, or the demo patient.</source>
-        <translation>Necesita un caso: abra uno o el paciente de demostración.</translation>
+        <translation>Braucht einen Fall: Öffnen Sie einen, oder den Demopatienten.</translation>
     </message>
     <message>
         <source>There is no model yet. Build it from the outline.</source>
-        <translation>Aún no hay modelo. Constrúyalo a partir del contorno.</translation>
+        <translation>Es gibt noch kein Modell. Erstellen Sie es aus dem Umriss.</translation>
     </message>
     <message>
         <source>✓ The model is up to date.</source>
-        <translation>✓ El modelo está al día.</translation>
+        <translation>✓ Das Modell ist auf dem neuesten Stand.</translation>
     </message>
     <message>
         <source>▲ A file of the model is gone.</source>
-        <translation>▲ Falta un archivo del modelo.</translation>
+        <translation>▲ Eine Datei des Modells fehlt.</translation>
     </message>
     <message>
         <source>▲ Another program has changed a file of the model.</source>
-        <translation>▲ Otro programa ha cambiado un archivo del modelo.</translation>
+        <translation>▲ Ein anderes Programm hat eine Datei des Modells geändert.</translation>
     </message>
     <message>
         <source>▲ The model is out of date.</source>
-        <translation>▲ El modelo está desactualizado.</translation>
+        <translation>▲ Das Modell ist veraltet.</translation>
     </message>
     <message>
         <source>▲ Out of date: %1 changed since it was built.</source>
-        <translation>▲ Desactualizado: %1 cambió desde que se construyó.</translation>
+        <translation>▲ Veraltet: %1 hat sich geändert, seit es erstellt wurde.</translation>
     </message>
     <message>
         <source>Build it anew</source>
-        <translation>Construirlo de nuevo</translation>
+        <translation>Neu erstellen</translation>
     </message>
     <message>
         <source>Build the model</source>
-        <translation>Construir el modelo</translation>
+        <translation>Modell erstellen</translation>
     </message>
     <message>
         <source>This case has no stiffness map: import one, or invert its waves</source>
-        <translation>Este caso no tiene mapa de rigidez: importe uno o invierta sus ondas</translation>
+        <translation>Dieser Fall hat keine Steifigkeitskarte: Importieren Sie eine, oder invertieren Sie seine Wellen</translation>
     </message>
     <message>
         <source>Keeps the cells and gives each this stiffness</source>
-        <translation>Conserva las celdas y da a cada una esta rigidez</translation>
+        <translation>Behält die Zellen und gibt jeder diese Steifigkeit</translation>
     </message>
     <message>
         <source>Needs cells: build the model first</source>
-        <translation>Necesita celdas: construya primero el modelo</translation>
+        <translation>Braucht Zellen: Erstellen Sie zuerst das Modell</translation>
     </message>
     <message>
         <source>Makes the cells anew and gives them the stiffness chosen above</source>
-        <translation>Rehace las celdas y les da la rigidez elegida arriba</translation>
+        <translation>Macht die Zellen neu und gibt ihnen die oben gewählte Steifigkeit</translation>
     </message>
     <message>
         <source>See the waves and invert them</source>
-        <translation>Ver las ondas e invertirlas</translation>
+        <translation>Die Wellen ansehen und invertieren</translation>
     </message>
     <message>
         <source>This case has no raw waves</source>
-        <translation>Este caso no tiene ondas sin procesar</translation>
+        <translation>Dieser Fall hat keine Rohwellen</translation>
     </message>
     <message>
         <source>Assumed from the liver&apos;s shape: the bare area at the vena cava is held, the dome below the diaphragm rests on springs of 1.1 kPa/mm.</source>
-        <translation>Supuesto por la forma del hígado: el área desnuda junto a la vena cava está sujeta, la cúpula bajo el diafragma descansa sobre muelles de 1.1 kPa/mm.</translation>
+        <translation>Aus der Form der Leber angenommen: Die Area nuda an der Hohlvene wird gehalten, die Kuppel unter dem Zwerchfell ruht auf Federn von 1.1 kPa/mm.</translation>
     </message>
     <message>
         <source>%1 cells, %2 points</source>
-        <translation>%1 celdas, %2 puntos</translation>
+        <translation>%1 Zellen, %2 Punkte</translation>
     </message>
     <message>
         <source>Smallest dihedral angle %1°</source>
-        <translation>Menor ángulo diedro %1°</translation>
+        <translation>Kleinster Flächenwinkel %1°</translation>
     </message>
     <message>
         <source>smallest dihedral angle of a cell, °</source>
-        <translation>menor ángulo diedro de una celda, °</translation>
+        <translation>kleinster Flächenwinkel einer Zelle, °</translation>
     </message>
     <message>
         <source>%1 kPa on average, sd %2</source>
-        <translation>%1 kPa de media, desviación típica %2</translation>
+        <translation>%1 kPa im Mittel, Standardabweichung %2</translation>
     </message>
     <message>
         <source>%1 % of the cells without data of their own, filled from inside</source>
-        <translation>%1 % de las celdas sin datos propios, rellenadas desde el interior</translation>
+        <translation>%1 % der Zellen ohne eigene Daten, von innen her aufgefüllt</translation>
     </message>
     <message>
         <source>Young&apos;s modulus of a cell, kPa</source>
-        <translation>módulo de Young de una celda, kPa</translation>
+        <translation>Elastizitätsmodul einer Zelle, kPa</translation>
     </message>
     <message>
         <source>Assumed: the atlas&apos;s 2.1 kPa in shear</source>
-        <translation>Supuesto: los 2.1 kPa (cizalla) del atlas</translation>
+        <translation>Angenommen: die 2.1 kPa (Schub) des Atlas</translation>
     </message>
     <message>
         <source>Assumed: the atlas&apos;s 2.6 kPa in shear</source>
-        <translation>Supuesto: los 2.6 kPa (cizalla) del atlas</translation>
+        <translation>Angenommen: die 2.6 kPa (Schub) des Atlas</translation>
     </message>
     <message>
         <source>Assumed: one value for all cells</source>
-        <translation>Supuesto: un valor para todas las celdas</translation>
+        <translation>Angenommen: ein Wert für alle Zellen</translation>
     </message>
     <message>
         <source>%1 ml outlined; the cells hold %2 % of it</source>
-        <translation>%1 ml de contorno; las celdas llenan el %2 %</translation>
+        <translation>%1 ml umrissen; die Zellen füllen %2 % davon</translation>
     </message>
     <message>
         <source>Assumed: %1 kPa for all cells</source>
-        <translation>Supuesto: %1 kPa para todas las celdas</translation>
+        <translation>Angenommen: %1 kPa für alle Zellen</translation>
     </message>
     <message>
         <source>Attachments</source>
-        <translation>Fijaciones</translation>
+        <translation>Aufhängung</translation>
     </message>
 </context>
 <context>
@@ -5798,60 +5871,60 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <name>glisson::widgets::NextStepBox</name>
     <message>
         <source>Next: put the crosshair inside the liver, away from large vessels.</source>
-        <translation>A continuación: coloque la cruz dentro del hígado, lejos de los vasos grandes.</translation>
+        <translation>Als Nächstes: Setzen Sie das Fadenkreuz in die Leber, fern von großen Gefäßen.</translation>
     </message>
     <message>
         <source>Next: build the model of the liver from its outline and stiffness.</source>
-        <translation>A continuación: construya el modelo del hígado a partir de su contorno y su rigidez.</translation>
+        <translation>Als Nächstes: Erstellen Sie das Modell der Leber aus ihrem Umriss und ihrer Steifigkeit.</translation>
     </message>
     <message>
         <source>Outline the liver from here</source>
-        <translation>Delimitar el hígado desde aquí</translation>
+        <translation>Leber von hier aus umreißen</translation>
     </message>
     <message>
         <source>Build the model</source>
-        <translation>Construir el modelo</translation>
+        <translation>Modell erstellen</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::Notices</name>
     <message>
         <source>Close</source>
-        <translation>Cerrar</translation>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::NumberBox</name>
     <message>
         <source>At most %1.</source>
-        <translation>Como máximo %1.</translation>
+        <translation>Höchstens %1.</translation>
     </message>
     <message>
         <source>At least %1.</source>
-        <translation>Como mínimo %1.</translation>
+        <translation>Mindestens %1.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::PatientViews</name>
     <message>
         <source>Displacement (mm)</source>
-        <translation>Desplazamiento (mm)</translation>
+        <translation>Verschiebung (mm)</translation>
     </message>
     <message>
         <source>Red: one stiffness from the atlas</source>
-        <translation>Rojo: una sola rigidez, del atlas</translation>
+        <translation>Rot: eine Steifigkeit aus dem Atlas</translation>
     </message>
     <message>
         <source>Blue: the patient&apos;s own stiffness</source>
-        <translation>Azul: la rigidez propia del paciente</translation>
+        <translation>Blau: die eigene Steifigkeit des Patienten</translation>
     </message>
     <message>
         <source>Purple: both agree</source>
-        <translation>Violeta: ambas coinciden</translation>
+        <translation>Violett: beide stimmen überein</translation>
     </message>
     <message>
         <source>Shear stiffness (kPa)</source>
-        <translation>Rigidez a cizalla (kPa)</translation>
+        <translation>Schersteifigkeit (kPa)</translation>
     </message>
     <message>
         <source>%1  %2 mm</source>
@@ -5863,185 +5936,184 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     </message>
     <message>
         <source>The patient&apos;s own stiffness</source>
-        <translation>La rigidez propia del paciente</translation>
+        <translation>Die eigene Steifigkeit des Patienten</translation>
     </message>
     <message>
         <source>One stiffness from the atlas</source>
-        <translation>Una sola rigidez, la del atlas</translation>
+        <translation>Eine Steifigkeit aus dem Atlas</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::PlatformTable</name>
     <message>
         <source>Assumed: %1 %2 (%3)</source>
-        <translation>Supuesto: %1 %2 (%3)</translation>
+        <translation>Angenommen: %1 %2 (%3)</translation>
     </message>
     <message>
         <source>head</source>
-        <translation>cabeza</translation>
+        <translation>Kopf</translation>
     </message>
     <message>
         <source>belt</source>
-        <translation>cinturón</translation>
+        <translation>Gürtel</translation>
     </message>
     <message>
         <source>back</source>
-        <translation>espalda</translation>
+        <translation>Rücken</translation>
     </message>
     <message>
         <source>idle draw</source>
-        <translation>reposo</translation>
+        <translation>Leerlauf</translation>
     </message>
     <message>
         <source>too hot idle</source>
-        <translation>calor en reposo</translation>
+        <translation>zu heiß im Leerlauf</translation>
     </message>
     <message>
         <source>too slow</source>
-        <translation>lentitud</translation>
+        <translation>zu langsam</translation>
     </message>
     <message>
         <source>slows itself down</source>
-        <translation>se ralentiza</translation>
+        <translation>drosselt sich</translation>
     </message>
     <message>
         <source>battery</source>
-        <translation>batería</translation>
+        <translation>Akku</translation>
     </message>
     <message>
         <source>too hot</source>
-        <translation>calor</translation>
+        <translation>zu heiß</translation>
     </message>
     <message>
         <source>✕ fails: %1</source>
-        <translation>✕ no sirve: %1</translation>
+        <translation>✕ reicht nicht: %1</translation>
     </message>
     <message>
         <source>heat</source>
-        <translation>calor</translation>
+        <translation>Wärme</translation>
     </message>
     <message>
         <source>speed</source>
-        <translation>velocidad</translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>✓ holds; next limit: %1</source>
-        <translation>✓ aguanta; límite: %1</translation>
+        <translation>✓ hält; nächste Grenze: %1</translation>
     </message>
     <message>
         <source>Platform</source>
-        <translation>Plataforma</translation>
+        <translation>Gerät</translation>
     </message>
     <message>
         <source>Worn on
 the</source>
-        <translation>Se lleva
-en</translation>
+        <translation>Getragen
+am</translation>
     </message>
     <message>
         <source>Draws idle
 W</source>
-        <translation>En reposo
+        <translation>Leerlauf
 W</translation>
     </message>
     <message>
         <source>Battery
 allows W</source>
-        <translation>Batería
-permite W</translation>
+        <translation>Akku
+erlaubt W</translation>
     </message>
     <message>
         <source>Left to
 compute W</source>
-        <translation>Queda para
-calcular W</translation>
+        <translation>Rest zum
+Rechnen W</translation>
     </message>
     <message>
         <source>Frames/s
 at most</source>
-        <translation>Fotogr./s
-como máx.</translation>
+        <translation>Bilder/s
+höchstens</translation>
     </message>
     <message>
         <source>Lasts
 h</source>
-        <translation>Dura
+        <translation>Hält
 h</translation>
     </message>
     <message>
         <source>Surface
 °C</source>
-        <translation>Superf.
+        <translation>Oberfl.
 °C</translation>
     </message>
     <message>
         <source>Limit</source>
-        <translation>Límite</translation>
+        <translation>Grenze</translation>
     </message>
     <message>
         <source>Assumed
 figures</source>
-        <translation>Cifras
-supuestas</translation>
+        <translation>Annahmen</translation>
     </message>
     <message>
         <source>What it takes from its battery when nothing is computed</source>
-        <translation>Lo que toma de su batería cuando no se calcula nada</translation>
+        <translation>Was es seinem Akku entnimmt, wenn nichts gerechnet wird</translation>
     </message>
     <message>
         <source>The largest constant power that its battery carries for the operation</source>
-        <translation>La mayor potencia constante que su batería mantiene durante la operación</translation>
+        <translation>Die größte konstante Leistung, die sein Akku über die Operation trägt</translation>
     </message>
     <message>
         <source>What the battery allows, less what idling takes</source>
-        <translation>Lo que permite la batería menos lo que consume el reposo</translation>
+        <translation>Was der Akku erlaubt, abzüglich des Leerlaufs</translation>
     </message>
     <message>
         <source>The frame rate that meets every constraint</source>
-        <translation>La frecuencia de fotogramas que cumple todas las condiciones</translation>
+        <translation>Die Bildrate, die jede Bedingung erfüllt</translation>
     </message>
     <message>
         <source>On one charge, at the wanted frame rate or the fastest it computes</source>
-        <translation>Con una carga, a la frecuencia de fotogramas deseada o a la más rápida que calcula</translation>
+        <translation>Mit einer Ladung, bei der gewünschten Bildrate oder der schnellsten, die es schafft</translation>
     </message>
     <message>
         <source>At the end of the operation</source>
-        <translation>Al final de la operación</translation>
+        <translation>Am Ende der Operation</translation>
     </message>
     <message>
         <source>Figures that nobody measured; ≈ marks what rests on them</source>
-        <translation>Cifras que nadie ha medido; ≈ marca lo que depende de ellas</translation>
+        <translation>Werte, die niemand gemessen hat; ≈ kennzeichnet, was darauf beruht</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::PlatformView</name>
     <message>
         <source>Volume and stiffness of %1</source>
-        <translation>Volumen y rigidez de %1</translation>
+        <translation>Volumen und Steifigkeit von %1</translation>
     </message>
     <message>
         <source>Volume of %1; its stiffness is not known</source>
-        <translation>Volumen de %1; su rigidez no se conoce</translation>
+        <translation>Volumen von %1; die Steifigkeit ist nicht bekannt</translation>
     </message>
     <message>
         <source>Stiffness of %1; its volume is not known</source>
-        <translation>Rigidez de %1; su volumen no se conoce</translation>
+        <translation>Steifigkeit von %1; das Volumen ist nicht bekannt</translation>
     </message>
     <message>
         <source>%1 has no outlined liver yet: type its volume</source>
-        <translation>%1 aún no tiene el hígado delimitado: escriba su volumen</translation>
+        <translation>%1 hat noch keine umrissene Leber: Geben Sie ihr Volumen ein</translation>
     </message>
     <message>
         <source>The case</source>
-        <translation>El caso</translation>
+        <translation>Der Fall</translation>
     </message>
     <message>
         <source>No case is open: type its figures</source>
-        <translation>No hay ningún caso abierto: escriba sus cifras</translation>
+        <translation>Kein Fall ist geöffnet: Geben Sie seine Werte ein</translation>
     </message>
     <message>
         <source> cm³</source>
@@ -6049,7 +6121,7 @@ supuestas</translation>
     </message>
     <message>
         <source>Liver</source>
-        <translation>Hígado</translation>
+        <translation>Leber</translation>
     </message>
     <message>
         <source> kPa</source>
@@ -6057,19 +6129,19 @@ supuestas</translation>
     </message>
     <message>
         <source>Mean Young&apos;s modulus. Softer tissue moves farther under the same load, and what a coarse model misses of it grows alike.</source>
-        <translation>Módulo de Young medio. Un tejido más blando se mueve más con la misma carga, y lo que un modelo grueso pierde de ello crece igual.</translation>
+        <translation>Mittlerer Elastizitätsmodul. Weicheres Gewebe bewegt sich unter derselben Last weiter, und was einem groben Modell davon entgeht, wächst ebenso.</translation>
     </message>
     <message>
         <source>Young&apos;s modulus</source>
-        <translation>Módulo de Young</translation>
+        <translation>E-Modul</translation>
     </message>
     <message>
         <source>What is wanted</source>
-        <translation>Lo que se desea</translation>
+        <translation>Was gewünscht ist</translation>
     </message>
     <message>
         <source>Accuracy</source>
-        <translation>Precisión</translation>
+        <translation>Genauigkeit</translation>
     </message>
     <message>
         <source> mm</source>
@@ -6077,7 +6149,7 @@ supuestas</translation>
     </message>
     <message>
         <source>Duration of the operation</source>
-        <translation>Duración de la operación</translation>
+        <translation>Dauer der Operation</translation>
     </message>
     <message>
         <source> h</source>
@@ -6085,7 +6157,7 @@ supuestas</translation>
     </message>
     <message>
         <source>Frame rate</source>
-        <translation>Frecuencia de fotogramas</translation>
+        <translation>Bildrate</translation>
     </message>
     <message>
         <source> /s</source>
@@ -6093,11 +6165,11 @@ supuestas</translation>
     </message>
     <message>
         <source>The room and the skin</source>
-        <translation>La sala y la piel</translation>
+        <translation>Raum und Haut</translation>
     </message>
     <message>
         <source>Operating room</source>
-        <translation>Quirófano</translation>
+        <translation>Operationssaal</translation>
     </message>
     <message>
         <source> °C</source>
@@ -6105,67 +6177,67 @@ supuestas</translation>
     </message>
     <message>
         <source>Hottest surface to be worn</source>
-        <translation>Superficie más caliente que se puede llevar</translation>
+        <translation>Heißeste tragbare Oberfläche</translation>
     </message>
     <message>
         <source>The work</source>
-        <translation>El trabajo</translation>
+        <translation>Die Arbeit</translation>
     </message>
     <message>
         <source>Add devices...</source>
-        <translation>Añadir dispositivos…</translation>
+        <translation>Geräte hinzufügen …</translation>
     </message>
     <message>
         <source>A table of your own, or what glisson-cli platform measure wrote</source>
-        <translation>Una tabla propia o lo que escribió glisson-cli platform measure</translation>
+        <translation>Eine eigene Tabelle oder was glisson-cli platform measure geschrieben hat</translation>
     </message>
     <message>
         <source>Surface temperature</source>
-        <translation>Temperatura de la superficie</translation>
+        <translation>Oberflächentemperatur</translation>
     </message>
     <message>
         <source>Frame rate that holds</source>
-        <translation>Frecuencia de fotogramas que aguanta</translation>
+        <translation>Bildrate, die hält</translation>
     </message>
     <message>
         <source>Battery life</source>
-        <translation>Duración de la batería</translation>
+        <translation>Akkulaufzeit</translation>
     </message>
     <message>
         <source>Mean power</source>
-        <translation>Potencia media</translation>
+        <translation>Mittlere Leistung</translation>
     </message>
     <message>
         <source>Add devices</source>
-        <translation>Añadir dispositivos</translation>
+        <translation>Geräte hinzufügen</translation>
     </message>
     <message>
         <source>Device tables (*.json)</source>
-        <translation>Tablas de dispositivos (*.json)</translation>
+        <translation>Gerätetabellen (*.json)</translation>
     </message>
     <message>
         <source>%1 nodes of %2 mm³. A frame is %3 block products: %4 MB to move, %5 million operations.</source>
-        <translation>%1 nodos de %2 mm³. Un fotograma son %3 productos por bloques: %4 MB que mover, %5 millones de operaciones.</translation>
+        <translation>%1 Knoten zu %2 mm³. Ein Bild sind %3 Blockprodukte: %4 MB zu bewegen, %5 Millionen Operationen.</translation>
     </message>
     <message>
         <source>None of these platforms holds.</source>
-        <translation>Ninguna de estas plataformas aguanta.</translation>
+        <translation>Keines dieser Geräte hält.</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the head: %1</source>
-        <translation>La menos molesta que aguanta, en la cabeza: %1</translation>
+        <translation>Am wenigsten störend von denen, die halten, am Kopf: %1</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the belt: %1</source>
-        <translation>La menos molesta que aguanta, en el cinturón: %1</translation>
+        <translation>Am wenigsten störend von denen, die halten, am Gürtel: %1</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the back: %1</source>
-        <translation>La menos molesta que aguanta, en la espalda: %1</translation>
+        <translation>Am wenigsten störend von denen, die halten, am Rücken: %1</translation>
     </message>
     <message>
         <source>Surface after %1 h at %2 frames/s (°C)</source>
-        <translation>Superficie tras %1 h a %2 fotogramas/s (°C)</translation>
+        <translation>Oberfläche nach %1 h bei %2 Bildern/s (°C)</translation>
     </message>
     <message>
         <source>%1 °C</source>
@@ -6173,7 +6245,7 @@ supuestas</translation>
     </message>
     <message>
         <source>Frames/s that hold for %1 h</source>
-        <translation>Fotogramas/s que aguantan %1 h</translation>
+        <translation>Bilder/s, die %1 h halten</translation>
     </message>
     <message>
         <source>%1 /s</source>
@@ -6181,7 +6253,7 @@ supuestas</translation>
     </message>
     <message>
         <source>Battery lasts at %1 frames/s (h)</source>
-        <translation>La batería dura a %1 fotogramas/s (h)</translation>
+        <translation>Akku hält bei %1 Bildern/s (h)</translation>
     </message>
     <message>
         <source>%1 h</source>
@@ -6189,106 +6261,106 @@ supuestas</translation>
     </message>
     <message>
         <source>Mean power at %1 frames/s (W)</source>
-        <translation>Potencia media a %1 fotogramas/s (W)</translation>
+        <translation>Mittlere Leistung bei %1 Bildern/s (W)</translation>
     </message>
     <message>
         <source>%1 W: the battery</source>
-        <translation>%1 W: la batería</translation>
+        <translation>%1 W: der Akku</translation>
     </message>
     <message>
         <source>an operation of at most %1 h</source>
-        <translation>una operación de como máximo %1 h</translation>
+        <translation>eine Operation von höchstens %1 h</translation>
     </message>
     <message>
         <source>at most %1 frames/s</source>
-        <translation>como máximo %1 fotogramas/s</translation>
+        <translation>höchstens %1 Bilder/s</translation>
     </message>
     <message>
         <source>an accuracy of %1 mm</source>
-        <translation>una precisión de %1 mm</translation>
+        <translation>eine Genauigkeit von %1 mm</translation>
     </message>
     <message>
         <source>a battery of %1 Wh</source>
-        <translation>una batería de %1 Wh</translation>
+        <translation>ein Akku von %1 Wh</translation>
     </message>
     <message>
         <source>a heat sink of %1 °C/W</source>
-        <translation>un disipador de %1 °C/W</translation>
+        <translation>ein Kühlkörper von %1 °C/W</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation>medido</translation>
+        <translation>gemessen</translation>
     </message>
     <message>
         <source>computed</source>
-        <translation>calculado</translation>
+        <translation>berechnet</translation>
     </message>
     <message>
         <source>dissertation</source>
-        <translation>tesis</translation>
+        <translation>Dissertation</translation>
     </message>
     <message>
         <source>ASSUMED</source>
-        <translation>SUPUESTO</translation>
+        <translation>ANGENOMMEN</translation>
     </message>
     <message>
         <source>Idle first: it draws %1 W of the %2 W that its battery allows over %3 h; it would last %4 h and reach %5 °C without computing anything.</source>
-        <translation>Primero el reposo: consume %1 W de los %2 W que su batería permite durante %3 h; sin calcular nada duraría %4 h y llegaría a %5 °C.</translation>
+        <translation>Zuerst der Leerlauf: Es nimmt %1 W von den %2 W auf, die sein Akku über %3 h erlaubt; ohne zu rechnen hielte es %4 h und erreichte %5 °C.</translation>
     </message>
     <message>
         <source>Frames/s: %1 by its speed, %2 by its battery, %3 by its heat. A frame takes %4 J above idle; mean power %5 W.</source>
-        <translation>Fotogramas/s: %1 por su velocidad, %2 por su batería, %3 por su calor. Un fotograma consume %4 J sobre el reposo; potencia media %5 W.</translation>
+        <translation>Bilder/s: %1 nach Tempo, %2 nach Akku, %3 nach Wärme. Ein Bild braucht %4 J über dem Leerlauf; mittlere Leistung %5 W.</translation>
     </message>
     <message>
         <source>Why it fails:</source>
-        <translation>Por qué no sirve:</translation>
+        <translation>Warum es nicht reicht:</translation>
     </message>
     <message>
         <source>No single figure would make it hold.</source>
-        <translation>Ninguna cifra por sí sola la haría aguantar.</translation>
+        <translation>Kein einzelner Wert würde es halten lassen.</translation>
     </message>
     <message>
         <source>It would hold with one of:</source>
-        <translation>Aguantaría con una de estas:</translation>
+        <translation>Es hielte mit einem davon:</translation>
     </message>
     <message>
         <source>Where its figures come from:</source>
-        <translation>De dónde proceden sus cifras:</translation>
+        <translation>Woher seine Werte stammen:</translation>
     </message>
     <message>
         <source>Volume of %1; its stiffness is assumed</source>
-        <translation>Volumen de %1; su rigidez es supuesta</translation>
+        <translation>Volumen von %1; die Steifigkeit ist angenommen</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ReadingPanel</name>
     <message>
         <source>Reading</source>
-        <translation>Lectura</translation>
+        <translation>Lesen</translation>
     </message>
     <message>
         <source>What the colours show</source>
-        <translation>Qué muestran los colores</translation>
+        <translation>Was die Farben zeigen</translation>
     </message>
     <message>
         <source>Colours: SIRGn&apos;s correlation</source>
-        <translation>Colores: correlación de SIRGn</translation>
+        <translation>Farben: Korrelation nach SIRGn</translation>
     </message>
     <message>
         <source>Colours: error of the landmarks (mm)</source>
-        <translation>Colores: error de los puntos de referencia (mm)</translation>
+        <translation>Farben: Fehler der Landmarken (mm)</translation>
     </message>
     <message>
         <source>Colours: doubt (mm)</source>
-        <translation>Colores: duda (mm)</translation>
+        <translation>Farben: Zweifel (mm)</translation>
     </message>
     <message>
         <source>Correlation: whether landmarks and warp move alike over time, 1 is best. Error: mean distance of a triangle&apos;s landmarks, as registered, from where they are on the model, mm. Doubt: motion that the registration leaves unexplained, mm, to be compared within one sequence.</source>
-        <translation>Correlación: si los puntos de referencia y la deformación se mueven igual con el tiempo, 1 es lo mejor. Error: distancia media de los puntos de referencia registrados de un triángulo a su lugar en el modelo, mm. Duda: movimiento que el registro deja sin explicar, mm, para comparar dentro de una misma secuencia.</translation>
+        <translation>Korrelation: ob sich Landmarken und Verformung im Lauf der Zeit gleich bewegen, 1 ist am besten. Fehler: mittlerer Abstand der registrierten Landmarken eines Dreiecks von ihrem Ort auf dem Modell, mm. Zweifel: Bewegung, die die Registrierung unerklärt lässt, mm, nur innerhalb einer Sequenz zu vergleichen.</translation>
     </message>
     <message>
         <source>Tolerance: rejected from</source>
-        <translation>Tolerancia: rechazo a partir de</translation>
+        <translation>Toleranz: verworfen ab</translation>
     </message>
     <message>
         <source> mm</source>
@@ -6296,11 +6368,11 @@ supuestas</translation>
     </message>
     <message>
         <source>Triangles whose landmarks are off by this much or more, mm, are grey and hatched</source>
-        <translation>Los triángulos cuyos puntos de referencia se desvían esto o más (mm) se ven grises y rayados</translation>
+        <translation>Dreiecke, deren Landmarken um so viel oder mehr danebenliegen (mm), sind grau und schraffiert</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation>Tolerancia</translation>
+        <translation>Toleranz</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -6308,299 +6380,299 @@ supuestas</translation>
     </message>
     <message>
         <source>Sets the tolerance to %1 mm</source>
-        <translation>Fija la tolerancia en %1 mm</translation>
+        <translation>Stellt die Toleranz auf %1 mm</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::RegisterPage</name>
     <message>
         <source>Register</source>
-        <translation>Registrar</translation>
+        <translation>Registrieren</translation>
     </message>
     <message>
         <source>See how good a registration of a video is, place by place.</source>
-        <translation>Ver qué calidad tiene el registro de un vídeo, lugar por lugar.</translation>
+        <translation>Sehen, wie gut eine Registrierung eines Videos ist, Stelle für Stelle.</translation>
     </message>
     <message>
         <source>Opening the sequence</source>
-        <translation>Abriendo la secuencia</translation>
+        <translation>Die Sequenz wird geöffnet</translation>
     </message>
     <message>
         <source>Making an example sequence</source>
-        <translation>Creando una secuencia de ejemplo</translation>
+        <translation>Eine Beispielsequenz wird erstellt</translation>
     </message>
     <message>
         <source>Registering the video</source>
-        <translation>Registrando el vídeo</translation>
+        <translation>Das Video wird registriert</translation>
     </message>
     <message>
         <source>A defect in Glisson stopped this: %1</source>
-        <translation>Un defecto de Glisson detuvo esto: %1</translation>
+        <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
     </message>
     <message>
         <source>Open another...</source>
-        <translation>Abrir otra…</translation>
+        <translation>Andere öffnen …</translation>
     </message>
     <message>
         <source>Another sequence.json in place of this one</source>
-        <translation>Otro sequence.json en lugar de este</translation>
+        <translation>Eine andere sequence.json anstelle dieser</translation>
     </message>
     <message>
         <source>Open a sequence</source>
-        <translation>Abrir una secuencia</translation>
+        <translation>Eine Sequenz öffnen</translation>
     </message>
     <message>
         <source>Sequences (*.json)</source>
-        <translation>Secuencias (*.json)</translation>
+        <translation>Sequenzen (*.json)</translation>
     </message>
     <message>
         <source>Click a triangle to see its history.</source>
-        <translation>Haga clic en un triángulo para ver su evolución.</translation>
+        <translation>Klicken Sie ein Dreieck an, um seinen Verlauf zu sehen.</translation>
     </message>
     <message>
         <source>%1 mm in this frame</source>
-        <translation>%1 mm en este fotograma</translation>
+        <translation>%1 mm in diesem Bild</translation>
     </message>
     <message>
         <source>not all its corners are seen in this frame</source>
-        <translation>no se ven todos sus vértices en este fotograma</translation>
+        <translation>nicht alle Ecken sind in diesem Bild zu sehen</translation>
     </message>
     <message>
         <source>rejected</source>
-        <translation>rechazado</translation>
+        <translation>verworfen</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation>aceptado</translation>
+        <translation>angenommen</translation>
     </message>
     <message>
         <source>%1, triangle %2: correlation %3; off by %4 mm on average, %5; %6</source>
-        <translation>%1, triángulo %2: correlación %3; desviado %4 mm en promedio, %5; %6</translation>
+        <translation>%1, Dreieck %2: Korrelation %3; im Mittel %4 mm daneben, %5; %6</translation>
     </message>
     <message>
         <source>%1: %2 frames, %3 landmarks</source>
-        <translation>%1: %2 fotogramas, %3 puntos de referencia</translation>
+        <translation>%1: %2 Bilder, %3 Landmarken</translation>
     </message>
     <message>
         <source>One moment...</source>
-        <translation>Un momento…</translation>
+        <translation>Einen Augenblick …</translation>
     </message>
     <message>
         <source>Click a triangle to see its history; hover over it for its figures</source>
-        <translation>Haga clic en un triángulo para ver su evolución; pase por encima para ver sus cifras</translation>
+        <translation>Ein Dreieck anklicken, um seinen Verlauf zu sehen; darüberfahren für seine Zahlen</translation>
     </message>
     <message>
         <source>Not registered yet: press &quot;Register and judge&quot;.</source>
-        <translation>Aún sin registrar: pulse «Registrar y juzgar».</translation>
+        <translation>Noch nicht registriert: „Registrieren und beurteilen“ drücken.</translation>
     </message>
     <message>
         <source>%1: %2 % of %3 triangles rejected at %4 mm</source>
-        <translation>%1: %2 % de %3 triángulos rechazados a %4 mm</translation>
+        <translation>%1: %2 % von %3 Dreiecken bei %4 mm verworfen</translation>
     </message>
     <message>
         <source>The sequence names no camera, so that no mesh can be drawn over the video.</source>
-        <translation>La secuencia no indica ninguna cámara, así que no se puede dibujar la malla sobre el vídeo.</translation>
+        <translation>Die Sequenz nennt keine Kamera, darum lässt sich kein Netz über das Video zeichnen.</translation>
     </message>
     <message>
         <source>The sequence names no pictures; the mesh is drawn on black.</source>
-        <translation>La secuencia no indica imágenes; la malla se dibuja sobre negro.</translation>
+        <translation>Die Sequenz nennt keine Bilder; das Netz wird auf Schwarz gezeichnet.</translation>
     </message>
     <message>
         <source>Correlation</source>
-        <translation>Correlación</translation>
+        <translation>Korrelation</translation>
     </message>
     <message>
         <source>Error
 (mm)</source>
-        <translation>Error
+        <translation>Fehler
 (mm)</translation>
     </message>
     <message>
         <source>Doubt
 (mm)</source>
-        <translation>Duda
+        <translation>Zweifel
 (mm)</translation>
     </message>
     <message>
         <source>good</source>
-        <translation>bueno</translation>
+        <translation>gut</translation>
     </message>
     <message>
         <source>bad</source>
-        <translation>malo</translation>
+        <translation>schlecht</translation>
     </message>
     <message>
         <source>rejected: off by %1 mm or more</source>
-        <translation>rechazado: desviado %1 mm o más</translation>
+        <translation>verworfen: %1 mm oder mehr daneben</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::RegisterWelcome</name>
     <message>
         <source>How good is a registration of a video?</source>
-        <translation>¿Qué calidad tiene el registro de un vídeo?</translation>
+        <translation>Wie gut ist eine Registrierung eines Videos?</translation>
     </message>
     <message>
         <source>This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the tracks of landmarks, and the model that is registered. glisson-cli sequence makes one of a stereo video and its calibration. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
-        <translation>Hace falta una secuencia: un sequence.json que indica los fotogramas de un vídeo estéreo, una nube de puntos de cada uno, las trayectorias de puntos de referencia y el modelo que se registra. glisson-cli sequence la crea a partir de un vídeo estéreo y su calibración. Sin vídeo, un ejemplo muestra de qué se trata: el hígado del paciente de demostración, que respira y es presionado por un instrumento, simulado.</translation>
+        <translation>Dazu braucht es eine Sequenz: eine sequence.json, die die Bilder eines Stereovideos nennt, zu jedem eine Punktwolke, die Spuren von Landmarken und das Modell, das registriert wird. glisson-cli sequence macht eine aus einem Stereovideo und seiner Kalibrierung. Ohne Video zeigt ein Beispiel, worum es geht: die Leber des Demopatienten, wie sie atmet und von einem Instrument eingedrückt wird, simuliert.</translation>
     </message>
     <message>
         <source>Open a sequence...</source>
-        <translation>Abrir una secuencia…</translation>
+        <translation>Eine Sequenz öffnen …</translation>
     </message>
     <message>
         <source>A sequence.json with its clouds, tracks and pictures beside it</source>
-        <translation>Un sequence.json con sus nubes, trayectorias e imágenes al lado</translation>
+        <translation>Eine sequence.json mit ihren Punktwolken, Spuren und Bildern daneben</translation>
     </message>
     <message>
         <source>Make an example sequence</source>
-        <translation>Crear una secuencia de ejemplo</translation>
+        <translation>Beispielsequenz erstellen</translation>
     </message>
     <message>
         <source>Simulates 40 frames in a few seconds and opens them; 7 MB</source>
-        <translation>Simula 40 fotogramas en pocos segundos y los abre; 7 MB</translation>
+        <translation>Simuliert 40 Bilder in wenigen Sekunden und öffnet sie; 7 MB</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::RehearsePanel</name>
     <message>
         <source>Rehearse</source>
-        <translation>Ensayar</translation>
+        <translation>Proben</translation>
     </message>
     <message>
         <source>Open a case with a model of the liver, or the demo patient, to rehearse a retraction.</source>
-        <translation>Abra un caso con un modelo del hígado, o el paciente de demostración, para ensayar una retracción.</translation>
+        <translation>Öffnen Sie einen Fall mit einem Modell der Leber oder den Demopatienten, um eine Retraktion zu proben.</translation>
     </message>
     <message>
         <source>Show the liver with the stiffness of</source>
-        <translation>Mostrar el hígado con la rigidez de</translation>
+        <translation>Leber zeigen mit der Steifigkeit von</translation>
     </message>
     <message>
         <source>Landmarks</source>
-        <translation>Puntos de referencia</translation>
+        <translation>Landmarken</translation>
     </message>
     <message>
         <source>Colour the liver by how far it moves</source>
-        <translation>Colorear el hígado según su desplazamiento</translation>
+        <translation>Leber nach ihrer Bewegung einfärben</translation>
     </message>
     <message>
         <source>Place the tool to see what moves.</source>
-        <translation>Coloque el instrumento para ver qué se mueve.</translation>
+        <translation>Setzen Sie das Instrument, um zu sehen, was sich bewegt.</translation>
     </message>
     <message>
         <source>The liver moves by up to %1 mm.</source>
-        <translation>El hígado se mueve hasta %1 mm.</translation>
+        <translation>Die Leber bewegt sich um bis zu %1 mm.</translation>
     </message>
     <message>
         <source>The atlas is off by up to %1 mm.</source>
-        <translation>El atlas se equivoca hasta %1 mm.</translation>
+        <translation>Der Atlas irrt um bis zu %1 mm.</translation>
     </message>
     <message>
         <source>Changed by evidence: %1</source>
-        <translation>Cambiado por la evidencia: %1</translation>
+        <translation>Durch Befunde verändert: %1</translation>
     </message>
     <message>
         <source>Evidence to bear in mind: %1</source>
-        <translation>Evidencia que tener presente: %1</translation>
+        <translation>Befunde, die zu bedenken sind: %1</translation>
     </message>
     <message>
         <source>Save...</source>
-        <translation>Guardar…</translation>
+        <translation>Speichern …</translation>
     </message>
     <message>
         <source>Saves the landmarks as CSV, in mm</source>
-        <translation>Guarda los puntos de referencia como CSV, en mm</translation>
+        <translation>Speichert die Landmarken als CSV, in mm</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation>A lo largo del tiempo</translation>
+        <translation>Zeitverlauf</translation>
     </message>
     <message>
         <source>Save the landmarks as a table</source>
-        <translation>Guardar los puntos de referencia como tabla</translation>
+        <translation>Landmarken als Tabelle speichern</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation>Tablas (*.csv)</translation>
+        <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation>Escrito: %1</translation>
+        <translation>Geschrieben: %1</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ReportView</name>
     <message>
         <source>Report</source>
-        <translation>Informe</translation>
+        <translation>Bericht</translation>
     </message>
     <message>
         <source>Show the patient&apos;s name</source>
-        <translation>Mostrar el nombre del paciente</translation>
+        <translation>Den Namen des Patienten zeigen</translation>
     </message>
     <message>
         <source>Without it the page names neither the patient nor the case; see the settings too</source>
-        <translation>Sin él, la página no nombra ni al paciente ni el caso; vea también los ajustes</translation>
+        <translation>Ohne ihn nennt die Seite weder den Patienten noch den Fall; siehe auch die Einstellungen</translation>
     </message>
     <message>
         <source>Collect again</source>
-        <translation>Reunir de nuevo</translation>
+        <translation>Neu zusammenstellen</translation>
     </message>
     <message>
         <source>Reads the case and the present rehearsal anew</source>
-        <translation>Lee de nuevo el caso y el ensayo actual</translation>
+        <translation>Liest den Fall und die jetzige Probe neu</translation>
     </message>
     <message>
         <source>Save as a web page...</source>
-        <translation>Guardar como página web…</translation>
+        <translation>Als Webseite speichern …</translation>
     </message>
     <message>
         <source>Print to PDF...</source>
-        <translation>Imprimir a PDF…</translation>
+        <translation>Als PDF drucken …</translation>
     </message>
     <message>
         <source>All that was done for this patient on one page.</source>
-        <translation>Todo lo hecho para este paciente en una página.</translation>
+        <translation>Alles, was für diesen Patienten getan wurde, auf einer Seite.</translation>
     </message>
     <message>
         <source>Needs a case: open one, or the demo patient.</source>
-        <translation>Necesita un caso: abra uno o el paciente de demostración.</translation>
+        <translation>Braucht einen Fall: Öffnen Sie einen, oder den Demopatienten.</translation>
     </message>
     <message>
         <source>Collecting the report</source>
-        <translation>Reuniendo el informe</translation>
+        <translation>Bericht wird zusammengestellt</translation>
     </message>
     <message>
         <source>Open a case, or the demo patient, to see its page.</source>
-        <translation>Abra un caso, o el paciente de demostración, para ver su página.</translation>
+        <translation>Öffnen Sie einen Fall oder den Demopatienten, um die Seite zu sehen.</translation>
     </message>
     <message>
         <source>The page is being collected.</source>
-        <translation>La página se está reuniendo.</translation>
+        <translation>Die Seite wird zusammengestellt.</translation>
     </message>
     <message>
         <source>Something has changed since this page was collected.</source>
-        <translation>Algo ha cambiado desde que se reunió esta página.</translation>
+        <translation>Seit diese Seite zusammengestellt wurde, hat sich etwas geändert.</translation>
     </message>
     <message>
         <source>Collected from the case and from what is being rehearsed now.</source>
-        <translation>Reunido del caso y de lo que se ensaya ahora.</translation>
+        <translation>Zusammengestellt aus dem Fall und dem, was gerade geprobt wird.</translation>
     </message>
     <message>
         <source>Save the report</source>
-        <translation>Guardar el informe</translation>
+        <translation>Bericht speichern</translation>
     </message>
     <message>
         <source>Web pages (*.html)</source>
-        <translation>Páginas web (*.html)</translation>
+        <translation>Webseiten (*.html)</translation>
     </message>
     <message>
         <source>The report is in %1</source>
-        <translation>El informe está en %1</translation>
+        <translation>Der Bericht liegt in %1</translation>
     </message>
     <message>
         <source>Print the report</source>
-        <translation>Imprimir el informe</translation>
+        <translation>Bericht drucken</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
@@ -6608,153 +6680,153 @@ supuestas</translation>
     </message>
     <message>
         <source>The report could not be written to %1.</source>
-        <translation>El informe no se pudo escribir en %1.</translation>
+        <translation>Der Bericht konnte nicht nach %1 geschrieben werden.</translation>
     </message>
     <message>
         <source>With what can be worn</source>
-        <translation>Con lo que se puede llevar</translation>
+        <translation>Mit tragbaren Rechnern</translation>
     </message>
     <message>
         <source>Adds which wearable computers can do this case, as planned in Platform</source>
-        <translation>Añade qué ordenadores portables pueden con este caso, como se planificó en Plataforma</translation>
+        <translation>Fügt hinzu, welche tragbaren Rechner diesen Fall leisten, wie in Plattform geplant</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ResectPanel</name>
     <message>
         <source>Plan a resection</source>
-        <translation>Planificar una resección</translation>
+        <translation>Resektion planen</translation>
     </message>
     <message>
         <source>Needs a model of the liver. Build it first, or open the demo patient.</source>
-        <translation>Necesita un modelo del hígado. Constrúyalo primero o abra el paciente de demostración.</translation>
+        <translation>Braucht ein Modell der Leber. Erstellen Sie es zuerst, oder öffnen Sie den Demopatienten.</translation>
     </message>
     <message>
         <source>Resect</source>
-        <translation>Resección</translation>
+        <translation>Resektion</translation>
     </message>
     <message>
         <source>Set a cut: what goes, what stays, how near the tumours it passes.</source>
-        <translation>Trazar una sección: qué se va, qué queda, a qué distancia de los tumores pasa.</translation>
+        <translation>Einen Schnitt legen: was wegfällt, was bleibt, wie nah er an den Tumoren verläuft.</translation>
     </message>
     <message>
         <source>Draws the part that is removed away from the rest</source>
-        <translation>Aparta del resto la parte que se extirpa</translation>
+        <translation>Rückt den Teil, der entfernt wird, vom Rest ab</translation>
     </message>
     <message>
         <source>Remove the other part</source>
-        <translation>Extirpar la otra parte</translation>
+        <translation>Den anderen Teil entfernen</translation>
     </message>
     <message>
         <source>No cut</source>
-        <translation>Sin sección</translation>
+        <translation>Kein Schnitt</translation>
     </message>
     <message>
         <source>Save this plan in the case</source>
-        <translation>Guardar este plan en el caso</translation>
+        <translation>Diesen Plan im Fall speichern</translation>
     </message>
     <message>
         <source>The three places lie almost on one line. Click three others.</source>
-        <translation>Los tres lugares están casi en una línea. Haga clic en otros tres.</translation>
+        <translation>Die drei Stellen liegen fast auf einer Linie. Klicken Sie drei andere an.</translation>
     </message>
     <message>
         <source>Click three places on the liver or in the slices.</source>
-        <translation>Haga clic en tres lugares del hígado o de los cortes.</translation>
+        <translation>Klicken Sie drei Stellen auf der Leber oder in den Schichten an.</translation>
     </message>
     <message>
         <source>Click on the liver or in the slices where the cut is to pass.</source>
-        <translation>Haga clic en el hígado o en los cortes por donde deba pasar la sección.</translation>
+        <translation>Klicken Sie auf der Leber oder in den Schichten dorthin, wo der Schnitt verlaufen soll.</translation>
     </message>
     <message>
         <source>Removed</source>
-        <translation>Extirpado</translation>
+        <translation>Entfernt</translation>
     </message>
     <message>
         <source>Stays</source>
-        <translation>Queda</translation>
+        <translation>Bleibt</translation>
     </message>
     <message>
         <source>This patient is not kept in a case folder</source>
-        <translation>Este paciente no se guarda en una carpeta de caso</translation>
+        <translation>Dieser Patient liegt in keinem Fallordner</translation>
     </message>
     <message>
         <source>Writes resection.json, parts.vtu and cut.vtp into results/resection</source>
-        <translation>Escribe resection.json, parts.vtu y cut.vtp en results/resection</translation>
+        <translation>Schreibt resection.json, parts.vtu und cut.vtp nach results/resection</translation>
     </message>
     <message>
         <source>Needs a cut through the liver</source>
-        <translation>Necesita una sección a través del hígado</translation>
+        <translation>Braucht einen Schnitt durch die Leber</translation>
     </message>
     <message>
         <source>Set three or more points where the cut is to pass: on the liver, or in the slices.</source>
-        <translation>Ponga tres o más puntos por donde deba pasar la sección: en el hígado o en los cortes.</translation>
+        <translation>Setzen Sie drei oder mehr Punkte, wo der Schnitt verlaufen soll: auf der Leber oder in den Schichten.</translation>
     </message>
     <message>
         <source>Click three places through which the plane is to pass.</source>
-        <translation>Haga clic en tres lugares por los que deba pasar el plano.</translation>
+        <translation>Klicken Sie drei Stellen an, durch die die Ebene gehen soll.</translation>
     </message>
     <message>
         <source>Planning...</source>
-        <translation>Planificando…</translation>
+        <translation>Wird geplant …</translation>
     </message>
     <message>
         <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
-        <translation>Ponga la cruz donde deba pasar la sección y después el plano por ella. Arrastre su línea en un corte para desplazarlo, y un extremo de la línea para inclinarlo.</translation>
+        <translation>Setzen Sie das Fadenkreuz dorthin, wo der Schnitt verlaufen soll, dann die Ebene hindurch. Ziehen Sie ihre Linie in einer Schicht, um sie zu verschieben, und ein Ende der Linie, um sie zu kippen.</translation>
     </message>
     <message>
         <source>Saving the plan</source>
-        <translation>Guardando el plan</translation>
+        <translation>Plan wird gespeichert</translation>
     </message>
     <message>
         <source>The plan is in %1</source>
-        <translation>El plan está en %1</translation>
+        <translation>Der Plan liegt in %1</translation>
     </message>
     <message>
         <source>Separation</source>
-        <translation>Separación</translation>
+        <translation>Trennen</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ResectionResults</name>
     <message>
         <source>removed</source>
-        <translation>extirpado</translation>
+        <translation>entfernt</translation>
     </message>
     <message>
         <source>stays</source>
-        <translation>queda</translation>
+        <translation>bleibt</translation>
     </message>
     <message>
         <source>cut through</source>
-        <translation>seccionado</translation>
+        <translation>durchschnitten</translation>
     </message>
     <message>
         <source>▲ R1: cut through</source>
-        <translation>▲ R1: seccionado</translation>
+        <translation>▲ R1: durchschnitten</translation>
     </message>
     <message>
         <source>▲ Stays in the patient</source>
-        <translation>▲ Queda en el paciente</translation>
+        <translation>▲ Bleibt im Patienten</translation>
     </message>
     <message>
         <source>▲ R1: under 1 mm</source>
-        <translation>▲ R1: menos de 1 mm</translation>
+        <translation>▲ R1: unter 1 mm</translation>
     </message>
     <message>
         <source>● Under 5 mm</source>
-        <translation>● Menos de 5 mm</translation>
+        <translation>● Unter 5 mm</translation>
     </message>
     <message>
         <source>Margins</source>
-        <translation>Márgenes</translation>
+        <translation>Abstände</translation>
     </message>
     <message>
         <source>Structure</source>
-        <translation>Estructura</translation>
+        <translation>Struktur</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation>Lado</translation>
+        <translation>Seite</translation>
     </message>
     <message>
         <source>mm</source>
@@ -6762,114 +6834,114 @@ supuestas</translation>
     </message>
     <message>
         <source>Smallest distance to the cut inside the liver</source>
-        <translation>Menor distancia a la sección dentro del hígado</translation>
+        <translation>Kleinster Abstand zum Schnitt innerhalb der Leber</translation>
     </message>
     <message>
         <source>R1: a margin under 1 mm counts as tumour at the edge. Under 5 mm is narrow.</source>
-        <translation>R1: un margen inferior a 1 mm cuenta como tumor en el borde. Menos de 5 mm es estrecho.</translation>
+        <translation>R1: Ein Abstand unter 1 mm gilt als Tumor am Rand. Unter 5 mm ist knapp.</translation>
     </message>
     <message>
         <source>Vessels crossed</source>
-        <translation>Vasos cruzados</translation>
+        <translation>Gekreuzte Gefäße</translation>
     </message>
     <message>
         <source>Vessel</source>
-        <translation>Vaso</translation>
+        <translation>Gefäß</translation>
     </message>
     <message>
         <source>Diameter, mm</source>
-        <translation>Diámetro, mm</translation>
+        <translation>Durchmesser, mm</translation>
     </message>
     <message>
         <source>The cut crosses no vessel that was outlined.</source>
-        <translation>La sección no cruza ningún vaso delimitado.</translation>
+        <translation>Der Schnitt kreuzt kein umrissenes Gefäß.</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1 ml&lt;/b&gt; removed (%2 %)</source>
-        <translation>&lt;b&gt;%1 ml&lt;/b&gt; extirpados (%2 %)</translation>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; entfernt (%2 %)</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1 ml&lt;/b&gt; stay (%2 %)</source>
-        <translation>&lt;b&gt;%1 ml&lt;/b&gt; permanecen (%2 %)</translation>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; bleiben (%2 %)</translation>
     </message>
     <message>
         <source>Caution</source>
-        <translation>Atención</translation>
+        <translation>Vorsicht</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SegmentPanel</name>
     <message>
         <source>Segment</source>
-        <translation>Segmentar</translation>
+        <translation>Segmentieren</translation>
     </message>
     <message>
         <source>Outline the liver, its vessels and its tumours.</source>
-        <translation>Delimitar el hígado, sus vasos y sus tumores.</translation>
+        <translation>Leber, Gefäße und Tumoren umreißen.</translation>
     </message>
     <message>
         <source>Needs a case: open one, or import images.</source>
-        <translation>Necesita un caso: abra uno o importe imágenes.</translation>
+        <translation>Braucht einen Fall: Öffnen Sie einen oder importieren Sie Bilder.</translation>
     </message>
     <message>
         <source>Needs anatomical images: import them in Study.</source>
-        <translation>Necesita imágenes anatómicas: impórtelas en Estudio.</translation>
+        <translation>Braucht anatomische Bilder: Importieren Sie sie unter Studie.</translation>
     </message>
     <message>
         <source>Nothing changed.</source>
-        <translation>No ha cambiado nada.</translation>
+        <translation>Nichts hat sich geändert.</translation>
     </message>
     <message>
         <source>Reading the structures</source>
-        <translation>Leyendo las estructuras</translation>
+        <translation>Strukturen werden gelesen</translation>
     </message>
     <message>
         <source>Another name...</source>
-        <translation>Otro nombre…</translation>
+        <translation>Anderer Name …</translation>
     </message>
     <message>
         <source>Name of the structure</source>
-        <translation>Nombre de la estructura</translation>
+        <translation>Name der Struktur</translation>
     </message>
     <message>
         <source>Letters, digits and hyphens:</source>
-        <translation>Letras, cifras y guiones:</translation>
+        <translation>Buchstaben, Ziffern und Bindestriche:</translation>
     </message>
     <message>
         <source>Choose a structure first, or add one.</source>
-        <translation>Elija primero una estructura o añada una.</translation>
+        <translation>Wählen Sie zuerst eine Struktur oder fügen Sie eine hinzu.</translation>
     </message>
     <message>
         <source>Click into the structure first, in any slice.</source>
-        <translation>Haga clic primero dentro de la estructura, en cualquier corte.</translation>
+        <translation>Klicken Sie zuerst in die Struktur, in irgendeiner Schicht.</translation>
     </message>
     <message>
         <source>Replaces the outline by the tissue around the points</source>
-        <translation>Sustituye el contorno por el tejido alrededor de los puntos</translation>
+        <translation>Ersetzt den Umriss durch das Gewebe um die Punkte</translation>
     </message>
     <message>
         <source>Click into the tissue, away from large vessels. Points so far: %1</source>
-        <translation>Haga clic en el tejido, lejos de los grandes vasos. Puntos hasta ahora: %1</translation>
+        <translation>Klicken Sie ins Gewebe, abseits großer Gefäße. Punkte bisher: %1</translation>
     </message>
     <message>
         <source>Click on the piece that is to stay; all others go.</source>
-        <translation>Haga clic en el trozo que debe quedar; los demás se quitan.</translation>
+        <translation>Klicken Sie auf das Stück, das bleiben soll; alle anderen gehen.</translation>
     </message>
     <message>
         <source>Choose a tool to draw in the slices. Without one, clicks move the crosshair.</source>
-        <translation>Elija una herramienta para dibujar en los cortes. Sin ella, los clics mueven la cruz.</translation>
+        <translation>Wählen Sie ein Werkzeug, um in den Schichten zu zeichnen. Ohne Werkzeug bewegen Klicks das Fadenkreuz.</translation>
     </message>
     <message>
         <source>Growing: %1</source>
-        <translation>Crecimiento: %1</translation>
+        <translation>Wachsen: %1</translation>
     </message>
     <message>
         <source>Structures</source>
-        <translation>Estructuras</translation>
+        <translation>Strukturen</translation>
     </message>
     <message>
         <source>Structure</source>
-        <translation>Estructura</translation>
+        <translation>Struktur</translation>
     </message>
     <message>
         <source>ml</source>
@@ -6877,203 +6949,203 @@ supuestas</translation>
     </message>
     <message>
         <source>The chosen one is drawn on. The box shows or hides it.</source>
-        <translation>Se dibuja sobre la elegida. La casilla la muestra o la oculta.</translation>
+        <translation>Auf der gewählten wird gezeichnet. Das Kästchen zeigt oder verbirgt sie.</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation>Añadir</translation>
+        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>A new, empty structure</source>
-        <translation>Una estructura nueva y vacía</translation>
+        <translation>Eine neue, leere Struktur</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation>Renombrar</translation>
+        <translation>Umbenennen</translation>
     </message>
     <message>
         <source>Another name, and with it another colour, for the chosen structure</source>
-        <translation>Otro nombre, y con él otro color, para la estructura elegida</translation>
+        <translation>Ein anderer Name und damit eine andere Farbe für die gewählte Struktur</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation>Quitar</translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Takes the chosen structure out of the case; Ctrl+Z brings it back</source>
-        <translation>Quita del caso la estructura elegida; Ctrl+Z la recupera</translation>
+        <translation>Nimmt die gewählte Struktur aus dem Fall; Strg+Z bringt sie zurück</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation>Herramientas</translation>
+        <translation>Werkzeuge</translation>
     </message>
     <message>
         <source>Crosshair</source>
-        <translation>Cruz</translation>
+        <translation>Fadenkreuz</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation>Pincel</translation>
+        <translation>Pinsel</translation>
     </message>
     <message>
         <source>Eraser</source>
-        <translation>Goma</translation>
+        <translation>Radierer</translation>
     </message>
     <message>
         <source>Smart brush</source>
-        <translation>Pincel selectivo</translation>
+        <translation>Gewebepinsel</translation>
     </message>
     <message>
         <source>Scissors</source>
-        <translation>Tijeras</translation>
+        <translation>Schere</translation>
     </message>
     <message>
         <source>Grow</source>
-        <translation>Crecer</translation>
+        <translation>Wachsen</translation>
     </message>
     <message>
         <source>Pick piece</source>
-        <translation>Elegir trozo</translation>
+        <translation>Stück wählen</translation>
     </message>
     <message>
         <source>Clicks move the crosshair</source>
-        <translation>Los clics mueven la cruz</translation>
+        <translation>Klicks bewegen das Fadenkreuz</translation>
     </message>
     <message>
         <source>Drag to add. Ctrl: erase instead. Shift+wheel: radius in mm</source>
-        <translation>Arrastre para añadir. Ctrl: borrar. Mayús+rueda: radio en mm</translation>
+        <translation>Ziehen fügt hinzu. Strg: stattdessen löschen. Umschalt+Rad: Radius in mm</translation>
     </message>
     <message>
         <source>Drag to take away. Ctrl: add instead. Shift+wheel: radius in mm</source>
-        <translation>Arrastre para quitar. Ctrl: añadir. Mayús+rueda: radio en mm</translation>
+        <translation>Ziehen nimmt weg. Strg: stattdessen hinzufügen. Umschalt+Rad: Radius in mm</translation>
     </message>
     <message>
         <source>Adds only where the grey values are like those under the click</source>
-        <translation>Añade solo donde los grises se parecen a los del punto pulsado</translation>
+        <translation>Fügt nur hinzu, wo die Grauwerte denen unter dem Klick gleichen</translation>
     </message>
     <message>
         <source>Draw around something, and cut away what is inside or outside</source>
-        <translation>Rodee algo y corte lo que queda dentro o fuera</translation>
+        <translation>Etwas umfahren und wegschneiden, was innen oder außen ist</translation>
     </message>
     <message>
         <source>Click points into the tissue, then let the structure grow over what looks alike</source>
-        <translation>Marque puntos en el tejido y deje que la estructura crezca sobre lo que se le parece</translation>
+        <translation>Setzen Sie Punkte ins Gewebe und lassen Sie die Struktur dann über Gleichartiges wachsen</translation>
     </message>
     <message>
         <source>Click on the piece that is to stay; all others go</source>
-        <translation>Haga clic en el trozo que debe quedar; los demás se quitan</translation>
+        <translation>Klicken Sie auf das Stück, das bleiben soll; alle anderen gehen</translation>
     </message>
     <message>
         <source>%1 (key %2)</source>
-        <translation>%1 (tecla %2)</translation>
+        <translation>%1 (Taste %2)</translation>
     </message>
     <message>
         <source>Radius (Shift+wheel)</source>
-        <translation>Radio (Mayús+rueda)</translation>
+        <translation>Radius (Umschalt+Rad)</translation>
     </message>
     <message>
         <source>Radius of the brush in mm</source>
-        <translation>Radio del pincel en mm</translation>
+        <translation>Radius des Pinsels in mm</translation>
     </message>
     <message>
         <source>Disc in this slice</source>
-        <translation>Disco en este corte</translation>
+        <translation>Scheibe in dieser Schicht</translation>
     </message>
     <message>
         <source>Ball through the slices</source>
-        <translation>Bola a través de los cortes</translation>
+        <translation>Kugel durch die Schichten</translation>
     </message>
     <message>
         <source>Whether the brush reaches into the neighbouring slices</source>
-        <translation>Si el pincel alcanza los cortes vecinos</translation>
+        <translation>Ob der Pinsel in die Nachbarschichten reicht</translation>
     </message>
     <message>
         <source>Tolerance (standard deviations)</source>
-        <translation>Tolerancia (desviaciones típicas)</translation>
+        <translation>Toleranz (Standardabweichungen)</translation>
     </message>
     <message>
         <source>How far a grey value may be from that under the click, in standard deviations around it</source>
-        <translation>Cuánto puede apartarse un gris del que hay bajo el clic, en desviaciones típicas</translation>
+        <translation>Wie weit ein Grauwert von dem unter dem Klick abweichen darf, in Standardabweichungen um ihn</translation>
     </message>
     <message>
         <source>Cut away what is inside</source>
-        <translation>Cortar lo que queda dentro</translation>
+        <translation>Wegschneiden, was innen ist</translation>
     </message>
     <message>
         <source>Cut away what is outside</source>
-        <translation>Cortar lo que queda fuera</translation>
+        <translation>Wegschneiden, was außen ist</translation>
     </message>
     <message>
         <source>In this slice only</source>
-        <translation>Solo en este corte</translation>
+        <translation>Nur in dieser Schicht</translation>
     </message>
     <message>
         <source>Through all slices</source>
-        <translation>A través de todos los cortes</translation>
+        <translation>Durch alle Schichten</translation>
     </message>
     <message>
         <source>Forget the points</source>
-        <translation>Olvidar los puntos</translation>
+        <translation>Punkte vergessen</translation>
     </message>
     <message>
         <source>The whole structure</source>
-        <translation>La estructura entera</translation>
+        <translation>Die ganze Struktur</translation>
     </message>
     <message>
         <source>Fill between slices</source>
-        <translation>Rellenar entre cortes</translation>
+        <translation>Zwischen Schichten füllen</translation>
     </message>
     <message>
         <source>Fill holes</source>
-        <translation>Rellenar huecos</translation>
+        <translation>Löcher füllen</translation>
     </message>
     <message>
         <source>Keep the largest</source>
-        <translation>Conservar el mayor</translation>
+        <translation>Größtes behalten</translation>
     </message>
     <message>
         <source>Remove pieces below</source>
-        <translation>Quitar trozos de menos de</translation>
+        <translation>Stücke entfernen unter</translation>
     </message>
     <message>
         <source>Smooth</source>
-        <translation>Suavizar</translation>
+        <translation>Glätten</translation>
     </message>
     <message>
         <source>Grow by</source>
-        <translation>Ampliar en</translation>
+        <translation>Wachsen um</translation>
     </message>
     <message>
         <source>Shrink by</source>
-        <translation>Reducir en</translation>
+        <translation>Schrumpfen um</translation>
     </message>
     <message>
         <source>Fills the slices between drawn ones by their shapes</source>
-        <translation>Rellena los cortes entre los dibujados según sus formas</translation>
+        <translation>Füllt die Schichten zwischen gezeichneten nach deren Formen</translation>
     </message>
     <message>
         <source>Fills what is enclosed on all sides</source>
-        <translation>Rellena lo que está cerrado por todos lados</translation>
+        <translation>Füllt, was ringsum eingeschlossen ist</translation>
     </message>
     <message>
         <source>Keeps the largest piece and drops the others</source>
-        <translation>Conserva el trozo mayor y quita los demás</translation>
+        <translation>Behält das größte Stück und entfernt die anderen</translation>
     </message>
     <message>
         <source>Drops pieces of less than this volume in ml</source>
-        <translation>Quita los trozos de menos de este volumen en ml</translation>
+        <translation>Entfernt Stücke von weniger als diesem Volumen in ml</translation>
     </message>
     <message>
         <source>Rounds what is smaller than about this many mm</source>
-        <translation>Redondea lo que mide menos de unos tantos mm</translation>
+        <translation>Rundet, was kleiner als etwa so viele mm ist</translation>
     </message>
     <message>
         <source>Adds a margin of this many mm all around</source>
-        <translation>Añade alrededor un margen de estos mm</translation>
+        <translation>Fügt ringsum einen Rand von so vielen mm hinzu</translation>
     </message>
     <message>
         <source>Takes a margin of this many mm away all around</source>
-        <translation>Quita alrededor un margen de estos mm</translation>
+        <translation>Nimmt ringsum einen Rand von so vielen mm weg</translation>
     </message>
     <message>
         <source>Transverse</source>
@@ -7081,47 +7153,47 @@ supuestas</translation>
     </message>
     <message>
         <source>Coronal</source>
-        <translation>Coronal</translation>
+        <translation>Koronal</translation>
     </message>
     <message>
         <source>Sagittal</source>
-        <translation>Sagital</translation>
+        <translation>Sagittal</translation>
     </message>
     <message>
         <source>The slices that were drawn in</source>
-        <translation>Los cortes en los que se dibujó</translation>
+        <translation>Die Schichten, in denen gezeichnet wurde</translation>
     </message>
     <message>
         <source>Least volume in ml</source>
-        <translation>Volumen mínimo en ml</translation>
+        <translation>Kleinstes Volumen in ml</translation>
     </message>
     <message>
         <source>Radius of smoothing in mm</source>
-        <translation>Radio del suavizado en mm</translation>
+        <translation>Radius der Glättung in mm</translation>
     </message>
     <message>
         <source>Margin in mm</source>
-        <translation>Margen en mm</translation>
+        <translation>Rand in mm</translation>
     </message>
     <message>
         <source>So far to both sides</source>
-        <translation>Hacia ambos lados, hasta</translation>
+        <translation>So weit nach beiden Seiten</translation>
     </message>
     <message>
         <source>This slice and all towards you</source>
-        <translation>Este corte y todos los de delante</translation>
+        <translation>Diese Schicht und alle davor</translation>
     </message>
     <message>
         <source>This slice and all behind it</source>
-        <translation>Este corte y todos los de detrás</translation>
+        <translation>Diese Schicht und alle dahinter</translation>
     </message>
     <message>
         <source>How deep the scissors cut along your line of sight, in tilted slices too</source>
-        <translation>Hasta qué profundidad cortan las tijeras a lo largo de su línea de visión, también en cortes inclinados</translation>
+        <translation>Wie tief die Schere entlang Ihrer Blickrichtung schneidet, auch in gekippten Schichten</translation>
     </message>
     <message>
         <source>How far the scissors cut before and behind this slice, in mm</source>
-        <translation>Hasta dónde cortan las tijeras delante y detrás de este corte, en mm</translation>
+        <translation>Wie weit die Schere vor und hinter dieser Schicht schneidet, in mm</translation>
     </message>
 </context>
 <context>
@@ -7132,218 +7204,218 @@ supuestas</translation>
     </message>
     <message>
         <source>Size and spacing</source>
-        <translation>Tamaño y espaciado</translation>
+        <translation>Größe und Abstand</translation>
     </message>
     <message>
         <source>Use as</source>
-        <translation>Usar como</translation>
+        <translation>Verwenden als</translation>
     </message>
     <message>
         <source>Remarks</source>
-        <translation>Observaciones</translation>
+        <translation>Bemerkungen</translation>
     </message>
     <message>
         <source>Anatomy</source>
-        <translation>Anatomía</translation>
+        <translation>Anatomie</translation>
     </message>
     <message>
         <source>Stiffness (kPa)</source>
-        <translation>Rigidez (kPa)</translation>
+        <translation>Steifigkeit (kPa)</translation>
     </message>
     <message>
         <source>Confidence</source>
-        <translation>Confianza</translation>
+        <translation>Konfidenz</translation>
     </message>
     <message>
         <source>MRE magnitude</source>
-        <translation>Magnitud de ERM</translation>
+        <translation>MRE-Magnitude</translation>
     </message>
     <message>
         <source>MRE phase</source>
-        <translation>Fase de ERM</translation>
+        <translation>MRE-Phase</translation>
     </message>
     <message>
         <source>MRE waves</source>
-        <translation>Ondas de ERM</translation>
+        <translation>MRE-Wellen</translation>
     </message>
     <message>
         <source>Segmentation</source>
-        <translation>Segmentación</translation>
+        <translation>Segmentierung</translation>
     </message>
     <message>
         <source>Leave out</source>
-        <translation>Omitir</translation>
+        <translation>Auslassen</translation>
     </message>
     <message>
         <source>Without a description</source>
-        <translation>Sin descripción</translation>
+        <translation>Ohne Beschreibung</translation>
     </message>
     <message>
         <source>%1 volumes</source>
-        <translation>%1 volúmenes</translation>
+        <translation>%1 Volumina</translation>
     </message>
     <message>
         <source>Use %1 as</source>
-        <translation>Usar %1 como</translation>
+        <translation>%1 verwenden als</translation>
     </message>
     <message>
         <source>What this series is for. The proposal is read from its header.</source>
-        <translation>Para qué es esta serie. La propuesta se lee de su cabecera.</translation>
+        <translation>Wozu diese Serie dient. Der Vorschlag ist aus ihrem Kopf gelesen.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SettingsWindow</name>
     <message>
         <source>Settings - Glisson</source>
-        <translation>Ajustes - Glisson</translation>
+        <translation>Einstellungen - Glisson</translation>
     </message>
     <message>
         <source>&amp;Appearance</source>
-        <translation>&amp;Aspecto</translation>
+        <translation>&amp;Aussehen</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation>Oscuro</translation>
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation>Claro</translation>
+        <translation>Hell</translation>
     </message>
     <message>
         <source>&amp;Language</source>
-        <translation>&amp;Idioma</translation>
+        <translation>&amp;Sprache</translation>
     </message>
     <message>
         <source>System language</source>
-        <translation>Idioma del sistema</translation>
+        <translation>Sprache des Systems</translation>
     </message>
     <message>
         <source>&amp;Processors</source>
-        <translation>&amp;Procesadores</translation>
+        <translation>&amp;Prozessoren</translation>
     </message>
     <message>
         <source>All %1</source>
-        <translation>Los %1</translation>
+        <translation>Alle %1</translation>
     </message>
     <message>
         <source>How many processors long computations may take</source>
-        <translation>Cuántos procesadores pueden usar los cálculos largos</translation>
+        <translation>Wie viele Prozessoren lange Rechnungen nutzen dürfen</translation>
     </message>
     <message>
         <source>&amp;Patients&apos; names in what leaves this window</source>
-        <translation>Nombres de los &amp;pacientes en lo que sale de esta ventana</translation>
+        <translation>&amp;Patientennamen in allem, was dieses Fenster verlässt</translation>
     </message>
     <message>
         <source>Pictures, movies and reports name a patient only then. The log never does.</source>
-        <translation>Solo entonces las imágenes, las películas y los informes nombran a un paciente. El registro nunca lo hace.</translation>
+        <translation>Nur dann nennen Bilder, Filme und Berichte einen Patienten. Das Protokoll tut es nie.</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation>Cerrar</translation>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ShortcutsWindow</name>
     <message>
         <source>Keys - Glisson</source>
-        <translation>Teclas - Glisson</translation>
+        <translation>Tasten - Glisson</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation>Buscar</translation>
+        <translation>Suchen</translation>
     </message>
     <message>
         <source>Words to search for</source>
-        <translation>Palabras que buscar</translation>
+        <translation>Suchwörter</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation>Teclas</translation>
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>What it does</source>
-        <translation>Qué hace</translation>
+        <translation>Was sie tut</translation>
     </message>
     <message>
         <source>Key</source>
-        <translation>Tecla</translation>
+        <translation>Taste</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SliceTools</name>
     <message>
         <source>Choose a structure first, or add one.</source>
-        <translation>Elija primero una estructura o añada una.</translation>
+        <translation>Wählen Sie zuerst eine Struktur oder fügen Sie eine hinzu.</translation>
     </message>
     <message>
         <source>One moment: the last change is being worked off.</source>
-        <translation>Un momento: se está aplicando el último cambio.</translation>
+        <translation>Einen Moment: Die letzte Änderung wird noch ausgeführt.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SolvingLight</name>
     <message>
         <source>○ No tool</source>
-        <translation>○ Ningún instrumento</translation>
+        <translation>○ Kein Instrument</translation>
     </message>
     <message>
         <source>◐ Solving</source>
-        <translation>◐ Resolviendo</translation>
+        <translation>◐ Löst</translation>
     </message>
     <message>
         <source>▲ Not to be used</source>
-        <translation>▲ No utilizable</translation>
+        <translation>▲ Nicht brauchbar</translation>
     </message>
     <message>
         <source>✔ Solved</source>
-        <translation>✔ Resuelto</translation>
+        <translation>✔ Gelöst</translation>
     </message>
     <message>
         <source>✖ Not solved</source>
-        <translation>✖ No resuelto</translation>
+        <translation>✖ Nicht gelöst</translation>
     </message>
     <message>
         <source>❚❚ Frozen</source>
-        <translation>❚❚ Congelado</translation>
+        <translation>❚❚ Eingefroren</translation>
     </message>
     <message>
         <source>What is shown is from before.</source>
-        <translation>Se muestra el estado anterior.</translation>
+        <translation>Gezeigt wird der Stand davor.</translation>
     </message>
     <message>
         <source>▲ Outside of the model</source>
-        <translation>▲ Fuera del modelo</translation>
+        <translation>▲ Außerhalb des Modells</translation>
     </message>
     <message>
         <source>Use less force.</source>
-        <translation>Use menos fuerza.</translation>
+        <translation>Nehmen Sie weniger Kraft.</translation>
     </message>
     <message>
         <source>solved in %1 ms · drawn in %2 ms</source>
-        <translation>resuelto en %1 ms · dibujado en %2 ms</translation>
+        <translation>gelöst in %1 ms · gezeichnet in %2 ms</translation>
     </message>
     <message>
         <source>Residual %1: how far the equations are from balance</source>
-        <translation>Residuo %1: cuánto les falta a las ecuaciones para el equilibrio</translation>
+        <translation>Residuum %1: wie weit die Gleichungen vom Gleichgewicht entfernt sind</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::StatusLine</name>
     <message>
         <source>about %1 s left</source>
-        <translation>quedan unos %1 s</translation>
+        <translation>noch etwa %1 s</translation>
     </message>
     <message>
         <source>about %1 min left</source>
-        <translation>quedan unos %1 min</translation>
+        <translation>noch etwa %1 min</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Cancelar</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Not a medical device</source>
-        <translation>No es un producto sanitario</translation>
+        <translation>Kein Medizinprodukt</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -7354,106 +7426,106 @@ supuestas</translation>
     <name>glisson::widgets::StudyPage</name>
     <message>
         <source>Study</source>
-        <translation>Estudio</translation>
+        <translation>Studie</translation>
     </message>
     <message>
         <source>Find images, say what each series is for, and see what the case holds.</source>
-        <translation>Buscar imágenes, decir para qué es cada serie y ver qué contiene el caso.</translation>
+        <translation>Bilder finden, sagen, wozu jede Serie dient, und sehen, was der Fall enthält.</translation>
     </message>
     <message>
         <source>Looking for images</source>
-        <translation>Buscando imágenes</translation>
+        <translation>Bilder werden gesucht</translation>
     </message>
     <message>
         <source>Images</source>
-        <translation>Imágenes</translation>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>Look in a folder...</source>
-        <translation>Buscar en una carpeta…</translation>
+        <translation>In einem Ordner suchen …</translation>
     </message>
     <message>
         <source>A folder, a DICOMDIR or one file; dropping it on the window does the same</source>
-        <translation>Una carpeta, un DICOMDIR o un archivo; soltarlo en la ventana hace lo mismo</translation>
+        <translation>Ein Ordner, ein DICOMDIR oder eine Datei; Ablegen auf dem Fenster tut dasselbe</translation>
     </message>
     <message>
         <source>Keep the case as</source>
-        <translation>Guardar el caso como</translation>
+        <translation>Fall aufbewahren als</translation>
     </message>
     <message>
         <source>Make a case</source>
-        <translation>Crear un caso</translation>
+        <translation>Fall anlegen</translation>
     </message>
     <message>
         <source>Add to the open case</source>
-        <translation>Añadir al caso abierto</translation>
+        <translation>Zum offenen Fall hinzufügen</translation>
     </message>
     <message>
         <source>Drop a folder of DICOM images, a DICOMDIR, or a NIfTI, NRRD or MHA file here.</source>
-        <translation>Suelte aquí una carpeta de imágenes DICOM, un DICOMDIR o un archivo NIfTI, NRRD o MHA.</translation>
+        <translation>Legen Sie hier einen Ordner mit DICOM-Bildern, ein DICOMDIR oder eine NIfTI-, NRRD- oder MHA-Datei ab.</translation>
     </message>
     <message>
         <source>%1: series found: %2</source>
-        <translation>%1: series encontradas: %2</translation>
+        <translation>%1: gefundene Serien: %2</translation>
     </message>
     <message>
         <source>; files left out: %1</source>
-        <translation>; archivos omitidos: %1</translation>
+        <translation>; ausgelassene Dateien: %1</translation>
     </message>
     <message>
         <source>Give at least one series a role first.</source>
-        <translation>Dé primero una función a al menos una serie.</translation>
+        <translation>Geben Sie zuerst mindestens einer Serie eine Rolle.</translation>
     </message>
     <message>
         <source>There is something of that name already: choose another.</source>
-        <translation>Ya existe algo con ese nombre: elija otro.</translation>
+        <translation>Unter diesem Namen gibt es schon etwas: Wählen Sie einen anderen.</translation>
     </message>
     <message>
         <source>Copies the chosen series into a new case</source>
-        <translation>Copia las series elegidas en un caso nuevo</translation>
+        <translation>Kopiert die gewählten Serien in einen neuen Fall</translation>
     </message>
     <message>
         <source>No case is open.</source>
-        <translation>No hay ningún caso abierto.</translation>
+        <translation>Es ist kein Fall geöffnet.</translation>
     </message>
     <message>
         <source>Patients&apos; names are neither shown nor kept: a case keeps a hash of them. The images are never written to.</source>
-        <translation>Los nombres de los pacientes ni se muestran ni se guardan: un caso guarda solo un resumen de ellos. Nunca se escribe en las imágenes.</translation>
+        <translation>Patientennamen werden weder gezeigt noch behalten: Ein Fall behält nur einen Hashwert davon. In die Bilder wird nie geschrieben.</translation>
     </message>
     <message>
         <source>Labels need the images that they were drawn on: give one series another role.</source>
-        <translation>Las etiquetas necesitan las imágenes sobre las que se dibujaron: dé otro papel a una serie.</translation>
+        <translation>Labels brauchen die Bilder, auf denen sie gezeichnet wurden: Geben Sie einer Serie eine andere Rolle.</translation>
     </message>
     <message>
         <source>Glisson asks before anything is replaced; Ctrl+Z brings it back</source>
-        <translation>Glisson pregunta antes de reemplazar nada; Ctrl+Z lo recupera</translation>
+        <translation>Glisson fragt, bevor etwas ersetzt wird; Strg+Z holt es zurück</translation>
     </message>
     <message>
         <source>Open images: a folder, or a file of them</source>
-        <translation>Abrir imágenes: una carpeta o uno de sus archivos</translation>
+        <translation>Bilder öffnen: ein Ordner oder eine Datei davon</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::StudyPanel</name>
     <message>
         <source>Slices show</source>
-        <translation>Los cortes muestran</translation>
+        <translation>Schichten zeigen</translation>
     </message>
     <message>
         <source>Anatomy</source>
-        <translation>Anatomía</translation>
+        <translation>Anatomie</translation>
     </message>
     <message>
         <source>Stiffness (MR elastography)</source>
-        <translation>Rigidez (elastografía por RM)</translation>
+        <translation>Steifigkeit (MR-Elastographie)</translation>
     </message>
     <message>
         <source>Structures</source>
-        <translation>Estructuras</translation>
+        <translation>Strukturen</translation>
     </message>
     <message>
         <source>Structure</source>
-        <translation>Estructura</translation>
+        <translation>Struktur</translation>
     </message>
     <message>
         <source>ml</source>
@@ -7461,225 +7533,162 @@ supuestas</translation>
     </message>
     <message>
         <source>No patient open</source>
-        <translation>Ningún paciente abierto</translation>
+        <translation>Kein Patient geöffnet</translation>
     </message>
     <message>
         <source>%1 cells
 Young&apos;s modulus %2 kPa (mean)</source>
-        <translation>%1 celdas
-Módulo de Young %2 kPa (media)</translation>
+        <translation>%1 Zellen
+Elastizitätsmodul %2 kPa (Mittel)</translation>
     </message>
     <message>
         <source>%1 voxels,
 %2 each</source>
-        <translation>%1 vóxeles,
-de %2 cada uno</translation>
+        <translation>%1 Voxel,
+je %2</translation>
     </message>
     <message>
         <source>%1 cells
 Young&apos;s modulus %2 kPa (assumed)</source>
-        <translation>%1 celdas
-Módulo de Young %2 kPa (supuesto)</translation>
+        <translation>%1 Zellen
+Elastizitätsmodul %2 kPa (angenommen)</translation>
     </message>
     <message>
         <source>%1 (fixed)</source>
-        <translation>%1 (fijo)</translation>
+        <translation>%1 (fest)</translation>
     </message>
     <message>
         <source>No part of the model: drawn where it was outlined, it does not move.</source>
-        <translation>No es parte del modelo: se dibuja donde se contorneó y no se mueve.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::widgets::SuspectsTable</name>
-    <message>
-        <source>Suspect, each by itself</source>
-        <translation>Sospechoso, cada uno por sí solo</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Error</translation>
-    </message>
-    <message>
-        <source>On trials left out</source>
-        <translation>En ensayos apartados</translation>
-    </message>
-    <message>
-        <source>These data cannot tell it from</source>
-        <translation>Estos datos no lo distinguen de</translation>
-    </message>
-    <message>
-        <source>Root mean square on the trials that it was fitted to</source>
-        <translation>Media cuadrática en los ensayos a los que se ajustó</translation>
-    </message>
-    <message>
-        <source>Root mean square on trials that it was not fitted to, left out whole</source>
-        <translation>Media cuadrática en ensayos enteros apartados, a los que no se ajustó</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>out of the running: %1</source>
-        <translation>fuera de concurso: %1</translation>
-    </message>
-    <message>
-        <source>very strong</source>
-        <translation>muy fuerte</translation>
-    </message>
-    <message>
-        <source>strong</source>
-        <translation>fuerte</translation>
-    </message>
-    <message>
-        <source>weak</source>
-        <translation>débil</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>ninguna</translation>
-    </message>
-    <message>
-        <source>Evidence</source>
-        <translation>Evidencia</translation>
-    </message>
-    <message>
-        <source>Against the declared model, by the difference of BIC</source>
-        <translation>Contra el modelo declarado, por la diferencia de BIC</translation>
-    </message>
-    <message>
-        <source>ΔBIC %1</source>
-        <translation>ΔBIC %1</translation>
+        <translation>Nicht Teil des Modells: gezeichnet, wo es umrissen wurde; es bewegt sich nicht.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TakingIn</name>
     <message>
         <source>Looking at the labels</source>
-        <translation>Examinando las etiquetas</translation>
+        <translation>Labels ansehen</translation>
     </message>
     <message>
         <source>The case %1 has an anatomy already. These images would replace it; what was outlined and modelled on it then no longer fits.</source>
-        <translation>El caso %1 ya tiene una anatomía. Estas imágenes la reemplazarían; lo que se contorneó y modeló sobre ella dejaría de encajar.</translation>
+        <translation>Der Fall %1 hat schon eine Anatomie. Diese Bilder würden sie ersetzen; was darauf umrissen und modelliert wurde, passt dann nicht mehr.</translation>
     </message>
     <message>
         <source>Replace the anatomy?</source>
-        <translation>¿Reemplazar la anatomía?</translation>
+        <translation>Die Anatomie ersetzen?</translation>
     </message>
     <message>
         <source>Is it this patient?</source>
-        <translation>¿Es este paciente?</translation>
+        <translation>Ist es dieser Patient?</translation>
     </message>
     <message>
         <source>Replace</source>
-        <translation>Reemplazar</translation>
+        <translation>Ersetzen</translation>
     </message>
     <message>
         <source>Add all the same</source>
-        <translation>Añadir de todos modos</translation>
+        <translation>Trotzdem hinzufügen</translation>
     </message>
     <message>
         <source>Importing</source>
-        <translation>Importando</translation>
+        <translation>Import läuft</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::Timeline</name>
     <message>
         <source>Pause</source>
-        <translation>Pausa</translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation>Reproducir</translation>
+        <translation>Abspielen</translation>
     </message>
     <message>
         <source>One frame back</source>
-        <translation>Un fotograma atrás</translation>
+        <translation>Ein Bild zurück</translation>
     </message>
     <message>
         <source>One frame on</source>
-        <translation>Un fotograma adelante</translation>
+        <translation>Ein Bild weiter</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation>Fotograma</translation>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>No frames</source>
-        <translation>Sin fotogramas</translation>
+        <translation>Keine Bilder</translation>
     </message>
     <message>
         <source>Frame %1 of %2</source>
-        <translation>Fotograma %1 de %2</translation>
+        <translation>Bild %1 von %2</translation>
     </message>
     <message>
         <source>Open a sequence first</source>
-        <translation>Abra primero una secuencia</translation>
+        <translation>Zuerst eine Sequenz öffnen</translation>
     </message>
     <message>
         <source>Plays the video at 15 frames a second, round and round (Space)</source>
-        <translation>Reproduce el vídeo a 15 fotogramas por segundo, en bucle (Espacio)</translation>
+        <translation>Spielt das Video mit 15 Bildern je Sekunde, immer wieder (Leertaste)</translation>
     </message>
     <message>
         <source>One frame back (Left)</source>
-        <translation>Un fotograma atrás (Izquierda)</translation>
+        <translation>Ein Bild zurück (Links)</translation>
     </message>
     <message>
         <source>One frame on (Right)</source>
-        <translation>Un fotograma adelante (Derecha)</translation>
+        <translation>Ein Bild weiter (Rechts)</translation>
     </message>
     <message>
         <source>The frame that is shown (Left, Right, Page Up, Page Down, Home, End)</source>
-        <translation>El fotograma que se muestra (Izquierda, Derecha, RePág, AvPág, Inicio, Fin)</translation>
+        <translation>Das Bild, das gezeigt wird (Links, Rechts, Bild auf, Bild ab, Pos1, Ende)</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ToolControls</name>
     <message>
         <source>Tool</source>
-        <translation>Instrumento</translation>
+        <translation>Instrument</translation>
     </message>
     <message>
         <source>Direction</source>
-        <translation>Dirección</translation>
+        <translation>Richtung</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation>Fuerza</translation>
+        <translation>Kraft</translation>
     </message>
     <message>
         <source>Place by click</source>
-        <translation>Colocar con un clic</translation>
+        <translation>Per Klick setzen</translation>
     </message>
     <message>
         <source>Then click on the liver where the tool is to touch it. By key: Ctrl+T, at the crosshair</source>
-        <translation>Haga clic después en el hígado donde deba tocarlo el instrumento. Con el teclado: Ctrl+T, en la cruz</translation>
+        <translation>Klicken Sie dann auf die Stelle der Leber, die das Instrument berühren soll. Per Taste: Strg+T, am Fadenkreuz</translation>
     </message>
     <message>
         <source>Hoist segment VI</source>
-        <translation>Elevar el segmento VI</translation>
+        <translation>Segment VI anheben</translation>
     </message>
     <message>
         <source>Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head</source>
-        <translation>Coloca el instrumento bajo la parte derecha, inferior y posterior del hígado y la eleva hacia delante y hacia la cabeza</translation>
+        <translation>Setzt das Instrument unter den rechten, unteren, hinteren Teil der Leber und hebt ihn nach vorn und kopfwärts an</translation>
     </message>
     <message>
         <source>Hoist to front and head</source>
-        <translation>Elevar hacia delante y la cabeza</translation>
+        <translation>Nach vorn und kopfwärts anheben</translation>
     </message>
     <message>
         <source>Pull away from the surface</source>
-        <translation>Tirar alejando de la superficie</translation>
+        <translation>Von der Oberfläche wegziehen</translation>
     </message>
     <message>
         <source>Push into the surface</source>
-        <translation>Empujar contra la superficie</translation>
+        <translation>In die Oberfläche drücken</translation>
     </message>
     <message>
         <source>As the arrow was dragged</source>
-        <translation>Como se arrastró la flecha</translation>
+        <translation>Wie der Pfeil gezogen wurde</translation>
     </message>
     <message>
         <source> N</source>
@@ -7687,121 +7696,121 @@ Módulo de Young %2 kPa (supuesto)</translation>
     </message>
     <message>
         <source>Touch with the rigid tool itself</source>
-        <translation>Tocar con el propio instrumento rígido</translation>
+        <translation>Mit dem starren Instrument selbst berühren</translation>
     </message>
     <message>
         <source>The tool&apos;s solid in contact with the liver, and several tools at once. Otherwise the force is spread over a patch.</source>
-        <translation>El cuerpo del instrumento en contacto con el hígado, y varios instrumentos a la vez. Si no, la fuerza se reparte sobre una zona.</translation>
+        <translation>Der Körper des Instruments in Berührung mit der Leber, und mehrere Instrumente zugleich. Sonst verteilt sich die Kraft auf eine Fläche.</translation>
     </message>
     <message>
         <source>Several tools at once need rigid tools</source>
-        <translation>Varios instrumentos a la vez solo son posibles con instrumentos rígidos</translation>
+        <translation>Mehrere Instrumente zugleich gehen nur mit starren Instrumenten</translation>
     </message>
     <message>
         <source>Take the tool away</source>
-        <translation>Retirar el instrumento</translation>
+        <translation>Instrument wegnehmen</translation>
     </message>
     <message>
         <source>From %1 N on, strains are outside of the model</source>
-        <translation>Desde %1 N, las deformaciones están fuera del modelo</translation>
+        <translation>Ab %1 N liegen die Dehnungen außerhalb des Modells</translation>
     </message>
     <message>
         <source>Add another tool</source>
-        <translation>Añadir otro instrumento</translation>
+        <translation>Weiteres Instrument</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TourCard</name>
     <message>
         <source>End the tour</source>
-        <translation>Terminar el recorrido</translation>
+        <translation>Rundgang beenden</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation>Atrás</translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
+        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation>Siguiente</translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation>Listo</translation>
+        <translation>Fertig</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TrackControls</name>
     <message>
         <source>❚❚ Freeze</source>
-        <translation>❚❚ Congelar</translation>
+        <translation>❚❚ Einfrieren</translation>
     </message>
     <message>
         <source>Nothing moves the tool while you look around</source>
-        <translation>Nada mueve el instrumento mientras usted observa</translation>
+        <translation>Nichts bewegt das Instrument, während Sie sich umsehen</translation>
     </message>
     <message>
         <source>▶ Play</source>
-        <translation>▶ Reproducir</translation>
+        <translation>▶ Abspielen</translation>
     </message>
     <message>
         <source>Shows again what was done, from where the time stands; rests are cut to 1 s</source>
-        <translation>Muestra de nuevo lo hecho, desde el tiempo elegido; las pausas se acortan a 1 s</translation>
+        <translation>Zeigt noch einmal, was getan wurde, ab der eingestellten Zeit; Pausen sind auf 1 s gekürzt</translation>
     </message>
     <message>
         <source>Any moment of this rehearsal, in seconds</source>
-        <translation>Cualquier momento de este ensayo, en segundos</translation>
+        <translation>Ein beliebiger Moment dieser Probe, in Sekunden</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation>Tiempo</translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Table...</source>
-        <translation>Tabla…</translation>
+        <translation>Tabelle …</translation>
     </message>
     <message>
         <source>Saves every moment as CSV: tools, forces (N), landmarks (mm)</source>
-        <translation>Guarda cada momento como CSV: instrumentos, fuerzas (N), puntos de referencia (mm)</translation>
+        <translation>Speichert jeden Moment als CSV: Instrumente, Kräfte (N), Landmarken (mm)</translation>
     </message>
     <message>
         <source>Forget</source>
-        <translation>Olvidar</translation>
+        <translation>Vergessen</translation>
     </message>
     <message>
         <source>Forgets what was done so far; the tool stays</source>
-        <translation>Olvida lo hecho hasta ahora; el instrumento se queda</translation>
+        <translation>Vergisst, was bisher getan wurde; das Instrument bleibt</translation>
     </message>
     <message>
         <source>Stop (%1 %)</source>
-        <translation>Parar (%1 %)</translation>
+        <translation>Anhalten (%1 %)</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation>Escrito: %1</translation>
+        <translation>Geschrieben: %1</translation>
     </message>
     <message>
         <source>Save a movie of the rehearsal</source>
-        <translation>Guardar una película del ensayo</translation>
+        <translation>Film der Probe speichern</translation>
     </message>
     <message>
         <source>Movies (*.mp4);;Folder of pictures (*)</source>
-        <translation>Películas (*.mp4);;Carpeta de imágenes (*)</translation>
+        <translation>Filme (*.mp4);;Ordner mit Bildern (*)</translation>
     </message>
     <message>
         <source>Save the rehearsal as a table</source>
-        <translation>Guardar el ensayo como tabla</translation>
+        <translation>Probe als Tabelle speichern</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation>Tablas (*.csv)</translation>
+        <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
         <source>%1 of %2 s</source>
-        <translation>%1 de %2 s</translation>
+        <translation>%1 von %2 s</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -7809,19 +7818,19 @@ Módulo de Young %2 kPa (supuesto)</translation>
     </message>
     <message>
         <source>A movie of what the 3D view shows, MP4 or pictures</source>
-        <translation>Una película de lo que muestra la vista 3D: MP4 o imágenes</translation>
+        <translation>Ein Film dessen, was die 3D-Ansicht zeigt: MP4 oder Bilder</translation>
     </message>
     <message>
         <source>Move a tool first: there is nothing to show yet</source>
-        <translation>Mueva primero un instrumento: aún no hay nada que mostrar</translation>
+        <translation>Bewegen Sie zuerst ein Instrument: Es gibt noch nichts zu zeigen</translation>
     </message>
     <message>
         <source>Movie...</source>
-        <translation>Película…</translation>
+        <translation>Film …</translation>
     </message>
     <message>
         <source>Stopped. No movie was written.</source>
-        <translation>Detenido. No se ha escrito ninguna película.</translation>
+        <translation>Angehalten. Es wurde kein Film geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -7840,11 +7849,11 @@ Módulo de Young %2 kPa (supuesto)</translation>
     </message>
     <message>
         <source>Atlas off</source>
-        <translation>Error del atlas</translation>
+        <translation>Atlas irrt</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation>Fuerza</translation>
+        <translation>Kraft</translation>
     </message>
     <message>
         <source>5 mm</source>
@@ -7852,108 +7861,108 @@ Módulo de Young %2 kPa (supuesto)</translation>
     </message>
     <message>
         <source>Moves at most</source>
-        <translation>Se mueve como máximo</translation>
+        <translation>Bewegt sich höchstens</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TriangleHistory</name>
     <message>
         <source>A triangle over the frames</source>
-        <translation>Un triángulo a lo largo de los fotogramas</translation>
+        <translation>Ein Dreieck über die Bilder</translation>
     </message>
     <message>
         <source>Triangle</source>
-        <translation>Triángulo</translation>
+        <translation>Dreieck</translation>
     </message>
     <message>
         <source>none</source>
-        <translation>ninguno</translation>
+        <translation>keines</translation>
     </message>
     <message>
         <source>The triangle of the left picture whose history is drawn; or click one in a picture</source>
-        <translation>El triángulo de la imagen izquierda cuya evolución se dibuja; o haga clic en uno en una imagen</translation>
+        <translation>Das Dreieck des linken Bildes, dessen Verlauf gezeichnet wird; oder klicken Sie eines in einem Bild an</translation>
     </message>
     <message>
         <source>Error (mm)</source>
-        <translation>Error (mm)</translation>
+        <translation>Fehler (mm)</translation>
     </message>
     <message>
         <source>Motion (mm)</source>
-        <translation>Movimiento (mm)</translation>
+        <translation>Bewegung (mm)</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation>Fotograma</translation>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>The chosen triangle over the frames</source>
-        <translation>El triángulo elegido a lo largo de los fotogramas</translation>
+        <translation>Das gewählte Dreieck über die Bilder</translation>
     </message>
     <message>
         <source>Left: how far the registered corners are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: what SIRGn&apos;s correlation compares, the motion of the landmarks and of the registration&apos;s warp, mm</source>
-        <translation>Izquierda: distancia de los vértices registrados a su lugar en el modelo, mm, con la tolerancia como línea de trazo y punto. Derecha: lo que compara la correlación de SIRGn, el movimiento de los puntos de referencia y el de la deformación del registro, mm</translation>
+        <translation>Links: wie weit die registrierten Ecken von ihrem Ort auf dem Modell entfernt sind, mm, mit der Toleranz als Strichpunktlinie. Rechts: was die Korrelation von SIRGn vergleicht, die Bewegung der Landmarken und die der Verformung, mm</translation>
     </message>
     <message>
         <source>Landmarks, %1</source>
-        <translation>Puntos de referencia, %1</translation>
+        <translation>Landmarken, %1</translation>
     </message>
     <message>
         <source>Warp, %1</source>
-        <translation>Deformación, %1</translation>
+        <translation>Verformung, %1</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::Undo</name>
     <message>
         <source>Undone: %1</source>
-        <translation>Deshecho: %1</translation>
+        <translation>Rückgängig gemacht: %1</translation>
     </message>
     <message>
         <source>Done again: %1</source>
-        <translation>Rehecho: %1</translation>
+        <translation>Wiederholt: %1</translation>
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation>&amp;Deshacer: %1</translation>
+        <translation>&amp;Rückgängig: %1</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation>&amp;Deshacer</translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation>&amp;Rehacer: %1</translation>
+        <translation>&amp;Wiederholen: %1</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation>&amp;Rehacer</translation>
+        <translation>&amp;Wiederholen</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ViewBar</name>
     <message>
         <source>Measure a &amp;distance</source>
-        <translation>Medir una &amp;distancia</translation>
+        <translation>A&amp;bstand messen</translation>
     </message>
     <message>
         <source>A distance in mm: click its two ends, or press Enter at the crosshair; Escape gives up</source>
-        <translation>Una distancia en mm: haga clic en sus dos extremos, o pulse Intro en la cruz; Esc la cancela</translation>
+        <translation>Ein Abstand in mm: Klicken Sie auf seine beiden Enden, oder drücken Sie die Eingabetaste am Fadenkreuz; Esc bricht ab</translation>
     </message>
     <message>
         <source>Measure an &amp;angle</source>
-        <translation>Medir un &amp;ángulo</translation>
+        <translation>&amp;Winkel messen</translation>
     </message>
     <message>
         <source>An angle in degrees: click one side, the vertex, the other side</source>
-        <translation>Un ángulo en grados: haga clic en un lado, el vértice y el otro lado</translation>
+        <translation>Ein Winkel in Grad: Klicken Sie auf einen Schenkel, den Scheitel, den anderen Schenkel</translation>
     </message>
     <message>
         <source>Measure a &amp;ball</source>
-        <translation>Medir una &amp;bola</translation>
+        <translation>&amp;Kugel messen</translation>
     </message>
     <message>
         <source>A ball&apos;s volume in ml: click its centre, then a point of its surface</source>
-        <translation>El volumen de una bola en ml: haga clic en su centro y después en un punto de su superficie</translation>
+        <translation>Das Volumen einer Kugel in ml: Klicken Sie auf ihren Mittelpunkt, dann auf einen Punkt ihrer Oberfläche</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -7961,15 +7970,15 @@ Módulo de Young %2 kPa (supuesto)</translation>
     </message>
     <message>
         <source>Lists the volume of a structure, in ml</source>
-        <translation>Añade a la lista el volumen de una estructura, en ml</translation>
+        <translation>Nimmt das Volumen einer Struktur in die Liste auf, in ml</translation>
     </message>
     <message>
         <source>&amp;Volume of</source>
-        <translation>&amp;Volumen de</translation>
+        <translation>&amp;Volumen von</translation>
     </message>
     <message>
         <source>Automatic</source>
-        <translation>Automático</translation>
+        <translation>Automatisch</translation>
     </message>
     <message>
         <source>Abdomen</source>
@@ -7977,57 +7986,57 @@ Módulo de Young %2 kPa (supuesto)</translation>
     </message>
     <message>
         <source>Liver</source>
-        <translation>Hígado</translation>
+        <translation>Leber</translation>
     </message>
     <message>
         <source>Lung</source>
-        <translation>Pulmón</translation>
+        <translation>Lunge</translation>
     </message>
     <message>
         <source>Bone</source>
-        <translation>Hueso</translation>
+        <translation>Knochen</translation>
     </message>
     <message>
         <source>Brightness and contrast of the slices. The presets are for CT; MR has no fixed scale.
 By hand: drag with the right button</source>
-        <translation>Brillo y contraste de los cortes. Los valores predefinidos son para TC; la RM no tiene escala fija.
-A mano: arrastre con el botón derecho</translation>
+        <translation>Helligkeit und Kontrast der Schichten. Die Voreinstellungen gelten für CT; MR hat keine feste Skala.
+Von Hand: mit der rechten Taste ziehen</translation>
     </message>
     <message>
         <source>Brightness and contrast</source>
-        <translation>Brillo y contraste</translation>
+        <translation>Helligkeit und Kontrast</translation>
     </message>
     <message>
         <source>&amp;Next brightness and contrast</source>
-        <translation>&amp;Siguiente brillo y contraste</translation>
+        <translation>&amp;Nächste Helligkeit und Kontrast</translation>
     </message>
     <message>
         <source>Surgeon&apos;s &amp;side</source>
-        <translation>&amp;Lado del cirujano</translation>
+        <translation>&amp;Seite des Chirurgen</translation>
     </message>
     <message>
         <source>Turns the three slices to where the surgeon stands. By hand: drag the knobs of the crosshair, or Ctrl and drag</source>
-        <translation>Gira los tres cortes hacia donde está el cirujano. A mano: arrastre los tiradores de la cruz, o Ctrl y arrastrar</translation>
+        <translation>Dreht die drei Schichten dorthin, wo der Chirurg steht. Von Hand: an den Griffen des Fadenkreuzes ziehen, oder Strg und ziehen</translation>
     </message>
     <message>
         <source>&amp;Four views</source>
-        <translation>&amp;Cuatro vistas</translation>
+        <translation>&amp;Vier Ansichten</translation>
     </message>
     <message>
         <source>3D &amp;large</source>
-        <translation>3D &amp;grande</translation>
+        <translation>3D &amp;groß</translation>
     </message>
     <message>
         <source>T&amp;hree slices side by side</source>
-        <translation>&amp;Tres cortes lado a lado</translation>
+        <translation>&amp;Drei Schichten nebeneinander</translation>
     </message>
     <message>
         <source>&amp;One view: the one in use</source>
-        <translation>&amp;Una vista: la que se usa</translation>
+        <translation>&amp;Eine Ansicht: die benutzte</translation>
     </message>
     <message>
         <source>Save the &amp;picture of the view in use...</source>
-        <translation>Guardar la &amp;imagen de la vista en uso…</translation>
+        <translation>&amp;Bild der benutzten Ansicht speichern …</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -8035,73 +8044,73 @@ A mano: arrastre con el botón derecho</translation>
     </message>
     <message>
         <source>What there is no room for here</source>
-        <translation>Lo que no cabe aquí</translation>
+        <translation>Wofür hier kein Platz ist</translation>
     </message>
     <message>
         <source>Own</source>
-        <translation>Propio</translation>
+        <translation>Eigene</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation>Ventana</translation>
+        <translation>Fenster</translation>
     </message>
     <message>
         <source>S&amp;tandard planes</source>
-        <translation>Planos es&amp;tándar</translation>
+        <translation>S&amp;tandardebenen</translation>
     </message>
     <message>
         <source>Transverse, coronal and sagittal slices again</source>
-        <translation>De nuevo cortes transversales, coronales y sagitales</translation>
+        <translation>Wieder transversale, koronare und sagittale Schichten</translation>
     </message>
     <message>
         <source>W %1  L %2</source>
-        <translation>A %1  N %2</translation>
+        <translation>W %1  L %2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ViewFrame</name>
     <message>
         <source>Show all four views</source>
-        <translation>Mostrar las cuatro vistas</translation>
+        <translation>Alle vier Ansichten zeigen</translation>
     </message>
     <message>
         <source>Fill the window with this view</source>
-        <translation>Llenar la ventana con esta vista</translation>
+        <translation>Fenster mit dieser Ansicht füllen</translation>
     </message>
     <message>
         <source>Save the picture of this view</source>
-        <translation>Guardar la imagen de esta vista</translation>
+        <translation>Das Bild dieser Ansicht speichern</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::WaveView</name>
     <message>
         <source>Elastography waves</source>
-        <translation>Ondas de elastografía</translation>
+        <translation>Elastographie-Wellen</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation>Pausa</translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation>Reproducir</translation>
+        <translation>Abspielen</translation>
     </message>
     <message>
         <source>A defect in Glisson stopped this: %1</source>
-        <translation>Un defecto de Glisson ha interrumpido esto: %1</translation>
+        <translation>Ein Fehler in Glisson hat dies beendet: %1</translation>
     </message>
     <message>
         <source>Inverting the waves</source>
-        <translation>Invirtiendo las ondas</translation>
+        <translation>Wellen werden invertiert</translation>
     </message>
     <message>
         <source>Saving the maps</source>
-        <translation>Guardando los mapas</translation>
+        <translation>Karten werden gespeichert</translation>
     </message>
     <message>
         <source>The case now holds this stiffness. Build its model anew to use it.</source>
-        <translation>El caso contiene ahora esta rigidez. Construya de nuevo su modelo para usarla.</translation>
+        <translation>Der Fall enthält jetzt diese Steifigkeit. Erstellen Sie sein Modell neu, um sie zu verwenden.</translation>
     </message>
     <message>
         <source> Hz</source>
@@ -8109,47 +8118,47 @@ A mano: arrastre con el botón derecho</translation>
     </message>
     <message>
         <source>as the images say</source>
-        <translation>según las imágenes</translation>
+        <translation>wie in den Bildern</translation>
     </message>
     <message>
         <source>&amp;Vibration</source>
-        <translation>&amp;Vibración</translation>
+        <translation>&amp;Schwingung</translation>
     </message>
     <message>
         <source>Complex modulus</source>
-        <translation>Módulo complejo</translation>
+        <translation>Komplexer Modul</translation>
     </message>
     <message>
         <source>Local wavelength</source>
-        <translation>Longitud de onda local</translation>
+        <translation>Lokale Wellenlänge</translation>
     </message>
     <message>
         <source>&amp;Method</source>
-        <translation>&amp;Método</translation>
+        <translation>&amp;Verfahren</translation>
     </message>
     <message>
         <source>High-pass</source>
-        <translation>Paso alto</translation>
+        <translation>Hochpass</translation>
     </message>
     <message>
         <source>Curl</source>
-        <translation>Rotacional</translation>
+        <translation>Rotation</translation>
     </message>
     <message>
         <source>Keep</source>
-        <translation>Conservar</translation>
+        <translation>Behalten</translation>
     </message>
     <message>
         <source>&amp;Long waves</source>
-        <translation>Ondas &amp;largas</translation>
+        <translation>&amp;Lange Wellen</translation>
     </message>
     <message>
         <source>Compute the stiffness</source>
-        <translation>Calcular la rigidez</translation>
+        <translation>Steifigkeit berechnen</translation>
     </message>
     <message>
         <source>Shear waves</source>
-        <translation>Ondas de cizalla</translation>
+        <translation>Scherwellen</translation>
     </message>
     <message>
         <source>rad</source>
@@ -8157,7 +8166,7 @@ A mano: arrastre con el botón derecho</translation>
     </message>
     <message>
         <source>Shear stiffness</source>
-        <translation>Rigidez a cizalla</translation>
+        <translation>Schersteifigkeit</translation>
     </message>
     <message>
         <source>kPa</source>
@@ -8165,83 +8174,83 @@ A mano: arrastre con el botón derecho</translation>
     </message>
     <message>
         <source>Confidence</source>
-        <translation>Confianza</translation>
+        <translation>Konfidenz</translation>
     </message>
     <message>
         <source>Slice</source>
-        <translation>Corte</translation>
+        <translation>Schicht</translation>
     </message>
     <message>
         <source>Accept into the case</source>
-        <translation>Aceptar en el caso</translation>
+        <translation>In den Fall übernehmen</translation>
     </message>
     <message>
         <source>Compute the stiffness from the waves that the case holds.</source>
-        <translation>Calcule la rigidez a partir de las ondas que contiene el caso.</translation>
+        <translation>Berechnen Sie die Steifigkeit aus den Wellen, die der Fall enthält.</translation>
     </message>
     <message>
         <source>Shear stiffness %1 kPa on average over %2 confident voxels, %3 % of the region; middle half %4 to %5 kPa; vibration %6 Hz, wavelength %7 mm</source>
-        <translation>Rigidez a cizalla de %1 kPa de media en %2 vóxeles de confianza, el %3 % de la región; mitad central de %4 a %5 kPa; vibración %6 Hz, longitud de onda %7 mm</translation>
+        <translation>Schersteifigkeit im Mittel %1 kPa über %2 vertrauenswürdige Voxel, %3 % der Region; mittlere Hälfte %4 bis %5 kPa; Schwingung %6 Hz, Wellenlänge %7 mm</translation>
     </message>
     <message>
         <source>Slice %1 of %2</source>
-        <translation>Corte %1 de %2</translation>
+        <translation>Schicht %1 von %2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::WelcomePage</name>
     <message>
         <source>Plan a liver operation</source>
-        <translation>Planificar una operación de hígado</translation>
+        <translation>Eine Leberoperation planen</translation>
     </message>
     <message>
         <source>Drop a case or a folder of DICOM images here, or begin with the demo patient.</source>
-        <translation>Arrastre aquí un caso o una carpeta de imágenes DICOM, o empiece con el paciente de demostración.</translation>
+        <translation>Ziehen Sie einen Fall oder einen Ordner mit DICOM-Bildern hierher, oder beginnen Sie mit dem Demopatienten.</translation>
     </message>
     <message>
         <source>Open the demo patient</source>
-        <translation>Abrir el paciente de demostración</translation>
+        <translation>Demopatienten öffnen</translation>
     </message>
     <message>
         <source>Open a case...</source>
-        <translation>Abrir un caso…</translation>
+        <translation>Fall öffnen …</translation>
     </message>
     <message>
         <source>Open images...</source>
-        <translation>Abrir imágenes…</translation>
+        <translation>Bilder öffnen …</translation>
     </message>
     <message>
         <source>Opened before</source>
-        <translation>Abiertos recientemente</translation>
+        <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>Glisson ended unexpectedly. Open %1 as it was</source>
-        <translation>Glisson terminó de forma inesperada. Abrir %1 tal como estaba</translation>
+        <translation>Glisson wurde unerwartet beendet. %1 öffnen, wie es war</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::WorkspaceBar</name>
     <message>
         <source>%1 (Ctrl+%2)</source>
-        <translation>%1 (Ctrl+%2)</translation>
+        <translation>%1 (Strg+%2)</translation>
     </message>
     <message>
         <source>Research</source>
-        <translation>Investigación</translation>
+        <translation>Forschung</translation>
     </message>
 </context>
 <context>
     <name>patients</name>
     <message>
         <source>Demo patient</source>
-        <translation>Paciente de demostración</translation>
+        <translation>Demopatient</translation>
     </message>
 </context>
 <context>
     <name>structures</name>
     <message>
         <source>Liver</source>
-        <translation>Hígado</translation>
+        <translation>Leber</translation>
     </message>
     <message>
         <source>Tumour</source>
@@ -8249,35 +8258,35 @@ A mano: arrastre con el botón derecho</translation>
     </message>
     <message>
         <source>Cyst</source>
-        <translation>Quiste</translation>
+        <translation>Zyste</translation>
     </message>
     <message>
         <source>Portal vein</source>
-        <translation>Vena porta</translation>
+        <translation>Pfortader</translation>
     </message>
     <message>
         <source>Hepatic vein</source>
-        <translation>Vena hepática</translation>
+        <translation>Lebervene</translation>
     </message>
     <message>
         <source>Artery</source>
-        <translation>Arteria</translation>
+        <translation>Arterie</translation>
     </message>
     <message>
         <source>Biliary tract</source>
-        <translation>Vías biliares</translation>
+        <translation>Gallenwege</translation>
     </message>
     <message>
         <source>Necrosis</source>
-        <translation>Necrosis</translation>
+        <translation>Nekrose</translation>
     </message>
     <message>
         <source>Gallbladder</source>
-        <translation>Vesícula biliar</translation>
+        <translation>Gallenblase</translation>
     </message>
     <message>
         <source>Gastric vein</source>
-        <translation>Vena gástrica</translation>
+        <translation>Magenvene</translation>
     </message>
     <message>
         <source>Aorta</source>
@@ -8285,146 +8294,146 @@ A mano: arrastre con el botón derecho</translation>
     </message>
     <message>
         <source>Heart</source>
-        <translation>Corazón</translation>
+        <translation>Herz</translation>
     </message>
     <message>
         <source>Stomach</source>
-        <translation>Estómago</translation>
+        <translation>Magen</translation>
     </message>
     <message>
         <source>Kidney</source>
-        <translation>Riñón</translation>
+        <translation>Niere</translation>
     </message>
     <message>
         <source>Spleen</source>
-        <translation>Bazo</translation>
+        <translation>Milz</translation>
     </message>
     <message>
         <source>Pancreas</source>
-        <translation>Páncreas</translation>
+        <translation>Pankreas</translation>
     </message>
     <message>
         <source>Bone</source>
-        <translation>Hueso</translation>
+        <translation>Knochen</translation>
     </message>
     <message>
         <source>Hilum</source>
-        <translation>Hilio hepático</translation>
+        <translation>Leberhilus</translation>
     </message>
     <message>
         <source>Vena cava</source>
-        <translation>Vena cava</translation>
+        <translation>Hohlvene</translation>
     </message>
     <message>
         <source>Duodenum</source>
-        <translation>Duodeno</translation>
+        <translation>Zwölffingerdarm</translation>
     </message>
     <message>
         <source>Small bowel</source>
-        <translation>Intestino delgado</translation>
+        <translation>Dünndarm</translation>
     </message>
     <message>
         <source>Colon</source>
-        <translation>Colon</translation>
+        <translation>Dickdarm</translation>
     </message>
     <message>
         <source>Esophagus</source>
-        <translation>Esófago</translation>
+        <translation>Speiseröhre</translation>
     </message>
     <message>
         <source>Adrenal gland</source>
-        <translation>Glándula suprarrenal</translation>
+        <translation>Nebenniere</translation>
     </message>
     <message>
         <source>Kidney left</source>
-        <translation>Riñón izquierdo</translation>
+        <translation>Niere links</translation>
     </message>
     <message>
         <source>Kidney right</source>
-        <translation>Riñón derecho</translation>
+        <translation>Niere rechts</translation>
     </message>
     <message>
         <source>Adrenal gland left</source>
-        <translation>Glándula suprarrenal izquierda</translation>
+        <translation>Nebenniere links</translation>
     </message>
     <message>
         <source>Adrenal gland right</source>
-        <translation>Glándula suprarrenal derecha</translation>
+        <translation>Nebenniere rechts</translation>
     </message>
 </context>
 <context>
     <name>tour</name>
     <message>
         <source>Study: the images</source>
-        <translation>Estudio: las imágenes</translation>
+        <translation>Studie: die Bilder</translation>
     </message>
     <message>
         <source>Every case begins with its images. Drop a DICOM folder on the window: Glisson proposes what each series is for, and you correct it. Here you also see what a case still lacks.</source>
-        <translation>Todo caso empieza por sus imágenes. Suelte una carpeta DICOM sobre la ventana: Glisson propone para qué sirve cada serie y usted lo corrige. Aquí también ve qué le falta todavía a un caso.</translation>
+        <translation>Jeder Fall beginnt mit seinen Bildern. Ziehen Sie einen DICOM-Ordner auf das Fenster: Glisson schlägt vor, wozu jede Serie dient, und Sie berichtigen es. Hier sehen Sie auch, was einem Fall noch fehlt.</translation>
     </message>
     <message>
         <source>Segment: what is where</source>
-        <translation>Segmentar: qué está dónde</translation>
+        <translation>Segmentieren: was wo liegt</translation>
     </message>
     <message>
         <source>The liver, its vessels and tumours as coloured outlines in the slices. Paint, erase, grow and smooth; every step can be undone, even after the case was closed.</source>
-        <translation>El hígado, sus vasos y tumores como contornos de color en los cortes. Pinte, borre, haga crecer y suavice; cada paso se puede deshacer, incluso después de cerrar el caso.</translation>
+        <translation>Die Leber, ihre Gefäße und Tumoren als farbige Umrisse in den Schichten. Malen, radieren, wachsen lassen und glätten; jeder Schritt lässt sich rückgängig machen, auch nachdem der Fall geschlossen war.</translation>
     </message>
     <message>
         <source>Model: how stiff each part is</source>
-        <translation>Modelo: la rigidez de cada parte</translation>
+        <translation>Modell: wie steif jeder Teil ist</translation>
     </message>
     <message>
         <source>The liver becomes tetrahedra, and each gets the patient&apos;s own stiffness from MR elastography. What holds the liver in place is shown too.</source>
-        <translation>El hígado se convierte en tetraedros y cada uno recibe la rigidez propia del paciente según la elastografía por RM. También se muestra qué sujeta el hígado.</translation>
+        <translation>Die Leber wird zu Tetraedern, und jedes bekommt die eigene Steifigkeit des Patienten aus der MR-Elastographie. Auch was die Leber hält, ist zu sehen.</translation>
     </message>
     <message>
         <source>Rehearse: pull, and see</source>
-        <translation>Ensayar: tirar y ver</translation>
+        <translation>Proben: ziehen und sehen</translation>
     </message>
     <message>
         <source>Resect: what is left</source>
-        <translation>Resección: lo que queda</translation>
+        <translation>Resektion: was übrig bleibt</translation>
     </message>
     <message>
         <source>A cutting surface divides the liver: volumes of specimen and remnant, the smallest margin to each tumour, and the vessels that are crossed.</source>
-        <translation>Una superficie de corte divide el hígado: volúmenes de la pieza y del remanente, el menor margen a cada tumor y los vasos que se cruzan.</translation>
+        <translation>Eine Schnittfläche teilt die Leber: Volumen von Resektat und Rest, der kleinste Abstand zu jedem Tumor und die Gefäße, die gekreuzt werden.</translation>
     </message>
     <message>
         <source>Register: can the overlay be trusted</source>
-        <translation>Registrar: ¿se puede confiar en la superposición?</translation>
+        <translation>Registrieren: ist der Überlagerung zu trauen</translation>
     </message>
     <message>
         <source>Laparoscopic video is registered to the model, and SIRGn shows on each triangle how well, for one algorithm or two side by side.</source>
-        <translation>El vídeo laparoscópico se registra con el modelo, y SIRGn muestra en cada triángulo con qué calidad, para un algoritmo o dos en paralelo.</translation>
+        <translation>Laparoskopisches Video wird auf das Modell registriert, und SIRGn zeigt auf jedem Dreieck, wie gut, für einen Algorithmus oder zwei nebeneinander.</translation>
     </message>
     <message>
         <source>Platform: what to wear</source>
-        <translation>Plataforma: qué llevar</translation>
+        <translation>Plattform: was zu tragen ist</translation>
     </message>
     <message>
         <source>Which wearable computer carries this case for as long as the operation takes: frames a second, battery and heat, and why the others do not.</source>
-        <translation>Qué ordenador corporal sirve para este caso mientras dure la operación: fotogramas por segundo, batería y calor, y por qué los demás no sirven.</translation>
+        <translation>Welcher am Körper getragene Rechner diesen Fall so lange bewältigt, wie die Operation dauert: Bilder pro Sekunde, Akku und Wärme, und warum die anderen es nicht tun.</translation>
     </message>
     <message>
         <source>Evidence: where the model is wrong</source>
-        <translation>Evidencia: dónde se equivoca el modelo</translation>
+        <translation>Befunde: wo das Modell irrt</translation>
     </message>
     <message>
         <source>Measurements are held against the model. What it cannot explain is traced to a cause; you accept that cause for this patient, and can take it back.</source>
-        <translation>Las mediciones se comparan con el modelo. Lo que no puede explicar se atribuye a una causa; usted la acepta para este paciente y puede retirarla.</translation>
+        <translation>Messungen werden dem Modell gegenübergestellt. Was es nicht erklären kann, wird auf eine Ursache zurückgeführt; Sie übernehmen sie für diesen Patienten und können sie zurücknehmen.</translation>
     </message>
     <message>
         <source>Report: one page</source>
-        <translation>Informe: una página</translation>
+        <translation>Bericht: eine Seite</translation>
     </message>
     <message>
         <source>All that was done for this patient, to read, save or print. The name is masked unless you ask for it in the settings.</source>
-        <translation>Todo lo hecho para este paciente, para leer, guardar o imprimir. El nombre se oculta salvo que lo pida en los ajustes.</translation>
+        <translation>Alles, was für diesen Patienten getan wurde, zum Lesen, Speichern oder Drucken. Der Name ist verdeckt, außer Sie verlangen ihn in den Einstellungen.</translation>
     </message>
     <message>
         <source>A retractor hoists segment VI. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
-        <translation>Un separador eleva el segmento VI. Cambie la fuerza, o coloque el instrumento en otro lugar con un clic: la tabla sigue cada tumor y cada vaso, y marca lo que se desvía 5 mm o más.</translation>
+        <translation>Ein Retraktor hebt Segment VI an. Ändern Sie die Kraft, oder setzen Sie das Instrument per Klick anderswo an: Die Tabelle folgt jedem Tumor und Gefäß und markiert, was 5 mm oder mehr abweicht.</translation>
     </message>
 </context>
 </TS>

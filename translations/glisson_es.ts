@@ -1,4477 +1,4552 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
-<TS version="2.1" language="fr" sourcelanguage="en">
+<TS version="2.1" language="es" sourcelanguage="en">
 <context>
     <name>AskPath</name>
     <message>
         <source>Take this folder</source>
-        <translation>Prendre ce dossier</translation>
+        <translation>Tomar esta carpeta</translation>
     </message>
 </context>
 <context>
     <name>Workspace</name>
     <message>
         <source>Needs a model of the liver: build it first.</source>
-        <translation>Il faut un modèle du foie&#xa0;: construisez-le d’abord.</translation>
+        <translation>Necesita un modelo del hígado: constrúyalo primero.</translation>
     </message>
     <message>
         <source>The model is being prepared.</source>
-        <translation>Le modèle est en cours de préparation.</translation>
+        <translation>El modelo se está preparando.</translation>
     </message>
 </context>
 <context>
     <name>effects</name>
     <message>
         <source>Stiffer or softer throughout</source>
-        <translation>Partout plus rigide ou plus souple</translation>
+        <translation>Más rígido o más blando en todo</translation>
     </message>
     <message>
         <source>Stiffens as it deforms</source>
-        <translation>Se raidit en se déformant</translation>
+        <translation>Se endurece al deformarse</translation>
     </message>
     <message>
         <source>The support gives way</source>
-        <translation>L’appui cède</translation>
+        <translation>El apoyo cede</translation>
     </message>
     <message>
         <source>A hidden stiffer region</source>
-        <translation>Une région plus rigide cachée</translation>
+        <translation>Una región más rígida oculta</translation>
     </message>
     <message>
         <source>Creeps under load</source>
-        <translation>Flue sous la charge</translation>
+        <translation>Fluye bajo carga</translation>
     </message>
     <message>
         <source>The force sensor is off</source>
-        <translation>Le capteur de force est faussé</translation>
+        <translation>El sensor de fuerza se desvía</translation>
     </message>
     <message>
         <source>Camera and specimen misaligned</source>
-        <translation>Caméra et échantillon mal alignés</translation>
+        <translation>Cámara y muestra desalineadas</translation>
     </message>
     <message>
         <source>Stiffer along one direction</source>
-        <translation>Plus rigide dans une direction</translation>
+        <translation>Más rígido en una dirección</translation>
     </message>
     <message>
         <source>A stiff capsule around it</source>
-        <translation>Une capsule rigide autour</translation>
+        <translation>Una cápsula rígida alrededor</translation>
     </message>
     <message>
         <source>Already loaded at the start</source>
-        <translation>Déjà chargé au départ</translation>
+        <translation>Ya cargado al principio</translation>
     </message>
     <message>
         <source>Softer once it was stretched</source>
-        <translation>Plus souple après un premier étirement</translation>
+        <translation>Más blando tras haberse estirado</translation>
     </message>
     <message>
         <source>Loading and unloading differ</source>
-        <translation>Charge et décharge diffèrent</translation>
+        <translation>La carga y la descarga difieren</translation>
     </message>
     <message>
         <source>Tension and compression differ</source>
-        <translation>Traction et compression diffèrent</translation>
+        <translation>La tracción y la compresión difieren</translation>
     </message>
     <message>
         <source>The battery&apos;s own resistance</source>
-        <translation>La résistance propre de la batterie</translation>
+        <translation>La resistencia propia de la batería</translation>
     </message>
     <message>
         <source>Less charge when emptied fast</source>
-        <translation>Moins de charge si vidée vite</translation>
+        <translation>Menos carga si se vacía rápido</translation>
     </message>
     <message>
         <source>It warms itself</source>
-        <translation>Il se réchauffe lui-même</translation>
+        <translation>Se calienta a sí mismo</translation>
     </message>
     <message>
         <source>Voltage falls as it empties</source>
-        <translation>La tension baisse en se vidant</translation>
+        <translation>La tensión cae al vaciarse</translation>
     </message>
     <message>
         <source>Power drawn at rest</source>
-        <translation>Puissance au repos</translation>
+        <translation>Potencia en reposo</translation>
     </message>
     <message>
         <source>Power drawn by the work</source>
-        <translation>Puissance due au travail</translation>
+        <translation>Potencia debida al trabajo</translation>
     </message>
     <message>
         <source>Slows down when hot</source>
-        <translation>Ralentit à chaud</translation>
+        <translation>Se ralentiza al calentarse</translation>
     </message>
     <message>
         <source>Sheds heat better or worse</source>
-        <translation>Évacue la chaleur mieux ou moins bien</translation>
+        <translation>Disipa el calor mejor o peor</translation>
     </message>
     <message>
         <source>Takes time to warm up</source>
-        <translation>Met du temps à chauffer</translation>
+        <translation>Tarda en calentarse</translation>
     </message>
     <message>
         <source>Power lost in the supply</source>
-        <translation>Pertes dans l’alimentation</translation>
+        <translation>Pérdidas en la alimentación</translation>
     </message>
     <message>
         <source>A smooth correction, no cause</source>
-        <translation>Une correction lisse, pas une cause</translation>
+        <translation>Una corrección suave, no una causa</translation>
     </message>
 </context>
 <context>
     <name>errors</name>
     <message>
         <source>There is no column &quot;{0}&quot;.</source>
-        <translation>Il n’y a pas de colonne «&#xa0;{0}&#xa0;».</translation>
+        <translation>No hay ninguna columna «{0}».</translation>
     </message>
     <message>
         <source>The columns are {1}.</source>
-        <translation>Les colonnes sont {1}.</translation>
+        <translation>Las columnas son {1}.</translation>
     </message>
     <message>
         <source>{0} has too many columns.</source>
-        <translation>{0} a trop de colonnes.</translation>
+        <translation>{0} tiene demasiadas columnas.</translation>
     </message>
     <message>
         <source>{0} holds no rows of numbers.</source>
-        <translation>{0} ne contient aucune ligne de nombres.</translation>
+        <translation>{0} no contiene ninguna fila de números.</translation>
     </message>
     <message>
         <source>The file {0} cannot be read.</source>
-        <translation>Le fichier {0} ne peut pas être lu.</translation>
+        <translation>No se puede leer el archivo {0}.</translation>
     </message>
     <message>
         <source>Check that it exists and that you may read it.</source>
-        <translation>Vérifiez qu’il existe et que vous avez le droit de le lire.</translation>
+        <translation>Compruebe que existe y que tiene permiso para leerlo.</translation>
     </message>
     <message>
         <source>{0} cannot be written: {1}.</source>
-        <translation>{0} ne peut pas être écrit&#xa0;: {1}.</translation>
+        <translation>No se puede escribir {0}: {1}.</translation>
     </message>
     <message>
         <source>Check the folder, your rights there and the free space.</source>
-        <translation>Vérifiez le dossier, vos droits sur celui-ci et l’espace libre.</translation>
+        <translation>Compruebe la carpeta, sus permisos en ella y el espacio libre.</translation>
     </message>
     <message>
         <source>The file {0} has {1} bytes; at most {2} are read.</source>
-        <translation>Le fichier {0} a {1} octets&#xa0;; {2} au plus sont lus.</translation>
+        <translation>El archivo {0} tiene {1} bytes; se leen como máximo {2}.</translation>
     </message>
     <message>
         <source>The files that ship with Glisson were not found.</source>
-        <translation>Les fichiers livrés avec Glisson n’ont pas été trouvés.</translation>
+        <translation>No se han encontrado los archivos que acompañan a Glisson.</translation>
     </message>
     <message>
         <source>Set GLISSON_RESOURCES to the folder named resources.</source>
-        <translation>Donnez à GLISSON_RESOURCES le chemin du dossier resources.</translation>
+        <translation>Asigne a GLISSON_RESOURCES la ruta de la carpeta resources.</translation>
     </message>
     <message>
         <source>{0} is nested too deep to be one of our files.</source>
-        <translation>{0} est imbriqué trop profondément pour être un de nos fichiers.</translation>
+        <translation>{0} está anidado a demasiada profundidad para ser uno de nuestros archivos.</translation>
     </message>
     <message>
         <source>{0} is not valid JSON at line {1}.</source>
-        <translation>{0} n’est pas du JSON valide à la ligne {1}.</translation>
+        <translation>{0} no es JSON válido en la línea {1}.</translation>
     </message>
     <message>
         <source>Look for a missing comma, quote or bracket there.</source>
-        <translation>Cherchez-y une virgule, un guillemet ou un crochet manquant.</translation>
+        <translation>Busque ahí una coma, unas comillas o un corchete que falte.</translation>
     </message>
     <message>
         <source>{0} holds a number too large for a computer&apos;s arithmetic.</source>
-        <translation>{0} contient un nombre trop grand pour l’arithmétique d’un ordinateur.</translation>
+        <translation>{0} contiene un número demasiado grande para la aritmética de un ordenador.</translation>
     </message>
     <message>
         <source>{0} should be an object in braces.</source>
-        <translation>{0} doit être un objet entre accolades.</translation>
+        <translation>{0} debe ser un objeto entre llaves.</translation>
     </message>
     <message>
         <source>{0} has a key that is not known: &quot;{1}&quot;.</source>
-        <translation>{0} a une clé inconnue&#xa0;: «&#xa0;{1}&#xa0;».</translation>
+        <translation>{0} tiene una clave desconocida: «{1}».</translation>
     </message>
     <message>
         <source>Did you mean &quot;{2}&quot;?</source>
-        <translation>Vouliez-vous dire «&#xa0;{2}&#xa0;»&#xa0;?</translation>
+        <translation>¿Quería decir «{2}»?</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation>Annulé.</translation>
+        <translation>Cancelado.</translation>
     </message>
     <message>
         <source>{0} is there already.</source>
-        <translation>{0} existe déjà.</translation>
+        <translation>{0} ya existe.</translation>
     </message>
     <message>
         <source>Choose another name, or remove it first.</source>
-        <translation>Choisissez un autre nom, ou supprimez-le d’abord.</translation>
+        <translation>Elija otro nombre o elimínelo antes.</translation>
     </message>
     <message>
         <source>The folder {0} cannot be made: {1}.</source>
-        <translation>Le dossier {0} ne peut pas être créé&#xa0;: {1}.</translation>
+        <translation>No se puede crear la carpeta {0}: {1}.</translation>
     </message>
     <message>
         <source>it holds no case.json</source>
-        <translation>il ne contient pas de case.json</translation>
+        <translation>no contiene case.json</translation>
     </message>
     <message>
         <source>case.json does not say &quot;format&quot;: &quot;glisson-case/1&quot;</source>
-        <translation>case.json n’indique pas &quot;format&quot;: &quot;glisson-case/1&quot;</translation>
+        <translation>case.json no indica &quot;format&quot;: &quot;glisson-case/1&quot;</translation>
     </message>
     <message>
         <source>The case {0} has no {1} yet.</source>
-        <translation>Le cas {0} n’a pas encore de {1}.</translation>
+        <translation>El caso {0} no tiene todavía {1}.</translation>
     </message>
     <message>
         <source>Import a study first (glisson-cli import).</source>
-        <translation>Importez d’abord une étude (glisson-cli import).</translation>
+        <translation>Importe antes un estudio (glisson-cli import).</translation>
     </message>
     <message>
         <source>Segment it first (glisson-cli segment).</source>
-        <translation>Segmentez-le d’abord (glisson-cli segment).</translation>
+        <translation>Segméntelo antes (glisson-cli segment).</translation>
     </message>
     <message>
         <source>Mesh the liver first (glisson-cli mesh).</source>
-        <translation>Maillez d’abord le foie (glisson-cli mesh).</translation>
+        <translation>Malle antes el hígado (glisson-cli mesh).</translation>
     </message>
     <message>
         <source>{0} cannot be put in its place: {1}.</source>
-        <translation>{0} ne peut pas être mis à sa place&#xa0;: {1}.</translation>
+        <translation>No se puede poner {0} en su lugar: {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: {1}.</source>
-        <translation>{0} est endommagé&#xa0;: {1}.</translation>
+        <translation>{0} está dañado: {1}.</translation>
     </message>
     <message>
         <source>{0} is not a Glisson case: {1}.</source>
-        <translation>{0} n’est pas un cas Glisson&#xa0;: {1}.</translation>
+        <translation>{0} no es un caso de Glisson: {1}.</translation>
     </message>
     <message>
         <source>Make one with: glisson-cli import STUDY --case NAME.glisson</source>
-        <translation>Créez-en un avec&#xa0;: glisson-cli import ETUDE --case NOM.glisson</translation>
+        <translation>Cree uno con: glisson-cli import ESTUDIO --case NOMBRE.glisson</translation>
     </message>
     <message>
         <source>{0} holds nothing that could be written as {1}.</source>
-        <translation>{0} ne contient rien qui puisse être écrit en {1}.</translation>
+        <translation>{0} no contiene nada que pueda escribirse como {1}.</translation>
     </message>
     <message>
         <source>Run the stage that makes it first.</source>
-        <translation>Exécutez d’abord l’étape qui le produit.</translation>
+        <translation>Ejecute antes el paso que lo genera.</translation>
     </message>
     <message>
         <source>Writing</source>
-        <translation>Écriture</translation>
+        <translation>Escribiendo</translation>
     </message>
     <message>
         <source>SIMULATED from a real patient&apos;s anatomy, not measured</source>
-        <translation>SIMULÉ d’après l’anatomie d’un vrai patient, non mesuré</translation>
+        <translation>SIMULADO a partir de la anatomía de un paciente real, no medido</translation>
     </message>
     <message>
         <source>The study has no series {0}.</source>
-        <translation>L’étude n’a pas de série {0}.</translation>
+        <translation>El estudio no tiene la serie {0}.</translation>
     </message>
     <message>
         <source>glisson-cli scan lists them.</source>
-        <translation>glisson-cli scan en donne la liste.</translation>
+        <translation>glisson-cli scan las enumera.</translation>
     </message>
     <message>
         <source>{0} series could be the {1}:{2}</source>
-        <translation>{0} séries pourraient être {1}&#xa0;:{2}</translation>
+        <translation>{0} series podrían ser {1}:{2}</translation>
     </message>
     <message>
         <source>Name one with {3} UID.</source>
-        <translation>Indiquez-en une avec {3} UID.</translation>
+        <translation>Indique una con {3} UID.</translation>
     </message>
     <message>
         <source>No series is recognised as the anatomy.{0}</source>
-        <translation>Aucune série n’est reconnue comme anatomie.{0}</translation>
+        <translation>No se reconoce ninguna serie como anatomía.{0}</translation>
     </message>
     <message>
         <source>glisson-cli scan says what is there, and what was skipped.</source>
-        <translation>glisson-cli scan indique ce qui s’y trouve et ce qui a été ignoré.</translation>
+        <translation>glisson-cli scan indica qué hay y qué se ha omitido.</translation>
     </message>
     <message>
         <source>Name one with --anatomy UID.</source>
-        <translation>Indiquez-en une avec --anatomy UID.</translation>
+        <translation>Indique una con --anatomy UID.</translation>
     </message>
     <message>
         <source>Reading the structures</source>
-        <translation>Lecture des structures</translation>
+        <translation>Leyendo las estructuras</translation>
     </message>
     <message>
         <source>Saving the mesh</source>
-        <translation>Enregistrement du maillage</translation>
+        <translation>Guardando la malla</translation>
     </message>
     <message>
         <source>Reading the mesh</source>
-        <translation>Lecture du maillage</translation>
+        <translation>Leyendo la malla</translation>
     </message>
     <message>
         <source>Stiffness of each cell from the MRE map</source>
-        <translation>Rigidité de chaque cellule d’après la carte d’ERM</translation>
+        <translation>Rigidez de cada celda a partir del mapa de ERM</translation>
     </message>
     <message>
         <source>A Young&apos;s modulus of {0} kPa is not possible.</source>
-        <translation>Un module de Young de {0} kPa n’est pas possible.</translation>
+        <translation>Un módulo de Young de {0} kPa no es posible.</translation>
     </message>
     <message>
         <source>Saving the model</source>
-        <translation>Enregistrement du modèle</translation>
+        <translation>Guardando el modelo</translation>
     </message>
     <message>
         <source>Give the mesh its stiffness first (glisson-cli stiffness).</source>
-        <translation>Donnez d’abord sa rigidité au maillage (glisson-cli stiffness).</translation>
+        <translation>Dé antes a la malla su rigidez (glisson-cli stiffness).</translation>
     </message>
     <message>
         <source>The model of {0} has no stiffness.</source>
-        <translation>Le modèle de {0} n’a pas de rigidité.</translation>
+        <translation>El modelo de {0} no tiene rigidez.</translation>
     </message>
     <message>
         <source>Run glisson-cli stiffness again.</source>
-        <translation>Exécutez de nouveau glisson-cli stiffness.</translation>
+        <translation>Ejecute de nuevo glisson-cli stiffness.</translation>
     </message>
     <message>
         <source>Import a study with MR elastography, or choose --uniform-kPa or --atlas.</source>
-        <translation>Importez une étude avec élastographie par RM, ou choisissez --uniform-kPa ou --atlas.</translation>
+        <translation>Importe un estudio con elastografía por RM o elija --uniform-kPa o --atlas.</translation>
     </message>
     <message>
         <source>{0} does not hold a simulation&apos;s result: {1}.</source>
-        <translation>{0} ne contient pas de résultat de simulation&#xa0;: {1}.</translation>
+        <translation>{0} no contiene el resultado de una simulación: {1}.</translation>
     </message>
     <message>
         <source>Make one with glisson-cli simulate --out DIR.</source>
-        <translation>Produisez-en un avec glisson-cli simulate --out DOSSIER.</translation>
+        <translation>Genere uno con glisson-cli simulate --out CARPETA.</translation>
     </message>
     <message>
         <source>result.vtu is missing</source>
-        <translation>result.vtu manque</translation>
+        <translation>falta result.vtu</translation>
     </message>
     <message>
         <source>result.json does not say &quot;format&quot;: &quot;glisson-result/1&quot;</source>
-        <translation>result.json n’indique pas &quot;format&quot;: &quot;glisson-result/1&quot;</translation>
+        <translation>result.json no indica &quot;format&quot;: &quot;glisson-result/1&quot;</translation>
     </message>
     <message>
         <source>the computation did not converge</source>
-        <translation>le calcul n’a pas convergé</translation>
+        <translation>el cálculo no ha convergido</translation>
     </message>
     <message>
         <source>The growing left {0} out; it was added to the liver.</source>
-        <translation>La croissance avait laissé de côté {0}&#xa0;; la structure a été ajoutée au foie.</translation>
+        <translation>El crecimiento dejó fuera {0}; se ha añadido al hígado.</translation>
     </message>
     <message>
         <source>Reading the labels</source>
-        <translation>Lecture de la segmentation</translation>
+        <translation>Leyendo la segmentación</translation>
     </message>
     <message>
         <source>No voxel of label {0} in {1} lies inside the anatomy.</source>
-        <translation>Aucun voxel de l’étiquette {0} de {1} ne se trouve dans l’anatomie.</translation>
+        <translation>Ningún vóxel de la etiqueta {0} de {1} está dentro de la anatomía.</translation>
     </message>
     <message>
         <source>Check that both belong to the same patient and frame of reference.</source>
-        <translation>Vérifiez que les deux appartiennent au même patient et au même référentiel.</translation>
+        <translation>Compruebe que ambos pertenecen al mismo paciente y al mismo marco de referencia.</translation>
     </message>
     <message>
         <source>{0} has no labelled voxel.</source>
-        <translation>{0} n’a aucun voxel étiqueté.</translation>
+        <translation>{0} no tiene ningún vóxel etiquetado.</translation>
     </message>
     <message>
         <source>{0} has no label {2}; it holds {1}.</source>
-        <translation>{0} n’a pas d’étiquette {2}&#xa0;; il contient {1}.</translation>
+        <translation>{0} no tiene la etiqueta {2}; contiene {1}.</translation>
     </message>
     <message>
         <source>{0} holds several labels: {1}.</source>
-        <translation>{0} contient plusieurs étiquettes&#xa0;: {1}.</translation>
+        <translation>{0} contiene varias etiquetas: {1}.</translation>
     </message>
     <message>
         <source>Choose one with --label-value.</source>
-        <translation>Choisissez-en une avec --label-value.</translation>
+        <translation>Elija una con --label-value.</translation>
     </message>
     <message>
         <source>The magnitude images do not lie on the grid of the waves.</source>
-        <translation>Les images de magnitude ne sont pas sur la grille des ondes.</translation>
+        <translation>Las imágenes de magnitud no están en la cuadrícula de las ondas.</translation>
     </message>
     <message>
         <source>{0} holds no wave or phase images.</source>
-        <translation>{0} ne contient pas d’images d’ondes ni de phase.</translation>
+        <translation>{0} no contiene imágenes de ondas ni de fase.</translation>
     </message>
     <message>
         <source>Import the phase series of an elastography scan (glisson-cli import --phase).</source>
-        <translation>Importez la série de phase d’une élastographie (glisson-cli import --phase).</translation>
+        <translation>Importe la serie de fase de una elastografía (glisson-cli import --phase).</translation>
     </message>
     <message>
         <source>Reading the waves</source>
-        <translation>Lecture des ondes</translation>
+        <translation>Leyendo las ondas</translation>
     </message>
     <message>
         <source>Saving the maps</source>
-        <translation>Enregistrement des cartes</translation>
+        <translation>Guardando los mapas</translation>
     </message>
     <message>
         <source>{0} is not an experiment of the format &quot;glisson-experiment/1&quot;.</source>
-        <translation>{0} n’est pas une expérience au format &quot;glisson-experiment/1&quot;.</translation>
+        <translation>{0} no es un experimento con el formato &quot;glisson-experiment/1&quot;.</translation>
     </message>
     <message>
         <source>An experiment begins with &quot;format&quot;: &quot;glisson-experiment/1&quot; and &quot;kind&quot;.</source>
-        <translation>Une expérience commence par &quot;format&quot;: &quot;glisson-experiment/1&quot; et &quot;kind&quot;.</translation>
+        <translation>Un experimento empieza por &quot;format&quot;: &quot;glisson-experiment/1&quot; y &quot;kind&quot;.</translation>
     </message>
     <message>
         <source>There is no kind of experiment called &quot;{0}&quot;.</source>
-        <translation>Il n’y a pas de type d’expérience nommé «&#xa0;{0}&#xa0;».</translation>
+        <translation>No hay ningún tipo de experimento llamado «{0}».</translation>
     </message>
     <message>
         <source>The kinds are palpation, material and platform.</source>
-        <translation>Les types sont palpation, material et platform.</translation>
+        <translation>Los tipos son palpation, material y platform.</translation>
     </message>
     <message>
         <source>Line {0} of {1} names {2}, which is not there.</source>
-        <translation>La ligne {0} de {1} nomme {2}, qui n’existe pas.</translation>
+        <translation>La línea {0} de {1} nombra {2}, que no existe.</translation>
     </message>
     <message>
         <source>Files are looked for beside the experiment: was it copied without them, or is the name misspelt?</source>
-        <translation>Les fichiers sont cherchés à côté de l’expérience&#xa0;: a-t-elle été copiée sans eux, ou le nom est-il mal écrit&#xa0;?</translation>
+        <translation>Los archivos se buscan junto al experimento: ¿se copió sin ellos o está mal escrito el nombre?</translation>
     </message>
     <message>
         <source>{0} lacks &quot;{1}&quot;.</source>
-        <translation>Il manque &quot;{1}&quot; à {0}.</translation>
+        <translation>A {0} le falta &quot;{1}&quot;.</translation>
     </message>
     <message>
         <source>{0} must be a finite number.</source>
-        <translation>{0} doit être un nombre fini.</translation>
+        <translation>{0} debe ser un número finito.</translation>
     </message>
     <message>
         <source>{0} must be above zero.</source>
-        <translation>{0} doit être supérieur à zéro.</translation>
+        <translation>{0} debe ser mayor que cero.</translation>
     </message>
     <message>
         <source>{0} must be a text in quotes.</source>
-        <translation>{0} doit être un texte entre guillemets.</translation>
+        <translation>{0} debe ser un texto entre comillas.</translation>
     </message>
     <message>
         <source>{0} must be three numbers [x, y, z].</source>
-        <translation>{0} doit être formé de trois nombres [x, y, z].</translation>
+        <translation>{0} debe constar de tres números [x, y, z].</translation>
     </message>
     <message>
         <source>&quot;trials&quot; must be a list with at least one trial.</source>
-        <translation>&quot;trials&quot; doit être une liste d’au moins un essai.</translation>
+        <translation>&quot;trials&quot; debe ser una lista con al menos un ensayo.</translation>
     </message>
     <message>
         <source>{0} must be an object in braces.</source>
-        <translation>{0} doit être un objet entre accolades.</translation>
+        <translation>{0} debe ser un objeto entre llaves.</translation>
     </message>
     <message>
         <source>Two trials have the id &quot;{0}&quot;.</source>
-        <translation>Deux essais ont l’identifiant «&#xa0;{0}&#xa0;».</translation>
+        <translation>Dos ensayos tienen el identificador «{0}».</translation>
     </message>
     <message>
         <source>{0} has no column &quot;{1}&quot;, which the experiment names for {2}; line {3} has: {4}.</source>
-        <translation>{0} n’a pas de colonne «&#xa0;{1}&#xa0;», que l’expérience nomme pour {2}&#xa0;; la ligne {3} contient&#xa0;: {4}.</translation>
+        <translation>{0} no tiene la columna «{1}», que el experimento nombra para {2}; la línea {3} tiene: {4}.</translation>
     </message>
     <message>
         <source>Is the name misspelt, or is this the table of another trial?</source>
-        <translation>Le nom est-il mal écrit, ou est-ce la table d’un autre essai&#xa0;?</translation>
+        <translation>¿Está mal escrito el nombre o es la tabla de otro ensayo?</translation>
     </message>
     <message>
         <source>Line {0} of {1} has no number under &quot;{2}&quot;.</source>
-        <translation>La ligne {0} de {1} n’a pas de nombre sous «&#xa0;{2}&#xa0;».</translation>
+        <translation>La línea {0} de {1} no tiene ningún número en «{2}».</translation>
     </message>
     <message>
         <source>Is the table cut off, or written with decimal commas?</source>
-        <translation>La table est-elle tronquée, ou écrite avec des virgules décimales&#xa0;?</translation>
+        <translation>¿Está cortada la tabla o escrita con comas decimales?</translation>
     </message>
     <message>
         <source>Time goes back at line {0} of {1}: from {2} s to {3} s.</source>
-        <translation>Le temps recule à la ligne {0} de {1}&#xa0;: de {2} s à {3} s.</translation>
+        <translation>El tiempo retrocede en la línea {0} de {1}: de {2} s a {3} s.</translation>
     </message>
     <message>
         <source>Are two recordings in one table, or is this not the column of times?</source>
-        <translation>Y a-t-il deux enregistrements dans une table, ou n’est-ce pas la colonne des temps&#xa0;?</translation>
+        <translation>¿Hay dos registros en una tabla o no es esta la columna de los tiempos?</translation>
     </message>
     <message>
         <source>{0} is {1} kPa, stiffer than any soft tissue.</source>
-        <translation>{0} vaut {1} kPa, plus rigide que tout tissu mou.</translation>
+        <translation>{0} es {1} kPa, más rígido que cualquier tejido blando.</translation>
     </message>
     <message>
         <source>Was it given in Pa?</source>
-        <translation>A-t-il été donné en Pa&#xa0;?</translation>
+        <translation>¿Se indicó en Pa?</translation>
     </message>
     <message>
         <source>Use the model.json that glisson-cli explain wrote for an experiment of this kind.</source>
-        <translation>Utilisez le model.json que glisson-cli explain a écrit pour une expérience de ce type.</translation>
+        <translation>Use el model.json que glisson-cli explain escribió para un experimento de este tipo.</translation>
     </message>
     <message>
         <source>{0} is not a model of the format {1}.</source>
-        <translation>{0} n’est pas un modèle au format {1}.</translation>
+        <translation>{0} no es un modelo con el formato {1}.</translation>
     </message>
     <message>
         <source>{0} was not learnt from an experiment of the kind {1}.</source>
-        <translation>{0} n’a pas été appris d’une expérience de type {1}.</translation>
+        <translation>{0} no se aprendió de un experimento del tipo {1}.</translation>
     </message>
     <message>
         <source>{0} is not a complete model.</source>
-        <translation>{0} n’est pas un modèle complet.</translation>
+        <translation>{0} no es un modelo completo.</translation>
     </message>
     <message>
         <source>The effect {0} is unknown to this experiment.</source>
-        <translation>L’effet {0} est inconnu de cette expérience.</translation>
+        <translation>El efecto {0} es desconocido para este experimento.</translation>
     </message>
     <message>
         <source>{0} of {1} is no number.</source>
-        <translation>{0} de {1} n’est pas un nombre.</translation>
+        <translation>{0} de {1} no es un número.</translation>
     </message>
     <message>
         <source>The smooth correction was made for other quantities than this experiment has.</source>
-        <translation>La correction lisse a été faite pour d’autres grandeurs que celles de cette expérience.</translation>
+        <translation>La corrección suave se hizo para otras magnitudes que las de este experimento.</translation>
     </message>
     <message>
         <source>The smooth correction is not complete.</source>
-        <translation>La correction lisse n’est pas complète.</translation>
+        <translation>La corrección suave no está completa.</translation>
     </message>
     <message>
         <source>The search for parameters failed: {0}.</source>
-        <translation>La recherche des paramètres a échoué&#xa0;: {0}.</translation>
+        <translation>La búsqueda de parámetros ha fallado: {0}.</translation>
     </message>
     <message>
         <source>The model has no solution where the search ended.</source>
-        <translation>Le modèle n’a pas de solution là où la recherche s’est arrêtée.</translation>
+        <translation>El modelo no tiene solución donde terminó la búsqueda.</translation>
     </message>
     <message>
         <source>This experiment proposes no further trials.</source>
-        <translation>Cette expérience ne propose pas d’autres essais.</translation>
+        <translation>Este experimento no propone más ensayos.</translation>
     </message>
     <message>
         <source>The specimen is stiffer or softer than declared, everywhere and at every load.</source>
-        <translation>L’échantillon est plus rigide ou plus souple que déclaré, partout et sous toute charge.</translation>
+        <translation>La muestra es más rígida o más blanda de lo declarado, en todas partes y con cualquier carga.</translation>
     </message>
     <message>
         <source>The specimen is not equally stiff under tension and under compression.</source>
-        <translation>L’échantillon n’a pas la même rigidité en traction et en compression.</translation>
+        <translation>La muestra no es igual de rígida a tracción que a compresión.</translation>
     </message>
     <message>
         <source>The tissue gets stiffer (or softer) the further it is deformed: its law is not a straight line.</source>
-        <translation>Le tissu devient plus rigide (ou plus souple) à mesure qu’il se déforme&#xa0;: sa loi n’est pas une droite.</translation>
+        <translation>El tejido se vuelve más rígido (o más blando) cuanto más se deforma: su ley no es una recta.</translation>
     </message>
     <message>
         <source>The tissue gives way slowly under a load that is held, and recovers slowly after it.</source>
-        <translation>Le tissu cède lentement sous une charge maintenue, puis récupère lentement.</translation>
+        <translation>El tejido cede despacio bajo una carga mantenida y se recupera despacio después.</translation>
     </message>
     <message>
         <source>Once stretched, the tissue stays softer up to the deformation that it has seen (Mullins effect).</source>
-        <translation>Une fois étiré, le tissu reste plus souple jusqu’à la déformation déjà subie (effet Mullins).</translation>
+        <translation>Una vez estirado, el tejido queda más blando hasta la deformación ya sufrida (efecto Mullins).</translation>
     </message>
     <message>
         <source>Less force comes back on the way out than went in on the way in, in every cycle and at any speed.</source>
-        <translation>Au retour, la force est moindre qu’à l’aller, à chaque cycle et à toute vitesse.</translation>
+        <translation>A la vuelta se recupera menos fuerza que la aplicada a la ida, en cada ciclo y a cualquier velocidad.</translation>
     </message>
     <message>
         <source>The load cell is at fault: it does not read zero without load, or its scale is off.</source>
-        <translation>Le capteur de force est en défaut&#xa0;: il n’indique pas zéro à vide, ou son échelle est fausse.</translation>
+        <translation>La célula de carga falla: no marca cero sin carga o su escala no es correcta.</translation>
     </message>
     <message>
         <source>The specimen was already loaded when the test began.</source>
-        <translation>L’échantillon était déjà chargé au début de l’essai.</translation>
+        <translation>La muestra ya estaba cargada cuando empezó el ensayo.</translation>
     </message>
     <message>
         <source>The mode &quot;{0}&quot; is not known.</source>
-        <translation>Le mode «&#xa0;{0}&#xa0;» n’est pas connu.</translation>
+        <translation>El modo «{0}» no se conoce.</translation>
     </message>
     <message>
         <source>The modes are compression, tension and shear.</source>
-        <translation>Les modes sont compression, tension et shear.</translation>
+        <translation>Los modos son compression, tension y shear.</translation>
     </message>
     <message>
         <source>The declared law &quot;{0}&quot; is not known.</source>
-        <translation>La loi déclarée «&#xa0;{0}&#xa0;» n’est pas connue.</translation>
+        <translation>La ley declarada «{0}» no se conoce.</translation>
     </message>
     <message>
         <source>The laws are linear and neo-hookean.</source>
-        <translation>Les lois sont linear et neo-hookean.</translation>
+        <translation>Las leyes son linear y neo-hookean.</translation>
     </message>
     <message>
         <source>{0} gives &quot;{1}&quot;, which needs the specimen&apos;s {2}.</source>
-        <translation>{0} donne &quot;{1}&quot;, qui exige {2} de l’échantillon.</translation>
+        <translation>{0} indica &quot;{1}&quot;, que necesita {2} de la muestra.</translation>
     </message>
     <message>
         <source>Give the specimen&apos;s diameter_mm (or width_mm and thickness_mm, or area_mm2) and height_mm.</source>
-        <translation>Indiquez diameter_mm de l’échantillon (ou width_mm et thickness_mm, ou area_mm2) et height_mm.</translation>
+        <translation>Indique diameter_mm de la muestra (o width_mm y thickness_mm, o area_mm2) y height_mm.</translation>
     </message>
     <message>
         <source>In {0} stress and strain mostly have opposite signs.</source>
-        <translation>Dans {0}, contrainte et déformation sont le plus souvent de signes opposés.</translation>
+        <translation>En {0} la tensión y la deformación tienen casi siempre signos opuestos.</translation>
     </message>
     <message>
         <source>In compression stretch is below 1, and displacement, force and stress are negative.</source>
-        <translation>En compression, l’élongation est inférieure à 1, et le déplacement, la force et la contrainte sont négatifs.</translation>
+        <translation>En compresión el estiramiento es menor que 1, y el desplazamiento, la fuerza y la tensión son negativos.</translation>
     </message>
     <message>
         <source>{0} names no column for &quot;stretch&quot; or &quot;displacement_mm&quot;.</source>
-        <translation>{0} ne nomme aucune colonne pour &quot;stretch&quot; ou &quot;displacement_mm&quot;.</translation>
+        <translation>{0} no nombra ninguna columna para &quot;stretch&quot; o &quot;displacement_mm&quot;.</translation>
     </message>
     <message>
         <source>{0} names no column for &quot;stress_kPa&quot; or &quot;force_N&quot;.</source>
-        <translation>{0} ne nomme aucune colonne pour &quot;stress_kPa&quot; ou &quot;force_N&quot;.</translation>
+        <translation>{0} no nombra ninguna columna para &quot;stress_kPa&quot; o &quot;force_N&quot;.</translation>
     </message>
     <message>
         <source>Line {0} of {1} gives a stretch of {2}, which no specimen survives.</source>
-        <translation>La ligne {0} de {1} donne une élongation de {2}, à laquelle aucun échantillon ne survit.</translation>
+        <translation>La línea {0} de {1} da un estiramiento de {2}, que ninguna muestra soporta.</translation>
     </message>
     <message>
         <source>Is it strain, or a percentage? Stretch is length over length at rest.</source>
-        <translation>Est-ce une déformation, ou un pourcentage&#xa0;? L’élongation est la longueur divisée par la longueur au repos.</translation>
+        <translation>¿Es la deformación o un porcentaje? El estiramiento es la longitud dividida por la longitud en reposo.</translation>
     </message>
     <message>
         <source>The material law is used beyond the stretch it allows.</source>
-        <translation>La loi du matériau est employée au-delà de l’élongation qu’elle permet.</translation>
+        <translation>La ley del material se usa más allá del estiramiento que permite.</translation>
     </message>
     <message>
         <source>The specimen in {0} is {1} mm across.</source>
-        <translation>L’échantillon de {0} mesure {1} mm.</translation>
+        <translation>La muestra de {0} mide {1} mm.</translation>
     </message>
     <message>
         <source>Is the mesh in metres or micrometres?</source>
-        <translation>Le maillage est-il en mètres ou en micromètres&#xa0;?</translation>
+        <translation>¿Está la malla en metros o en micrómetros?</translation>
     </message>
     <message>
         <source>{0} has no cell array &quot;{1}&quot; with one number a cell.</source>
-        <translation>{0} n’a pas de tableau de cellules «&#xa0;{1}&#xa0;» avec un nombre par cellule.</translation>
+        <translation>{0} no tiene una matriz de celdas «{1}» con un número por celda.</translation>
     </message>
     <message>
         <source>Young&apos;s modulus must be above zero in every cell.</source>
-        <translation>Le module de Young doit être supérieur à zéro dans chaque cellule.</translation>
+        <translation>El módulo de Young debe ser mayor que cero en cada celda.</translation>
     </message>
     <message>
         <source>{0} must lie between -1 and 0.5, both excluded.</source>
-        <translation>{0} doit être compris entre -1 et 0.5, bornes exclues.</translation>
+        <translation>{0} debe estar entre -1 y 0.5, ambos excluidos.</translation>
     </message>
     <message>
         <source>Line 1 of {0} names no column &quot;{1}&quot;.</source>
-        <translation>La ligne 1 de {0} ne nomme pas de colonne «&#xa0;{1}&#xa0;».</translation>
+        <translation>La línea 1 de {0} no nombra ninguna columna «{1}».</translation>
     </message>
     <message>
         <source>A table of markers has id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</source>
-        <translation>Une table de marqueurs contient id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</translation>
+        <translation>Una tabla de marcadores tiene id, rest_x_mm, rest_y_mm, rest_z_mm, x_mm, y_mm, z_mm.</translation>
     </message>
     <message>
         <source>{0} holds no markers.</source>
-        <translation>{0} ne contient pas de marqueurs.</translation>
+        <translation>{0} no contiene marcadores.</translation>
     </message>
     <message>
         <source>All markers of {0} lie within {1} mm (line 2 on), on a specimen of {2} mm.</source>
-        <translation>Tous les marqueurs de {0} tiennent dans {1} mm (à partir de la ligne 2), sur un échantillon de {2} mm.</translation>
+        <translation>Todos los marcadores de {0} caben en {1} mm (desde la línea 2), en una muestra de {2} mm.</translation>
     </message>
     <message>
         <source>Are they in metres?</source>
-        <translation>Sont-ils en mètres&#xa0;?</translation>
+        <translation>¿Están en metros?</translation>
     </message>
     <message>
         <source>Line {0} of {1}: marker {2} lies {3} mm outside the specimen at rest.</source>
-        <translation>Ligne {0} de {1}&#xa0;: le marqueur {2} est à {3} mm hors de l’échantillon au repos.</translation>
+        <translation>Línea {0} de {1}: el marcador {2} está a {3} mm fuera de la muestra en reposo.</translation>
     </message>
     <message>
         <source>Are markers and mesh in one frame (patient coordinates) and both in mm?</source>
-        <translation>Marqueurs et maillage sont-ils dans le même repère (coordonnées du patient) et tous deux en mm&#xa0;?</translation>
+        <translation>¿Están los marcadores y la malla en el mismo sistema (coordenadas del paciente) y ambos en mm?</translation>
     </message>
     <message>
         <source>Line {0} of {1}: marker {2} moved by {3} mm, more than the specimen is long.</source>
-        <translation>Ligne {0} de {1}&#xa0;: le marqueur {2} s’est déplacé de {3} mm, plus que la longueur de l’échantillon.</translation>
+        <translation>Línea {0} de {1}: el marcador {2} se ha movido {3} mm, más que la longitud de la muestra.</translation>
     </message>
     <message>
         <source>Are the positions in another unit or frame than the positions at rest?</source>
-        <translation>Les positions sont-elles dans une autre unité ou un autre repère que les positions au repos&#xa0;?</translation>
+        <translation>¿Están las posiciones en otra unidad u otro sistema que las posiciones en reposo?</translation>
     </message>
     <message>
         <source>{0}: a force of {1} N presses no soft specimen.</source>
-        <translation>{0}&#xa0;: une force de {1} N ne s’exerce sur aucun échantillon mou.</translation>
+        <translation>{0}: una fuerza de {1} N no se ejerce sobre ninguna muestra blanda.</translation>
     </message>
     <message>
         <source>Was it given in mN?</source>
-        <translation>A-t-elle été donnée en mN&#xa0;?</translation>
+        <translation>¿Se indicó en mN?</translation>
     </message>
     <message>
         <source>{0} must not be zero.</source>
-        <translation>{0} ne doit pas être nul.</translation>
+        <translation>{0} no debe ser cero.</translation>
     </message>
     <message>
         <source>Trial {0} (line {1} of {2}) has no samples.</source>
-        <translation>L’essai {0} (ligne {1} de {2}) n’a pas de mesures.</translation>
+        <translation>El ensayo {0} (línea {1} de {2}) no tiene mediciones.</translation>
     </message>
     <message>
         <source>Was the recording interrupted?</source>
-        <translation>L’enregistrement a-t-il été interrompu&#xa0;?</translation>
+        <translation>¿Se interrumpió el registro?</translation>
     </message>
     <message>
         <source>In trial {0} (line {1} of {2}) time goes back at sample {3}.</source>
-        <translation>Dans l’essai {0} (ligne {1} de {2}), le temps recule à la mesure {3}.</translation>
+        <translation>En el ensayo {0} (línea {1} de {2}) el tiempo retrocede en la medición {3}.</translation>
     </message>
     <message>
         <source>Are two recordings in one trial?</source>
-        <translation>Y a-t-il deux enregistrements dans un essai&#xa0;?</translation>
+        <translation>¿Hay dos registros en un ensayo?</translation>
     </message>
     <message>
         <source>No sample of trial {0} (line {1} of {2}) names markers.</source>
-        <translation>Aucune mesure de l’essai {0} (ligne {1} de {2}) ne nomme de marqueurs.</translation>
+        <translation>Ninguna medición del ensayo {0} (línea {1} de {2}) nombra marcadores.</translation>
     </message>
     <message>
         <source>Preparing the specimen</source>
-        <translation>Préparation de l’échantillon</translation>
+        <translation>Preparando la muestra</translation>
     </message>
     <message>
         <source>No sample of the experiment has markers.</source>
-        <translation>Aucune mesure de l’expérience n’a de marqueurs.</translation>
+        <translation>Ninguna medición del experimento tiene marcadores.</translation>
     </message>
     <message>
         <source>Solved the declared specimen</source>
-        <translation>Échantillon déclaré résolu</translation>
+        <translation>Muestra declarada resuelta</translation>
     </message>
     <message>
         <source>The specimen&apos;s equations are too badly conditioned to be solved.</source>
-        <translation>Les équations de l’échantillon sont trop mal conditionnées pour être résolues.</translation>
+        <translation>Las ecuaciones de la muestra están demasiado mal condicionadas para resolverse.</translation>
     </message>
     <message>
         <source>No equilibrium of a specimen that stiffens so strongly was found under these loads.</source>
-        <translation>Aucun équilibre n’a été trouvé sous ces charges pour un échantillon qui se rigidifie autant.</translation>
+        <translation>No se ha encontrado equilibrio bajo estas cargas para una muestra que se rigidiza tanto.</translation>
     </message>
     <message>
         <source>The battery&apos;s voltage falls under load: its own resistance turns energy into heat.</source>
-        <translation>La tension de la batterie baisse en charge&#xa0;: sa résistance interne change l’énergie en chaleur.</translation>
+        <translation>La tensión de la batería cae con la carga: su resistencia interna convierte energía en calor.</translation>
     </message>
     <message>
         <source>The battery&apos;s voltage falls under load, and what is lost there is what warms it.</source>
-        <translation>La tension de la batterie baisse en charge, et ce qui s’y perd la réchauffe.</translation>
+        <translation>La tensión de la batería cae con la carga, y lo que allí se pierde es lo que la calienta.</translation>
     </message>
     <message>
         <source>The faster the battery is emptied, the less it gives (Peukert).</source>
-        <translation>Plus la batterie est vidée vite, moins elle fournit (Peukert).</translation>
+        <translation>Cuanto más deprisa se vacía la batería, menos entrega (Peukert).</translation>
     </message>
     <message>
         <source>The battery gives less when it is cold and more when it is warm.</source>
-        <translation>La batterie fournit moins à froid et plus à chaud.</translation>
+        <translation>La batería entrega menos en frío y más en caliente.</translation>
     </message>
     <message>
         <source>The battery&apos;s voltage falls while it empties, which a constant voltage leaves out.</source>
-        <translation>La tension de la batterie baisse à mesure qu’elle se vide, ce qu’une tension constante ignore.</translation>
+        <translation>La tensión de la batería cae mientras se vacía, algo que una tensión constante no recoge.</translation>
     </message>
     <message>
         <source>The computer draws power whatever it does, more than was declared.</source>
-        <translation>L’ordinateur consomme, quoi qu’il fasse, plus de puissance que déclaré.</translation>
+        <translation>El ordenador consume, haga lo que haga, más potencia de la declarada.</translation>
     </message>
     <message>
         <source>A part of the power is lost in the supply before it reaches the computer.</source>
-        <translation>Une partie de la puissance se perd dans l’alimentation avant d’atteindre l’ordinateur.</translation>
+        <translation>Una parte de la potencia se pierde en la alimentación antes de llegar al ordenador.</translation>
     </message>
     <message>
         <source>The warmer the computer gets, the more power it draws.</source>
-        <translation>Plus l’ordinateur chauffe, plus il consomme.</translation>
+        <translation>Cuanto más se calienta el ordenador, más consume.</translation>
     </message>
     <message>
         <source>The work itself takes power that was not declared.</source>
-        <translation>Le travail lui-même consomme une puissance qui n’était pas déclarée.</translation>
+        <translation>El propio trabajo consume una potencia que no se declaró.</translation>
     </message>
     <message>
         <source>The computer slows itself down to stay below a temperature.</source>
-        <translation>L’ordinateur se ralentit pour rester sous une température.</translation>
+        <translation>El ordenador se ralentiza para no superar una temperatura.</translation>
     </message>
     <message>
         <source>Heat leaves the computer better or worse than declared.</source>
-        <translation>La chaleur quitte l’ordinateur mieux ou moins bien que déclaré.</translation>
+        <translation>El calor sale del ordenador mejor o peor de lo declarado.</translation>
     </message>
     <message>
         <source>The computer takes time to warm up, longer or shorter than declared.</source>
-        <translation>L’ordinateur met du temps à chauffer, plus ou moins que déclaré.</translation>
+        <translation>El ordenador tarda en calentarse, más o menos de lo declarado.</translation>
     </message>
     <message>
         <source>&quot;noise&quot; names no quantity, so that nothing can be judged.</source>
-        <translation>&quot;noise&quot; ne nomme aucune grandeur, de sorte que rien ne peut être jugé.</translation>
+        <translation>&quot;noise&quot; no nombra ninguna magnitud, de modo que no se puede juzgar nada.</translation>
     </message>
     <message>
         <source>Give voltage_V, temperature_C or power_W: the standard deviation of that reading.</source>
-        <translation>Indiquez voltage_V, temperature_C ou power_W&#xa0;: l’écart-type de cette mesure.</translation>
+        <translation>Indique voltage_V, temperature_C o power_W: la desviación típica de esa lectura.</translation>
     </message>
     <message>
         <source>The law of platforms is constant: a battery that gives all of its energy at any load.</source>
-        <translation>La loi des plates-formes est constante&#xa0;: une batterie qui donne toute son énergie sous toute charge.</translation>
+        <translation>La ley de las plataformas es constante: una batería que entrega toda su energía con cualquier carga.</translation>
     </message>
     <message>
         <source>{0} must not be below zero.</source>
-        <translation>{0} ne doit pas être inférieur à zéro.</translation>
+        <translation>{0} no debe ser menor que cero.</translation>
     </message>
     <message>
         <source>Line {0} of {1} gives a {2} of {3}, which no worn computer reaches.</source>
-        <translation>La ligne {0} de {1} donne {2} = {3}, ce qu’aucun ordinateur porté n’atteint.</translation>
+        <translation>La línea {0} de {1} da {2} = {3}, algo que ningún ordenador corporal alcanza.</translation>
     </message>
     <message>
         <source>{0} has no column for a quantity whose noise is given.</source>
-        <translation>{0} n’a pas de colonne pour une grandeur dont le bruit est donné.</translation>
+        <translation>{0} no tiene columna para una magnitud cuyo ruido se indica.</translation>
     </message>
     <message>
         <source>The declared figures predict none of the recorded quantities.</source>
-        <translation>Les chiffres déclarés ne prédisent aucune des grandeurs enregistrées.</translation>
+        <translation>Las cifras declaradas no predicen ninguna de las magnitudes registradas.</translation>
     </message>
     <message>
         <source>Voltage needs nominal_voltage_V, temperature needs thermal_resistance_C_per_W and a power, power needs a current or a load.</source>
-        <translation>La tension exige nominal_voltage_V, la température thermal_resistance_C_per_W et une puissance, la puissance un courant ou une charge.</translation>
+        <translation>La tensión necesita nominal_voltage_V, la temperatura thermal_resistance_C_per_W y una potencia, la potencia una corriente o una carga.</translation>
     </message>
     <message>
         <source>The model of the platform has no finite answer here.</source>
-        <translation>Le modèle de la plateforme n’a pas ici de réponse finie.</translation>
+        <translation>El modelo de la plataforma no tiene aquí una respuesta finita.</translation>
     </message>
     <message>
         <source>it is proportional to the prediction</source>
-        <translation>il est proportionnel à la prédiction</translation>
+        <translation>es proporcional a la predicción</translation>
     </message>
     <message>
         <source>it changes with the load</source>
-        <translation>il change avec la charge</translation>
+        <translation>cambia con la carga</translation>
     </message>
     <message>
         <source>it changes with time</source>
-        <translation>il change avec le temps</translation>
+        <translation>cambia con el tiempo</translation>
     </message>
     <message>
         <source>it has a mean in some direction</source>
-        <translation>il a une moyenne dans une direction</translation>
+        <translation>tiene una media en alguna dirección</translation>
     </message>
     <message>
         <source>it changes across the specimen</source>
-        <translation>il change à travers l’échantillon</translation>
+        <translation>cambia a lo largo de la muestra</translation>
     </message>
     <message>
         <source>it differs from trial to trial</source>
-        <translation>il diffère d’un essai à l’autre</translation>
+        <translation>difiere de un ensayo a otro</translation>
     </message>
     <message>
         <source>it is larger than the noise</source>
-        <translation>il est plus grand que le bruit</translation>
+        <translation>es mayor que el ruido</translation>
     </message>
     <message>
         <source>neighbours are off in the same way</source>
-        <translation>des voisins s’écartent de la même façon</translation>
+        <translation>los vecinos se desvían del mismo modo</translation>
     </message>
     <message>
         <source>trying effects</source>
-        <translation>essai des effets</translation>
+        <translation>probando efectos</translation>
     </message>
     <message>
         <source>Only an experiment whose trials are measured can be explained.</source>
-        <translation>Seule une expérience dont les essais sont mesurés peut être expliquée.</translation>
+        <translation>Solo se puede explicar un experimento cuyos ensayos se hayan medido.</translation>
     </message>
     <message>
         <source>predicting with the declared model</source>
-        <translation>prédiction avec le modèle déclaré</translation>
+        <translation>prediciendo con el modelo declarado</translation>
     </message>
     <message>
         <source>weighing the evidence</source>
-        <translation>pesée des indices</translation>
+        <translation>sopesando las pruebas</translation>
     </message>
     <message>
         <source>done</source>
-        <translation>terminé</translation>
+        <translation>terminado</translation>
     </message>
     <message>
         <source>No voxel of the stiffness map is reliable: none is positive, confident, inside the organ and {0} mm away from its border at once.</source>
-        <translation>Aucun voxel de la carte de rigidité n’est fiable&#xa0;: aucun n’est à la fois positif, de confiance, dans l’organe et à {0} mm de son bord.</translation>
+        <translation>Ningún vóxel del mapa de rigidez es fiable: ninguno es a la vez positivo, de confianza, interior al órgano y alejado {0} mm de su borde.</translation>
     </message>
     <message>
         <source>Check that map, confidence mask and segmentation belong together, or trust voxels nearer to the border.</source>
-        <translation>Vérifiez que la carte, le masque de confiance et la segmentation vont ensemble, ou acceptez des voxels plus près du bord.</translation>
+        <translation>Compruebe que el mapa, la máscara de confianza y la segmentación corresponden entre sí o acepte vóxeles más próximos al borde.</translation>
     </message>
     <message>
         <source>The model does not lie in the stiffness map: {0} mm are between their boxes (model around {1}, map around {2}).</source>
-        <translation>Le modèle n’est pas dans la carte de rigidité&#xa0;: {0} mm séparent leurs boîtes (modèle autour de {1}, carte autour de {2}).</translation>
+        <translation>El modelo no está dentro del mapa de rigidez: {0} mm separan sus cajas (modelo en torno a {1}, mapa en torno a {2}).</translation>
     </message>
     <message>
         <source>They are probably in different frames of reference: take the stiffness series of the same study, or register the two.</source>
-        <translation>Ils sont probablement dans des référentiels différents&#xa0;: prenez la série de rigidité de la même étude, ou recalez les deux.</translation>
+        <translation>Probablemente están en marcos de referencia distintos: tome la serie de rigidez del mismo estudio o registre ambos.</translation>
     </message>
     <message>
         <source>There are no cells to give a stiffness to.</source>
-        <translation>Il n’y a pas de cellules auxquelles donner une rigidité.</translation>
+        <translation>No hay celdas a las que dar una rigidez.</translation>
     </message>
     <message>
         <source>The stiffness map holds no voxels.</source>
-        <translation>La carte de rigidité ne contient aucun voxel.</translation>
+        <translation>El mapa de rigidez no contiene vóxeles.</translation>
     </message>
     <message>
         <source>The axes of the stiffness map are not at right angles, so that the nearest voxel is not to be told.</source>
-        <translation>Les axes de la carte de rigidité ne sont pas perpendiculaires, de sorte que le voxel le plus proche ne peut être déterminé.</translation>
+        <translation>Los ejes del mapa de rigidez no son perpendiculares, de modo que no se puede determinar el vóxel más próximo.</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio must lie in (-1, 0.5], the border must not be negative and the averaging length must be positive; they are {0}, {1} mm and {2} mm.</source>
-        <translation>Le coefficient de Poisson doit être dans (-1, 0.5], le bord ne doit pas être négatif et la longueur de moyenne doit être positive&#xa0;; ils valent {0}, {1} mm et {2} mm.</translation>
+        <translation>El coeficiente de Poisson debe estar en (-1, 0.5], el borde no debe ser negativo y la longitud de promediado debe ser positiva; son {0}, {1} mm y {2} mm.</translation>
     </message>
     <message>
         <source>There are no wave or phase images.</source>
-        <translation>Il n’y a pas d’images d’ondes ni de phase.</translation>
+        <translation>No hay imágenes de ondas ni de fase.</translation>
     </message>
     <message>
         <source>Unwrapping the phase</source>
-        <translation>Déroulement de la phase</translation>
+        <translation>Desenrollando la fase</translation>
     </message>
     <message>
         <source>The waves give no signal inside the organ.</source>
-        <translation>Les ondes ne donnent aucun signal dans l’organe.</translation>
+        <translation>Las ondas no dan señal dentro del órgano.</translation>
     </message>
     <message>
         <source>Check that the segmentation and the wave images belong together.</source>
-        <translation>Vérifiez que la segmentation et les images d’ondes vont ensemble.</translation>
+        <translation>Compruebe que la segmentación y las imágenes de ondas corresponden entre sí.</translation>
     </message>
     <message>
         <source>Inverting the waves</source>
-        <translation>Inversion des ondes</translation>
+        <translation>Invirtiendo las ondas</translation>
     </message>
     <message>
         <source>Inverted</source>
-        <translation>Inversé</translation>
+        <translation>Invertido</translation>
     </message>
     <message>
         <source>Not one voxel could be inverted with confidence: there is no wave in these images, or it drowns in noise.</source>
-        <translation>Aucun voxel n’a pu être inversé avec confiance&#xa0;: il n’y a pas d’onde dans ces images, ou elle se noie dans le bruit.</translation>
+        <translation>No se ha podido invertir con confianza ni un solo vóxel: no hay onda en estas imágenes o se pierde en el ruido.</translation>
     </message>
     <message>
         <source>Check that the phase series and the frequency are the right ones.</source>
-        <translation>Vérifiez que la série de phase et la fréquence sont les bonnes.</translation>
+        <translation>Compruebe que la serie de fase y la frecuencia son las correctas.</translation>
     </message>
     <message>
         <source>The region lies on another voxel grid than the map.</source>
-        <translation>La région est sur une autre grille de voxels que la carte.</translation>
+        <translation>La región está en otra cuadrícula de vóxeles que el mapa.</translation>
     </message>
     <message>
         <source>The region holds no value.</source>
-        <translation>La région ne contient aucune valeur.</translation>
+        <translation>La región no contiene ningún valor.</translation>
     </message>
     <message>
         <source>The wave images do not all lie on one grid.</source>
-        <translation>Les images d’ondes ne sont pas toutes sur une même grille.</translation>
+        <translation>Las imágenes de ondas no están todas en una misma cuadrícula.</translation>
     </message>
     <message>
         <source>The headers do not say at which frequency the organ was shaken.</source>
-        <translation>Les en-têtes n’indiquent pas à quelle fréquence l’organe a été mis en vibration.</translation>
+        <translation>Las cabeceras no indican con qué frecuencia se hizo vibrar el órgano.</translation>
     </message>
     <message>
         <source>Give it with --frequency-Hz; liver scans mostly use 60.</source>
-        <translation>Indiquez-la avec --frequency-Hz&#xa0;; pour le foie, c’est le plus souvent 60.</translation>
+        <translation>Indíquela con --frequency-Hz; en el hígado suele ser 60.</translation>
     </message>
     <message>
         <source>A vibration of {0} Hz is not possible.</source>
-        <translation>Une vibration de {0} Hz n’est pas possible.</translation>
+        <translation>Una vibración de {0} Hz no es posible.</translation>
     </message>
     <message>
         <source>The headers do not say which of the {0} wave images belong to which direction.</source>
-        <translation>Les en-têtes n’indiquent pas quelles images, parmi les {0} images d’ondes, appartiennent à quelle direction.</translation>
+        <translation>Las cabeceras no indican cuáles de las {0} imágenes de ondas pertenecen a cada dirección.</translation>
     </message>
     <message>
         <source>Say how many directions were measured with --directions; mostly 1 or 3.</source>
-        <translation>Indiquez avec --directions combien de directions ont été mesurées&#xa0;; le plus souvent 1 ou 3.</translation>
+        <translation>Indique con --directions cuántas direcciones se midieron; casi siempre 1 o 3.</translation>
     </message>
     <message>
         <source>{0} wave images cannot be shared out among {1} directions.</source>
-        <translation>{0} images d’ondes ne peuvent pas être réparties sur {1} directions.</translation>
+        <translation>{0} imágenes de ondas no se pueden repartir entre {1} direcciones.</translation>
     </message>
     <message>
         <source>At {0} Hz direction {1} has {2} instants and the first direction {3}.</source>
-        <translation>À {0} Hz, la direction {1} a {2} instants et la première direction {3}.</translation>
+        <translation>A {0} Hz la dirección {1} tiene {2} instantes y la primera dirección {3}.</translation>
     </message>
     <message>
         <source>Only {0} instants of the wave were measured; at least {1} are needed to tell the wave from noise.</source>
-        <translation>Seuls {0} instants de l’onde ont été mesurés&#xa0;; il en faut au moins {1} pour distinguer l’onde du bruit.</translation>
+        <translation>Solo se midieron {0} instantes de la onda; hacen falta al menos {1} para distinguir la onda del ruido.</translation>
     </message>
     <message>
         <source>The curl needs the motion along three known directions, in at least three slices.</source>
-        <translation>Le rotationnel exige le mouvement selon trois directions connues, sur au moins trois coupes.</translation>
+        <translation>El rotacional necesita el movimiento en tres direcciones conocidas, en al menos tres cortes.</translation>
     </message>
     <message>
         <source>Take long waves off with the high-pass instead.</source>
-        <translation>Supprimez plutôt les ondes longues avec le passe-haut.</translation>
+        <translation>Elimine en su lugar las ondas largas con el paso alto.</translation>
     </message>
     <message>
         <source>A cutting plane needs a finite point and a normal that is not zero.</source>
-        <translation>Un plan de coupe exige un point fini et une normale non nulle.</translation>
+        <translation>Un plano de corte necesita un punto finito y una normal distinta de cero.</translation>
     </message>
     <message>
         <source>A cutting sheet needs 3 to {0} points; there are {1}.</source>
-        <translation>Une surface de coupe exige de 3 à {0} points&#xa0;; il y en a {1}.</translation>
+        <translation>Una superficie de corte necesita de 3 a {0} puntos; hay {1}.</translation>
     </message>
     <message>
         <source>A point of the cutting sheet is not finite.</source>
-        <translation>Un point de la surface de coupe n’est pas fini.</translation>
+        <translation>Un punto de la superficie de corte no es finito.</translation>
     </message>
     <message>
         <source>The points of the cutting sheet lie almost on a line, which does not say which way to cut: add points away from it, or give a plane.</source>
-        <translation>Les points de la surface de coupe sont presque alignés, ce qui ne dit pas comment couper&#xa0;: ajoutez des points à l’écart, ou donnez un plan.</translation>
+        <translation>Los puntos de la superficie de corte están casi alineados, lo que no indica cómo cortar: añada puntos fuera de la línea o indique un plano.</translation>
     </message>
     <message>
         <source>Points {0} and {1} of the cutting sheet lie above each other: no smooth sheet over their plane passes through both.</source>
-        <translation>Les points {0} et {1} de la surface de coupe sont l’un au-dessus de l’autre&#xa0;: aucune surface lisse au-dessus de leur plan ne passe par les deux.</translation>
+        <translation>Los puntos {0} y {1} de la superficie de corte están uno sobre otro: ninguna superficie suave sobre su plano pasa por ambos.</translation>
     </message>
     <message>
         <source>No smooth sheet passes through the points of the cut.</source>
-        <translation>Aucune surface lisse ne passe par les points de la section.</translation>
+        <translation>Ninguna superficie suave pasa por los puntos de la sección.</translation>
     </message>
     <message>
         <source>The surface is in pieces, between which there is no way along it.</source>
-        <translation>La surface est en morceaux entre lesquels aucun chemin ne la suit.</translation>
+        <translation>La superficie está en trozos entre los que no hay camino sobre ella.</translation>
     </message>
     <message>
         <source>Keep its largest piece.</source>
-        <translation>Gardez son plus grand morceau.</translation>
+        <translation>Conserve su trozo mayor.</translation>
     </message>
     <message>
         <source>Triangle {0} does not fit its neighbours: an edge has more than two triangles, or they are turned against each other.</source>
-        <translation>Le triangle {0} ne s’accorde pas avec ses voisins&#xa0;: une arête a plus de deux triangles, ou ils sont orientés en sens contraire.</translation>
+        <translation>El triángulo {0} no encaja con sus vecinos: una arista tiene más de dos triángulos o están orientados al revés.</translation>
     </message>
     <message>
         <source>Heat cannot spread over the surface: it has flat triangles.</source>
-        <translation>La chaleur ne peut pas se propager sur la surface&#xa0;: elle a des triangles plats.</translation>
+        <translation>El calor no puede propagarse por la superficie: tiene triángulos planos.</translation>
     </message>
     <message>
         <source>{0} cannot be read as a mesh: {1}.</source>
-        <translation>{0} ne peut pas être lu comme maillage&#xa0;: {1}.</translation>
+        <translation>No se puede leer {0} como malla: {1}.</translation>
     </message>
     <message>
         <source>Open it in ParaView to see whether it is damaged.</source>
-        <translation>Ouvrez-le dans ParaView pour voir s’il est endommagé.</translation>
+        <translation>Ábralo en ParaView para ver si está dañado.</translation>
     </message>
     <message>
         <source>it names no dataset</source>
-        <translation>il ne nomme aucun jeu de données</translation>
+        <translation>no nombra ningún conjunto de datos</translation>
     </message>
     <message>
         <source>its points are not all there</source>
-        <translation>ses points ne sont pas tous là</translation>
+        <translation>no están todos sus puntos</translation>
     </message>
     <message>
         <source>its cell types are not all there</source>
-        <translation>ses types de cellules ne sont pas tous là</translation>
+        <translation>no están todos sus tipos de celda</translation>
     </message>
     <message>
         <source>it has not as many cell types as cells</source>
-        <translation>il n’a pas autant de types de cellules que de cellules</translation>
+        <translation>no tiene tantos tipos de celda como celdas</translation>
     </message>
     <message>
         <source>a field says not how many arrays it has</source>
-        <translation>un champ n’indique pas combien de tableaux il contient</translation>
+        <translation>un campo no indica cuántas matrices tiene</translation>
     </message>
     <message>
         <source>an array before its cells is not all there, or is text</source>
-        <translation>un tableau avant ses cellules est incomplet, ou est du texte</translation>
+        <translation>una matriz anterior a sus celdas no está completa o es texto</translation>
     </message>
     <message>
         <source>{0} has no extension that is known for such a mesh.</source>
-        <translation>{0} n’a pas d’extension connue pour un tel maillage.</translation>
+        <translation>{0} no tiene una extensión conocida para una malla así.</translation>
     </message>
     <message>
         <source>it holds no points</source>
-        <translation>il ne contient pas de points</translation>
+        <translation>no contiene puntos</translation>
     </message>
     <message>
         <source>a cell names a point that does not exist</source>
-        <translation>une cellule nomme un point qui n’existe pas</translation>
+        <translation>una celda nombra un punto que no existe</translation>
     </message>
     <message>
         <source>its polygons cannot be cut into triangles</source>
-        <translation>ses polygones ne peuvent pas être découpés en triangles</translation>
+        <translation>sus polígonos no se pueden dividir en triángulos</translation>
     </message>
     <message>
         <source>Cell {1} of {0} is a {2} of {3} points; only tetrahedra are used.</source>
-        <translation>La cellule {1} de {0} est un {2} de {3} points&#xa0;; seuls les tétraèdres sont utilisés.</translation>
+        <translation>La celda {1} de {0} es {2} de {3} puntos; solo se usan tetraedros.</translation>
     </message>
     <message>
         <source>Cut it into tetrahedra first, for example with ParaView&apos;s Tetrahedralize.</source>
-        <translation>Découpez-le d’abord en tétraèdres, par exemple avec Tetrahedralize de ParaView.</translation>
+        <translation>Divídala antes en tetraedros, por ejemplo con Tetrahedralize de ParaView.</translation>
     </message>
     <message>
         <source>it holds no tetrahedra</source>
-        <translation>il ne contient pas de tétraèdres</translation>
+        <translation>no contiene tetraedros</translation>
     </message>
     <message>
         <source>The header of {0} announces {1} items; a file of {2} bytes cannot hold them.</source>
-        <translation>L’en-tête de {0} annonce {1} éléments&#xa0;; un fichier de {2} octets ne peut pas les contenir.</translation>
+        <translation>La cabecera de {0} anuncia {1} elementos; un archivo de {2} bytes no puede contenerlos.</translation>
     </message>
     <message>
         <source>The file is damaged or cut off; get it again from where it came.</source>
-        <translation>Le fichier est endommagé ou tronqué&#xa0;; récupérez-le à sa source.</translation>
+        <translation>El archivo está dañado o cortado; vuelva a obtenerlo de su origen.</translation>
     </message>
     <message>
         <source>Line {1} of {0} is neither a point nor a face.</source>
-        <translation>La ligne {1} de {0} n’est ni un point ni une face.</translation>
+        <translation>La línea {1} de {0} no es ni un punto ni una cara.</translation>
     </message>
     <message>
         <source>Line {1} of {0} is not what an OFF file holds there.</source>
-        <translation>La ligne {1} de {0} n’est pas ce qu’un fichier OFF contient à cet endroit.</translation>
+        <translation>La línea {1} de {0} no es lo que un archivo OFF contiene ahí.</translation>
     </message>
     <message>
         <source>its header is not that of a PLY file</source>
-        <translation>son en-tête n’est pas celui d’un fichier PLY</translation>
+        <translation>su cabecera no es la de un archivo PLY</translation>
     </message>
     <message>
         <source>Point {0} of the surface has no finite position.</source>
-        <translation>Le point {0} de la surface n’a pas de position finie.</translation>
+        <translation>El punto {0} de la superficie no tiene una posición finita.</translation>
     </message>
     <message>
         <source>Triangle {0} names point {1}; the surface has {2} points.</source>
-        <translation>Le triangle {0} nomme le point {1}&#xa0;; la surface a {2} points.</translation>
+        <translation>El triángulo {0} nombra el punto {1}; la superficie tiene {2} puntos.</translation>
     </message>
     <message>
         <source>The surface holds no triangles.</source>
-        <translation>La surface ne contient pas de triangles.</translation>
+        <translation>La superficie no contiene triángulos.</translation>
     </message>
     <message>
         <source>The mesh holds no tetrahedra.</source>
-        <translation>Le maillage ne contient pas de tétraèdres.</translation>
+        <translation>La malla no contiene tetraedros.</translation>
     </message>
     <message>
         <source>Tetrahedron {0} names point {1}; the mesh has {2} points.</source>
-        <translation>Le tétraèdre {0} nomme le point {1}&#xa0;; le maillage a {2} points.</translation>
+        <translation>El tetraedro {0} nombra el punto {1}; la malla tiene {2} puntos.</translation>
     </message>
     <message>
         <source>Point {0} of the mesh has no finite position.</source>
-        <translation>Le point {0} du maillage n’a pas de position finie.</translation>
+        <translation>El punto {0} de la malla no tiene una posición finita.</translation>
     </message>
     <message>
         <source>Tetrahedron {0} is flat or inside out: its volume is {1} mm3.</source>
-        <translation>Le tétraèdre {0} est plat ou retourné&#xa0;: son volume est de {1} mm3.</translation>
+        <translation>El tetraedro {0} es plano o está invertido: su volumen es {1} mm3.</translation>
     </message>
     <message>
         <source>The face of the points {0}, {1} and {2} belongs to {3} tetrahedra; at most two can.</source>
-        <translation>La face des points {0}, {1} et {2} appartient à {3} tétraèdres&#xa0;; deux au plus sont possibles.</translation>
+        <translation>La cara de los puntos {0}, {1} y {2} pertenece a {3} tetraedros; como máximo pueden ser dos.</translation>
     </message>
     <message>
         <source>The mesh falls in {0} parts that share no face, of {1} tetrahedra.</source>
-        <translation>Le maillage se divise en {0} parties sans face commune, de {1} tétraèdres.</translation>
+        <translation>La malla se divide en {0} partes sin cara común, de {1} tetraedros.</translation>
     </message>
     <message>
         <source>Keep the largest part, or join them before meshing.</source>
-        <translation>Gardez la plus grande partie, ou réunissez-les avant le maillage.</translation>
+        <translation>Conserve la parte mayor o únalas antes de mallar.</translation>
     </message>
     <message>
         <source>{0} is deflated as a whole, which is not read.</source>
-        <translation>{0} est entièrement compressé (deflate), ce qui n’est pas lu.</translation>
+        <translation>{0} está comprimido por completo (deflate), lo que no se lee.</translation>
     </message>
     <message>
         <source>Convert it first, for example with dcmconv +te.</source>
-        <translation>Convertissez-le d’abord, par exemple avec dcmconv +te.</translation>
+        <translation>Conviértalo antes, por ejemplo con dcmconv +te.</translation>
     </message>
     <message>
         <source>{0} is empty.</source>
-        <translation>{0} est vide.</translation>
+        <translation>{0} está vacío.</translation>
     </message>
     <message>
         <source>{0} declares a length beyond its end in its first lines.</source>
-        <translation>{0} déclare dans ses premières lignes une longueur au-delà de sa fin.</translation>
+        <translation>{0} declara en sus primeras líneas una longitud que rebasa su final.</translation>
     </message>
     <message>
         <source>{0} is no DICOM file, nor named as one of the volume files that are read.</source>
-        <translation>{0} n’est pas un fichier DICOM, ni nommé comme un des fichiers de volume qui sont lus.</translation>
+        <translation>{0} no es un archivo DICOM ni se llama como uno de los archivos de volumen que se leen.</translation>
     </message>
     <message>
         <source>The header of {0} is too large to be that of an image.</source>
-        <translation>L’en-tête de {0} est trop grand pour celui d’une image.</translation>
+        <translation>La cabecera de {0} es demasiado grande para ser la de una imagen.</translation>
     </message>
     <message>
         <source>{0} is damaged: an item stands outside a sequence at byte {1}.</source>
-        <translation>{0} est endommagé&#xa0;: un élément se trouve hors d’une séquence à l’octet {1}.</translation>
+        <translation>{0} está dañado: hay un elemento fuera de una secuencia en el byte {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: a value without a length stands at byte {1}.</source>
-        <translation>{0} est endommagé&#xa0;: une valeur sans longueur se trouve à l’octet {1}.</translation>
+        <translation>{0} está dañado: hay un valor sin longitud en el byte {1}.</translation>
     </message>
     <message>
         <source>{0} ends at byte {1}, in the middle of its header.</source>
-        <translation>{0} se termine à l’octet {1}, au milieu de son en-tête.</translation>
+        <translation>{0} termina en el byte {1}, en mitad de su cabecera.</translation>
     </message>
     <message>
         <source>{0} is damaged: the length at byte {1} leaves what encloses it.</source>
-        <translation>{0} est endommagé&#xa0;: la longueur à l’octet {1} dépasse ce qui l’entoure.</translation>
+        <translation>{0} está dañado: la longitud en el byte {1} se sale de lo que la contiene.</translation>
     </message>
     <message>
         <source>{0} ends at byte {1}, in the middle of a sequence.</source>
-        <translation>{0} se termine à l’octet {1}, au milieu d’une séquence.</translation>
+        <translation>{0} termina en el byte {1}, en mitad de una secuencia.</translation>
     </message>
     <message>
         <source>{0} is damaged: a sequence holds something else than items at byte {1}.</source>
-        <translation>{0} est endommagé&#xa0;: une séquence contient autre chose que des éléments à l’octet {1}.</translation>
+        <translation>{0} está dañado: una secuencia contiene algo que no son elementos en el byte {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: its pixels are not stored in the way its transfer syntax {1} says.</source>
-        <translation>{0} est endommagé&#xa0;: ses pixels ne sont pas stockés comme le dit sa syntaxe de transfert {1}.</translation>
+        <translation>{0} está dañado: sus píxeles no están almacenados como dice su sintaxis de transferencia {1}.</translation>
     </message>
     <message>
         <source>{0} is cut short: {1} of {2} bytes of its pixels are there.</source>
-        <translation>{0} est tronqué&#xa0;: {1} octets de ses pixels sur {2} sont là.</translation>
+        <translation>{0} está cortado: hay {1} de {2} bytes de sus píxeles.</translation>
     </message>
     <message>
         <source>{0} is damaged: its compressed pixels are broken at byte {1}.</source>
-        <translation>{0} est endommagé&#xa0;: ses pixels compressés sont corrompus à l’octet {1}.</translation>
+        <translation>{0} está dañado: sus píxeles comprimidos están rotos en el byte {1}.</translation>
     </message>
     <message>
         <source>The pixels of {0} are in too many pieces.</source>
-        <translation>Les pixels de {0} sont en trop de morceaux.</translation>
+        <translation>Los píxeles de {0} están en demasiados trozos.</translation>
     </message>
     <message>
         <source>{0} is cut short in its compressed pixels, at byte {1}.</source>
-        <translation>{0} est tronqué dans ses pixels compressés, à l’octet {1}.</translation>
+        <translation>{0} está cortado en sus píxeles comprimidos, en el byte {1}.</translation>
     </message>
     <message>
         <source>{0} is damaged: no value type is known for what stands at byte {1}.</source>
-        <translation>{0} est endommagé&#xa0;: aucun type de valeur n’est connu pour ce qui se trouve à l’octet {1}.</translation>
+        <translation>{0} está dañado: no se conoce ningún tipo de valor para lo que hay en el byte {1}.</translation>
     </message>
     <message>
         <source>{0} nests its sequences more than {1} deep, which no image does.</source>
-        <translation>{0} imbrique ses séquences sur plus de {1} niveaux, ce qu’aucune image ne fait.</translation>
+        <translation>{0} anida sus secuencias a más de {1} niveles, algo que ninguna imagen hace.</translation>
     </message>
     <message>
         <source>Copy the file again from where it came.</source>
-        <translation>Copiez de nouveau le fichier depuis sa source.</translation>
+        <translation>Copie de nuevo el archivo desde su origen.</translation>
     </message>
     <message>
         <source>The compressed pixels of {0} are damaged.</source>
-        <translation>Les pixels compressés de {0} sont endommagés.</translation>
+        <translation>Los píxeles comprimidos de {0} están dañados.</translation>
     </message>
     <message>
         <source>{0} is compressed in a way that is not read (transfer syntax {1}).</source>
-        <translation>{0} est compressé d’une façon qui n’est pas lue (syntaxe de transfert {1}).</translation>
+        <translation>{0} está comprimido de una forma que no se lee (sintaxis de transferencia {1}).</translation>
     </message>
     <message>
         <source>Convert it to an uncompressed or JPEG form first.</source>
-        <translation>Convertissez-le d’abord en une forme non compressée ou JPEG.</translation>
+        <translation>Conviértalo antes a una forma sin comprimir o JPEG.</translation>
     </message>
     <message>
         <source>The compressed picture of {0} is {1} x {2} with {3} bits, where its header says {4} x {5} with {6}.</source>
-        <translation>L’image compressée de {0} a {1} x {2} pixels à {3} bits, alors que son en-tête indique {4} x {5} à {6}.</translation>
+        <translation>La imagen comprimida de {0} tiene {1} x {2} píxeles con {3} bits, mientras que su cabecera dice {4} x {5} con {6}.</translation>
     </message>
     <message>
         <source>{0} lies inside {1}, which is only read.</source>
-        <translation>{0} se trouve dans {1}, qui est seulement lu.</translation>
+        <translation>{0} está dentro de {1}, que solo se lee.</translation>
     </message>
     <message>
         <source>Choose a folder elsewhere for the files without identity.</source>
-        <translation>Choisissez un autre dossier pour les fichiers sans identité.</translation>
+        <translation>Elija una carpeta en otro lugar para los archivos sin identidad.</translation>
     </message>
     <message>
         <source>removing identity</source>
-        <translation>suppression de l’identité</translation>
+        <translation>eliminando la identidad</translation>
     </message>
     <message>
         <source>{0} holds no DICOM file.</source>
-        <translation>{0} ne contient aucun fichier DICOM.</translation>
+        <translation>{0} no contiene ningún archivo DICOM.</translation>
     </message>
     <message>
         <source>Give the folder or the file that holds the images.</source>
-        <translation>Indiquez le dossier ou le fichier qui contient les images.</translation>
+        <translation>Indique la carpeta o el archivo que contiene las imágenes.</translation>
     </message>
     <message>
         <source>{0} cannot be read: {1}.</source>
-        <translation>{0} ne peut pas être lu&#xa0;: {1}.</translation>
+        <translation>No se puede leer {0}: {1}.</translation>
     </message>
     <message>
         <source>Check the path and your rights there.</source>
-        <translation>Vérifiez le chemin et vos droits.</translation>
+        <translation>Compruebe la ruta y sus permisos en ella.</translation>
     </message>
     <message>
         <source>{0} holds no image, or is damaged.</source>
-        <translation>{0} ne contient pas d’image, ou est endommagé.</translation>
+        <translation>{0} no contiene ninguna imagen o está dañado.</translation>
     </message>
     <message>
         <source>{0} declares an impossible size: {1} x {2} pixels in {3} frames.</source>
-        <translation>{0} déclare une taille impossible&#xa0;: {1} x {2} pixels en {3} images.</translation>
+        <translation>{0} declara un tamaño imposible: {1} x {2} píxeles en {3} fotogramas.</translation>
     </message>
     <message>
         <source>{0} declares impossible pixels: {1} of {2} bits, the highest {3}.</source>
-        <translation>{0} déclare des pixels impossibles&#xa0;: {1} bits sur {2}, le plus haut {3}.</translation>
+        <translation>{0} declara píxeles imposibles: {1} de {2} bits, el más alto {3}.</translation>
     </message>
     <message>
         <source>{0} declares compressed pictures too large to be true.</source>
-        <translation>{0} déclare des images compressées trop grandes pour être vraies.</translation>
+        <translation>{0} declara imágenes comprimidas demasiado grandes para ser ciertas.</translation>
     </message>
     <message>
         <source>{0} holds {1} of the {2} frames that it declares.</source>
-        <translation>{0} contient {1} des {2} images qu’il déclare.</translation>
+        <translation>{0} contiene {1} de los {2} fotogramas que declara.</translation>
     </message>
     <message>
         <source>{0} holds {1} bytes of pixels, but its size in pixels asks for {2}.</source>
-        <translation>{0} contient {1} octets de pixels, mais sa taille en exige {2}.</translation>
+        <translation>{0} contiene {1} bytes de píxeles, pero su tamaño exige {2}.</translation>
     </message>
     <message>
         <source>{0} is damaged: its header cannot be understood.</source>
-        <translation>{0} est endommagé&#xa0;: son en-tête est incompréhensible.</translation>
+        <translation>{0} está dañado: su cabecera no se entiende.</translation>
     </message>
     <message>
         <source>{0} is DICOM, but holds no picture ({1}).</source>
-        <translation>{0} est du DICOM, mais ne contient pas d’image ({1}).</translation>
+        <translation>{0} es DICOM, pero no contiene ninguna imagen ({1}).</translation>
     </message>
     <message>
         <source>{0} is no directory of DICOM files.</source>
-        <translation>{0} n’est pas un répertoire de fichiers DICOM (DICOMDIR).</translation>
+        <translation>{0} no es un directorio de archivos DICOM (DICOMDIR).</translation>
     </message>
     <message>
         <source>Open the folder itself instead.</source>
-        <translation>Ouvrez plutôt le dossier lui-même.</translation>
+        <translation>Abra en su lugar la propia carpeta.</translation>
     </message>
     <message>
         <source>Export the segmentation again, as binary and uncompressed DICOM SEG.</source>
-        <translation>Exportez de nouveau la segmentation, en DICOM SEG binaire et non compressé.</translation>
+        <translation>Exporte de nuevo la segmentación, como DICOM SEG binario y sin comprimir.</translation>
     </message>
     <message>
         <source>{0} is not a DICOM segmentation.</source>
-        <translation>{0} n’est pas une segmentation DICOM.</translation>
+        <translation>{0} no es una segmentación DICOM.</translation>
     </message>
     <message>
         <source>The segmentation {0} is compressed (or big endian).</source>
-        <translation>La segmentation {0} est compressée (ou en big endian).</translation>
+        <translation>La segmentación {0} está comprimida (o en big endian).</translation>
     </message>
     <message>
         <source>The segmentation {0} names no segment, or too many for its size: {1}.</source>
-        <translation>La segmentation {0} ne nomme aucun segment, ou trop pour sa taille&#xa0;: {1}.</translation>
+        <translation>La segmentación {0} no nombra ningún segmento o demasiados para su tamaño: {1}.</translation>
     </message>
     <message>
         <source>The headers of {0} are damaged.</source>
-        <translation>Les en-têtes de {0} sont endommagés.</translation>
+        <translation>Las cabeceras de {0} están dañadas.</translation>
     </message>
     <message>
         <source>The segmentation {0} does not say where its frames are: {1}.</source>
-        <translation>La segmentation {0} n’indique pas où sont ses images&#xa0;: {1}.</translation>
+        <translation>La segmentación {0} no indica dónde están sus fotogramas: {1}.</translation>
     </message>
     <message>
         <source>rows, columns, frames or bits</source>
-        <translation>lignes, colonnes, images ou bits</translation>
+        <translation>filas, columnas, fotogramas o bits</translation>
     </message>
     <message>
         <source>pixel spacing</source>
-        <translation>espacement des pixels</translation>
+        <translation>espaciado de los píxeles</translation>
     </message>
     <message>
         <source>The frames of the segmentation {0} are not above each other.</source>
-        <translation>Les images de la segmentation {0} ne sont pas superposées.</translation>
+        <translation>Los fotogramas de la segmentación {0} no están superpuestos.</translation>
     </message>
     <message>
         <source>The frames of the segmentation {0} are not evenly spaced.</source>
-        <translation>Les images de la segmentation {0} ne sont pas régulièrement espacées.</translation>
+        <translation>Los fotogramas de la segmentación {0} no están espaciados por igual.</translation>
     </message>
     <message>
         <source>The segmentation {0} holds fewer frames than it declares.</source>
-        <translation>La segmentation {0} contient moins d’images qu’elle n’en déclare.</translation>
+        <translation>La segmentación {0} contiene menos fotogramas de los que declara.</translation>
     </message>
     <message>
         <source>The segmentation {0} ends before its last frame.</source>
-        <translation>La segmentation {0} se termine avant sa dernière image.</translation>
+        <translation>La segmentación {0} termina antes de su último fotograma.</translation>
     </message>
     <message>
         <source>There is no segment to write.</source>
-        <translation>Il n’y a pas de segment à écrire.</translation>
+        <translation>No hay ningún segmento que escribir.</translation>
     </message>
     <message>
         <source>A segmentation needs the identifiers of the study, the series and the frame of reference that it was drawn on.</source>
-        <translation>Une segmentation exige les identifiants de l’étude, de la série et du référentiel sur lesquels elle a été dessinée.</translation>
+        <translation>Una segmentación necesita los identificadores del estudio, de la serie y del marco de referencia sobre los que se dibujó.</translation>
     </message>
     <message>
         <source>The segments {0} and {1} lie on different grids; one file holds one grid.</source>
-        <translation>Les segments {0} et {1} sont sur des grilles différentes&#xa0;; un fichier contient une seule grille.</translation>
+        <translation>Los segmentos {0} y {1} están en cuadrículas distintas; un archivo contiene una sola.</translation>
     </message>
     <message>
         <source>The grid of the segment {0} is skewed, left-handed or too large for DICOM.</source>
-        <translation>La grille du segment {0} est oblique, de sens indirect ou trop grande pour DICOM.</translation>
+        <translation>La cuadrícula del segmento {0} está sesgada, es levógira o demasiado grande para DICOM.</translation>
     </message>
     <message>
         <source>The volume holds no voxels, so no series can be written to {0}.</source>
-        <translation>Le volume ne contient aucun voxel&#xa0;; aucune série ne peut donc être écrite dans {0}.</translation>
+        <translation>El volumen no contiene vóxeles, así que no se puede escribir ninguna serie en {0}.</translation>
     </message>
     <message>
         <source>The slices have {0} x {1} voxels; DICOM counts rows and columns up to 65535.</source>
-        <translation>Les coupes ont {0} x {1} voxels&#xa0;; DICOM compte les lignes et les colonnes jusqu’à 65535.</translation>
+        <translation>Los cortes tienen {0} x {1} vóxeles; DICOM cuenta filas y columnas hasta 65535.</translation>
     </message>
     <message>
         <source>The series {0} needs the identifiers of its study, of itself and of its frame of reference.</source>
-        <translation>La série {0} exige les identifiants de son étude, d’elle-même et de son référentiel.</translation>
+        <translation>La serie {0} necesita los identificadores de su estudio, de sí misma y de su marco de referencia.</translation>
     </message>
     <message>
         <source>The volume holds values that are not finite; DICOM cannot.</source>
-        <translation>Le volume contient des valeurs non finies&#xa0;; DICOM ne le permet pas.</translation>
+        <translation>El volumen contiene valores no finitos; DICOM no lo permite.</translation>
     </message>
     <message>
         <source>Slice {0} holds the value {1}, which the rescale {2} x + {3} cannot hold in 16 bits.</source>
-        <translation>La coupe {0} contient la valeur {1}, que le changement d’échelle {2} x + {3} ne peut contenir sur 16 bits.</translation>
+        <translation>El corte {0} contiene el valor {1}, que el reescalado {2} x + {3} no puede guardar en 16 bits.</translation>
     </message>
     <message>
         <source>{0} may not be read by you.</source>
-        <translation>Vous n’avez pas le droit de lire {0}.</translation>
+        <translation>No tiene permiso para leer {0}.</translation>
     </message>
     <message>
         <source>{0} cannot be opened: it has gone, or is no ordinary file.</source>
-        <translation>{0} ne peut pas être ouvert&#xa0;: il a disparu, ou n’est pas un fichier ordinaire.</translation>
+        <translation>No se puede abrir {0}: ha desaparecido o no es un archivo ordinario.</translation>
     </message>
     <message>
         <source>{0} is not any more as it was when the folder was scanned.</source>
-        <translation>{0} n’est plus tel qu’au moment de l’examen du dossier.</translation>
+        <translation>{0} ya no está como cuando se examinó la carpeta.</translation>
     </message>
     <message>
         <source>Scan the folder again.</source>
-        <translation>Examinez de nouveau le dossier.</translation>
+        <translation>Examine de nuevo la carpeta.</translation>
     </message>
     <message>
         <source>{0} does not say which of its compressed pieces belong to frame {1}.</source>
-        <translation>{0} n’indique pas lesquels de ses morceaux compressés appartiennent à l’image {1}.</translation>
+        <translation>{0} no indica cuáles de sus trozos comprimidos pertenecen al fotograma {1}.</translation>
     </message>
     <message>
         <source>The series {0} has {1} volumes, counted from 0, and no {2}.</source>
-        <translation>La série {0} a {1} volumes, comptés à partir de 0, et pas de {2}.</translation>
+        <translation>La serie {0} tiene {1} volúmenes, contados desde 0, y ninguno {2}.</translation>
     </message>
     <message>
         <source>The series {0} is a segmentation, not an image.</source>
-        <translation>La série {0} est une segmentation, pas une image.</translation>
+        <translation>La serie {0} es una segmentación, no una imagen.</translation>
     </message>
     <message>
         <source>Import it as labels of a structure.</source>
-        <translation>Importez-la comme étiquettes d’une structure.</translation>
+        <translation>Impórtela como etiquetas de una estructura.</translation>
     </message>
     <message>
         <source>The series {0} holds pictures in colour and no values to measure.</source>
-        <translation>La série {0} contient des images en couleur et aucune valeur à mesurer.</translation>
+        <translation>La serie {0} contiene imágenes en color y ningún valor que medir.</translation>
     </message>
     <message>
         <source>Choose the grey-scale series that it was made from.</source>
-        <translation>Choisissez la série en niveaux de gris dont elle provient.</translation>
+        <translation>Elija la serie en escala de grises de la que procede.</translation>
     </message>
     <message>
         <source>The series {0} needs {1} GiB of memory, more than this computer has.</source>
-        <translation>La série {0} exige {1} Gio de mémoire, plus que n’en a cet ordinateur.</translation>
+        <translation>La serie {0} necesita {1} GiB de memoria, más de la que tiene este ordenador.</translation>
     </message>
     <message>
         <source>Reading the slices</source>
-        <translation>Lecture des coupes</translation>
+        <translation>Leyendo los cortes</translation>
     </message>
     <message>
         <source>Sorting the series</source>
-        <translation>Tri des séries</translation>
+        <translation>Ordenando las series</translation>
     </message>
     <message>
         <source>The folder {0} cannot be read.</source>
-        <translation>Le dossier {0} ne peut pas être lu.</translation>
+        <translation>No se puede leer la carpeta {0}.</translation>
     </message>
     <message>
         <source>Check your rights there.</source>
-        <translation>Vérifiez vos droits.</translation>
+        <translation>Compruebe sus permisos en ella.</translation>
     </message>
     <message>
         <source>Files found</source>
-        <translation>Fichiers trouvés</translation>
+        <translation>Archivos encontrados</translation>
     </message>
     <message>
         <source>There is nothing at {0}.</source>
-        <translation>Il n’y a rien à {0}.</translation>
+        <translation>No hay nada en {0}.</translation>
     </message>
     <message>
         <source>Check the path.</source>
-        <translation>Vérifiez le chemin.</translation>
+        <translation>Compruebe la ruta.</translation>
     </message>
     <message>
         <source>Files looked at</source>
-        <translation>Fichiers examinés</translation>
+        <translation>Archivos examinados</translation>
     </message>
     <message>
         <source>The map is in {0}, which is no unit of stiffness.</source>
-        <translation>La carte est en {0}, qui n’est pas une unité de rigidité.</translation>
+        <translation>El mapa está en {0}, que no es una unidad de rigidez.</translation>
     </message>
     <message>
         <source>The stiffness map holds no value above zero.</source>
-        <translation>La carte de rigidité ne contient aucune valeur supérieure à zéro.</translation>
+        <translation>El mapa de rigidez no contiene ningún valor mayor que cero.</translation>
     </message>
     <message>
         <source>It cannot be decided whether the stiffness map is in Pa or kPa: its median, {0}, is no stiffness of soft tissue in either.</source>
-        <translation>On ne peut décider si la carte de rigidité est en Pa ou en kPa&#xa0;: sa médiane, {0}, n’est une rigidité de tissu mou dans aucune des deux.</translation>
+        <translation>No se puede decidir si el mapa de rigidez está en Pa o en kPa: su mediana, {0}, no es una rigidez de tejido blando en ninguna de las dos.</translation>
     </message>
     <message>
         <source>The stiffness map is marked as {0}, but its median, {1}, is a stiffness of soft tissue only in {2}.</source>
-        <translation>La carte de rigidité est marquée en {0}, mais sa médiane, {1}, n’est une rigidité de tissu mou qu’en {2}.</translation>
+        <translation>El mapa de rigidez está marcado como {0}, pero su mediana, {1}, solo es una rigidez de tejido blando en {2}.</translation>
     </message>
     <message>
         <source>Correct the unit in the file after asking where it came from.</source>
-        <translation>Corrigez l’unité dans le fichier après vous être renseigné auprès de sa source.</translation>
+        <translation>Corrija la unidad en el archivo después de consultar a quien lo generó.</translation>
     </message>
     <message>
         <source>{0} is not a label map: it holds the value {1}.</source>
-        <translation>{0} n’est pas une carte d’étiquettes&#xa0;: elle contient la valeur {1}.</translation>
+        <translation>{0} no es un mapa de etiquetas: contiene el valor {1}.</translation>
     </message>
     <message>
         <source>A label map holds whole numbers from 0 to 65535.</source>
-        <translation>Une carte d’étiquettes contient des nombres entiers de 0 à 65535.</translation>
+        <translation>Un mapa de etiquetas contiene números enteros de 0 a 65535.</translation>
     </message>
     <message>
         <source>{0} is not of a known kind of volume file.</source>
-        <translation>{0} n’est pas d’un type connu de fichier de volume.</translation>
+        <translation>{0} no es de un tipo conocido de archivo de volumen.</translation>
     </message>
     <message>
         <source>Known are .nii, .nii.gz, .nrrd, .nhdr, .mha and .mhd.</source>
-        <translation>Sont connus .nii, .nii.gz, .nrrd, .nhdr, .mha et .mhd.</translation>
+        <translation>Se conocen .nii, .nii.gz, .nrrd, .nhdr, .mha y .mhd.</translation>
     </message>
     <message>
         <source>Check that the file is whole, for example by opening it in 3D Slicer.</source>
-        <translation>Vérifiez que le fichier est complet, par exemple en l’ouvrant dans 3D Slicer.</translation>
+        <translation>Compruebe que el archivo está completo, por ejemplo abriéndolo en 3D Slicer.</translation>
     </message>
     <message>
         <source>it is empty</source>
-        <translation>il est vide</translation>
+        <translation>está vacío</translation>
     </message>
     <message>
         <source>its header is not of that format</source>
-        <translation>son en-tête n’est pas de ce format</translation>
+        <translation>su cabecera no es de ese formato</translation>
     </message>
     <message>
         <source>{0} holds {1} values at each voxel; one is needed.</source>
-        <translation>{0} contient {1} valeurs par voxel&#xa0;; il en faut une.</translation>
+        <translation>{0} contiene {1} valores por vóxel; se necesita uno.</translation>
     </message>
     <message>
         <source>Save one component (or a grey image in place of a colour one).</source>
-        <translation>Enregistrez une seule composante (ou une image en gris au lieu d’une image en couleur).</translation>
+        <translation>Guarde una sola componente (o una imagen gris en lugar de una en color).</translation>
     </message>
     <message>
         <source>{0} is not a three-dimensional volume: it has {1} axes.</source>
-        <translation>{0} n’est pas un volume à trois dimensions&#xa0;: il a {1} axes.</translation>
+        <translation>{0} no es un volumen tridimensional: tiene {1} ejes.</translation>
     </message>
     <message>
         <source>Save one volume (one point in time) to a file.</source>
-        <translation>Enregistrez un seul volume (un seul instant) dans un fichier.</translation>
+        <translation>Guarde un solo volumen (un solo instante) en un archivo.</translation>
     </message>
     <message>
         <source>The header of {0} gives no usable grid: sizes and spacings must be positive and the axes at right angles.</source>
-        <translation>L’en-tête de {0} ne donne pas de grille utilisable&#xa0;: tailles et espacements doivent être positifs et les axes perpendiculaires.</translation>
+        <translation>La cabecera de {0} no da una cuadrícula utilizable: los tamaños y espaciados deben ser positivos y los ejes perpendiculares.</translation>
     </message>
     <message>
         <source>Resample the volume onto a regular grid and save it again.</source>
-        <translation>Rééchantillonnez le volume sur une grille régulière et enregistrez-le de nouveau.</translation>
+        <translation>Remuestree el volumen en una cuadrícula regular y guárdelo de nuevo.</translation>
     </message>
     <message>
         <source>{0} is too short: its header declares {1} bytes of voxels and the file can hold {2} at most.</source>
-        <translation>{0} est trop court&#xa0;: son en-tête déclare {1} octets de voxels et le fichier peut en contenir {2} au plus.</translation>
+        <translation>{0} es demasiado corto: su cabecera declara {1} bytes de vóxeles y el archivo puede contener {2} como máximo.</translation>
     </message>
     <message>
         <source>its numbers are of an unknown type</source>
-        <translation>ses nombres sont d’un type inconnu</translation>
+        <translation>sus números son de un tipo desconocido</translation>
     </message>
     <message>
         <source>The supports do not hold the body: it {0}, so no equilibrium exists.</source>
-        <translation>Les appuis ne tiennent pas le corps&#xa0;: il {0}, donc aucun équilibre n’existe.</translation>
+        <translation>Los apoyos no sujetan el cuerpo: {0}, así que no existe equilibrio.</translation>
     </message>
     <message>
         <source>Hold more of it, or put a foundation under part of its surface.</source>
-        <translation>Tenez-en une plus grande partie, ou placez une fondation sous une partie de sa surface.</translation>
+        <translation>Sujete una parte mayor o ponga una cimentación bajo parte de su superficie.</translation>
     </message>
     <message>
         <source>The mesh has {0} cells; at most {1} can be solved.</source>
-        <translation>Le maillage a {0} cellules&#xa0;; {1} au plus peuvent être résolues.</translation>
+        <translation>La malla tiene {0} celdas; se pueden resolver como máximo {1}.</translation>
     </message>
     <message>
         <source>Mesh with fewer cells.</source>
-        <translation>Maillez avec moins de cellules.</translation>
+        <translation>Malle con menos celdas.</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio must lie between -1 and 0.5, both excluded; it is {0}.</source>
-        <translation>Le coefficient de Poisson doit être compris entre -1 et 0.5, bornes exclues&#xa0;; il vaut {0}.</translation>
+        <translation>El coeficiente de Poisson debe estar entre -1 y 0.5, ambos excluidos; es {0}.</translation>
     </message>
     <message>
         <source>For tissue that is nearly incompressible take 0.45 to 0.499.</source>
-        <translation>Pour un tissu presque incompressible, prenez de 0.45 à 0.499.</translation>
+        <translation>Para tejido casi incompresible tome de 0.45 a 0.499.</translation>
     </message>
     <message>
         <source>The density must be a finite number, zero or above.</source>
-        <translation>La masse volumique doit être un nombre fini, nul ou positif.</translation>
+        <translation>La densidad debe ser un número finito, cero o mayor.</translation>
     </message>
     <message>
         <source>There are {0} values of Young&apos;s modulus for {1} cells.</source>
-        <translation>Il y a {0} valeurs du module de Young pour {1} cellules.</translation>
+        <translation>Hay {0} valores del módulo de Young para {1} celdas.</translation>
     </message>
     <message>
         <source>Young&apos;s modulus of cell {0} is {1} kPa; it must be a number above zero.</source>
-        <translation>Le module de Young de la cellule {0} est de {1} kPa&#xa0;; il doit être un nombre supérieur à zéro.</translation>
+        <translation>El módulo de Young de la celda {0} es {1} kPa; debe ser un número mayor que cero.</translation>
     </message>
     <message>
         <source>Fill the cells without data before simulating.</source>
-        <translation>Complétez les cellules sans données avant de simuler.</translation>
+        <translation>Complete las celdas sin datos antes de simular.</translation>
     </message>
     <message>
         <source>The tool at ({0}, {1}, {2}) mm with radius {3} mm touches nothing: the centre of the nearest face of the surface is {4} mm away.</source>
-        <translation>L’instrument en ({0}, {1}, {2}) mm, de rayon {3} mm, ne touche rien&#xa0;: le centre de la face la plus proche de la surface est à {4} mm.</translation>
+        <translation>El instrumento en ({0}, {1}, {2}) mm, de radio {3} mm, no toca nada: el centro de la cara más próxima de la superficie está a {4} mm.</translation>
     </message>
     <message>
         <source>Move its centre onto the surface, or make its radius larger than {4} mm.</source>
-        <translation>Déplacez son centre sur la surface, ou donnez-lui un rayon supérieur à {4} mm.</translation>
+        <translation>Mueva su centro a la superficie o haga su radio mayor que {4} mm.</translation>
     </message>
     <message>
         <source>Ordering the equations</source>
-        <translation>Mise en ordre des équations</translation>
+        <translation>Ordenando las ecuaciones</translation>
     </message>
     <message>
         <source>Solving for {0} unknowns would take {1} GB of memory; the limit is {2} GB.</source>
-        <translation>La résolution pour {0} inconnues exigerait {1} Go de mémoire&#xa0;; la limite est de {2} Go.</translation>
+        <translation>Resolver {0} incógnitas requeriría {1} GB de memoria; el límite es {2} GB.</translation>
     </message>
     <message>
         <source>Factorising</source>
-        <translation>Factorisation</translation>
+        <translation>Factorizando</translation>
     </message>
     <message>
         <source>The stiffness matrix is not positive definite (column {0} of {1}).</source>
-        <translation>La matrice de rigidité n’est pas définie positive (colonne {0} sur {1}).</translation>
+        <translation>La matriz de rigidez no es definida positiva (columna {0} de {1}).</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio may be too near 1/2, or cells may be flat: look at the mesh&apos;s quality.</source>
-        <translation>Le coefficient de Poisson est peut-être trop proche de 1/2, ou des cellules sont plates&#xa0;: regardez la qualité du maillage.</translation>
+        <translation>El coeficiente de Poisson puede estar demasiado cerca de 1/2 o haber celdas planas: mire la calidad de la malla.</translation>
     </message>
     <message>
         <source>The solver ran out of memory for {0} unknowns.</source>
-        <translation>Le solveur a manqué de mémoire pour {0} inconnues.</translation>
+        <translation>Al solucionador le faltó memoria para {0} incógnitas.</translation>
     </message>
     <message>
         <source>Factorised</source>
-        <translation>Factorisé</translation>
+        <translation>Factorizado</translation>
     </message>
     <message>
         <source>The equilibrium was not found. {0}</source>
-        <translation>L’équilibre n’a pas été trouvé. {0}</translation>
+        <translation>No se ha encontrado el equilibrio. {0}</translation>
     </message>
     <message>
         <source>The body&apos;s answer to a force on its surface was not found: the relative residual stayed at {0}.</source>
-        <translation>La réponse du corps à une force sur sa surface n’a pas été trouvée&#xa0;: le résidu relatif est resté à {0}.</translation>
+        <translation>No se ha encontrado la respuesta del cuerpo a una fuerza en su superficie: el residuo relativo se quedó en {0}.</translation>
     </message>
     <message>
         <source>The tool at ({0}, {1}, {2}) mm meets no surface on its way.</source>
-        <translation>L’instrument en ({0}, {1}, {2}) mm ne rencontre aucune surface sur son chemin.</translation>
+        <translation>El instrumento en ({0}, {1}, {2}) mm no encuentra ninguna superficie en su camino.</translation>
     </message>
     <message>
         <source>Move it in front of the liver, or turn it towards it.</source>
-        <translation>Déplacez-le devant le foie, ou tournez-le vers lui.</translation>
+        <translation>Muévalo delante del hígado o gírelo hacia él.</translation>
     </message>
     <message>
         <source>A grasper needs a finite place and a radius above zero.</source>
-        <translation>Une pince exige un emplacement fini et un rayon supérieur à zéro.</translation>
+        <translation>Una pinza necesita un lugar finito y un radio mayor que cero.</translation>
     </message>
     <message>
         <source>The grasper holds no point of the surface.</source>
-        <translation>La pince ne tient aucun point de la surface.</translation>
+        <translation>La pinza no sujeta ningún punto de la superficie.</translation>
     </message>
     <message>
         <source>Move it onto the surface, or open its jaws wider.</source>
-        <translation>Déplacez-la sur la surface, ou ouvrez davantage ses mors.</translation>
+        <translation>Muévala a la superficie o abra más sus mordazas.</translation>
     </message>
     <message>
         <source>A body computed straight from data can be held, but not stand on a foundation.</source>
-        <translation>Un corps calculé directement à partir de données peut être tenu, mais pas reposer sur une fondation.</translation>
+        <translation>Un cuerpo calculado directamente a partir de datos se puede sujetar, pero no apoyar en una cimentación.</translation>
     </message>
     <message>
         <source>Looking for states that the data know</source>
-        <translation>Recherche d’états connus des données</translation>
+        <translation>Buscando estados que los datos conocen</translation>
     </message>
     <message>
         <source>Looking for the equilibrium</source>
-        <translation>Recherche de l’équilibre</translation>
+        <translation>Buscando el equilibrio</translation>
     </message>
     <message>
         <source>Solved</source>
-        <translation>Résolu</translation>
+        <translation>Resuelto</translation>
     </message>
     <message>
         <source>is not held at all</source>
-        <translation>n’est pas tenu du tout</translation>
+        <translation>no está sujeto en absoluto</translation>
     </message>
     <message>
         <source>can slide in every direction</source>
-        <translation>peut glisser dans toutes les directions</translation>
+        <translation>puede deslizarse en todas las direcciones</translation>
     </message>
     <message>
         <source>The tool of load {0} needs a finite centre and force.</source>
-        <translation>L’instrument de la charge {0} exige un centre et une force finis.</translation>
+        <translation>El instrumento de la carga {0} necesita un centro y una fuerza finitos.</translation>
     </message>
     <message>
         <source>The tool of load {0} needs a radius above zero.</source>
-        <translation>L’instrument de la charge {0} exige un rayon supérieur à zéro.</translation>
+        <translation>El instrumento de la carga {0} necesita un radio mayor que cero.</translation>
     </message>
     <message>
         <source>The pressure of load {0} is not a finite number.</source>
-        <translation>La pression de la charge {0} n’est pas un nombre fini.</translation>
+        <translation>La presión de la carga {0} no es un número finito.</translation>
     </message>
     <message>
         <source>The gravity of load {0} is not a finite vector.</source>
-        <translation>La pesanteur de la charge {0} n’est pas un vecteur fini.</translation>
+        <translation>La gravedad de la carga {0} no es un vector finito.</translation>
     </message>
     <message>
         <source>A material needs at least 3 measurements of strain and stress.</source>
-        <translation>Un matériau exige au moins 3 mesures de déformation et de contrainte.</translation>
+        <translation>Un material necesita al menos 3 mediciones de deformación y tensión.</translation>
     </message>
     <message>
         <source>A measurement of strain and stress is not a finite number.</source>
-        <translation>Une mesure de déformation et de contrainte n’est pas un nombre fini.</translation>
+        <translation>Una medición de deformación y tensión no es un número finito.</translation>
     </message>
     <message>
         <source>Poisson&apos;s ratio must lie between -1 and 0.5, and one neighbour or more is needed for a hull.</source>
-        <translation>Le coefficient de Poisson doit être compris entre -1 et 0.5, et il faut au moins un voisin pour une enveloppe.</translation>
+        <translation>El coeficiente de Poisson debe estar entre -1 y 0.5, y hace falta al menos un vecino para una envolvente.</translation>
     </message>
     <message>
         <source>The measured stress does not grow with the strain.</source>
-        <translation>La contrainte mesurée ne croît pas avec la déformation.</translation>
+        <translation>La tensión medida no crece con la deformación.</translation>
     </message>
     <message>
         <source>Assembling the stiffness</source>
-        <translation>Assemblage de la rigidité</translation>
+        <translation>Ensamblando la rigidez</translation>
     </message>
     <message>
         <source>Assembled</source>
-        <translation>Assemblé</translation>
+        <translation>Ensamblado</translation>
     </message>
     <message>
         <source>A motion needs a step and a tolerance above zero, and damping not below it.</source>
-        <translation>Un mouvement exige un pas et une tolérance supérieurs à zéro, et un amortissement qui ne lui soit pas inférieur.</translation>
+        <translation>Un movimiento necesita un paso y una tolerancia mayores que cero y un amortiguamiento no negativo.</translation>
     </message>
     <message>
         <source>{0} nodes in this body need more than 5e8 voxels: take fewer.</source>
-        <translation>{0} nœuds dans ce corps exigent plus de 5e8 voxels&#xa0;: prenez-en moins.</translation>
+        <translation>{0} nodos en este cuerpo necesitan más de 5e8 vóxeles: tome menos.</translation>
     </message>
     <message>
         <source>Spreading the nodes</source>
-        <translation>Répartition des nœuds</translation>
+        <translation>Repartiendo los nodos</translation>
     </message>
     <message>
         <source>Measuring how the material sees the body</source>
-        <translation>Mesure de la façon dont le matériau voit le corps</translation>
+        <translation>Midiendo cómo ve el material el cuerpo</translation>
     </message>
     <message>
         <source>{0} nodes, {1} voxels a node and an overlap of {2} cannot be: the last two must be at least 1 and above 1.</source>
-        <translation>{0} nœuds, {1} voxels par nœud et un recouvrement de {2} sont impossibles&#xa0;: les deux derniers doivent être au moins 1 et supérieur à 1.</translation>
+        <translation>{0} nodos, {1} vóxeles por nodo y un solapamiento de {2} no son posibles: los dos últimos deben ser al menos 1 y mayor que 1.</translation>
     </message>
     <message>
         <source>One linear solve a step moves the materials &quot;linear&quot; and &quot;corotational&quot;, without ligaments or a capsule.</source>
-        <translation>Une résolution linéaire par pas fait mouvoir les matériaux &quot;linear&quot; et &quot;corotational&quot;, sans ligaments ni capsule.</translation>
+        <translation>Una resolución lineal por paso mueve los materiales &quot;linear&quot; y &quot;corotational&quot;, sin ligamentos ni cápsula.</translation>
     </message>
     <message>
         <source>A tool needs rods with finite ends and a radius above zero, and a pose that turns and moves it.</source>
-        <translation>Un instrument exige des tiges aux extrémités finies et de rayon supérieur à zéro, et une pose qui le tourne et le déplace.</translation>
+        <translation>Un instrumento necesita barras con extremos finitos y radio mayor que cero, y una pose que lo gire y lo mueva.</translation>
     </message>
     <message>
         <source>{0} must be a name in quotes.</source>
-        <translation>{0} doit être un nom entre guillemets.</translation>
+        <translation>{0} debe ser un nombre entre comillas.</translation>
     </message>
     <message>
         <source>{0} must be one of {1}.</source>
-        <translation>{0} doit être l’un de {1}.</translation>
+        <translation>{0} debe ser uno de {1}.</translation>
     </message>
     <message>
         <source>{0} must be a list in brackets.</source>
-        <translation>{0} doit être une liste entre crochets.</translation>
+        <translation>{0} debe ser una lista entre corchetes.</translation>
     </message>
     <message>
         <source>{0} goes with the material &quot;veronda-westmann&quot;: give both or neither.</source>
-        <translation>{0} va avec le matériau &quot;veronda-westmann&quot;&#xa0;: donnez les deux ou aucun.</translation>
+        <translation>{0} va con el material &quot;veronda-westmann&quot;: indique ambos o ninguno.</translation>
     </message>
     <message>
         <source>{0} and &quot;youngs_modulus_kPa&quot; both say how stiff the body is: give one.</source>
-        <translation>{0} et &quot;youngs_modulus_kPa&quot; disent tous deux la rigidité du corps&#xa0;: n’en donnez qu’un.</translation>
+        <translation>{0} y &quot;youngs_modulus_kPa&quot; indican ambos la rigidez del cuerpo: indique solo uno.</translation>
     </message>
     <message>
         <source>{0} has the same id &quot;{1}&quot; as another.</source>
-        <translation>{0} a le même identifiant «&#xa0;{1}&#xa0;» qu’un autre.</translation>
+        <translation>{0} tiene el mismo identificador «{1}» que otro.</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;point_array&quot;, &quot;sphere&quot; and &quot;box&quot;.</source>
-        <translation>{0} exige exactement un parmi &quot;point_array&quot;, &quot;sphere&quot; et &quot;box&quot;.</translation>
+        <translation>{0} necesita exactamente uno de &quot;point_array&quot;, &quot;sphere&quot; y &quot;box&quot;.</translation>
     </message>
     <message>
         <source>In {0} the box&apos;s min_mm must not exceed its max_mm.</source>
-        <translation>Dans {0}, le min_mm de la boîte ne doit pas dépasser son max_mm.</translation>
+        <translation>En {0} el min_mm de la caja no debe superar su max_mm.</translation>
     </message>
     <message>
         <source>{0} is a ligament: it takes neither &quot;foundation_kPa_per_mm&quot; nor &quot;directions&quot;.</source>
-        <translation>{0} est un ligament&#xa0;: il ne prend ni &quot;foundation_kPa_per_mm&quot; ni &quot;directions&quot;.</translation>
+        <translation>{0} es un ligamento: no admite ni &quot;foundation_kPa_per_mm&quot; ni &quot;directions&quot;.</translation>
     </message>
     <message>
         <source>{0} has both &quot;foundation_kPa_per_mm&quot; and &quot;directions&quot;: a foundation acts in all directions.</source>
-        <translation>{0} a à la fois &quot;foundation_kPa_per_mm&quot; et &quot;directions&quot;&#xa0;: une fondation agit dans toutes les directions.</translation>
+        <translation>{0} tiene a la vez &quot;foundation_kPa_per_mm&quot; y &quot;directions&quot;: una cimentación actúa en todas las direcciones.</translation>
     </message>
     <message>
         <source>The directions of {0} must be a list such as [&quot;x&quot;, &quot;z&quot;].</source>
-        <translation>Les directions de {0} doivent être une liste, par exemple [&quot;x&quot;, &quot;z&quot;].</translation>
+        <translation>Las direcciones de {0} deben ser una lista, por ejemplo [&quot;x&quot;, &quot;z&quot;].</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; and &quot;gravity_of_patient&quot;.</source>
-        <translation>{0} exige exactement un parmi &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; et &quot;gravity_of_patient&quot;.</translation>
+        <translation>{0} necesita exactamente uno de &quot;tool&quot;, &quot;pressure_kPa&quot;, &quot;gravity_m_s2&quot; y &quot;gravity_of_patient&quot;.</translation>
     </message>
     <message>
         <source>{0} must lie between -90 and 90 degrees.</source>
-        <translation>{0} doit être compris entre -90 et 90 degrés.</translation>
+        <translation>{0} debe estar entre -90 y 90 grados.</translation>
     </message>
     <message>
         <source>{0} has both &quot;left_tilt_deg&quot; and &quot;right_tilt_deg&quot;: give one.</source>
-        <translation>{0} a à la fois &quot;left_tilt_deg&quot; et &quot;right_tilt_deg&quot;&#xa0;: n’en donnez qu’un.</translation>
+        <translation>{0} tiene a la vez &quot;left_tilt_deg&quot; y &quot;right_tilt_deg&quot;: indique solo uno.</translation>
     </message>
     <message>
         <source>{0} must be true or false.</source>
-        <translation>{0} doit être true ou false.</translation>
+        <translation>{0} debe ser true o false.</translation>
     </message>
     <message>
         <source>The steps of {0} must be a whole number from 1 to 1000000.</source>
-        <translation>Les pas de {0} doivent être un nombre entier de 1 à 1000000.</translation>
+        <translation>Los pasos de {0} deben ser un número entero de 1 a 1000000.</translation>
     </message>
     <message>
         <source>The nodes of {0} must be a whole number from 1 to 1000000.</source>
-        <translation>Les nœuds de {0} doivent être un nombre entier de 1 à 1000000.</translation>
+        <translation>Los nodos de {0} deben ser un número entero de 1 a 1000000.</translation>
     </message>
     <message>
         <source>The mesh has no cell array {0} with one value a cell.</source>
-        <translation>Le maillage n’a pas de tableau de cellules {0} avec une valeur par cellule.</translation>
+        <translation>La malla no tiene una matriz de celdas {0} con un valor por celda.</translation>
     </message>
     <message>
         <source>Give the scenario &quot;youngs_modulus_kPa&quot;, a number or the name of a cell array; the mesh&apos;s cell arrays are: {1}.</source>
-        <translation>Donnez au scénario &quot;youngs_modulus_kPa&quot;, un nombre ou le nom d’un tableau de cellules&#xa0;; les tableaux de cellules du maillage sont&#xa0;: {1}.</translation>
+        <translation>Dé al escenario &quot;youngs_modulus_kPa&quot;, un número o el nombre de una matriz de celdas; las matrices de celdas de la malla son: {1}.</translation>
     </message>
     <message>
         <source>The position of landmark {0} is not a finite point.</source>
-        <translation>La position du repère {0} n’est pas un point fini.</translation>
+        <translation>La posición del punto de referencia {0} no es un punto finito.</translation>
     </message>
     <message>
         <source>Landmark {0} lies {1} mm outside the body.</source>
-        <translation>Le repère {0} est à {1} mm hors du corps.</translation>
+        <translation>El punto de referencia {0} está a {1} mm fuera del cuerpo.</translation>
     </message>
     <message>
         <source>Check that landmarks and mesh are in the same coordinates (LPS, mm).</source>
-        <translation>Vérifiez que les repères et le maillage sont dans les mêmes coordonnées (LPS, mm).</translation>
+        <translation>Compruebe que los puntos de referencia y la malla están en las mismas coordenadas (LPS, mm).</translation>
     </message>
     <message>
         <source>Solving</source>
-        <translation>Résolution</translation>
+        <translation>Resolviendo</translation>
     </message>
     <message>
         <source>Moving</source>
-        <translation>Mouvement</translation>
+        <translation>Moviendo</translation>
     </message>
     <message>
         <source>Checking the model</source>
-        <translation>Vérification du modèle</translation>
+        <translation>Comprobando el modelo</translation>
     </message>
     <message>
         <source>A ligament only pulls, so it is not linear: look for the equilibrium by steps.</source>
-        <translation>Un ligament ne fait que tirer, il n’est donc pas linéaire&#xa0;: cherchez l’équilibre par pas.</translation>
+        <translation>Un ligamento solo tira, así que no es lineal: busque el equilibrio por pasos.</translation>
     </message>
     <message>
         <source>Nodal loads need {0} values: three a node.</source>
-        <translation>Les charges nodales exigent {0} valeurs&#xa0;: trois par nœud.</translation>
+        <translation>Las cargas nodales necesitan {0} valores: tres por nodo.</translation>
     </message>
     <message>
         <source>A nodal load is not a finite number.</source>
-        <translation>Une charge nodale n’est pas un nombre fini.</translation>
+        <translation>Una carga nodal no es un número finito.</translation>
     </message>
     <message>
         <source>Support {0} names no point of the mesh.</source>
-        <translation>L’appui {0} ne nomme aucun point du maillage.</translation>
+        <translation>El apoyo {0} no nombra ningún punto de la malla.</translation>
     </message>
     <message>
         <source>Move or enlarge its region, or name another point array.</source>
-        <translation>Déplacez ou agrandissez sa région, ou nommez un autre tableau de points.</translation>
+        <translation>Mueva o amplíe su región o nombre otra matriz de puntos.</translation>
     </message>
     <message>
         <source>The foundation of support {0} needs a stiffness above zero, not {1} kPa/mm.</source>
-        <translation>La fondation de l’appui {0} exige une rigidité supérieure à zéro, et non {1} kPa/mm.</translation>
+        <translation>La cimentación del apoyo {0} necesita una rigidez mayor que cero, no {1} kPa/mm.</translation>
     </message>
     <message>
         <source>The foundation of support {0} covers no face: no face of the surface has all three points named.</source>
-        <translation>La fondation de l’appui {0} ne couvre aucune face&#xa0;: aucune face de la surface n’a ses trois points nommés.</translation>
+        <translation>La cimentación del apoyo {0} no cubre ninguna cara: ninguna cara de la superficie tiene nombrados sus tres puntos.</translation>
     </message>
     <message>
         <source>Move or enlarge its region.</source>
-        <translation>Déplacez ou agrandissez sa région.</translation>
+        <translation>Mueva o amplíe su región.</translation>
     </message>
     <message>
         <source>Support {0} asks for the point array {1}, which the mesh does not have with one value a point.</source>
-        <translation>L’appui {0} demande le tableau de points {1}, que le maillage n’a pas avec une valeur par point.</translation>
+        <translation>El apoyo {0} pide la matriz de puntos {1}, que la malla no tiene con un valor por punto.</translation>
     </message>
     <message>
         <source>The mesh&apos;s point arrays are: {2}.</source>
-        <translation>Les tableaux de points du maillage sont&#xa0;: {2}.</translation>
+        <translation>Las matrices de puntos de la malla son: {2}.</translation>
     </message>
     <message>
         <source>The point array {0} is not a number at point {1}.</source>
-        <translation>Le tableau de points {0} n’est pas un nombre au point {1}.</translation>
+        <translation>La matriz de puntos {0} no es un número en el punto {1}.</translation>
     </message>
     <message>
         <source>The sphere of support {0} needs a finite centre and a radius above zero.</source>
-        <translation>La sphère de l’appui {0} exige un centre fini et un rayon supérieur à zéro.</translation>
+        <translation>La esfera del apoyo {0} necesita un centro finito y un radio mayor que cero.</translation>
     </message>
     <message>
         <source>The box of support {0} needs finite corners, the smaller one first.</source>
-        <translation>La boîte de l’appui {0} exige des coins finis, le plus petit d’abord.</translation>
+        <translation>La caja del apoyo {0} necesita esquinas finitas, la menor primero.</translation>
     </message>
     <message>
         <source>The ligament of support {0} needs a finite anchor, a stiffness above zero and a slack not below it.</source>
-        <translation>Le ligament de l’appui {0} exige un point d’ancrage fini, une rigidité supérieure à zéro et un mou qui ne soit pas négatif.</translation>
+        <translation>El ligamento del apoyo {0} necesita un anclaje finito, una rigidez mayor que cero y una holgura no negativa.</translation>
     </message>
     <message>
         <source>The ligament of support {0} names no point of the surface.</source>
-        <translation>Le ligament de l’appui {0} ne nomme aucun point de la surface.</translation>
+        <translation>El ligamento del apoyo {0} no nombra ningún punto de la superficie.</translation>
     </message>
     <message>
         <source>There is no published tissue {0}.</source>
-        <translation>Il n’y a pas de tissu publié {0}.</translation>
+        <translation>No hay ningún tejido publicado {0}.</translation>
     </message>
     <message>
         <source>The tissues are: {1}.</source>
-        <translation>Les tissus sont&#xa0;: {1}.</translation>
+        <translation>Los tejidos son: {1}.</translation>
     </message>
     <message>
         <source>{0} nodes in {1} rounds cannot be made; both must be at least 1.</source>
-        <translation>{0} nœuds en {1} tours sont impossibles&#xa0;; les deux doivent être au moins 1.</translation>
+        <translation>{0} nodos en {1} rondas no son posibles; ambos deben ser al menos 1.</translation>
     </message>
     <message>
         <source>The body holds no voxels.</source>
-        <translation>Le corps ne contient aucun voxel.</translation>
+        <translation>El cuerpo no contiene vóxeles.</translation>
     </message>
     <message>
         <source>{0} nodes are more than the body has voxels ({1}).</source>
-        <translation>{0} nœuds, c’est plus que le corps n’a de voxels ({1}).</translation>
+        <translation>{0} nodos son más que los vóxeles del cuerpo ({1}).</translation>
     </message>
     <message>
         <source>The mesh generator gave up: {0}.</source>
-        <translation>Le mailleur a abandonné&#xa0;: {0}.</translation>
+        <translation>El generador de mallas ha desistido: {0}.</translation>
     </message>
     <message>
         <source>Ask for another number of cells, or smooth the labels.</source>
-        <translation>Demandez un autre nombre de cellules, ou lissez les étiquettes.</translation>
+        <translation>Pida otro número de celdas o suavice las etiquetas.</translation>
     </message>
     <message>
         <source>The label map holds no labelled voxel, so there is no body to mesh.</source>
-        <translation>La carte d’étiquettes ne contient aucun voxel étiqueté, il n’y a donc pas de corps à mailler.</translation>
+        <translation>El mapa de etiquetas no contiene ningún vóxel etiquetado, así que no hay cuerpo que mallar.</translation>
     </message>
     <message>
         <source>Segment the liver first.</source>
-        <translation>Segmentez d’abord le foie.</translation>
+        <translation>Segmente antes el hígado.</translation>
     </message>
     <message>
         <source>The label map has {0} values for a grid of {1} x {2} x {3} voxels.</source>
-        <translation>La carte d’étiquettes a {0} valeurs pour une grille de {1} x {2} x {3} voxels.</translation>
+        <translation>El mapa de etiquetas tiene {0} valores para una cuadrícula de {1} x {2} x {3} vóxeles.</translation>
     </message>
     <message>
         <source>The label map&apos;s axes are not at right angles, or its spacing is not positive.</source>
-        <translation>Les axes de la carte d’étiquettes ne sont pas perpendiculaires, ou son espacement n’est pas positif.</translation>
+        <translation>Los ejes del mapa de etiquetas no son perpendiculares o su espaciado no es positivo.</translation>
     </message>
     <message>
         <source>A structure without voxels has no surface.</source>
-        <translation>Une structure sans voxels n’a pas de surface.</translation>
+        <translation>Una estructura sin vóxeles no tiene superficie.</translation>
     </message>
     <message>
         <source>Preparing the labels</source>
-        <translation>Préparation des étiquettes</translation>
+        <translation>Preparando las etiquetas</translation>
     </message>
     <message>
         <source>Removing slivers</source>
-        <translation>Suppression des tétraèdres plats</translation>
+        <translation>Eliminando los tetraedros planos</translation>
     </message>
     <message>
         <source>Measuring the distance to the label boundary</source>
-        <translation>Mesure de la distance à la limite des étiquettes</translation>
+        <translation>Midiendo la distancia al límite de las etiquetas</translation>
     </message>
     <message>
         <source>The surface of the mesh is not a closed manifold.</source>
-        <translation>La surface du maillage n’est pas une variété fermée.</translation>
+        <translation>La superficie de la malla no es una variedad cerrada.</translation>
     </message>
     <message>
         <source>Meshed</source>
-        <translation>Maillé</translation>
+        <translation>Mallado</translation>
     </message>
     <message>
         <source>A mesh of {0} cells cannot be made; from {1} to {2} can.</source>
-        <translation>Un maillage de {0} cellules est impossible&#xa0;; de {1} à {2}, c’est possible.</translation>
+        <translation>No se puede hacer una malla de {0} celdas; sí de {1} a {2}.</translation>
     </message>
     <message>
         <source>The share of cells for inner structures is {0}; it must be in 0 to 1.</source>
-        <translation>La part des cellules pour les structures internes est {0}&#xa0;; elle doit être comprise entre 0 et 1.</translation>
+        <translation>La proporción de celdas para estructuras internas es {0}; debe estar entre 0 y 1.</translation>
     </message>
     <message>
         <source>Filling the body with tetrahedra</source>
-        <translation>Remplissage du corps de tétraèdres</translation>
+        <translation>Rellenando el cuerpo con tetraedros</translation>
     </message>
     <message>
         <source>A piece of {0} has {1} ml, but its cells only {2} ml: the mesh has lost it.</source>
-        <translation>Un morceau de {0} fait {1} ml, mais ses cellules seulement {2} ml&#xa0;: le maillage l’a perdu.</translation>
+        <translation>Un trozo de {0} tiene {1} ml, pero sus celdas solo {2} ml: la malla lo ha perdido.</translation>
     </message>
     <message>
         <source>Ask for more cells.</source>
-        <translation>Demandez plus de cellules.</translation>
+        <translation>Pida más celdas.</translation>
     </message>
     <message>
         <source>A battery with a {0} of {1} does not exist.</source>
-        <translation>Une batterie avec {0} = {1} n’existe pas.</translation>
+        <translation>No existe una batería con {0} = {1}.</translation>
     </message>
     <message>
         <source>Correct the device&apos;s battery.</source>
-        <translation>Corrigez la batterie de l’appareil.</translation>
+        <translation>Corrija la batería del dispositivo.</translation>
     </message>
     <message>
         <source>A load of {0} W is more than the battery&apos;s internal resistance lets through.</source>
-        <translation>Une charge de {0} W dépasse ce que laisse passer la résistance interne de la batterie.</translation>
+        <translation>Una carga de {0} W es más de lo que deja pasar la resistencia interna de la batería.</translation>
     </message>
     <message>
         <source>A batch of {0} nodes takes more than the {1} MB there are for it.</source>
-        <translation>Un lot de {0} nœuds exige plus que les {1} Mo disponibles.</translation>
+        <translation>Un lote de {0} nodos ocupa más que los {1} MB disponibles.</translation>
     </message>
     <message>
         <source>{0} lacks a reading within the discharge.</source>
-        <translation>Il manque à {0} une mesure pendant la décharge.</translation>
+        <translation>A {0} le falta una lectura durante la descarga.</translation>
     </message>
     <message>
         <source>The time goes back in {0}.</source>
-        <translation>Le temps recule dans {0}.</translation>
+        <translation>El tiempo retrocede en {0}.</translation>
     </message>
     <message>
         <source>{0} holds no discharge.</source>
-        <translation>{0} ne contient pas de décharge.</translation>
+        <translation>{0} no contiene ninguna descarga.</translation>
     </message>
     <message>
         <source>{0} lacks a reading of the ambient.</source>
-        <translation>Il manque à {0} une mesure de l’ambiance.</translation>
+        <translation>A {0} le falta una lectura del ambiente.</translation>
     </message>
     <message>
         <source>A cell is set up from one slow discharge and at least two that are five times as fast.</source>
-        <translation>Une cellule se détermine par une décharge lente et au moins deux autres cinq fois plus rapides.</translation>
+        <translation>Una celda se determina con una descarga lenta y al menos dos cinco veces más rápidas.</translation>
     </message>
     <message>
         <source>A convergence curve has 2 to {0} points; this one has {1}.</source>
-        <translation>Une courbe de convergence a de 2 à {0} points&#xa0;; celle-ci en a {1}.</translation>
+        <translation>Una curva de convergencia tiene de 2 a {0} puntos; esta tiene {1}.</translation>
     </message>
     <message>
         <source>Point {0} of the convergence curve, {1} mm3 and {2} mm, is not positive or does not increase from the point before.</source>
-        <translation>Le point {0} de la courbe de convergence, {1} mm3 et {2} mm, n’est pas positif ou n’augmente pas par rapport au précédent.</translation>
+        <translation>El punto {0} de la curva de convergencia, {1} mm3 y {2} mm, no es positivo o no aumenta respecto al anterior.</translation>
     </message>
     <message>
         <source>{0} has no list of points.</source>
-        <translation>{0} n’a pas de liste de points.</translation>
+        <translation>{0} no tiene ninguna lista de puntos.</translation>
     </message>
     <message>
         <source>An accuracy of {0} mm is finer than the convergence study reaches ({1} mm at {2} mm3 a node).</source>
-        <translation>Une précision de {0} mm est plus fine que ce qu’atteint l’étude de convergence ({1} mm à {2} mm3 par nœud).</translation>
+        <translation>Una precisión de {0} mm es más fina de lo que alcanza el estudio de convergencia ({1} mm a {2} mm3 por nodo).</translation>
     </message>
     <message>
         <source>Ask for {1} mm or more.</source>
-        <translation>Demandez {1} mm ou plus.</translation>
+        <translation>Pida {1} mm o más.</translation>
     </message>
     <message>
         <source>Device {0} has {1} {2}; it must lie between {3} and {4}.</source>
-        <translation>L’appareil {0} a {1} {2}&#xa0;; ce doit être entre {3} et {4}.</translation>
+        <translation>El dispositivo {0} tiene {1} {2}; debe estar entre {3} y {4}.</translation>
     </message>
     <message>
         <source>Correct that figure in the device&apos;s file.</source>
-        <translation>Corrigez ce chiffre dans le fichier de l’appareil.</translation>
+        <translation>Corrija esa cifra en el archivo del dispositivo.</translation>
     </message>
     <message>
         <source>Device {0} has measured points that are not positive, not by increasing nodes, or more than {1}.</source>
-        <translation>L’appareil {0} a des points mesurés non positifs, non classés par nœuds croissants, ou plus de {1}.</translation>
+        <translation>El dispositivo {0} tiene puntos medidos que no son positivos, no están por nodos crecientes o son más de {1}.</translation>
     </message>
     <message>
         <source>{0} has no list &quot;devices&quot; of 1 to {1} devices.</source>
-        <translation>{0} n’a pas de liste &quot;devices&quot; de 1 à {1} appareils.</translation>
+        <translation>{0} no tiene una lista &quot;devices&quot; de 1 a {1} dispositivos.</translation>
     </message>
     <message>
         <source>Two devices have the id &quot;{0}&quot;.</source>
-        <translation>Deux appareils ont l’identifiant «&#xa0;{0}&#xa0;».</translation>
+        <translation>Dos dispositivos tienen el identificador «{0}».</translation>
     </message>
     <message>
         <source>Give each its own.</source>
-        <translation>Donnez à chacun le sien.</translation>
+        <translation>Dé a cada uno el suyo.</translation>
     </message>
     <message>
         <source>{0} has the id &quot;{1}&quot;.</source>
-        <translation>{0} a l’identifiant «&#xa0;{1}&#xa0;».</translation>
+        <translation>{0} tiene el identificador «{1}».</translation>
     </message>
     <message>
         <source>Use up to 64 small letters, digits and dashes.</source>
-        <translation>Employez jusqu’à 64 minuscules, chiffres et traits d’union.</translation>
+        <translation>Use hasta 64 letras minúsculas, cifras y guiones.</translation>
     </message>
     <message>
         <source>{0} is worn &quot;{1}&quot;.</source>
-        <translation>{0} est porté «&#xa0;{1}&#xa0;».</translation>
+        <translation>{0} se lleva «{1}».</translation>
     </message>
     <message>
         <source>Use head, belt or back.</source>
-        <translation>Employez head, belt ou back.</translation>
+        <translation>Use head, belt o back.</translation>
     </message>
     <message>
         <source>The energy meter {0} stopped answering.</source>
-        <translation>Le compteur d’énergie {0} ne répond plus.</translation>
+        <translation>El medidor de energía {0} ha dejado de responder.</translation>
     </message>
     <message>
         <source>The processor&apos;s energy counters (RAPL) at {0} may be read by root only.</source>
-        <translation>Seul root peut lire les compteurs d’énergie du processeur (RAPL) à {0}.</translation>
+        <translation>Solo root puede leer los contadores de energía del procesador (RAPL) en {0}.</translation>
     </message>
     <message>
         <source>No energy counters of the processor (RAPL) at {0}.</source>
-        <translation>Pas de compteurs d’énergie du processeur (RAPL) à {0}.</translation>
+        <translation>No hay contadores de energía del procesador (RAPL) en {0}.</translation>
     </message>
     <message>
         <source>No current sensors (INA) at {0}.</source>
-        <translation>Pas de capteurs de courant (INA) à {0}.</translation>
+        <translation>No hay sensores de corriente (INA) en {0}.</translation>
     </message>
     <message>
         <source>The battery is not discharging: unplug the machine to measure by its gauge.</source>
-        <translation>La batterie ne se décharge pas&#xa0;: débranchez la machine pour mesurer par sa jauge.</translation>
+        <translation>La batería no se descarga: desenchufe la máquina para medir con su indicador.</translation>
     </message>
     <message>
         <source>No battery gauge at {0}.</source>
-        <translation>Pas de jauge de batterie à {0}.</translation>
+        <translation>No hay indicador de batería en {0}.</translation>
     </message>
     <message>
         <source>{0} does not say &quot;format&quot;: &quot;{1}&quot;.</source>
-        <translation>{0} n’indique pas &quot;format&quot;: &quot;{1}&quot;.</translation>
+        <translation>{0} no indica &quot;format&quot;: &quot;{1}&quot;.</translation>
     </message>
     <message>
         <source>Check that it is the file you meant.</source>
-        <translation>Vérifiez que c’est bien le fichier voulu.</translation>
+        <translation>Compruebe que es el archivo que quería.</translation>
     </message>
     <message>
         <source>{0} has no &quot;{1}&quot;, or not of the right kind.</source>
-        <translation>{0} n’a pas de &quot;{1}&quot;, ou pas du bon type.</translation>
+        <translation>{0} no tiene &quot;{1}&quot; o no es del tipo correcto.</translation>
     </message>
     <message>
         <source>The shipped devices.json shows every key.</source>
-        <translation>Le fichier devices.json fourni montre toutes les clés.</translation>
+        <translation>El archivo devices.json incluido muestra todas las claves.</translation>
     </message>
     <message>
         <source>{0} has &quot;{1}&quot; {2}; it must lie between {3} and {4}.</source>
-        <translation>{0} a &quot;{1}&quot; {2}&#xa0;; ce doit être entre {3} et {4}.</translation>
+        <translation>{0} tiene &quot;{1}&quot; {2}; debe estar entre {3} y {4}.</translation>
     </message>
     <message>
         <source>{0} has &quot;{1}&quot; empty or longer than {2} characters.</source>
-        <translation>{0} a &quot;{1}&quot; vide ou de plus de {2} caractères.</translation>
+        <translation>{0} tiene &quot;{1}&quot; vacío o de más de {2} caracteres.</translation>
     </message>
     <message>
         <source>{0} has the source &quot;{1}&quot;.</source>
-        <translation>{0} a la source «&#xa0;{1}&#xa0;».</translation>
+        <translation>{0} tiene la fuente «{1}».</translation>
     </message>
     <message>
         <source>Idle power</source>
-        <translation>Puissance au repos</translation>
+        <translation>Potencia en reposo</translation>
     </message>
     <message>
         <source>Nothing on this machine tells its energy: idle and active power are assumed. Measure them with a current clamp or a power meter, and give them.</source>
-        <translation>Rien sur cette machine n’indique son énergie&#xa0;: les puissances au repos et en charge sont supposées. Mesurez-les avec une pince ampèremétrique ou un wattmètre, et indiquez-les.</translation>
+        <translation>Nada en esta máquina indica su energía: las potencias en reposo y en carga son supuestas. Mídalas con una pinza amperimétrica o un vatímetro e indíquelas.</translation>
     </message>
     <message>
         <source>Memory bandwidth</source>
-        <translation>Bande passante de la mémoire</translation>
+        <translation>Ancho de banda de la memoria</translation>
     </message>
     <message>
         <source>Block products</source>
-        <translation>Produits par blocs</translation>
+        <translation>Productos por bloques</translation>
     </message>
     <message>
         <source>Other work disturbed the timing: batches usually took {0} times as long as the fastest one. Measure again on a quiet machine.</source>
-        <translation>Un autre travail a perturbé le chronométrage&#xa0;: les lots ont en général duré {0} fois plus que le plus rapide. Mesurez de nouveau sur une machine au calme.</translation>
+        <translation>Otro trabajo ha perturbado la medida del tiempo: los lotes tardaron por lo general {0} veces más que el más rápido. Mida de nuevo en una máquina sin carga.</translation>
     </message>
     <message>
         <source>The grid holds no problem.</source>
-        <translation>La grille ne contient aucun problème.</translation>
+        <translation>La cuadrícula no contiene ningún problema.</translation>
     </message>
     <message>
         <source>{0} of {1} problems are larger than the memory allowed and were left out; beyond {2} nodes the plan goes on in proportion.</source>
-        <translation>{0} problèmes sur {1} dépassent la mémoire permise et ont été omis&#xa0;; au-delà de {2} nœuds, le plan continue en proportion.</translation>
+        <translation>{0} de {1} problemas superan la memoria permitida y se han omitido; más allá de {2} nodos el plan continúa en proporción.</translation>
     </message>
     <message>
         <source>This build has no OpenCL.</source>
-        <translation>Cette version n’a pas OpenCL.</translation>
+        <translation>Esta versión no tiene OpenCL.</translation>
     </message>
     <message>
         <source>Build with -DGLISSON_OPENCL=ON.</source>
-        <translation>Compilez avec -DGLISSON_OPENCL=ON.</translation>
+        <translation>Compile con -DGLISSON_OPENCL=ON.</translation>
     </message>
     <message>
         <source>OpenCL&apos;s {0} failed with {1}.</source>
-        <translation>{0} d’OpenCL a échoué avec {1}.</translation>
+        <translation>{0} de OpenCL ha fallado con {1}.</translation>
     </message>
     <message>
         <source>There is no OpenCL device &quot;{0}&quot;.</source>
-        <translation>Il n’y a pas d’appareil OpenCL «&#xa0;{0}&#xa0;».</translation>
+        <translation>No hay ningún dispositivo OpenCL «{0}».</translation>
     </message>
     <message>
         <source>Found: {1}. A device shows once its driver is installed (pocl-opencl-icd for processors).</source>
-        <translation>Trouvé&#xa0;: {1}. Un appareil apparaît une fois son pilote installé (pocl-opencl-icd pour les processeurs).</translation>
+        <translation>Encontrado: {1}. Un dispositivo aparece cuando su controlador está instalado (pocl-opencl-icd para procesadores).</translation>
     </message>
     <message>
         <source>{0} of {1} is not between {2} and {3}.</source>
-        <translation>{0} = {1} n’est pas compris entre {2} et {3}.</translation>
+        <translation>{0} de {1} no está entre {2} y {3}.</translation>
     </message>
     <message>
         <source>Correct the question.</source>
-        <translation>Corrigez la question.</translation>
+        <translation>Corrija la pregunta.</translation>
     </message>
     <message>
         <source>A room of {0} C is not cooler than the limit of {1} C.</source>
-        <translation>Une pièce à {0} C n’est pas plus fraîche que la limite de {1} C.</translation>
+        <translation>Una sala a {0} C no está más fría que el límite de {1} C.</translation>
     </message>
     <message>
         <source>It draws {0} W when idle; its battery allows {1} W over {2} h, and is empty after {3} h without computing anything.</source>
-        <translation>Il consomme {0} W au repos&#xa0;; sa batterie permet {1} W pendant {2} h, et elle est vide au bout de {3} h sans rien calculer.</translation>
+        <translation>Consume {0} W en reposo; su batería permite {1} W durante {2} h y se vacía en {3} h sin calcular nada.</translation>
     </message>
     <message>
         <source>Its battery is empty after {0} h of {1} h: only {2} W of headroom over idling.</source>
-        <translation>Sa batterie est vide au bout de {0} h sur {1} h&#xa0;: seulement {2} W de marge au-dessus du repos.</translation>
+        <translation>Su batería se vacía tras {0} h de {1} h: solo {2} W de margen sobre el reposo.</translation>
     </message>
     <message>
         <source>It reaches {0} C when idle; the limit is {1} C.</source>
-        <translation>Il atteint {0} C au repos&#xa0;; la limite est de {1} C.</translation>
+        <translation>Alcanza {0} C en reposo; el límite es {1} C.</translation>
     </message>
     <message>
         <source>It reaches {0} C; the limit is {1} C.</source>
-        <translation>Il atteint {0} C&#xa0;; la limite est de {1} C.</translation>
+        <translation>Alcanza {0} C; el límite es {1} C.</translation>
     </message>
     <message>
         <source>It computes {0} frames a second of {1}.</source>
-        <translation>Il calcule {0} images par seconde sur {1}.</translation>
+        <translation>Calcula {0} fotogramas por segundo de {1}.</translation>
     </message>
     <message>
         <source>{0} mm is coarser than the convergence study reaches; planned is its coarsest resolution, {1} mm3 a node.</source>
-        <translation>{0} mm est plus grossier que ce qu’atteint l’étude de convergence&#xa0;; le plan prend sa résolution la plus grossière, {1} mm3 par nœud.</translation>
+        <translation>{0} mm es más grueso de lo que alcanza el estudio de convergencia; se planifica con su resolución más gruesa, {1} mm3 por nodo.</translation>
     </message>
     <message>
         <source>A frame is {0} block products as in the dissertation, without the vector updates of conjugate gradients; a simulation that couples 27 nodes moves {1} times as much.</source>
-        <translation>Une image fait {0} produits par blocs comme dans la thèse, sans les mises à jour de vecteurs du gradient conjugué&#xa0;; une simulation qui couple 27 nœuds déplace {1} fois plus de données.</translation>
+        <translation>Un fotograma son {0} productos por bloques como en la tesis, sin las actualizaciones de vectores del gradiente conjugado; una simulación que acopla 27 nodos mueve {1} veces más datos.</translation>
     </message>
     <message>
         <source>{0} holds with next to no headroom: its battery allows {1} W over {2} h, and idling takes {3} W of them.</source>
-        <translation>{0} tient presque sans marge&#xa0;: sa batterie permet {1} W pendant {2} h, et le repos en prend {3} W.</translation>
+        <translation>{0} aguanta casi sin margen: su batería permite {1} W durante {2} h, y el reposo consume {3} W de ellos.</translation>
     </message>
     <message>
         <source>{0}: after {1} s comes {2} s.</source>
-        <translation>{0}&#xa0;: après {1} s vient {2} s.</translation>
+        <translation>{0}: después de {1} s viene {2} s.</translation>
     </message>
     <message>
         <source>Give the column that holds the time, or cut the file there.</source>
-        <translation>Indiquez la colonne qui contient le temps, ou coupez le fichier à cet endroit.</translation>
+        <translation>Indique la columna que contiene el tiempo o corte ahí el archivo.</translation>
     </message>
     <message>
         <source>{0} has {1} samples and {2} rows without a reading.</source>
-        <translation>{0} a {1} mesures et {2} lignes sans mesure.</translation>
+        <translation>{0} tiene {1} mediciones y {2} filas sin lectura.</translation>
     </message>
     <message>
         <source>Check the columns; at most every tenth row may be empty.</source>
-        <translation>Vérifiez les colonnes&#xa0;; au plus une ligne sur dix peut être vide.</translation>
+        <translation>Compruebe las columnas; como máximo una de cada diez filas puede estar vacía.</translation>
     </message>
     <message>
         <source>The trace holds {0} runs, the log {1}.</source>
-        <translation>La trace contient {0} exécutions, le journal {1}.</translation>
+        <translation>El registro contiene {0} ejecuciones, el diario {1}.</translation>
     </message>
     <message>
         <source>Change the shortest run and pause, or cut the trace to the logged runs.</source>
-        <translation>Changez l’exécution et la pause les plus courtes, ou coupez la trace aux exécutions du journal.</translation>
+        <translation>Cambie la ejecución y la pausa más cortas o recorte el registro a las ejecuciones del diario.</translation>
     </message>
     <message>
         <source>Run {0} drew nothing above idle, or nothing was run in it.</source>
-        <translation>L’exécution {0} n’a rien consommé au-delà du repos, ou rien n’y a été exécuté.</translation>
+        <translation>La ejecución {0} no consumió nada por encima del reposo o no se ejecutó nada en ella.</translation>
     </message>
     <message>
         <source>A trace needs a channel, and factors and a range that are positive.</source>
-        <translation>Une trace exige un canal, et des facteurs et une plage positifs.</translation>
+        <translation>Un registro necesita un canal, y factores y un intervalo positivos.</translation>
     </message>
     <message>
         <source>The power does not move between two levels, so no runs can be told from pauses.</source>
-        <translation>La puissance ne varie pas entre deux niveaux, de sorte que les exécutions ne se distinguent pas des pauses.</translation>
+        <translation>La potencia no se mueve entre dos niveles, de modo que no se distinguen las ejecuciones de las pausas.</translation>
     </message>
     <message>
         <source>Record pauses between the runs; check that the right column was read.</source>
-        <translation>Enregistrez des pauses entre les exécutions&#xa0;; vérifiez que la bonne colonne a été lue.</translation>
+        <translation>Registre pausas entre las ejecuciones; compruebe que se leyó la columna correcta.</translation>
     </message>
     <message>
         <source>The recording has {0} gaps; runs end there and nothing is made up for them.</source>
-        <translation>L’enregistrement a {0} lacunes&#xa0;; les exécutions s’y arrêtent et rien n’est inventé pour les combler.</translation>
+        <translation>El registro tiene {0} huecos; las ejecuciones terminan ahí y no se inventa nada para ellos.</translation>
     </message>
     <message>
         <source>{0} rows held no reading.</source>
-        <translation>{0} lignes ne contenaient pas de mesure.</translation>
+        <translation>{0} filas no contenían ninguna lectura.</translation>
     </message>
     <message>
         <source>{0} runs reach the end of a channel&apos;s range: their power is a lower bound. Record again with a larger range.</source>
-        <translation>{0} exécutions atteignent la limite de la plage d’un canal&#xa0;: leur puissance est une borne inférieure. Recommencez avec une plage plus grande.</translation>
+        <translation>{0} ejecuciones alcanzan el final del intervalo de un canal: su potencia es una cota inferior. Registre de nuevo con un intervalo mayor.</translation>
     </message>
     <message>
         <source>Idle power moves by {0} W over the recording; each run is compared with the pauses beside it.</source>
-        <translation>La puissance au repos varie de {0} W pendant l’enregistrement&#xa0;; chaque exécution est comparée aux pauses voisines.</translation>
+        <translation>La potencia en reposo varía {0} W durante el registro; cada ejecución se compara con las pausas contiguas.</translation>
     </message>
     <message>
         <source>A liver of {0} cm3 is outside {1} to {2} cm3.</source>
-        <translation>Un foie de {0} cm3 est hors de l’intervalle de {1} à {2} cm3.</translation>
+        <translation>Un hígado de {0} cm3 está fuera del intervalo de {1} a {2} cm3.</translation>
     </message>
     <message>
         <source>Check the volume and its unit: 1 litre is 1000 cm3.</source>
-        <translation>Vérifiez le volume et son unité&#xa0;: 1 litre vaut 1000 cm3.</translation>
+        <translation>Compruebe el volumen y su unidad: 1 litro son 1000 cm3.</translation>
     </message>
     <message>
         <source>A node cannot stand for {0} mm3.</source>
-        <translation>Un nœud ne peut pas représenter {0} mm3.</translation>
+        <translation>Un nodo no puede representar {0} mm3.</translation>
     </message>
     <message>
         <source>A domain of influence of {0} nodes is no cube around a node.</source>
-        <translation>Un domaine d’influence de {0} nœuds n’est pas un cube autour d’un nœud.</translation>
+        <translation>Un dominio de influencia de {0} nodos no es un cubo alrededor de un nodo.</translation>
     </message>
     <message>
         <source>Use 1, 27 or 125.</source>
-        <translation>Employez 1, 27 ou 125.</translation>
+        <translation>Use 1, 27 o 125.</translation>
     </message>
     <message>
         <source>{0} products a frame are not between 1 and 100000.</source>
-        <translation>{0} produits par image ne sont pas entre 1 et 100000.</translation>
+        <translation>{0} productos por fotograma no están entre 1 y 100000.</translation>
     </message>
     <message>
         <source>The folder {0} holds no judgement of a registration.</source>
-        <translation>Le dossier {0} ne contient pas de jugement d’un recalage.</translation>
+        <translation>La carpeta {0} no contiene ninguna valoración de un registro.</translation>
     </message>
     <message>
         <source>Make one: glisson-cli sirgn SEQUENCE.json --method icp --out FOLDER.</source>
-        <translation>Produisez-en un&#xa0;: glisson-cli sirgn SEQUENCE.json --method icp --out DOSSIER.</translation>
+        <translation>Genere una: glisson-cli sirgn SECUENCIA.json --method icp --out CARPETA.</translation>
     </message>
     <message>
         <source>{0}: {1}.</source>
-        <translation>{0}&#xa0;: {1}.</translation>
+        <translation>{0}: {1}.</translation>
     </message>
     <message>
         <source>A sequence names frames with a cloud each, and landmarks.</source>
-        <translation>Une séquence nomme des images avec chacune un nuage de points, et des repères.</translation>
+        <translation>Una secuencia nombra fotogramas con una nube de puntos cada uno y puntos de referencia.</translation>
     </message>
     <message>
         <source>it is not an object</source>
-        <translation>elle n’est pas un objet</translation>
+        <translation>no es un objeto</translation>
     </message>
     <message>
         <source>it has no list of frames</source>
-        <translation>elle n’a pas de liste d’images</translation>
+        <translation>no tiene lista de fotogramas</translation>
     </message>
     <message>
         <source>registered does not name one cloud a frame</source>
-        <translation>registered ne nomme pas un nuage de points par image</translation>
+        <translation>registered no nombra una nube de puntos por fotograma</translation>
     </message>
     <message>
         <source>registered holds something that is no file name</source>
-        <translation>registered contient quelque chose qui n’est pas un nom de fichier</translation>
+        <translation>registered contiene algo que no es un nombre de archivo</translation>
     </message>
     <message>
         <source>Frame {0} is missing: there is no file {1}.</source>
-        <translation>L’image {0} manque&#xa0;: il n’y a pas de fichier {1}.</translation>
+        <translation>Falta el fotograma {0}: no hay ningún archivo {1}.</translation>
     </message>
     <message>
         <source>Remove the frame from the sequence (and number the tracks anew), or add it.</source>
-        <translation>Retirez l’image de la séquence (et renumérotez les trajectoires), ou ajoutez-la.</translation>
+        <translation>Quite el fotograma de la secuencia (y renumere las trayectorias) o añádalo.</translation>
     </message>
     <message>
         <source>it names no file of landmarks</source>
-        <translation>elle ne nomme aucun fichier de repères</translation>
+        <translation>no nombra ningún archivo de puntos de referencia</translation>
     </message>
     <message>
         <source>Line {1} of {0} is not landmark,frame,x_mm,y_mm,z_mm with a frame below {2}.</source>
-        <translation>La ligne {1} de {0} n’est pas landmark,frame,x_mm,y_mm,z_mm avec une image inférieure à {2}.</translation>
+        <translation>La línea {1} de {0} no es landmark,frame,x_mm,y_mm,z_mm con un fotograma menor que {2}.</translation>
     </message>
     <message>
         <source>Frame {0} holds no point that is finite.</source>
-        <translation>L’image {0} ne contient aucun point fini.</translation>
+        <translation>El fotograma {0} no contiene ningún punto finito.</translation>
     </message>
     <message>
         <source>frames</source>
-        <translation>images</translation>
+        <translation>fotogramas</translation>
     </message>
     <message>
         <source>{0} landmarks were seen in three frames or more; four that do not lie on one line are needed.</source>
-        <translation>{0} repères ont été vus dans trois images ou plus&#xa0;; il en faut quatre non alignés.</translation>
+        <translation>{0} puntos de referencia se vieron en tres o más fotogramas; hacen falta cuatro no alineados.</translation>
     </message>
     <message>
         <source>Track more features, or mark them by hand.</source>
-        <translation>Suivez plus de points caractéristiques, ou marquez-les à la main.</translation>
+        <translation>Siga más rasgos o márquelos a mano.</translation>
     </message>
     <message>
         <source>warps</source>
-        <translation>déformations</translation>
+        <translation>deformaciones</translation>
     </message>
     <message>
         <source>triangles</source>
-        <translation>triangles</translation>
+        <translation>triángulos</translation>
     </message>
     <message>
         <source>{0} frames are too few to correlate; {1} are needed.</source>
-        <translation>{0} images sont trop peu pour une corrélation&#xa0;; il en faut {1}.</translation>
+        <translation>{0} fotogramas son demasiado pocos para correlacionar; hacen falta {1}.</translation>
     </message>
     <message>
         <source>Frame {0} has {1} points, and {2} after registration: they must match one by one.</source>
-        <translation>L’image {0} a {1} points, et {2} après recalage&#xa0;: ils doivent correspondre un à un.</translation>
+        <translation>El fotograma {0} tiene {1} puntos, y {2} tras el registro: deben corresponderse uno a uno.</translation>
     </message>
     <message>
         <source>Landmark {0} was followed through {1} frames of {2}.</source>
-        <translation>Le repère {0} a été suivi sur {1} images sur {2}.</translation>
+        <translation>El punto de referencia {0} se siguió en {1} fotogramas de {2}.</translation>
     </message>
     <message>
         <source>A tolerance must be a positive number of mm.</source>
-        <translation>Une tolérance doit être un nombre positif de mm.</translation>
+        <translation>Una tolerancia debe ser un número positivo de mm.</translation>
     </message>
     <message>
         <source>The folder {0} is not empty.</source>
-        <translation>Le dossier {0} n’est pas vide.</translation>
+        <translation>La carpeta {0} no está vacía.</translation>
     </message>
     <message>
         <source>Name a new folder for the sequence.</source>
-        <translation>Indiquez un nouveau dossier pour la séquence.</translation>
+        <translation>Indique una carpeta nueva para la secuencia.</translation>
     </message>
     <message>
         <source>The {0} video ends after {1} frames, before the other.</source>
-        <translation>La vidéo {0} se termine après {1} images, avant l’autre.</translation>
+        <translation>El vídeo {0} termina tras {1} fotogramas, antes que el otro.</translation>
     </message>
     <message>
         <source>{0} frames show something; {1} are needed.</source>
-        <translation>{0} images montrent quelque chose&#xa0;; il en faut {1}.</translation>
+        <translation>{0} fotogramas muestran algo; hacen falta {1}.</translation>
     </message>
     <message>
         <source>No feature could be followed through {0} frames.</source>
-        <translation>Aucun point caractéristique n’a pu être suivi sur {0} images.</translation>
+        <translation>Ningún rasgo se pudo seguir a lo largo de {0} fotogramas.</translation>
     </message>
     <message>
         <source>Take more frames, or give landmarks and a model of your own.</source>
-        <translation>Prenez plus d’images, ou donnez vos propres repères et un modèle.</translation>
+        <translation>Tome más fotogramas o indique puntos de referencia y un modelo propios.</translation>
     </message>
     <message>
         <source>matching</source>
-        <translation>mise en correspondance</translation>
+        <translation>emparejando</translation>
     </message>
     <message>
         <source>No two frames share four landmarks.</source>
-        <translation>Aucune paire d’images ne partage quatre repères.</translation>
+        <translation>No hay dos fotogramas que compartan cuatro puntos de referencia.</translation>
     </message>
     <message>
         <source>Track more features, or leave out fewer frames.</source>
-        <translation>Suivez plus de points caractéristiques, ou omettez moins d’images.</translation>
+        <translation>Siga más rasgos u omita menos fotogramas.</translation>
     </message>
     <message>
         <source>Two frames or more can be aligned.</source>
-        <translation>On peut aligner deux images ou plus.</translation>
+        <translation>Se pueden alinear dos fotogramas o más.</translation>
     </message>
     <message>
         <source>A landmark was followed through {0} frames of {1}.</source>
-        <translation>Un repère a été suivi sur {0} images sur {1}.</translation>
+        <translation>Un punto de referencia se siguió en {0} fotogramas de {1}.</translation>
     </message>
     <message>
         <source>aligning frames</source>
-        <translation>alignement des images</translation>
+        <translation>alineando fotogramas</translation>
     </message>
     <message>
         <source>The distances between the points of the {0} are not square.</source>
-        <translation>Les distances entre les points de {0} ne forment pas une matrice carrée.</translation>
+        <translation>Las distancias entre los puntos de {0} no forman una matriz cuadrada.</translation>
     </message>
     <message>
         <source>The {0} has fewer than two points to match.</source>
-        <translation>{0} a moins de deux points à mettre en correspondance.</translation>
+        <translation>{0} tiene menos de dos puntos que emparejar.</translation>
     </message>
     <message>
         <source>The {0} has {1} points to match; {2} is the most.</source>
-        <translation>{0} a {1} points à mettre en correspondance&#xa0;; le maximum est {2}.</translation>
+        <translation>{0} tiene {1} puntos que emparejar; el máximo es {2}.</translation>
     </message>
     <message>
         <source>Some points of the {0} are not connected over the surface.</source>
-        <translation>Certains points de {0} ne sont pas reliés sur la surface.</translation>
+        <translation>Algunos puntos de {0} no están conectados sobre la superficie.</translation>
     </message>
     <message>
         <source>Keep the largest connected piece, or bridge the gap before matching.</source>
-        <translation>Gardez le plus grand morceau connexe, ou comblez la lacune avant la mise en correspondance.</translation>
+        <translation>Conserve el mayor trozo conexo o cierre el hueco antes de emparejar.</translation>
     </message>
     <message>
         <source>The distances between the points of the {0} are not those of a metric.</source>
-        <translation>Les distances entre les points de {0} ne sont pas celles d’une métrique.</translation>
+        <translation>Las distancias entre los puntos de {0} no son las de una métrica.</translation>
     </message>
     <message>
         <source>The seed must hold one finite cost a source point and target point.</source>
-        <translation>L’amorce doit contenir un coût fini par point source et point cible.</translation>
+        <translation>La semilla debe contener un coste finito por cada punto de origen y de destino.</translation>
     </message>
     <message>
         <source>sigma, tau and q must be positive.</source>
-        <translation>sigma, tau et q doivent être positifs.</translation>
+        <translation>sigma, tau y q deben ser positivos.</translation>
     </message>
     <message>
         <source>The written-out field needs {0} MB; {1} MB are allowed.</source>
-        <translation>Le champ développé exige {0} Mo&#xa0;; {1} Mo sont permis.</translation>
+        <translation>El campo desarrollado necesita {0} MB; se permiten {1} MB.</translation>
     </message>
     <message>
         <source>No point of one surface has a partner on the other.</source>
-        <translation>Aucun point d’une surface n’a de correspondant sur l’autre.</translation>
+        <translation>Ningún punto de una superficie tiene pareja en la otra.</translation>
     </message>
     <message>
         <source>Align the surfaces roughly first, or give landmarks.</source>
-        <translation>Alignez d’abord grossièrement les surfaces, ou donnez des repères.</translation>
+        <translation>Alinee antes las superficies de forma aproximada o indique puntos de referencia.</translation>
     </message>
     <message>
         <source>non-rigid alignment</source>
-        <translation>alignement non rigide</translation>
+        <translation>alineación no rígida</translation>
     </message>
     <message>
         <source>A landmark names point {0}, which cannot be led anywhere.</source>
-        <translation>Un repère nomme le point {0}, qui ne peut être mené nulle part.</translation>
+        <translation>Un punto de referencia nombra el punto {0}, que no se puede llevar a ninguna parte.</translation>
     </message>
     <message>
         <source>The step of the non-rigid alignment has no solution.</source>
-        <translation>Le pas de l’alignement non rigide n’a pas de solution.</translation>
+        <translation>El paso de la alineación no rígida no tiene solución.</translation>
     </message>
     <message>
         <source>By their geodesic distances the surfaces match only inside out.</source>
-        <translation>D’après leurs distances géodésiques, les surfaces ne correspondent que retournées.</translation>
+        <translation>Por sus distancias geodésicas, las superficies solo encajan invertidas.</translation>
     </message>
     <message>
         <source>Align them roughly and match with positions as prior, or use more points.</source>
-        <translation>Alignez-les grossièrement et mettez en correspondance avec les positions comme a priori, ou prenez plus de points.</translation>
+        <translation>Alinéelas de forma aproximada y empareje con las posiciones como información previa, o use más puntos.</translation>
     </message>
     <message>
         <source>{0} points cannot be aligned to {1}.</source>
-        <translation>{0} points ne peuvent pas être alignés sur {1}.</translation>
+        <translation>{0} puntos no se pueden alinear con {1}.</translation>
     </message>
     <message>
         <source>A rigid alignment needs three pairs of points that do not lie on one line.</source>
-        <translation>Un alignement rigide exige trois paires de points non alignés.</translation>
+        <translation>Una alineación rígida necesita tres pares de puntos no alineados.</translation>
     </message>
     <message>
         <source>Some of the points to align are not finite.</source>
-        <translation>Certains des points à aligner ne sont pas finis.</translation>
+        <translation>Algunos de los puntos que alinear no son finitos.</translation>
     </message>
     <message>
         <source>rigid alignment</source>
-        <translation>alignement rigide</translation>
+        <translation>alineación rígida</translation>
     </message>
     <message>
         <source>A surface of {0} points cannot give {1} samples.</source>
-        <translation>Une surface de {0} points ne peut pas donner {1} échantillons.</translation>
+        <translation>Una superficie de {0} puntos no puede dar {1} muestras.</translation>
     </message>
     <message>
         <source>geodesic distances</source>
-        <translation>distances géodésiques</translation>
+        <translation>distancias geodésicas</translation>
     </message>
     <message>
         <source>A spline needs as many finite points to start from as to lead to.</source>
-        <translation>Une spline exige autant de points finis au départ qu’à l’arrivée.</translation>
+        <translation>Una spline necesita tantos puntos finitos de partida como de llegada.</translation>
     </message>
     <message>
         <source>{0} points are too many for a spline; {1} is the most.</source>
-        <translation>{0} points sont trop pour une spline&#xa0;; le maximum est {1}.</translation>
+        <translation>{0} puntos son demasiados para una spline; el máximo es {1}.</translation>
     </message>
     <message>
         <source>A spline needs four matched points that do not lie in one plane.</source>
-        <translation>Une spline exige quatre points appariés qui ne soient pas dans un plan.</translation>
+        <translation>Una spline necesita cuatro puntos emparejados que no estén en un plano.</translation>
     </message>
     <message>
         <source>A result lacks the point array {0} with three values a point.</source>
-        <translation>Il manque à un résultat le tableau de points {0} avec trois valeurs par point.</translation>
+        <translation>A un resultado le falta la matriz de puntos {0} con tres valores por punto.</translation>
     </message>
     <message>
         <source>Compare results of the same mesh.</source>
-        <translation>Comparez des résultats du même maillage.</translation>
+        <translation>Compare resultados de la misma malla.</translation>
     </message>
     <message>
         <source>The two results are not of the same mesh: {0} points and {1} cells against {2} and {3}.</source>
-        <translation>Les deux résultats ne sont pas du même maillage&#xa0;: {0} points et {1} cellules contre {2} et {3}.</translation>
+        <translation>Los dos resultados no son de la misma malla: {0} puntos y {1} celdas frente a {2} y {3}.</translation>
     </message>
     <message>
         <source>The two results are not of the same mesh: point {0} rests at different places.</source>
-        <translation>Les deux résultats ne sont pas du même maillage&#xa0;: le point {0} repose à des endroits différents.</translation>
+        <translation>Los dos resultados no son de la misma malla: el punto {0} reposa en lugares distintos.</translation>
     </message>
     <message>
         <source>No part of the surface looks like the liver&apos;s bare area (its upper rear).</source>
-        <translation>Aucune partie de la surface ne ressemble à l’area nuda du foie (en haut et en arrière).</translation>
+        <translation>Ninguna parte de la superficie se parece al área desnuda del hígado (arriba y detrás).</translation>
     </message>
     <message>
         <source>Name the supports in the scenario, by a sphere or a box.</source>
-        <translation>Nommez les appuis dans le scénario, par une sphère ou une boîte.</translation>
+        <translation>Nombre los apoyos en el escenario, con una esfera o una caja.</translation>
     </message>
     <message>
         <source>{0} of the session cannot be read: {1}.</source>
-        <translation>{0} de la séance ne peut pas être lu&#xa0;: {1}.</translation>
+        <translation>No se puede leer {0} de la sesión: {1}.</translation>
     </message>
     <message>
         <source>A command is {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} or {&quot;undo&quot;: true}.</source>
-        <translation>Une commande est {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} ou {&quot;undo&quot;: true}.</translation>
+        <translation>Una orden es {&quot;hold&quot;: {...}}, {&quot;release&quot;: id} o {&quot;undo&quot;: true}.</translation>
     </message>
     <message>
         <source>The cut passes the liver by.</source>
-        <translation>La section passe à côté du foie.</translation>
+        <translation>La sección no pasa por el hígado.</translation>
     </message>
     <message>
         <source>Move it through the liver; positions are patient coordinates (LPS, mm).</source>
-        <translation>Déplacez-la à travers le foie&#xa0;; les positions sont des coordonnées du patient (LPS, mm).</translation>
+        <translation>Muévala a través del hígado; las posiciones son coordenadas del paciente (LPS, mm).</translation>
     </message>
     <message>
         <source>The point of the specimen lies on the cut, or is not finite.</source>
-        <translation>Le point de la pièce opératoire est sur la section, ou n’est pas fini.</translation>
+        <translation>El punto de la pieza quirúrgica está sobre la sección o no es finito.</translation>
     </message>
     <message>
         <source>The step did not converge: after {0} rounds a tool still reaches {1} mm into the surface, which still moves by {2} mm.</source>
-        <translation>Le pas n’a pas convergé&#xa0;: après {0} tours, un instrument pénètre encore de {1} mm dans la surface, qui bouge encore de {2} mm.</translation>
+        <translation>El paso no ha convergido: tras {0} rondas un instrumento aún penetra {1} mm en la superficie, que aún se mueve {2} mm.</translation>
     </message>
     <message>
         <source>Placing landmarks and structures</source>
-        <translation>Mise en place des repères et des structures</translation>
+        <translation>Colocando los puntos de referencia y las estructuras</translation>
     </message>
     <message>
         <source>Ready</source>
-        <translation>Prêt</translation>
+        <translation>Listo</translation>
     </message>
     <message>
         <source>Nathanson liver retractor</source>
-        <translation>Écarteur hépatique de Nathanson</translation>
+        <translation>Separador hepático de Nathanson</translation>
     </message>
     <message>
         <source>A bent rod that lies under the liver as a hook some centimetres across, sold in several sizes. We found no published drawing and no measured force: that it spreads its pull over a disc of 70 mm is our assumption, and 2 N is the weight of 190 ml of liver (1.06 kg/l), what lifting the lower part of segment VI takes. On a real liver&apos;s shape with a uniform 6 kPa, 2 N hoist it by 18 mm; linear elasticity is strained beyond.</source>
-        <translation>Une tige coudée placée sous le foie comme un crochet de quelques centimètres, vendue en plusieurs tailles. Nous n’avons trouvé ni dessin publié ni force mesurée&#xa0;: qu’elle répartisse sa traction sur un disque de 70 mm est notre hypothèse, et 2 N est le poids de 190 ml de foie (1.06 kg/l), ce qu’exige le soulèvement de la partie inférieure du segment VI. Sur la forme d’un vrai foie de 6 kPa uniformes, 2 N le soulèvent de 18 mm&#xa0;; au-delà, l’élasticité linéaire n’est plus valable.</translation>
+        <translation>Una varilla curvada que se apoya bajo el hígado como un gancho de unos centímetros, a la venta en varios tamaños. No hemos encontrado ningún dibujo publicado ni ninguna fuerza medida: que reparta su tracción sobre un disco de 70 mm es una suposición nuestra, y 2 N es el peso de 190 ml de hígado (1.06 kg/l), lo que exige elevar la parte inferior del segmento VI. Con la forma de un hígado real de 6 kPa uniformes, 2 N lo elevan 18 mm; más allá, la elasticidad lineal deja de ser válida.</translation>
     </message>
     <message>
         <source>Grasper</source>
-        <translation>Pince à préhension</translation>
+        <translation>Pinza de agarre</translation>
     </message>
     <message>
         <source>Grip forces in porcine laparoscopic liver resection: 1.75 N on average, 3.38 N at most (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). The jaw&apos;s patch of 12 mm is our assumption.</source>
-        <translation>Forces de préhension lors de résections hépatiques laparoscopiques chez le porc&#xa0;: 1.75 N en moyenne, 3.38 N au plus (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). Le contact du mors, de 12 mm, est notre hypothèse.</translation>
+        <translation>Fuerzas de agarre en resecciones hepáticas laparoscópicas en cerdos: 1.75 N de media, 3.38 N como máximo (Minimally Invasive Therapy &amp; Allied Technologies 31(1):28-33, 2022, doi:10.1080/13645706.2020.1755313). El contacto de la mordaza, de 12 mm, es una suposición nuestra.</translation>
     </message>
     <message>
         <source>Palpation probe</source>
-        <translation>Sonde de palpation</translation>
+        <translation>Sonda de palpación</translation>
     </message>
     <message>
         <source>A sphere of 10 mm pressed lightly; size and force are our assumption.</source>
-        <translation>Une sphère de 10 mm appuyée légèrement&#xa0;; taille et force sont notre hypothèse.</translation>
+        <translation>Una esfera de 10 mm apretada levemente; el tamaño y la fuerza son suposiciones nuestras.</translation>
     </message>
     <message>
         <source>There is no tool {0}.</source>
-        <translation>Il n’y a pas d’instrument {0}.</translation>
+        <translation>No hay ningún instrumento {0}.</translation>
     </message>
     <message>
         <source>The tools are: {1}.</source>
-        <translation>Les instruments sont&#xa0;: {1}.</translation>
+        <translation>Los instrumentos son: {1}.</translation>
     </message>
     <message>
         <source>A case has no scene named {0}; it has {1}.</source>
-        <translation>Un cas n’a pas de scène nommée {0}&#xa0;; il a {1}.</translation>
+        <translation>Un caso no tiene ninguna escena llamada {0}; tiene {1}.</translation>
     </message>
     <message>
         <source>{0} has no displacement.</source>
-        <translation>{0} n’a pas de déplacement.</translation>
+        <translation>{0} no tiene desplazamiento.</translation>
     </message>
     <message>
         <source>A picture has from {0} to {1} pixels a side; {2} x {3} were asked for.</source>
-        <translation>Une image a de {0} à {1} pixels de côté&#xa0;; {2} x {3} ont été demandés.</translation>
+        <translation>Una imagen tiene de {0} a {1} píxeles por lado; se pidieron {2} x {3}.</translation>
     </message>
     <message>
         <source>There is nothing to draw with: neither EGL with OpenGL 3.2 nor an X server.</source>
-        <translation>Il n’y a rien pour dessiner&#xa0;: ni EGL avec OpenGL 3.2, ni serveur X.</translation>
+        <translation>No hay con qué dibujar: ni EGL con OpenGL 3.2 ni un servidor X.</translation>
     </message>
     <message>
         <source>Install Mesa&apos;s drivers (on Debian: libegl-mesa0 and libgl1-mesa-dri).</source>
-        <translation>Installez les pilotes de Mesa (sous Debian&#xa0;: libegl-mesa0 et libgl1-mesa-dri).</translation>
+        <translation>Instale los controladores de Mesa (en Debian: libegl-mesa0 y libgl1-mesa-dri).</translation>
     </message>
     <message>
         <source>The picture could not be written: {0}.</source>
-        <translation>L’image n’a pas pu être écrite&#xa0;: {0}.</translation>
+        <translation>No se ha podido escribir la imagen: {0}.</translation>
     </message>
     <message>
         <source>Choose a folder that you may write to, on a disk with room.</source>
-        <translation>Choisissez un dossier où vous avez le droit d’écrire, sur un disque qui a de la place.</translation>
+        <translation>Elija una carpeta en la que pueda escribir, en un disco con espacio.</translation>
     </message>
     <message>
         <source>This is not a PNG picture that can be read: {0}.</source>
-        <translation>Ce n’est pas une image PNG lisible&#xa0;: {0}.</translation>
+        <translation>Esta no es una imagen PNG legible: {0}.</translation>
     </message>
     <message>
         <source>Check that the file is whole.</source>
-        <translation>Vérifiez que le fichier est complet.</translation>
+        <translation>Compruebe que el archivo está completo.</translation>
     </message>
     <message>
         <source>it is larger than 16384 pixels a side</source>
-        <translation>elle a plus de 16384 pixels de côté</translation>
+        <translation>tiene más de 16384 píxeles por lado</translation>
     </message>
     <message>
         <source>The picture cannot be drawn: {0}.</source>
-        <translation>L’image ne peut pas être dessinée&#xa0;: {0}.</translation>
+        <translation>No se puede dibujar la imagen: {0}.</translation>
     </message>
     <message>
         <source>Every voxel of the image has the same value: there is nothing to grow in.</source>
-        <translation>Tous les voxels de l’image ont la même valeur&#xa0;: il n’y a rien où croître.</translation>
+        <translation>Todos los vóxeles de la imagen tienen el mismo valor: no hay dónde crecer.</translation>
     </message>
     <message>
         <source>Growing</source>
-        <translation>Croissance</translation>
+        <translation>Creciendo</translation>
     </message>
     <message>
         <source>No tissue thick enough to be an organ hangs together with the seeds.</source>
-        <translation>Aucun tissu assez épais pour être un organe n’est relié aux germes.</translation>
+        <translation>Ningún tejido lo bastante grueso para ser un órgano está unido a las semillas.</translation>
     </message>
     <message>
         <source>Move the seed into the middle of the liver, away from vessels and edges.</source>
-        <translation>Placez le germe au milieu du foie, loin des vaisseaux et des bords.</translation>
+        <translation>Mueva la semilla al centro del hígado, lejos de vasos y bordes.</translation>
     </message>
     <message>
         <source>Smoothing the outline</source>
-        <translation>Lissage du contour</translation>
+        <translation>Suavizando el contorno</translation>
     </message>
     <message>
         <source>There is no image value around seed {0}.</source>
-        <translation>Il n’y a pas de valeur d’image autour du germe {0}.</translation>
+        <translation>No hay ningún valor de imagen alrededor de la semilla {0}.</translation>
     </message>
     <message>
         <source>Seed {0} is much brighter ({1}) than seed {2} ({3}): one of them is probably not in the liver. Take it away.</source>
-        <translation>Le germe {0} est bien plus clair ({1}) que le germe {2} ({3})&#xa0;: l’un d’eux n’est probablement pas dans le foie. Retirez-le.</translation>
+        <translation>La semilla {0} es mucho más clara ({1}) que la semilla {2} ({3}): una de ellas probablemente no está en el hígado. Quítela.</translation>
     </message>
     <message>
         <source>Nothing grew from seed {0}: the tissue around it is too thin or uneven. Move it to the middle of the liver.</source>
-        <translation>Rien n’a crû à partir du germe {0}&#xa0;: le tissu autour est trop mince ou irrégulier. Déplacez-le au milieu du foie.</translation>
+        <translation>Nada ha crecido desde la semilla {0}: el tejido que la rodea es demasiado fino o irregular. Muévala al centro del hígado.</translation>
     </message>
     <message>
         <source>The region reaches the side of the image: it has probably leaked into the body wall. Cut it there, or raise neck_radius_mm.</source>
-        <translation>La région atteint le côté de l’image&#xa0;: elle a probablement débordé dans la paroi abdominale. Coupez-la à cet endroit, ou augmentez neck_radius_mm.</translation>
+        <translation>La región llega al lado de la imagen: probablemente se ha extendido a la pared abdominal. Córtela ahí o aumente neck_radius_mm.</translation>
     </message>
     <message>
         <source>The region reaches the first or last slice: the liver is not wholly in the image, and its volume is that of the part seen.</source>
-        <translation>La région atteint la première ou la dernière coupe&#xa0;: le foie n’est pas entièrement dans l’image, et son volume est celui de la partie visible.</translation>
+        <translation>La región llega al primer o al último corte: el hígado no está entero en la imagen y su volumen es el de la parte visible.</translation>
     </message>
     <message>
         <source>{0} ml is more than a liver holds: the region has probably leaked into a neighbour. Raise neck_radius_mm, or cut it by hand.</source>
-        <translation>{0} ml, c’est plus que n’en contient un foie&#xa0;: la région a probablement débordé dans un organe voisin. Augmentez neck_radius_mm, ou coupez-la à la main.</translation>
+        <translation>{0} ml es más de lo que tiene un hígado: la región probablemente se ha extendido a un órgano vecino. Aumente neck_radius_mm o córtela a mano.</translation>
     </message>
     <message>
         <source>{0} ml is less than an adult&apos;s liver holds: the growth has probably stopped early. Add a seed in the part that is missing, or raise tolerance_sd.</source>
-        <translation>{0} ml, c’est moins que n’en contient le foie d’un adulte&#xa0;: la croissance s’est probablement arrêtée trop tôt. Ajoutez un germe dans la partie manquante, ou augmentez tolerance_sd.</translation>
+        <translation>{0} ml es menos de lo que tiene el hígado de un adulto: el crecimiento probablemente se ha detenido demasiado pronto. Añada una semilla en la parte que falta o aumente tolerance_sd.</translation>
     </message>
     <message>
         <source>An image of {0} x {1} x {2} voxels is too thin to grow in.</source>
-        <translation>Une image de {0} x {1} x {2} voxels est trop mince pour y croître.</translation>
+        <translation>Una imagen de {0} x {1} x {2} vóxeles es demasiado fina para crecer en ella.</translation>
     </message>
     <message>
         <source>The options of growing must be positive, and one is {0}.</source>
-        <translation>Les options de la croissance doivent être positives, et l’une vaut {0}.</translation>
+        <translation>Las opciones del crecimiento deben ser positivas, y una es {0}.</translation>
     </message>
     <message>
         <source>There is no seed to grow from.</source>
-        <translation>Il n’y a pas de germe.</translation>
+        <translation>No hay ninguna semilla.</translation>
     </message>
     <message>
         <source>Give at least one point in the middle of the liver.</source>
-        <translation>Donnez au moins un point au milieu du foie.</translation>
+        <translation>Indique al menos un punto en el centro del hígado.</translation>
     </message>
     <message>
         <source>Seed {0} at ({1}) mm lies {2} mm outside the image.</source>
-        <translation>Le germe {0} en ({1}) mm est à {2} mm hors de l’image.</translation>
+        <translation>La semilla {0} en ({1}) mm está a {2} mm fuera de la imagen.</translation>
     </message>
     <message>
         <source>Seeds are DICOM patient coordinates (LPS) in mm, not voxel indices.</source>
-        <translation>Les germes sont des coordonnées du patient DICOM (LPS) en mm, non des indices de voxels.</translation>
+        <translation>Las semillas son coordenadas DICOM del paciente (LPS) en mm, no índices de vóxeles.</translation>
     </message>
     <message>
         <source>There is no structure to label.</source>
-        <translation>Il n’y a pas de structure à étiqueter.</translation>
+        <translation>No hay ninguna estructura que etiquetar.</translation>
     </message>
     <message>
         <source>The structures {0} and {1} lie on different voxel grids.</source>
-        <translation>Les structures {0} et {1} sont sur des grilles de voxels différentes.</translation>
+        <translation>Las estructuras {0} y {1} están en cuadrículas de vóxeles distintas.</translation>
     </message>
     <message>
         <source>None of the structures is the liver.</source>
-        <translation>Aucune des structures n’est le foie.</translation>
+        <translation>Ninguna de las estructuras es el hígado.</translation>
     </message>
     <message>
         <source>Segment it first, or name a structure &quot;liver&quot;.</source>
-        <translation>Segmentez-le d’abord, ou nommez une structure &quot;liver&quot;.</translation>
+        <translation>Segméntelo antes o llame &quot;liver&quot; a una estructura.</translation>
     </message>
     <message>
         <source>The structure {0} holds no voxels.</source>
-        <translation>La structure {0} ne contient aucun voxel.</translation>
+        <translation>La estructura {0} no contiene vóxeles.</translation>
     </message>
     <message>
         <source>The two masks lie on different voxel grids.</source>
-        <translation>Les deux masques sont sur des grilles de voxels différentes.</translation>
+        <translation>Las dos máscaras están en cuadrículas de vóxeles distintas.</translation>
     </message>
     <message>
         <source>There are no patients in this cohort.</source>
-        <translation>Il n’y a pas de patients dans cette cohorte.</translation>
+        <translation>No hay pacientes en esta cohorte.</translation>
     </message>
     <message>
         <source>The cohort has no patient {0}.</source>
-        <translation>La cohorte n’a pas de patient {0}.</translation>
+        <translation>La cohorte no tiene al paciente {0}.</translation>
     </message>
     <message>
         <source>Patient</source>
-        <translation>Patient</translation>
+        <translation>Paciente</translation>
     </message>
     <message>
         <source>None of the {0} patients could be used; the first one: {1}</source>
-        <translation>Aucun des {0} patients n’a pu être utilisé&#xa0;; le premier&#xa0;: {1}</translation>
+        <translation>No se ha podido usar ninguno de los {0} pacientes; el primero: {1}</translation>
     </message>
     <message>
         <source>{0} holds files that are not an earlier demo&apos;s.</source>
-        <translation>{0} contient des fichiers qui ne sont pas d’une démonstration antérieure.</translation>
+        <translation>{0} contiene archivos que no son de una demostración anterior.</translation>
     </message>
     <message>
         <source>Choose an empty or a new folder.</source>
-        <translation>Choisissez un dossier vide ou nouveau.</translation>
+        <translation>Elija una carpeta vacía o nueva.</translation>
     </message>
     <message>
         <source>Drawing</source>
-        <translation>Dessin</translation>
+        <translation>Dibujando</translation>
     </message>
     <message>
         <source>The surface in {0} is not closed, so nothing lies inside it.</source>
-        <translation>La surface de {0} n’est pas fermée, rien ne se trouve donc à l’intérieur.</translation>
+        <translation>La superficie de {0} no está cerrada, así que no hay nada en su interior.</translation>
     </message>
     <message>
         <source>Use the anatomy that ships with the program.</source>
-        <translation>Utilisez l’anatomie livrée avec le programme.</translation>
+        <translation>Use la anatomía incluida con el programa.</translation>
     </message>
     <message>
         <source>{0} does not list the demo&apos;s landmarks: {1}.</source>
-        <translation>{0} ne donne pas les repères de la démonstration&#xa0;: {1}.</translation>
+        <translation>{0} no enumera los puntos de referencia de la demostración: {1}.</translation>
     </message>
     <message>
         <source>reading the anatomy</source>
-        <translation>lecture de l’anatomie</translation>
+        <translation>leyendo la anatomía</translation>
     </message>
     <message>
         <source>simulating the MR images</source>
-        <translation>simulation des images RM</translation>
+        <translation>simulando las imágenes de RM</translation>
     </message>
     <message>
         <source>simulating the elastography</source>
-        <translation>simulation de l’élastographie</translation>
+        <translation>simulando la elastografía</translation>
     </message>
     <message>
         <source>writing the study</source>
-        <translation>écriture de l’étude</translation>
+        <translation>escribiendo el estudio</translation>
     </message>
     <message>
         <source>writing the truth</source>
-        <translation>écriture de la vérité terrain</translation>
+        <translation>escribiendo los valores verdaderos</translation>
     </message>
     <message>
         <source>Check the folder and your rights there.</source>
-        <translation>Vérifiez le dossier et vos droits.</translation>
+        <translation>Compruebe la carpeta y sus permisos en ella.</translation>
     </message>
     <message>
         <source>{0} holds none of the scans, such as A-1.69N.ply.</source>
-        <translation>{0} ne contient aucun des scans, tel que A-1.69N.ply.</translation>
+        <translation>{0} no contiene ninguno de los escaneos, como A-1.69N.ply.</translation>
     </message>
     <message>
         <source>None of the trials could be compared; the first one: {0}</source>
-        <translation>Aucun des essais n’a pu être comparé&#xa0;; le premier&#xa0;: {0}</translation>
+        <translation>No se ha podido comparar ningún ensayo; el primero: {0}</translation>
     </message>
     <message>
         <source>The phantom&apos;s equilibrium was not reached: {0}</source>
-        <translation>L’équilibre du fantôme n’a pas été atteint&#xa0;: {0}</translation>
+        <translation>No se ha alcanzado el equilibrio del maniquí: {0}</translation>
     </message>
     <message>
         <source>The two judge different videos: {0} and {1}.</source>
-        <translation>Les deux jugent des vidéos différentes&#xa0;: {0} et {1}.</translation>
+        <translation>Los dos valoran vídeos distintos: {0} y {1}.</translation>
     </message>
     <message>
         <source>Judge both registrations on the same sequence.json.</source>
-        <translation>Jugez les deux recalages sur le même sequence.json.</translation>
+        <translation>Valore ambos registros con el mismo sequence.json.</translation>
     </message>
     <message>
         <source>The sequence names no camera to draw with.</source>
-        <translation>La séquence ne nomme aucune caméra pour dessiner.</translation>
+        <translation>La secuencia no nombra ninguna cámara con la que dibujar.</translation>
     </message>
     <message>
         <source>Add &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</source>
-        <translation>Ajoutez &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</translation>
+        <translation>Añada &quot;camera&quot;: {&quot;matrix&quot;: [3x3], &quot;distortion&quot;: [..]}.</translation>
     </message>
     <message>
         <source>Frame {0} of the sequence names no image.</source>
-        <translation>L’image {0} de la séquence ne nomme aucun fichier d’image.</translation>
+        <translation>El fotograma {0} de la secuencia no nombra ninguna imagen.</translation>
     </message>
     <message>
         <source>Add &quot;image&quot; to each frame.</source>
-        <translation>Ajoutez &quot;image&quot; à chaque image.</translation>
+        <translation>Añada &quot;image&quot; a cada fotograma.</translation>
     </message>
     <message>
         <source>pictures</source>
-        <translation>images</translation>
+        <translation>imágenes</translation>
     </message>
     <message>
         <source>Sample {0} of {1} has a size, a way or a force that is not positive.</source>
-        <translation>L’échantillon {0} de {1} a une taille, une course ou une force qui n’est pas positive.</translation>
+        <translation>La muestra {0} de {1} tiene un tamaño, un recorrido o una fuerza que no es positivo.</translation>
     </message>
     <message>
         <source>No labelled voxel of {0} lies where {1} has a stiffness.</source>
-        <translation>Aucun voxel étiqueté de {0} n’est là où {1} a une rigidité.</translation>
+        <translation>Ningún vóxel etiquetado de {0} está donde {1} tiene una rigidez.</translation>
     </message>
     <message>
         <source>Material {0} was never put under the testing machine.</source>
-        <translation>Le matériau {0} n’a jamais été mis dans la machine d’essai.</translation>
+        <translation>El material {0} nunca se puso en la máquina de ensayos.</translation>
     </message>
     <message>
         <source>Give its samples in the file of tests, or leave the region out.</source>
-        <translation>Donnez ses échantillons dans le fichier des essais, ou omettez la région.</translation>
+        <translation>Indique sus muestras en el archivo de ensayos u omita la región.</translation>
     </message>
     <message>
         <source>A board has from {0} to {1} points a side and a positive spacing; {2} x {3} at {4} mm were given.</source>
-        <translation>Une mire a de {0} à {1} points de côté et un espacement positif&#xa0;; {2} x {3} à {4} mm ont été donnés.</translation>
+        <translation>Un tablero tiene de {0} a {1} puntos por lado y un espaciado positivo; se indicaron {2} x {3} a {4} mm.</translation>
     </message>
     <message>
         <source>The picture shows no board of {0} x {1} points.</source>
-        <translation>L’image ne montre aucune mire de {0} x {1} points.</translation>
+        <translation>La imagen no muestra ningún tablero de {0} x {1} puntos.</translation>
     </message>
     <message>
         <source>Count inner corners or circles, columns first; the board must be sharp and lit.</source>
-        <translation>Comptez les coins intérieurs ou les cercles, colonnes d’abord&#xa0;; la mire doit être nette et éclairée.</translation>
+        <translation>Cuente las esquinas interiores o los círculos, primero las columnas; el tablero debe estar nítido e iluminado.</translation>
     </message>
     <message>
         <source>{0} has {1} x {2} pixels, the first picture has {3} x {4}.</source>
-        <translation>{0} a {1} x {2} pixels, la première image en a {3} x {4}.</translation>
+        <translation>{0} tiene {1} x {2} píxeles, la primera imagen tiene {3} x {4}.</translation>
     </message>
     <message>
         <source>{0} of {1} pairs show the board to both eyes; {2} are needed.</source>
-        <translation>{0} paires sur {1} montrent la mire aux deux yeux&#xa0;; il en faut {2}.</translation>
+        <translation>{0} de {1} pares muestran el tablero a ambos ojos; hacen falta {2}.</translation>
     </message>
     <message>
         <source>Check the board&apos;s kind, its columns and rows; take it from several sides.</source>
-        <translation>Vérifiez le type de mire, ses colonnes et ses lignes&#xa0;; prenez-la sous plusieurs angles.</translation>
+        <translation>Compruebe el tipo de tablero, sus columnas y filas; tómelo desde varios lados.</translation>
     </message>
     <message>
         <source>The calibration did not converge: {0}.</source>
-        <translation>Le calibrage n’a pas convergé&#xa0;: {0}.</translation>
+        <translation>La calibración no ha convergido: {0}.</translation>
     </message>
     <message>
         <source>By these pictures the right eye lies to the left of the left one.</source>
-        <translation>D’après ces images, l’œil droit est à gauche de l’œil gauche.</translation>
+        <translation>Según estas imágenes el ojo derecho está a la izquierda del izquierdo.</translation>
     </message>
     <message>
         <source>Exchange the left and the right pictures.</source>
-        <translation>Échangez les images de gauche et de droite.</translation>
+        <translation>Intercambie las imágenes izquierda y derecha.</translation>
     </message>
     <message>
         <source>The calibration {0} has no {1}.</source>
-        <translation>Il manque au calibrage {0}&#xa0;: {1}.</translation>
+        <translation>A la calibración {0} le falta: {1}.</translation>
     </message>
     <message>
         <source>It needs left and right, each with a matrix and distortion, and left_to_right.</source>
-        <translation>Il exige left et right, chacun avec une matrice et une distorsion, et left_to_right.</translation>
+        <translation>Necesita left y right, cada uno con matriz y distorsión, y left_to_right.</translation>
     </message>
     <message>
         <source>A camera&apos;s focal length is not positive.</source>
-        <translation>La distance focale d’une caméra n’est pas positive.</translation>
+        <translation>La distancia focal de una cámara no es positiva.</translation>
     </message>
     <message>
         <source>A coefficient of distortion is not finite.</source>
-        <translation>Un coefficient de distorsion n’est pas fini.</translation>
+        <translation>Un coeficiente de distorsión no es finito.</translation>
     </message>
     <message>
         <source>Both eyes are in one place: there is no depth to see.</source>
-        <translation>Les deux yeux sont au même endroit&#xa0;: aucune profondeur n’est visible.</translation>
+        <translation>Ambos ojos están en el mismo lugar: no se ve ninguna profundidad.</translation>
     </message>
     <message>
         <source>left_to_right does not hold a rotation: R R^T or the last row is off by {0}.</source>
-        <translation>left_to_right ne contient pas de rotation&#xa0;: R R^T ou la dernière ligne s’écarte de {0}.</translation>
+        <translation>left_to_right no contiene una rotación: R R^T o la última fila se desvía {0}.</translation>
     </message>
     <message>
         <source>The picture {0} cannot be read.</source>
-        <translation>L’image {0} ne peut pas être lue.</translation>
+        <translation>No se puede leer la imagen {0}.</translation>
     </message>
     <message>
         <source>PNG, JPEG, TIFF and BMP are read.</source>
-        <translation>PNG, JPEG, TIFF et BMP sont lus.</translation>
+        <translation>Se leen PNG, JPEG, TIFF y BMP.</translation>
     </message>
     <message>
         <source>The picture {0} cannot be written.</source>
-        <translation>L’image {0} ne peut pas être écrite.</translation>
+        <translation>No se puede escribir la imagen {0}.</translation>
     </message>
     <message>
         <source>The folder must exist, and the name end in .png or .jpg.</source>
-        <translation>Le dossier doit exister, et le nom finir en .png ou .jpg.</translation>
+        <translation>La carpeta debe existir y el nombre terminar en .png o .jpg.</translation>
     </message>
     <message>
         <source>The folder {0} holds no pictures.</source>
-        <translation>Le dossier {0} ne contient pas d’images.</translation>
+        <translation>La carpeta {0} no contiene imágenes.</translation>
     </message>
     <message>
         <source>The video {0} cannot be read.</source>
-        <translation>La vidéo {0} ne peut pas être lue.</translation>
+        <translation>No se puede leer el vídeo {0}.</translation>
     </message>
     <message>
         <source>Give a video file that OpenCV (FFmpeg) reads, or a folder of pictures.</source>
-        <translation>Donnez un fichier vidéo que lit OpenCV (FFmpeg), ou un dossier d’images.</translation>
+        <translation>Indique un archivo de vídeo que lea OpenCV (FFmpeg) o una carpeta de imágenes.</translation>
     </message>
     <message>
         <source>The video {0} cannot be decoded: {1}.</source>
-        <translation>La vidéo {0} ne peut pas être décodée&#xa0;: {1}.</translation>
+        <translation>No se puede decodificar el vídeo {0}: {1}.</translation>
     </message>
     <message>
         <source>A picture of {0} has {1} x {2} pixels, the first has {3} x {4}.</source>
-        <translation>Une image de {0} a {1} x {2} pixels, la première en a {3} x {4}.</translation>
+        <translation>Una imagen de {0} tiene {1} x {2} píxeles, la primera tiene {3} x {4}.</translation>
     </message>
     <message>
         <source>The pair could not be matched: {0}.</source>
-        <translation>La paire n’a pas pu être mise en correspondance&#xa0;: {0}.</translation>
+        <translation>No se ha podido emparejar el par: {0}.</translation>
     </message>
     <message>
         <source>The calibration is not of these pictures: half of the {0} features that both show miss their epipolar lines by {1} pixels or more.</source>
-        <translation>Le calibrage n’est pas celui de ces images&#xa0;: la moitié des {0} points communs aux deux manquent leur ligne épipolaire de {1} pixels ou plus.</translation>
+        <translation>La calibración no es de estas imágenes: la mitad de los {0} rasgos que ambas muestran se aparta de sus líneas epipolares {1} píxeles o más.</translation>
     </message>
     <message>
         <source>Check that the calibration is this camera&apos;s, at this size of picture, and that left and right are not exchanged.</source>
-        <translation>Vérifiez que le calibrage est celui de cette caméra, à cette taille d’image, et que gauche et droite ne sont pas échangées.</translation>
+        <translation>Compruebe que la calibración es de esta cámara, con este tamaño de imagen, y que izquierda y derecha no están intercambiadas.</translation>
     </message>
     <message>
         <source>By the calibration, {0} % of what both pictures show would lie behind the camera.</source>
-        <translation>D’après le calibrage, {0}&#xa0;% de ce que montrent les deux images serait derrière la caméra.</translation>
+        <translation>Según la calibración, el {0} % de lo que muestran ambas imágenes estaría detrás de la cámara.</translation>
     </message>
     <message>
         <source>Left and right pictures are exchanged, or the calibration is of another camera.</source>
-        <translation>Les images gauche et droite sont échangées, ou le calibrage est celui d’une autre caméra.</translation>
+        <translation>Las imágenes izquierda y derecha están intercambiadas o la calibración es de otra cámara.</translation>
     </message>
     <message>
         <source>The nearest depth must be positive and less than the farthest.</source>
-        <translation>La profondeur la plus proche doit être positive et inférieure à la plus éloignée.</translation>
+        <translation>La profundidad más próxima debe ser positiva y menor que la más lejana.</translation>
     </message>
     <message>
         <source>The calibration is of pictures of another size: its principal point {0}, {1} lies outside {2} x {3} pixels.</source>
-        <translation>Le calibrage est celui d’images d’une autre taille&#xa0;: son point principal {0}, {1} est hors de {2} x {3} pixels.</translation>
+        <translation>La calibración es de imágenes de otro tamaño: su punto principal {0}, {1} está fuera de {2} x {3} píxeles.</translation>
     </message>
     <message>
         <source>Calibrate at the size of the video, or scale the calibration&apos;s matrices.</source>
-        <translation>Calibrez à la taille de la vidéo, ou mettez à l’échelle les matrices du calibrage.</translation>
+        <translation>Calibre con el tamaño del vídeo o escale las matrices de la calibración.</translation>
     </message>
     <message>
         <source>The left image is {0} x {1} pixels, the right one {2} x {3}.</source>
-        <translation>L’image gauche a {0} x {1} pixels, la droite {2} x {3}.</translation>
+        <translation>La imagen izquierda tiene {0} x {1} píxeles, la derecha {2} x {3}.</translation>
     </message>
     <message>
         <source>The images are {0} x {1} pixels; {2} x {3} were expected.</source>
-        <translation>Les images ont {0} x {1} pixels&#xa0;; {2} x {3} étaient attendus.</translation>
+        <translation>Las imágenes tienen {0} x {1} píxeles; se esperaban {2} x {3}.</translation>
     </message>
     <message>
         <source>There are {0} left and {1} right pictures: they must be taken in pairs.</source>
-        <translation>Il y a {0} images gauches et {1} droites&#xa0;: elles doivent être prises par paires.</translation>
+        <translation>Hay {0} imágenes izquierdas y {1} derechas: deben tomarse por pares.</translation>
     </message>
     <message>
         <source>calibrating</source>
-        <translation>calibrage</translation>
+        <translation>calibrando</translation>
     </message>
     <message>
         <source>There is not enough memory for this.</source>
-        <translation>Il n’y a pas assez de mémoire pour cela.</translation>
+        <translation>No hay memoria suficiente para esto.</translation>
     </message>
     <message>
         <source>--channel wants COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], not &quot;{0}&quot;.</source>
-        <translation>--channel attend COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], et non «&#xa0;{0}&#xa0;».</translation>
+        <translation>--channel espera COLUMN:AMPERES_PER_VOLT:SUPPLY_VOLTAGE[:CLIPS_AT], no «{0}».</translation>
     </message>
     <message>
         <source>A column that holds watts is just COLUMN.</source>
-        <translation>Une colonne qui contient des watts est simplement COLUMN.</translation>
+        <translation>Una columna que contiene vatios es simplemente COLUMN.</translation>
     </message>
     <message>
         <source>Nothing was measured.</source>
-        <translation>Rien n’a été mesuré.</translation>
+        <translation>No se ha medido nada.</translation>
     </message>
     <message>
         <source>There is no device &quot;{0}&quot;.</source>
-        <translation>Il n’y a pas d’appareil «&#xa0;{0}&#xa0;».</translation>
+        <translation>No hay ningún dispositivo «{0}».</translation>
     </message>
     <message>
         <source>glisson-cli platform list shows their ids.</source>
-        <translation>glisson-cli platform list montre leurs identifiants.</translation>
+        <translation>glisson-cli platform list muestra sus identificadores.</translation>
     </message>
     <message>
         <source>A result has no scene named {0}; it has displacement.</source>
-        <translation>Un résultat n’a pas de scène nommée {0}&#xa0;; il a displacement.</translation>
+        <translation>Un resultado no tiene ninguna escena llamada {0}; tiene displacement.</translation>
     </message>
     <message>
         <source>Reading</source>
-        <translation>Lecture</translation>
+        <translation>Leyendo</translation>
     </message>
     <message>
         <source>The points of a cut need three columns: x_mm, y_mm, z_mm.</source>
-        <translation>Les points d’une section exigent trois colonnes&#xa0;: x_mm, y_mm, z_mm.</translation>
+        <translation>Los puntos de una sección necesitan tres columnas: x_mm, y_mm, z_mm.</translation>
     </message>
     <message>
         <source>Reading the liver</source>
-        <translation>Lecture du foie</translation>
+        <translation>Leyendo el hígado</translation>
     </message>
     <message>
         <source>Cutting</source>
-        <translation>Section</translation>
+        <translation>Seccionando</translation>
     </message>
     <message>
         <source>Reading the model</source>
-        <translation>Lecture du modèle</translation>
+        <translation>Leyendo el modelo</translation>
     </message>
     <message>
         <source>Moving the tools</source>
-        <translation>Déplacement des instruments</translation>
+        <translation>Moviendo los instrumentos</translation>
     </message>
     <message>
         <source>Command {0} led to another state than was recorded.</source>
-        <translation>La commande {0} a mené à un autre état que celui enregistré.</translation>
+        <translation>La orden {0} llevó a un estado distinto del registrado.</translation>
     </message>
     <message>
         <source>Replay with the case and the version that it was recorded with.</source>
-        <translation>Rejouez avec le cas et la version de l’enregistrement.</translation>
+        <translation>Reproduzca con el caso y la versión con los que se registró.</translation>
     </message>
     <message>
         <source>{0} wants a position X,Y,Z in mm, not &quot;{1}&quot;.</source>
-        <translation>{0} attend une position X,Y,Z en mm, et non «&#xa0;{1}&#xa0;».</translation>
+        <translation>{0} espera una posición X,Y,Z en mm, no «{1}».</translation>
     </message>
     <message>
         <source>--size wants WxH in pixels, 16 to 16384 each, not &quot;{0}&quot;.</source>
-        <translation>--size attend LxH en pixels, de 16 à 16384 chacun, et non «&#xa0;{0}&#xa0;».</translation>
+        <translation>--size espera ANCHOxALTO en píxeles, de 16 a 16384 cada uno, no «{0}».</translation>
     </message>
     <message>
         <source>The computation did not converge: {0}</source>
-        <translation>Le calcul n’a pas convergé&#xa0;: {0}</translation>
+        <translation>El cálculo no ha convergido: {0}</translation>
     </message>
     <message>
         <source>The sequence names no registered clouds.</source>
-        <translation>La séquence ne nomme pas de nuages de points recalés.</translation>
+        <translation>La secuencia no nombra nubes de puntos registradas.</translation>
     </message>
     <message>
         <source>Add &quot;registered&quot;, or choose --method icp or geo.</source>
-        <translation>Ajoutez &quot;registered&quot;, ou choisissez --method icp ou geo.</translation>
+        <translation>Añada &quot;registered&quot; o elija --method icp o geo.</translation>
     </message>
     <message>
         <source>The sequence names no model to register its clouds to.</source>
-        <translation>La séquence ne nomme pas de modèle sur lequel recaler ses nuages de points.</translation>
+        <translation>La secuencia no nombra ningún modelo al que registrar sus nubes de puntos.</translation>
     </message>
     <message>
         <source>Add &quot;model&quot;: a surface file.</source>
-        <translation>Ajoutez &quot;model&quot;&#xa0;: un fichier de surface.</translation>
+        <translation>Añada &quot;model&quot;: un archivo de superficie.</translation>
     </message>
     <message>
         <source>Frame {0} shares too few landmarks with the others.</source>
-        <translation>L’image {0} partage trop peu de repères avec les autres.</translation>
+        <translation>El fotograma {0} comparte demasiado pocos puntos de referencia con los demás.</translation>
     </message>
     <message>
         <source>The two pictures agree nowhere.</source>
-        <translation>Les deux images ne s’accordent nulle part.</translation>
+        <translation>Las dos imágenes no coinciden en ninguna parte.</translation>
     </message>
     <message>
         <source>Check that left and right are not exchanged and that the calibration is theirs.</source>
-        <translation>Vérifiez que gauche et droite ne sont pas échangées et que le calibrage est le leur.</translation>
+        <translation>Compruebe que izquierda y derecha no están intercambiadas y que la calibración es la suya.</translation>
     </message>
     <message>
         <source>Name the cohort&apos;s folder, or ask for a simulated one with --simulated N.</source>
-        <translation>Indiquez le dossier de la cohorte, ou demandez-en une simulée avec --simulated N.</translation>
+        <translation>Indique la carpeta de la cohorte o pida una simulada con --simulated N.</translation>
     </message>
     <message>
         <source>Reading the case</source>
-        <translation>Lecture du cas</translation>
+        <translation>Leyendo el caso</translation>
     </message>
     <message>
         <source>Preparing the model</source>
-        <translation>Préparation du modèle</translation>
+        <translation>Preparando el modelo</translation>
     </message>
     <message>
         <source>Known are: {1}</source>
-        <translation>Sont connues&#xa0;: {1}</translation>
+        <translation>Se conocen: {1}</translation>
     </message>
     <message>
         <source>Cut {0} opens the body nowhere.</source>
-        <translation>La section {0} n’ouvre le corps nulle part.</translation>
+        <translation>La sección {0} no abre el cuerpo en ninguna parte.</translation>
     </message>
     <message>
         <source>Move it through the body, or open it wider; positions are LPS, in mm.</source>
-        <translation>Déplacez-la à travers le corps, ou ouvrez-la davantage&#xa0;; les positions sont en LPS, en mm.</translation>
+        <translation>Muévala a través del cuerpo o ábrala más; las posiciones son LPS, en mm.</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;normal&quot; (a plane) and &quot;points_mm&quot; (a sheet through them).</source>
-        <translation>{0} exige exactement un parmi &quot;normal&quot; (un plan) et &quot;points_mm&quot; (une surface passant par eux).</translation>
+        <translation>{0} necesita exactamente uno de &quot;normal&quot; (un plano) y &quot;points_mm&quot; (una superficie que pasa por ellos).</translation>
     </message>
     <message>
         <source>{0} is a sheet: its &quot;center_mm&quot; needs the &quot;radius_mm&quot; that it is open within.</source>
-        <translation>{0} est une surface&#xa0;: son &quot;center_mm&quot; exige le &quot;radius_mm&quot; dans lequel elle est ouverte.</translation>
+        <translation>{0} es una superficie: su &quot;center_mm&quot; necesita el &quot;radius_mm&quot; dentro del cual está abierta.</translation>
     </message>
     <message>
         <source>{0} must be a list of three points or more.</source>
-        <translation>{0} doit être une liste d’au moins trois points.</translation>
+        <translation>{0} debe ser una lista de al menos tres puntos.</translation>
     </message>
     <message>
         <source>{0} needs exactly one of &quot;{1}&quot; and &quot;{2}&quot;.</source>
-        <translation>{0} exige exactement un parmi &quot;{1}&quot; et &quot;{2}&quot;.</translation>
+        <translation>{0} necesita exactamente uno de &quot;{1}&quot; y &quot;{2}&quot;.</translation>
     </message>
     <message>
         <source>{0} must be &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; or {&quot;rods&quot;: [...]}.</source>
-        <translation>{0} doit être &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; ou {&quot;rods&quot;: [...]}.</translation>
+        <translation>{0} debe ser &quot;nathanson-retractor&quot;, &quot;palpation-probe&quot; o {&quot;rods&quot;: [...]}.</translation>
     </message>
     <message>
         <source>Straight from data there are equilibria by finite elements: without a motion, a capsule, ligaments, tools or the meshfree engine.</source>
-        <translation>Directement à partir de données, il y a des équilibres par éléments finis&#xa0;: sans mouvement, capsule, ligaments, instruments ni moteur sans maillage.</translation>
+        <translation>Directamente a partir de datos hay equilibrios por elementos finitos: sin movimiento, cápsula, ligamentos, instrumentos ni motor sin malla.</translation>
     </message>
     <message>
         <source>At {0} Hz the phase of {1} % of the tissue does not come back to itself over a period; those voxels were left out.</source>
-        <translation>À {0} Hz, la phase de {1}&#xa0;% du tissu ne revient pas à elle-même sur une période&#xa0;; ces voxels ont été omis.</translation>
+        <translation>A {0} Hz la fase del {1} % del tejido no vuelve a sí misma en un periodo; esos vóxeles se han omitido.</translation>
     </message>
     <message>
         <source>The loss came out negative, as when the instants run backwards in time; its sign was turned.</source>
-        <translation>La perte est sortie négative, comme si les instants remontaient le temps&#xa0;; son signe a été inversé.</translation>
+        <translation>La pérdida salió negativa, como cuando los instantes van hacia atrás en el tiempo; se ha invertido su signo.</translation>
     </message>
     <message>
         <source>The headers name no directions: the {0} images were taken as {1} x {2} instants in their order.</source>
-        <translation>Les en-têtes ne nomment pas de directions&#xa0;: les {0} images ont été prises comme {1} x {2} instants dans leur ordre.</translation>
+        <translation>Las cabeceras no nombran direcciones: las {0} imágenes se han tomado como {1} x {2} instantes en su orden.</translation>
     </message>
     <message>
         <source>The phase images have no unit: their full range, {0} to {1}, was taken as one turn.</source>
-        <translation>Les images de phase n’ont pas d’unité&#xa0;: leur plage entière, de {0} à {1}, a été prise pour un tour.</translation>
+        <translation>Las imágenes de fase no tienen unidad: su intervalo completo, de {0} a {1}, se ha tomado como una vuelta.</translation>
     </message>
     <message>
         <source>The plan has no figure for the effect {0}; it is left out.</source>
-        <translation>Le plan n’a pas de chiffre pour l’effet {0}&#xa0;; il est omis.</translation>
+        <translation>El plan no tiene ninguna cifra para el efecto {0}; se omite.</translation>
     </message>
     <message>
         <source>{0} was not learnt from the recordings of a platform.</source>
-        <translation>{0} n’a pas été appris des enregistrements d’une plateforme.</translation>
+        <translation>{0} no se aprendió de los registros de una plataforma.</translation>
     </message>
     <message>
         <source>Use the model.json that glisson-cli explain wrote for an experiment of kind &quot;platform&quot;.</source>
-        <translation>Utilisez le model.json que glisson-cli explain a écrit pour une expérience de type &quot;platform&quot;.</translation>
+        <translation>Use el model.json que glisson-cli explain escribió para un experimento del tipo &quot;platform&quot;.</translation>
     </message>
     <message>
         <source>A smooth correction has no cause and is left out of the plan.</source>
-        <translation>Une correction lisse n’a pas de cause et est exclue du plan.</translation>
+        <translation>Una corrección suave no tiene causa y queda fuera del plan.</translation>
     </message>
     <message>
         <source>These recordings are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
-        <translation>Les effets trouvés n’expliquent pas ces enregistrements&#xa0;: ils enlèvent une partie de l’erreur et ne prouvent aucune cause.</translation>
+        <translation>Los efectos encontrados no explican estos registros: quitan una parte del error y no prueban ninguna causa.</translation>
     </message>
     <message>
         <source>The experiment is not of kind &quot;material&quot;: it holds no strain and stress.</source>
-        <translation>L’expérience n’est pas de type &quot;material&quot;&#xa0;: elle ne contient ni déformation ni contrainte.</translation>
+        <translation>El experimento no es del tipo &quot;material&quot;: no contiene deformación ni tensión.</translation>
     </message>
     <message>
         <source>A shear test cannot be used straight: take compression or tension.</source>
-        <translation>Un essai de cisaillement ne peut pas être employé directement&#xa0;: prenez une compression ou une traction.</translation>
+        <translation>Un ensayo de cizalla no se puede usar directamente: tome compresión o tracción.</translation>
     </message>
     <message>
         <source>A figure is measured, computed, from the dissertation (dissertation), or assumed.</source>
-        <translation>Un chiffre est mesuré (measured), calculé (computed), tiré de la thèse (dissertation) ou supposé (assumed).</translation>
+        <translation>Una cifra está medida (measured), calculada (computed), procede de la tesis (dissertation) o es supuesta (assumed).</translation>
     </message>
     <message>
         <source>It slows itself down at {0} C, and then computes {1} frames a second of {2}.</source>
-        <translation>Il se ralentit à {0} C, et calcule alors {1} images par seconde sur {2}.</translation>
+        <translation>Se ralentiza a {0} C y entonces calcula {1} fotogramas por segundo de {2}.</translation>
     </message>
     <message>
         <source>The resolution for {0} mm in tissue of {1} kPa comes from this curve ({2}): {3}</source>
-        <translation>La résolution pour {0} mm dans un tissu de {1} kPa vient de cette courbe ({2})&#xa0;: {3}</translation>
+        <translation>La resolución para {0} mm en tejido de {1} kPa procede de esta curva ({2}): {3}</translation>
     </message>
     <message>
         <source>No beam of 50 x 10 x 10 mm fits into the liver.</source>
-        <translation>Aucune poutre de 50 x 10 x 10 mm ne tient dans le foie.</translation>
+        <translation>Ninguna viga de 50 x 10 x 10 mm cabe en el hígado.</translation>
     </message>
     <message>
         <source>A beam found no equilibrium: {0}</source>
-        <translation>Une poutre n’a pas trouvé d’équilibre&#xa0;: {0}</translation>
+        <translation>Una viga no encontró el equilibrio: {0}</translation>
     </message>
     <message>
         <source>Resolutions must grow from 0.5 mm3 or more to 600 mm3 or less, in 2 to 100 steps.</source>
-        <translation>Les résolutions doivent croître de 0.5 mm3 ou plus à 600 mm3 ou moins, en 2 à 100 pas.</translation>
+        <translation>Las resoluciones deben crecer desde 0.5 mm3 o más hasta 600 mm3 o menos, en 2 a 100 pasos.</translation>
     </message>
     <message>
         <source>With {0} nodes the beam did not converge: {1}</source>
-        <translation>Avec {0} nœuds, la poutre n’a pas convergé&#xa0;: {1}</translation>
+        <translation>Con {0} nodos la viga no ha convergido: {1}</translation>
     </message>
     <message>
         <source>Looking for the softest, stiffest and most uneven parts</source>
-        <translation>Recherche des parties les plus souples, les plus rigides et les plus irrégulières</translation>
+        <translation>Buscando las partes más blandas, más rígidas y más irregulares</translation>
     </message>
     <message>
         <source>Hoisting the beams</source>
-        <translation>Soulèvement des poutres</translation>
+        <translation>Elevando las vigas</translation>
     </message>
     <message>
         <source>Drawing typical and extreme patients</source>
-        <translation>Dessin de patients typiques et extrêmes</translation>
+        <translation>Dibujando pacientes típicos y extremos</translation>
     </message>
     <message>
         <source>{0} has no effect that could be accepted: nothing is missing.</source>
-        <translation>{0} ne contient aucun effet à accepter&#xa0;: il ne manque rien.</translation>
+        <translation>{0} no contiene ningún efecto que aceptar: no falta nada.</translation>
     </message>
     <message>
         <source>The effect {0} was not accepted into {1}.</source>
-        <translation>L’effet {0} n’a pas été accepté dans {1}.</translation>
+        <translation>El efecto {0} no se había aceptado en {1}.</translation>
     </message>
     <message>
         <source>The accepted evidence of {0} cannot be read: {1}</source>
-        <translation>Les constats acceptés de {0} ne peuvent pas être lus&#xa0;: {1}</translation>
+        <translation>No se puede leer la evidencia aceptada de {0}: {1}</translation>
     </message>
     <message>
         <source>Take it back (glisson-cli accept CASE --take-back) and accept it again.</source>
-        <translation>Retirez-les (glisson-cli accept CASE --take-back) et acceptez-les de nouveau.</translation>
+        <translation>Retírela (glisson-cli accept CASE --take-back) y acéptela de nuevo.</translation>
     </message>
     <message>
         <source>The model was made anew after this evidence had been accepted: see whether it still holds.</source>
-        <translation>Le modèle a été refait après l’acceptation de ces constats&#xa0;: vérifiez qu’ils valent encore.</translation>
+        <translation>El modelo se hizo de nuevo después de aceptar esta evidencia: compruebe si sigue siendo válida.</translation>
     </message>
     <message>
         <source>The scenario says itself what holds the organ: the effect {0} is left out.</source>
-        <translation>Le scénario dit lui-même ce qui tient l’organe&#xa0;: l’effet {0} est écarté.</translation>
+        <translation>El escenario dice por sí mismo qué sujeta el órgano: el efecto {0} se omite.</translation>
     </message>
     <message>
         <source>The scenario says itself how stiff the organ is: the effect {0} is left out.</source>
-        <translation>Le scénario dit lui-même la rigidité de l’organe&#xa0;: l’effet {0} est écarté.</translation>
+        <translation>El escenario dice por sí mismo la rigidez del órgano: el efecto {0} se omite.</translation>
     </message>
     <message>
         <source>The scenario says itself what skin the organ has: the effect {0} is left out.</source>
-        <translation>Le scénario dit lui-même quelle enveloppe a l’organe&#xa0;: l’effet {0} est écarté.</translation>
+        <translation>El escenario dice por sí mismo qué envoltura tiene el órgano: el efecto {0} se omite.</translation>
     </message>
     <message>
         <source>Only a linear equilibrium by finite elements can have a grain: the effect {0} is left out.</source>
-        <translation>Seul un équilibre linéaire par éléments finis peut avoir une direction de fibres&#xa0;: l’effet {0} est écarté.</translation>
+        <translation>Solo un equilibrio lineal por elementos finitos puede tener una dirección de fibras: el efecto {0} se omite.</translation>
     </message>
     <message>
         <source>{0} was not learnt from tissue.</source>
-        <translation>{0} n’a pas été appris sur un tissu.</translation>
+        <translation>{0} no se aprendió de un tejido.</translation>
     </message>
     <message>
         <source>Use the model.json that glisson-cli explain wrote for a palpation or a material test; a platform&apos;s goes to glisson-cli platform learn.</source>
-        <translation>Prenez le model.json que glisson-cli explain a écrit pour une palpation ou un essai de matériau&#xa0;; celui d’une plateforme va à glisson-cli platform learn.</translation>
+        <translation>Use el model.json que glisson-cli explain escribió para una palpación o un ensayo de material; el de una plataforma va a glisson-cli platform learn.</translation>
     </message>
     <message>
         <source>In {0} no tissue can have such a {1}.</source>
-        <translation>Dans {0}, aucun tissu ne peut avoir un tel {1}.</translation>
+        <translation>En {0}, ningún tejido puede tener tal {1}.</translation>
     </message>
     <message>
         <source>{0} has no effect {1}.</source>
-        <translation>{0} n’a pas d’effet {1}.</translation>
+        <translation>{0} no tiene ningún efecto {1}.</translation>
     </message>
     <message>
         <source>The organ stiffens with strain, which this linear rehearsal cannot hold; a scenario can, with the material &quot;veronda-westmann&quot; and &quot;strain_stiffening&quot;: {0}.</source>
-        <translation>L’organe se rigidifie avec la déformation, ce que cette répétition linéaire ne peut pas rendre&#xa0;; un scénario le peut, avec le matériau &quot;veronda-westmann&quot; et &quot;strain_stiffening&quot;: {0}.</translation>
+        <translation>El órgano se rigidiza con la deformación, lo que este ensayo lineal no puede recoger; un escenario sí puede, con el material &quot;veronda-westmann&quot; y &quot;strain_stiffening&quot;: {0}.</translation>
     </message>
     <message>
         <source>The organ stiffens with strain, which this linear rehearsal cannot hold.</source>
-        <translation>L’organe se rigidifie avec la déformation, ce que cette répétition linéaire ne peut pas rendre.</translation>
+        <translation>El órgano se rigidiza con la deformación, lo que este ensayo lineal no puede recoger.</translation>
     </message>
     <message>
         <source>What loaded the specimen while it was measured does not load the organ.</source>
-        <translation>Ce qui chargeait l’échantillon pendant la mesure ne charge pas l’organe.</translation>
+        <translation>Lo que cargaba la muestra durante la medición no carga el órgano.</translation>
     </message>
     <message>
         <source>A pressure of {0} kPa acts on the organ all the time.</source>
-        <translation>Une pression de {0} kPa agit en permanence sur l’organe.</translation>
+        <translation>Una presión de {0} kPa actúa siempre sobre el órgano.</translation>
     </message>
     <message>
         <source>A weight acts on the organ all the time, by ({0}, {1}, {2}) m/s2.</source>
-        <translation>Un poids agit en permanence sur l’organe, de ({0}, {1}, {2}) m/s2.</translation>
+        <translation>Un peso actúa siempre sobre el órgano, de ({0}, {1}, {2}) m/s2.</translation>
     </message>
     <message>
         <source>The organ is {0} times as stiff along ({1}, {2}, {3}) as across.</source>
-        <translation>L’organe est {0} fois aussi rigide le long de ({1}, {2}, {3}) qu’en travers.</translation>
+        <translation>El órgano es {0} veces tan rígido a lo largo de ({1}, {2}, {3}) como a través.</translation>
     </message>
     <message>
         <source>The organ is {0} times as stiff along ({1}, {2}, {3}) as across: the specimen&apos;s axes are taken for the patient&apos;s.</source>
-        <translation>L’organe est {0} fois aussi rigide le long de ({1}, {2}, {3}) qu’en travers&#xa0;: les axes de l’échantillon sont pris pour ceux du patient.</translation>
+        <translation>El órgano es {0} veces tan rígido a lo largo de ({1}, {2}, {3}) como a través: los ejes de la muestra se toman por los del paciente.</translation>
     </message>
     <message>
         <source>The whole organ is {0} times as stiff as was declared.</source>
-        <translation>L’organe entier est {0} fois aussi rigide que déclaré.</translation>
+        <translation>El órgano entero es {0} veces tan rígido como se declaró.</translation>
     </message>
     <message>
         <source>Held for long, the organ creeps: it is {0} times as stiff as at once.</source>
-        <translation>Tenu longtemps, l’organe flue&#xa0;: il est alors {0} fois aussi rigide qu’au premier instant.</translation>
+        <translation>Sujetado mucho tiempo, el órgano fluye: es entonces {0} veces tan rígido como al instante.</translation>
     </message>
     <message>
         <source>The specimen&apos;s hard spot has no place in the organ: the specimen is not this organ in this place.</source>
-        <translation>Le point dur de l’échantillon n’a pas de place dans l’organe&#xa0;: l’échantillon n’est pas cet organe à cette place.</translation>
+        <translation>El punto duro de la muestra no tiene lugar en el órgano: la muestra no es este órgano en este lugar.</translation>
     </message>
     <message>
         <source>A spot of {0} mm radius at ({1}, {2}, {3}) is {4} times as stiff as around it.</source>
-        <translation>Une zone de {0} mm de rayon en ({1}, {2}, {3}) est {4} fois aussi rigide que ce qui l’entoure.</translation>
+        <translation>Una zona de {0} mm de radio en ({1}, {2}, {3}) es {4} veces tan rígida como su entorno.</translation>
     </message>
     <message>
         <source>What holds the organ gives way like a spring of {0} kPa/mm.</source>
-        <translation>Ce qui tient l’organe cède comme un ressort de {0} kPa/mm.</translation>
+        <translation>Lo que sujeta el órgano cede como un muelle de {0} kPa/mm.</translation>
     </message>
     <message>
         <source>A skin of {0} N/mm lies around the organ.</source>
-        <translation>Une enveloppe de {0} N/mm entoure l’organe.</translation>
+        <translation>Una envoltura de {0} N/mm rodea el órgano.</translation>
     </message>
     <message>
         <source>The load cell was off: that is of the measurement, and leaves the organ as it is.</source>
-        <translation>Le capteur de force était déréglé&#xa0;: cela concerne la mesure et laisse l’organe tel qu’il est.</translation>
+        <translation>La célula de carga estaba desajustada: eso atañe a la medición y deja el órgano como está.</translation>
     </message>
     <message>
         <source>The camera&apos;s frame was off: that is of the measurement, and leaves the organ as it is.</source>
-        <translation>Le repère de la caméra était décalé&#xa0;: cela concerne la mesure et laisse l’organe tel qu’il est.</translation>
+        <translation>El sistema de la cámara estaba desplazado: eso atañe a la medición y deja el órgano como está.</translation>
     </message>
     <message>
         <source>This linear rehearsal cannot hold the effect {0}.</source>
-        <translation>Cette répétition linéaire ne peut pas rendre l’effet {0}.</translation>
+        <translation>Este ensayo lineal no puede recoger el efecto {0}.</translation>
     </message>
     <message>
         <source>A smooth correction has no cause and is left out of the rehearsal.</source>
-        <translation>Une correction lisse n’a pas de cause et est exclue de la répétition.</translation>
+        <translation>Una corrección suave no tiene causa y queda fuera del ensayo.</translation>
     </message>
     <message>
         <source>These measurements are not explained by the effects found: they take a part of the error away, and are no proof of a cause.</source>
-        <translation>Les effets trouvés n’expliquent pas ces mesures&#xa0;: ils enlèvent une partie de l’erreur et ne prouvent aucune cause.</translation>
+        <translation>Los efectos encontrados no explican estas mediciones: quitan una parte del error y no prueban ninguna causa.</translation>
     </message>
     <message>
         <source>A grain needs an axis of some length and a ratio above zero.</source>
-        <translation>Une direction de fibres demande un axe d’une certaine longueur et un rapport supérieur à zéro.</translation>
+        <translation>Una dirección de fibras necesita un eje de cierta longitud y una razón mayor que cero.</translation>
     </message>
     <message>
         <source>With a ratio of {0} along the grain no stable material is left at a Poisson&apos;s ratio of {1}.</source>
-        <translation>Avec un rapport de {0} le long des fibres, il ne reste aucun matériau stable pour un coefficient de Poisson de {1}.</translation>
+        <translation>Con una razón de {0} a lo largo de las fibras no queda ningún material estable con un coeficiente de Poisson de {1}.</translation>
     </message>
     <message>
         <source>A grain is there for equilibrium by finite elements, with the material &quot;linear&quot; and without ligaments.</source>
-        <translation>Une direction de fibres existe pour l’équilibre par éléments finis, avec le matériau &quot;linear&quot; et sans ligaments.</translation>
+        <translation>Una dirección de fibras existe para el equilibrio por elementos finitos, con el material &quot;linear&quot; y sin ligamentos.</translation>
     </message>
     <message>
         <source>{0} would not come out as it was.</source>
-        <translation>{0} ne serait pas rétabli tel qu’il était.</translation>
+        <translation>{0} no quedaría tal como estaba.</translation>
     </message>
     <message>
         <source>{0} is open in another window: what is done here cannot be undone.</source>
-        <translation>{0} est ouvert dans une autre fenêtre&#xa0;: ce qui est fait ici ne peut pas être annulé.</translation>
+        <translation>{0} está abierto en otra ventana: lo que se haga aquí no se puede deshacer.</translation>
     </message>
     <message>
         <source>Close the other window, then open the case anew.</source>
-        <translation>Fermez l’autre fenêtre, puis rouvrez le cas.</translation>
+        <translation>Cierre la otra ventana y vuelva a abrir el caso.</translation>
     </message>
     <message>
         <source>There is nothing left to undo.</source>
-        <translation>Il n’y a plus rien à annuler.</translation>
+        <translation>No queda nada por deshacer.</translation>
     </message>
     <message>
         <source>There is nothing left to redo.</source>
-        <translation>Il n’y a plus rien à rétablir.</translation>
+        <translation>No queda nada por rehacer.</translation>
     </message>
     <message>
         <source>{0} has been changed by something else since: what was done before cannot be undone any more.</source>
-        <translation>{0} a été modifié par autre chose depuis&#xa0;: ce qui a été fait auparavant ne peut plus être annulé.</translation>
+        <translation>Otro programa ha modificado {0} desde entonces: lo hecho antes ya no se puede deshacer.</translation>
     </message>
     <message>
         <source>The history of the case cannot be read: {0}.</source>
-        <translation>L’historique du cas ne peut pas être lu&#xa0;: {0}.</translation>
+        <translation>No se puede leer el historial del caso: {0}.</translation>
     </message>
     <message>
         <source>A stored step of the history does not fit its case.</source>
-        <translation>Une étape enregistrée de l’historique ne correspond pas à son cas.</translation>
+        <translation>Un paso guardado del historial no corresponde a su caso.</translation>
     </message>
     <message>
         <source>A stored step of the history reaches beyond its image.</source>
-        <translation>Une étape enregistrée de l’historique dépasse les limites de son image.</translation>
+        <translation>Un paso guardado del historial sobrepasa los límites de su imagen.</translation>
     </message>
     <message>
         <source>A stored step of the history is cut off.</source>
-        <translation>Une étape enregistrée de l’historique est tronquée.</translation>
+        <translation>Un paso guardado del historial está truncado.</translation>
     </message>
     <message>
         <source>{0} does not hold a planned resection: {1}.</source>
-        <translation>{0} ne contient pas de résection planifiée&#xa0;: {1}.</translation>
+        <translation>{0} no contiene una resección planificada: {1}.</translation>
     </message>
     <message>
         <source>Plan it again, or make one with glisson-cli resect.</source>
-        <translation>Planifiez-la de nouveau, ou créez-en une avec glisson-cli resect.</translation>
+        <translation>Planifíquela de nuevo o cree una con glisson-cli resect.</translation>
     </message>
     <message>
         <source>Reading the experiment</source>
-        <translation>Lecture de l’expérience</translation>
+        <translation>Leyendo el experimento</translation>
     </message>
     <message>
         <source>{0} landmarks seen in fewer than three frames were left out</source>
-        <translation>{0} repères vus dans moins de trois images ont été écartés</translation>
+        <translation>Se omitieron {0} puntos de referencia vistos en menos de tres fotogramas</translation>
     </message>
     <message>
         <source>{0} triangles have all corners in fewer than three frames: their correlation is 0</source>
-        <translation>{0} triangles n’ont tous leurs sommets que dans moins de trois images&#xa0;: leur corrélation est 0</translation>
+        <translation>{0} triángulos tienen todos sus vértices en menos de tres fotogramas: su correlación es 0</translation>
     </message>
     <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
-        <translation>aucun modèle n’a été donné, donc aucune distance à celui-ci (RMSE)</translation>
+        <translation>no se dio ningún modelo, así que no hay distancia a él (RMSE)</translation>
     </message>
     <message>
         <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULÉ&#xa0;: la forme du foie d’un vrai patient, qui respire et qu’un instrument enfonce selon une formule. Le recalage dit «&#xa0;fourni&#xa0;» est le vrai, dans lequel une erreur a été mise à gauche de l’image.</translation>
+        <translation>SIMULADO: la forma del hígado de un paciente real, que respira y es presionado por un instrumento según una fórmula. El registro llamado «dado» es el verdadero con un fallo introducido a la izquierda de la imagen.</translation>
     </message>
     <message>
         <source>The movie {0} cannot be written.</source>
-        <translation>Le film {0} ne peut pas être écrit.</translation>
+        <translation>No se puede escribir la película {0}.</translation>
     </message>
     <message>
         <source>Choose a folder that exists.</source>
-        <translation>Choisissez un dossier qui existe.</translation>
+        <translation>Elija una carpeta que exista.</translation>
     </message>
     <message>
         <source>Choose a name that is not there yet.</source>
-        <translation>Choisissez un nom qui n’existe pas encore.</translation>
+        <translation>Elija un nombre que aún no exista.</translation>
     </message>
     <message>
         <source>Choose a folder in which you may write.</source>
-        <translation>Choisissez un dossier où vous pouvez écrire.</translation>
+        <translation>Elija una carpeta en la que pueda escribir.</translation>
     </message>
     <message>
         <source>Leave the window&apos;s size as it is while the movie is made.</source>
-        <translation>Ne changez pas la taille de la fenêtre pendant la création du film.</translation>
+        <translation>No cambie el tamaño de la ventana mientras se hace la película.</translation>
     </message>
     <message>
         <source>Choose a folder in which you may write, or a name without .mp4: then it becomes a folder of pictures.</source>
-        <translation>Choisissez un dossier où vous pouvez écrire, ou un nom sans .mp4&#xa0;: ce sera alors un dossier d’images.</translation>
+        <translation>Elija una carpeta en la que pueda escribir, o un nombre sin .mp4: entonces será una carpeta de imágenes.</translation>
     </message>
     <message>
         <source>Look whether the disk is full.</source>
-        <translation>Vérifiez si le disque est plein.</translation>
+        <translation>Compruebe si el disco está lleno.</translation>
     </message>
     <message>
         <source>The liver&apos;s shape with the tools there was not found: {0}</source>
-        <translation>La forme du foie avec les instruments à cet endroit n’a pas été trouvée&#xa0;: {0}</translation>
+        <translation>No se halló la forma del hígado con los instrumentos allí: {0}</translation>
     </message>
     <message>
         <source>Press less, or move the tool by smaller steps.</source>
-        <translation>Appuyez moins, ou déplacez l’instrument par pas plus petits.</translation>
+        <translation>Apriete menos, o mueva el instrumento a pasos más pequeños.</translation>
     </message>
     <message>
         <source>A rigid tool that only touches the liver cannot pull it.</source>
-        <translation>Un instrument rigide qui ne fait que toucher le foie ne peut pas le tirer.</translation>
+        <translation>Un instrumento rígido que solo toca el hígado no puede tirar de él.</translation>
     </message>
     <message>
         <source>Push into the surface, or take the grasper.</source>
-        <translation>Poussez dans la surface, ou prenez la pince.</translation>
+        <translation>Empuje hacia la superficie, o tome la pinza.</translation>
     </message>
     <message>
         <source>Tool {0} would move by {1} mm a step, past a surface that it should meet.</source>
-        <translation>L’instrument {0} avancerait de {1} mm en un pas et passerait à travers une surface qu’il devrait rencontrer.</translation>
+        <translation>El instrumento {0} se movería {1} mm en un paso y pasaría de largo una superficie que debería tocar.</translation>
     </message>
     <message>
         <source>Take more steps: at most half the radius of the tool&apos;s rods in each.</source>
-        <translation>Prenez plus de pas&#xa0;: dans chacun, au plus la moitié du rayon des tiges de l’instrument.</translation>
+        <translation>Tome más pasos: en cada uno, como mucho la mitad del radio de las varillas del instrumento.</translation>
     </message>
     <message>
         <source>Comparing the files with what they were made from</source>
-        <translation>Comparaison des fichiers avec ce dont ils proviennent</translation>
+        <translation>Comparando los archivos con aquello de lo que se hicieron</translation>
     </message>
     <message>
         <source>{0} does not hold a report of measurements: {1}.</source>
-        <translation>{0} ne contient pas de rapport de mesures&#xa0;: {1}.</translation>
+        <translation>{0} no contiene un informe de mediciones: {1}.</translation>
     </message>
     <message>
         <source>Open an experiment to make one; it holds report.json, report.html and model.json.</source>
-        <translation>Ouvrez une expérience pour en créer un&#xa0;; il contient report.json, report.html et model.json.</translation>
+        <translation>Abra un experimento para crear uno; contiene report.json, report.html y model.json.</translation>
     </message>
     <message>
         <source>Two series are to be the {0}: {1} is the second.</source>
-        <translation>Deux séries doivent être {0}&#xa0;: {1} est la seconde.</translation>
+        <translation>Dos series deben ser {0}: {1} es la segunda.</translation>
     </message>
     <message>
         <source>Leave one of them out, or give it another role.</source>
-        <translation>Écartez l’une d’elles ou donnez-lui un autre rôle.</translation>
+        <translation>Omita una de ellas o dele otra función.</translation>
     </message>
     <message>
         <source>No series is chosen: give at least one of them a role.</source>
-        <translation>Aucune série n’est choisie&#xa0;: donnez un rôle à au moins une d’elles.</translation>
+        <translation>No se ha elegido ninguna serie: dé una función a al menos una.</translation>
     </message>
     <message>
         <source>There is nothing of this structure at that place.</source>
-        <translation>Il n’y a rien de cette structure à cet endroit.</translation>
+        <translation>En ese lugar no hay nada de esta estructura.</translation>
     </message>
     <message>
         <source>Fill between slices of {0}</source>
-        <translation>Remplir entre les coupes de {0}</translation>
+        <translation>Rellenar entre cortes de {0}</translation>
     </message>
     <message>
         <source>Fill holes of {0}</source>
-        <translation>Combler les trous de {0}</translation>
+        <translation>Rellenar huecos de {0}</translation>
     </message>
     <message>
         <source>Keep the largest piece of {0}</source>
-        <translation>Garder le plus grand morceau de {0}</translation>
+        <translation>Conservar el trozo mayor de {0}</translation>
     </message>
     <message>
         <source>Remove small pieces of {0}</source>
-        <translation>Supprimer les petits morceaux de {0}</translation>
+        <translation>Quitar trozos pequeños de {0}</translation>
     </message>
     <message>
         <source>Smooth {0}</source>
-        <translation>Lisser {0}</translation>
+        <translation>Suavizar {0}</translation>
     </message>
     <message>
         <source>Margin around {0}</source>
-        <translation>Marge autour de {0}</translation>
+        <translation>Margen alrededor de {0}</translation>
     </message>
     <message>
         <source>Shrink {0}</source>
-        <translation>Rétrécir {0}</translation>
+        <translation>Reducir {0}</translation>
     </message>
     <message>
         <source>Keep one piece of {0}</source>
-        <translation>Garder un morceau de {0}</translation>
+        <translation>Conservar un trozo de {0}</translation>
     </message>
     <message>
         <source>Smart brush on {0}</source>
-        <translation>Pinceau sélectif sur {0}</translation>
+        <translation>Pincel selectivo en {0}</translation>
     </message>
     <message>
         <source>Brush on {0}</source>
-        <translation>Pinceau sur {0}</translation>
+        <translation>Pincel en {0}</translation>
     </message>
     <message>
         <source>Eraser on {0}</source>
-        <translation>Gomme sur {0}</translation>
+        <translation>Goma en {0}</translation>
     </message>
     <message>
         <source>Scissors on {0}</source>
-        <translation>Ciseaux sur {0}</translation>
+        <translation>Tijeras en {0}</translation>
     </message>
     <message>
         <source>New structure {0}</source>
-        <translation>Nouvelle structure {0}</translation>
+        <translation>Estructura nueva {0}</translation>
     </message>
     <message>
         <source>Rename {0}</source>
-        <translation>Renommer {0}</translation>
+        <translation>Renombrar {0}</translation>
     </message>
     <message>
         <source>Remove {0}</source>
-        <translation>Supprimer {0}</translation>
+        <translation>Quitar {0}</translation>
     </message>
     <message>
         <source>The structures have changed since the model was built, and {0} landmarks now lie outside of it: they are left out. Build the model anew.</source>
-        <translation>Les structures ont changé depuis la construction du modèle, et {0} repères se trouvent maintenant en dehors&#xa0;: ils sont écartés. Refaites le modèle.</translation>
+        <translation>Las estructuras han cambiado desde que se construyó el modelo y {0} puntos de referencia quedan fuera de él: se omiten. Vuelva a construir el modelo.</translation>
     </message>
     <message>
         <source>The model cannot be used. Build it anew.</source>
-        <translation>Le modèle ne peut pas être utilisé. Refaites-le.</translation>
+        <translation>El modelo no se puede usar. Vuelva a construirlo.</translation>
     </message>
     <message>
         <source>Place the tool</source>
-        <translation>Placer l’instrument</translation>
+        <translation>Colocar el instrumento</translation>
     </message>
     <message>
         <source>Take the tool away</source>
-        <translation>Retirer l’instrument</translation>
+        <translation>Retirar el instrumento</translation>
     </message>
     <message>
         <source>Move the tool</source>
-        <translation>Déplacer l’instrument</translation>
+        <translation>Mover el instrumento</translation>
     </message>
     <message>
         <source>Change the force</source>
-        <translation>Changer la force</translation>
+        <translation>Cambiar la fuerza</translation>
     </message>
     <message>
         <source>No images were found in {0}.</source>
-        <translation>Aucune image n’a été trouvée dans {0}.</translation>
+        <translation>No se encontraron imágenes en {0}.</translation>
     </message>
     <message>
         <source>By the meshfree engine a grasper pulls with a force; {0} has a displacement.</source>
-        <translation>Avec le moteur sans maillage, une pince tire avec une force&#xa0;; {0} a un déplacement.</translation>
+        <translation>Con el motor sin malla una pinza tira con una fuerza; {0} tiene un desplazamiento.</translation>
     </message>
     <message>
         <source>Give it a pull, or take finite elements.</source>
-        <translation>Donnez-lui une traction, ou prenez les éléments finis.</translation>
+        <translation>Dele una tracción, o tome los elementos finitos.</translation>
     </message>
     <message>
         <source>camera has no 3 x 3 matrix with positive focal lengths, or a distortion that is no list of numbers</source>
-        <translation>camera n’a pas de matrice 3 x 3 à distances focales positives, ou sa distorsion n’est pas une liste de nombres</translation>
+        <translation>camera no tiene una matriz 3 x 3 con distancias focales positivas, o su distorsión no es una lista de números</translation>
     </message>
     <message>
         <source>The first line of {0} is not {1}.</source>
-        <translation>La première ligne de {0} n’est pas {1}.</translation>
+        <translation>La primera línea de {0} no es {1}.</translation>
     </message>
     <message>
         <source>Name the columns so, in this order, with commas between them.</source>
-        <translation>Nommez ainsi les colonnes, dans cet ordre, séparées par des virgules.</translation>
+        <translation>Nombre así las columnas, en este orden, separadas por comas.</translation>
     </message>
     <message>
         <source>{0} of {1} landmarks lie far from the points of their frames.</source>
-        <translation>{0} repères sur {1} sont loin des points de leurs images.</translation>
+        <translation>{0} de {1} puntos de referencia están lejos de los puntos de sus imágenes.</translation>
     </message>
     <message>
         <source>Check that tracks and clouds are both in mm of the left camera.</source>
-        <translation>Vérifiez que les trajectoires et les nuages sont tous deux en mm de la caméra gauche.</translation>
+        <translation>Compruebe que las trayectorias y las nubes estén ambas en mm de la cámara izquierda.</translation>
     </message>
     <message>
         <source>{0} landmarks far from the points of their frames were left out</source>
-        <translation>{0} repères loin des points de leurs images ont été écartés</translation>
+        <translation>se omitieron {0} puntos de referencia lejos de los puntos de sus imágenes</translation>
     </message>
     <message>
         <source>In line {0} no number stands in the column &quot;{1}&quot;.</source>
-        <translation>À la ligne {0}, la colonne «&#xa0;{1}&#xa0;» ne contient pas de nombre.</translation>
+        <translation>En la línea {0} no hay ningún número en la columna «{1}».</translation>
     </message>
     <message>
         <source>A line needs a strain (0.05 for 5 %) and a stress in kPa, numbers with a dot: look for a missing value, a unit, or a decimal comma.</source>
-        <translation>Chaque ligne demande une déformation (0.05 pour 5 %) et une contrainte en kPa, nombres avec un point&#xa0;: cherchez une valeur manquante, une unité ou une virgule décimale.</translation>
+        <translation>Cada línea necesita una deformación (0.05 para el 5 %) y una tensión en kPa, números con punto: busque un valor que falta, una unidad o una coma decimal.</translation>
     </message>
     <message>
         <source>Tools with friction are not there for a body with a grain.</source>
-        <translation>Il n’y a pas d’instruments avec frottement pour un corps à fibres orientées.</translation>
+        <translation>No hay instrumentos con fricción para un cuerpo con dirección de fibras.</translation>
     </message>
     <message>
         <source>Leave out the grain or the friction.</source>
-        <translation>Retirez la direction des fibres ou le frottement.</translation>
+        <translation>Quite la dirección de las fibras o la fricción.</translation>
     </message>
     <message>
         <source>The mean of the elastography&apos;s magnitude images serves as the anatomy.</source>
-        <translation>La moyenne des images d’amplitude de l’élastographie sert d’anatomie.</translation>
+        <translation>La media de las imágenes de magnitud de la elastografía sirve de anatomía.</translation>
     </message>
     <message>
         <source>{0} was not wholly inside the liver; it was meshed as part of it.</source>
-        <translation>{0} n’était pas entièrement dans le foie&#xa0;; cette structure a été maillée comme en faisant partie.</translation>
+        <translation>{0} no estaba del todo dentro del hígado; se malló como parte de él.</translation>
     </message>
     <message>
         <source>{0} holds no voxels.</source>
-        <translation>{0} ne contient aucun voxel.</translation>
+        <translation>{0} no contiene ningún vóxel.</translation>
     </message>
     <message>
         <source>The body falls in {0} parts; the largest is kept, and the rest is left out: {1}.</source>
-        <translation>Le corps se divise en {0} parties&#xa0;; la plus grande est gardée, le reste est écarté&#xa0;: {1}.</translation>
+        <translation>El cuerpo se divide en {0} partes; se conserva la mayor y se descarta el resto: {1}.</translation>
     </message>
     <message>
         <source>Holes without a label inside the body, {0} ml together, are filled.</source>
-        <translation>Les trous sans étiquette à l’intérieur du corps, {0} ml au total, sont comblés.</translation>
+        <translation>Los huecos sin etiqueta dentro del cuerpo, {0} ml en total, se rellenan.</translation>
     </message>
     <message>
         <source>{0} speck of fewer than {1} voxels ({2} voxels together) became part of what it touches.</source>
-        <translation>{0} îlot de moins de {1} voxels ({2} voxels au total) a été rattaché à ce qu’il touche.</translation>
+        <translation>{0} mota de menos de {1} vóxeles ({2} vóxeles en total) pasó a formar parte de lo que toca.</translation>
     </message>
     <message>
         <source>{0} specks of fewer than {1} voxels ({2} voxels together) became part of what they touch.</source>
-        <translation>{0} îlots de moins de {1} voxels ({2} voxels au total) ont été rattachés à ce qu’ils touchent.</translation>
+        <translation>{0} motas de menos de {1} vóxeles ({2} vóxeles en total) pasaron a formar parte de lo que tocan.</translation>
     </message>
     <message>
         <source>The mesh has {0} cells instead of {1}; its shape and inner structures ask for them.</source>
-        <translation>Le maillage a {0} cellules au lieu de {1}&#xa0;; sa forme et ses structures internes les demandent.</translation>
+        <translation>La malla tiene {0} celdas en vez de {1}; su forma y sus estructuras internas las requieren.</translation>
     </message>
     <message>
         <source>{0} cells were taken away where the body touched itself in a point or an edge.</source>
-        <translation>{0} cellules ont été retirées là où le corps se touchait lui-même en un point ou une arête.</translation>
+        <translation>Se quitaron {0} celdas donde el cuerpo se tocaba a sí mismo en un punto o una arista.</translation>
     </message>
     <message>
         <source>{0}: {1} piece ({2} ml) too thin for {3} cells got no cells of its own; about {4} cells would show it.</source>
-        <translation>{0}&#xa0;: {1} morceau ({2} ml) trop mince pour {3} cellules n’a pas de cellules propres&#xa0;; environ {4} cellules le montreraient.</translation>
+        <translation>{0}: {1} trozo ({2} ml), demasiado fino para {3} celdas, no tiene celdas propias; con unas {4} celdas se vería.</translation>
     </message>
     <message>
         <source>{0}: {1} pieces ({2} ml) too thin for {3} cells got no cells of their own; about {4} cells would show them.</source>
-        <translation>{0}&#xa0;: {1} morceaux ({2} ml) trop minces pour {3} cellules n’ont pas de cellules propres&#xa0;; environ {4} cellules les montreraient.</translation>
+        <translation>{0}: {1} trozos ({2} ml), demasiado finos para {3} celdas, no tienen celdas propias; con unas {4} celdas se verían.</translation>
     </message>
     <message>
         <source>Another way of touching</source>
-        <translation>Autre manière de toucher</translation>
+        <translation>Otra manera de tocar</translation>
     </message>
     <message>
         <source>Place another tool</source>
-        <translation>Placer un autre instrument</translation>
+        <translation>Colocar otra herramienta</translation>
     </message>
     <message>
         <source>The walls of cuts can be kept apart in equilibrium by finite elements, without a grain and not straight from data.</source>
-        <translation>Les parois des sections peuvent être tenues séparées à l&apos;équilibre par éléments finis, sans orientation des fibres et pas directement à partir de données.</translation>
+        <translation>Las paredes de las secciones pueden mantenerse separadas en equilibrio con elementos finitos, sin dirección de fibras y no directamente a partir de datos.</translation>
     </message>
     <message>
         <source>The displacement has {0} points, the liver {1}; or one of them is not a number.</source>
-        <translation>Le déplacement a {0} points, le foie {1} ; ou l&apos;un d&apos;eux n&apos;est pas un nombre.</translation>
+        <translation>El desplazamiento tiene {0} puntos, el hígado {1}; o uno de ellos no es un número.</translation>
     </message>
     <message>
         <source>Simulate it again with the model as it is now.</source>
-        <translation>Simulez de nouveau avec le modèle actuel.</translation>
+        <translation>Simúlelo de nuevo con el modelo tal como es ahora.</translation>
     </message>
     <message>
         <source>Held like this, {0} cells of the liver are turned inside out: nothing can be measured there.</source>
-        <translation>Tenu ainsi, {0} cellules du foie sont retournées : rien ne peut y être mesuré.</translation>
+        <translation>Sujeto así, {0} celdas del hígado están vueltas del revés: allí no se puede medir nada.</translation>
     </message>
     <message>
         <source>Pull or push with less force.</source>
-        <translation>Tirez ou poussez avec moins de force.</translation>
+        <translation>Tire o empuje con menos fuerza.</translation>
     </message>
     <message>
         <source>The result {0} is not of this model: its points at rest are others.</source>
-        <translation>Le résultat {0} n&apos;est pas de ce modèle : ses points au repos sont autres.</translation>
+        <translation>El resultado {0} no es de este modelo: sus puntos en reposo son otros.</translation>
     </message>
     <message>
         <source>one of its elements does not end</source>
-        <translation>l&apos;un de ses éléments ne se termine pas</translation>
+        <translation>uno de sus elementos no termina</translation>
     </message>
     <message>
         <source>a compressed array has no blocks</source>
-        <translation>un tableau compressé n&apos;a pas de blocs</translation>
+        <translation>una matriz comprimida no tiene bloques</translation>
     </message>
     <message>
         <source>the blocks of a compressed array have no size</source>
-        <translation>les blocs d&apos;un tableau compressé n&apos;ont pas de taille</translation>
+        <translation>los bloques de una matriz comprimida no tienen tamaño</translation>
     </message>
     <message>
         <source>a compressed array has more bytes than the file can hold</source>
-        <translation>un tableau compressé a plus d&apos;octets que le fichier n&apos;en peut contenir</translation>
+        <translation>una matriz comprimida tiene más bytes de los que caben en el archivo</translation>
     </message>
     <message>
         <source>an array begins behind its end</source>
-        <translation>un tableau commence après sa fin</translation>
+        <translation>una matriz empieza después de su final</translation>
     </message>
     <message>
         <source>Mesh the surface anew, for example with MeshLab.</source>
-        <translation>Remaillez la surface, par exemple avec MeshLab.</translation>
+        <translation>Vuelva a mallar la superficie, por ejemplo con MeshLab.</translation>
     </message>
     <message>
         <source>No triangle of the surface has an area.</source>
-        <translation>Aucun triangle de la surface n&apos;a d&apos;aire.</translation>
+        <translation>Ningún triángulo de la superficie tiene área.</translation>
     </message>
     <message>
         <source>Make the surface anew; a cloud of points is not one.</source>
-        <translation>Refaites la surface ; un nuage de points n&apos;en est pas une.</translation>
+        <translation>Genere de nuevo la superficie; una nube de puntos no lo es.</translation>
     </message>
     <message>
         <source>The surface is in {0} pieces, between which there is no way along it; the largest has {1} % of its area.</source>
-        <translation>La surface est en {0} morceaux, entre lesquels aucun chemin ne la suit ; le plus grand a {1} % de son aire.</translation>
+        <translation>La superficie está en {0} piezas, entre las que no hay camino sobre ella; la mayor tiene el {1} % de su área.</translation>
     </message>
     <message>
         <source>Keep its largest piece, or join the pieces.</source>
-        <translation>Gardez le plus grand morceau, ou réunissez les morceaux.</translation>
+        <translation>Conserve la pieza mayor o una las piezas.</translation>
     </message>
     <message>
         <source>Points at the place of another, joined with it: {0}.</source>
-        <translation>Points à la place d&apos;un autre, réunis avec lui : {0}.</translation>
+        <translation>Puntos en el lugar de otro, unidos a él: {0}.</translation>
     </message>
     <message>
         <source>Doubled or empty triangles left out: {0}.</source>
-        <translation>Triangles doubles ou vides laissés de côté : {0}.</translation>
+        <translation>Triángulos dobles o vacíos omitidos: {0}.</translation>
     </message>
     <message>
         <source>Triangles turned to fit their neighbours: {0}.</source>
-        <translation>Triangles retournés pour s&apos;accorder à leurs voisins : {0}.</translation>
+        <translation>Triángulos girados para concordar con sus vecinos: {0}.</translation>
     </message>
     <message>
         <source>Points parted where the surface only touches itself: {0}.</source>
-        <translation>Points séparés là où la surface ne fait que se toucher : {0}.</translation>
+        <translation>Puntos separados donde la superficie solo se toca: {0}.</translation>
     </message>
     <message>
         <source>Pieces left out, together below 1 % of the area: {0}.</source>
-        <translation>Morceaux laissés de côté, ensemble moins de 1 % de l&apos;aire : {0}.</translation>
+        <translation>Piezas omitidas, juntas menos del 1 % del área: {0}.</translation>
     </message>
     <message>
         <source>the patient&apos;s left</source>
-        <translation>la gauche du patient</translation>
+        <translation>la izquierda del paciente</translation>
     </message>
     <message>
         <source>the patient&apos;s right</source>
-        <translation>la droite du patient</translation>
+        <translation>la derecha del paciente</translation>
     </message>
     <message>
         <source>the back</source>
-        <translation>le dos</translation>
+        <translation>la espalda</translation>
     </message>
     <message>
         <source>the front</source>
-        <translation>l&apos;avant</translation>
+        <translation>el frente</translation>
     </message>
     <message>
         <source>the head</source>
-        <translation>la tête</translation>
+        <translation>la cabeza</translation>
     </message>
     <message>
         <source>the feet</source>
-        <translation>les pieds</translation>
+        <translation>los pies</translation>
     </message>
     <message>
         <source>The image cuts the body off towards {0}; it is closed there by a flat cap.</source>
-        <translation>L&apos;image coupe le corps vers {0} ; il y est fermé par une face plane.</translation>
+        <translation>La imagen corta el cuerpo hacia {0}; allí se cierra con una tapa plana.</translation>
     </message>
     <message>
         <source>Most rows of {0} are far shorter than its first.</source>
-        <translation>La plupart des lignes de {0} sont bien plus courtes que la première.</translation>
+        <translation>La mayoría de las filas de {0} son mucho más cortas que la primera.</translation>
     </message>
     <message>
         <source>{0} is left out: its pixels cannot be written without what else is stored with them.</source>
-        <translation>{0} est laissé de côté : ses pixels ne peuvent pas être écrits sans ce qui est enregistré avec eux.</translation>
+        <translation>{0} se omite: sus píxeles no pueden escribirse sin lo que está guardado junto a ellos.</translation>
     </message>
     <message>
         <source>{0} does not say whether its pixels are signed: PixelRepresentation is {1}.</source>
-        <translation>{0} ne dit pas si ses pixels sont signés : PixelRepresentation vaut {1}.</translation>
+        <translation>{0} no dice si sus píxeles tienen signo: PixelRepresentation es {1}.</translation>
     </message>
     <message>
         <source>its voxels lie in several files</source>
-        <translation>ses voxels se trouvent dans plusieurs fichiers</translation>
+        <translation>sus vóxeles están en varios archivos</translation>
     </message>
     <message>
         <source>its voxels are encoded in a way that is not read</source>
-        <translation>ses voxels sont codés d’une façon qui n’est pas lue</translation>
+        <translation>sus vóxeles están codificados de una manera que no se lee</translation>
     </message>
     <message>
         <source>{0} has {1} million voxels; at most {2} million are read.</source>
-        <translation>{0} a {1} millions de voxels ; {2} millions au plus sont lus.</translation>
+        <translation>{0} tiene {1} millones de vóxeles; se leen como máximo {2} millones.</translation>
     </message>
     <message>
         <source>Cut out the part that is needed, or resample it to larger voxels.</source>
-        <translation>Découpez la partie nécessaire ou rééchantillonnez en voxels plus grands.</translation>
+        <translation>Recorte la parte necesaria o remuestree con vóxeles más grandes.</translation>
     </message>
     <message>
         <source>The compressed voxels of {0} are damaged or cut short.</source>
-        <translation>Les voxels compressés de {0} sont endommagés ou tronqués.</translation>
+        <translation>Los vóxeles comprimidos de {0} están dañados o cortados.</translation>
     </message>
     <message>
         <source>{0} holds more voxels than its header declares: its sizes are not those that it was written with.</source>
-        <translation>{0} contient plus de voxels que son en-tête n’en déclare : ses dimensions ne sont pas celles de son écriture.</translation>
+        <translation>{0} contiene más vóxeles de los que declara su cabecera: sus tamaños no son aquellos con los que se escribió.</translation>
     </message>
     <message>
         <source>There is no room in the liver for {0} of {1} mm: make it smaller, or let it lie elsewhere.</source>
-        <translation>Il n&apos;y a pas de place dans le foie pour {0} de {1} mm : réduisez sa taille ou placez-la ailleurs.</translation>
+        <translation>No hay sitio en el hígado para {0} de {1} mm: redúzcala o colóquela en otro lugar.</translation>
     </message>
     <message>
         <source>A liver of {0} ml cannot be made: ask for 800 to 2800 ml.</source>
-        <translation>Un foie de {0} ml ne peut pas être généré : demandez de 800 à 2800 ml.</translation>
+        <translation>No se puede generar un hígado de {0} ml: pida de 800 a 2800 ml.</translation>
     </message>
     <message>
         <source>A fat fraction of {0} with fibrosis of stage {1} cannot be made: the first is 0 to 0.5, the second 0 to 4.</source>
-        <translation>Une fraction de graisse de {0} avec une fibrose de stade {1} ne peut pas être générée : la première va de 0 à 0.5, le second de 0 à 4.</translation>
+        <translation>No se puede generar una fracción de grasa de {0} con fibrosis de estadio {1}: la primera va de 0 a 0.5, el segundo de 0 a 4.</translation>
     </message>
     <message>
         <source>shaping the liver</source>
-        <translation>mise en forme du foie</translation>
+        <translation>dando forma al hígado</translation>
     </message>
     <message>
         <source>growing the vessels</source>
-        <translation>croissance des vaisseaux</translation>
+        <translation>creciendo los vasos</translation>
     </message>
     <message>
         <source>The lesion {0} is not understood: give its diameter in mm, as 30, and if you like its segment, 30@7, or its place, 30@x,y,z.</source>
-        <translation>La lésion {0} n&apos;est pas comprise : donnez son diamètre en mm, comme 30, et si vous le souhaitez son segment, 30@7, ou son emplacement, 30@x,y,z.</translation>
+        <translation>No se entiende la lesión {0}: indique su diámetro en mm, como 30, y si quiere su segmento, 30@7, o su lugar, 30@x,y,z.</translation>
     </message>
     <message>
         <source>others are writing it</source>
-        <translation>d’autres sont en train de l’écrire</translation>
+        <translation>otros lo están escribiendo</translation>
     </message>
     <message>
         <source>{0} is a link to another place, where nothing is written.</source>
-        <translation>{0} est un lien vers un autre endroit, où rien n’est écrit.</translation>
+        <translation>{0} es un enlace a otro lugar, donde no se escribe nada.</translation>
     </message>
     <message>
         <source>Put the folder itself there.</source>
-        <translation>Placez-y le dossier lui-même.</translation>
+        <translation>Ponga allí la carpeta misma.</translation>
     </message>
     <message>
         <source>{0} names a file outside its place in the case folder: {1}.</source>
-        <translation>{0} nomme un fichier hors de sa place dans le dossier du cas : {1}.</translation>
+        <translation>{0} nombra un archivo fuera de su lugar en la carpeta del caso: {1}.</translation>
     </message>
     <message>
         <source>{0} is being made by another program.</source>
-        <translation>{0} est en train d’être créé par un autre programme.</translation>
+        <translation>Otro programa está creando {0}.</translation>
     </message>
     <message>
         <source>Wait until it has finished, or choose another name.</source>
-        <translation>Attendez qu’il ait fini, ou choisissez un autre nom.</translation>
+        <translation>Espere a que termine o elija otro nombre.</translation>
     </message>
     <message>
         <source>{0} was replaced by another program and does not fit the liver of this case.</source>
-        <translation>{0} a été remplacé par un autre programme et ne correspond pas au foie de ce cas.</translation>
+        <translation>{0} fue sustituido por otro programa y no corresponde al hígado de este caso.</translation>
     </message>
     <message>
         <source>Put the file back, or make it anew: glisson-cli segment, mesh, stiffness.</source>
-        <translation>Remettez le fichier, ou refaites-le : glisson-cli segment, mesh, stiffness.</translation>
+        <translation>Devuelva el archivo o hágalo de nuevo: glisson-cli segment, mesh, stiffness.</translation>
     </message>
     <message>
         <source>Another program has changed {0} since it was saved.</source>
-        <translation>Un autre programme a modifié {0} depuis son enregistrement.</translation>
+        <translation>Otro programa ha cambiado {0} desde que se guardó.</translation>
     </message>
     <message>
         <source>What {0} was made from has changed since: make it anew.</source>
-        <translation>Ce dont {0} a été fait a changé depuis : refaites-le.</translation>
+        <translation>Aquello de lo que se hizo {0} ha cambiado desde entonces: hágalo de nuevo.</translation>
     </message>
     <message>
         <source>Point {0} of the surface lies farther off than a thousand kilometres.</source>
-        <translation>Le point {0} de la surface se trouve à plus de mille kilomètres.</translation>
+        <translation>El punto {0} de la superficie está a más de mil kilómetros.</translation>
     </message>
     <message>
         <source>No triangle of the surface has an area: they are lines or points.</source>
-        <translation>Aucun triangle de la surface n’a d’aire : ce sont des lignes ou des points.</translation>
+        <translation>Ningún triángulo de la superficie tiene área: son líneas o puntos.</translation>
     </message>
     <message>
         <source>Point {0} of the mesh lies farther off than a thousand kilometres.</source>
-        <translation>Le point {0} du maillage se trouve à plus de mille kilomètres.</translation>
+        <translation>El punto {0} de la malla está a más de mil kilómetros.</translation>
     </message>
     <message>
         <source>The command is done, but its answer cannot be written: {0}.</source>
-        <translation>La commande est exécutée, mais sa réponse ne peut pas être écrite : {0}.</translation>
+        <translation>La orden está hecha, pero no se puede escribir su respuesta: {0}.</translation>
     </message>
     <message>
         <source>Check where standard output goes, and the space there.</source>
-        <translation>Vérifiez où va la sortie standard, et la place qui y reste.</translation>
+        <translation>Compruebe adónde va la salida estándar y el espacio que hay allí.</translation>
     </message>
     <message>
         <source>They are of another patient.</source>
-        <translation>Elles sont d&apos;un autre patient.</translation>
+        <translation>Son de otro paciente.</translation>
     </message>
     <message>
         <source>They are of another examination.</source>
-        <translation>Elles sont d&apos;un autre examen.</translation>
+        <translation>Son de otro examen.</translation>
     </message>
     <message>
         <source>They have another frame of reference: the patient may have moved between them.</source>
-        <translation>Elles ont un autre référentiel : le patient a pu bouger entre les deux.</translation>
+        <translation>Tienen otro sistema de referencia: el paciente puede haberse movido entre ellas.</translation>
     </message>
     <message>
         <source>They lie elsewhere: only {0} % of their place is that of the case&apos;s anatomy.</source>
-        <translation>Elles se trouvent ailleurs : {0} % seulement de leur espace est celui de l&apos;anatomie du cas.</translation>
+        <translation>Están en otro lugar: solo el {0} % de su espacio es el de la anatomía del caso.</translation>
     </message>
     <message>
         <source>This was measured on &quot;{0}&quot;, and nothing shows that it is tissue of {1}.</source>
-        <translation>Cela a été mesuré sur « {0} », et rien ne montre que ce soit du tissu de {1}.</translation>
+        <translation>Esto se midió en «{0}», y nada muestra que sea tejido de {1}.</translation>
     </message>
     <message>
         <source>Where it is, name the case in the experiment&apos;s title, or say so with --of-this-patient.</source>
-        <translation>Si c&apos;en est, nommez le cas dans le titre de l&apos;expérience, ou dites-le par --of-this-patient.</translation>
+        <translation>Si lo es, nombre el caso en el título del experimento, o dígalo con --of-this-patient.</translation>
     </message>
     <message>
         <source>The effect {0} would change nothing in the rehearsal: {1}</source>
-        <translation>L&apos;effet {0} ne changerait rien à la répétition : {1}</translation>
+        <translation>El efecto {0} no cambiaría nada en el ensayo: {1}</translation>
     </message>
     <message>
         <source>Accept the others alone (--effect KIND).</source>
-        <translation>Acceptez les autres seuls (--effect SORTE).</translation>
+        <translation>Acepte solo los otros (--effect CLASE).</translation>
     </message>
     <message>
         <source>Make a case of their own, or take them all the same with --replace.</source>
-        <translation>Faites-en un cas à part, ou prenez-les malgré tout avec --replace.</translation>
+        <translation>Haga de ellas un caso aparte, o tómelas de todos modos con --replace.</translation>
     </message>
     <message>
         <source>These images may not belong to {0}.{1}</source>
-        <translation>Ces images n&apos;appartiennent peut-être pas à {0}.{1}</translation>
+        <translation>Puede que estas imágenes no pertenezcan a {0}.{1}</translation>
     </message>
     <message>
         <source>{0} has an anatomy already, which these images would replace.</source>
-        <translation>{0} a déjà une anatomie, que ces images remplaceraient.</translation>
+        <translation>{0} ya tiene una anatomía, que estas imágenes reemplazarían.</translation>
     </message>
     <message>
         <source>Drawn on another grid ({0} x {1} x {2}) and carried to the anatomy&apos;s, each voxel from the nearest one.</source>
-        <translation>Dessiné sur une autre grille ({0} x {1} x {2}) et porté sur celle de l&apos;anatomie, chaque voxel du plus proche.</translation>
+        <translation>Dibujado en otra rejilla ({0} x {1} x {2}) y llevado a la de la anatomía, cada vóxel desde el más cercano.</translation>
     </message>
     <message>
         <source>Left out of the label map: {0}.</source>
-        <translation>Laissé de côté dans la carte d&apos;étiquettes : {0}.</translation>
+        <translation>Omitido del mapa de etiquetas: {0}.</translation>
     </message>
     <message>
         <source>Nothing says what the values of {0} are: {1}.</source>
-        <translation>Rien ne dit ce que sont les valeurs de {0} : {1}.</translation>
+        <translation>Nada dice qué son los valores de {0}: {1}.</translation>
     </message>
     <message>
         <source>Name them, as in --label-value 1=liver --label-value 2=tumour-1.</source>
-        <translation>Nommez-les, par exemple --label-value 1=liver --label-value 2=tumour-1.</translation>
+        <translation>Nómbrelos, como en --label-value 1=liver --label-value 2=tumour-1.</translation>
     </message>
     <message>
         <source>Two files bring the structure {0}: {1} is the second.</source>
-        <translation>Deux fichiers apportent la structure {0} : {1} est le second.</translation>
+        <translation>Dos archivos traen la estructura {0}: {1} es el segundo.</translation>
     </message>
     <message>
         <source>Leave one of them out (--labels UID takes that label map alone).</source>
-        <translation>Laissez-en un de côté (--labels UID ne prend que cette carte d&apos;étiquettes).</translation>
+        <translation>Omita uno de ellos (--labels UID toma solo ese mapa de etiquetas).</translation>
     </message>
     <message>
         <source>No voxel of {0} lies inside the anatomy.</source>
-        <translation>Aucun voxel de {0} ne se trouve dans l&apos;anatomie.</translation>
+        <translation>Ningún vóxel de {0} está dentro de la anatomía.</translation>
     </message>
     <message>
         <source>Named after the file.</source>
-        <translation>Nommé d&apos;après le fichier.</translation>
+        <translation>Nombrado por el archivo.</translation>
     </message>
     <message>
         <source>Named by you.</source>
-        <translation>Nommé par vous.</translation>
+        <translation>Nombrado por usted.</translation>
     </message>
     <message>
         <source>Named by 3D Slicer&apos;s segments.</source>
-        <translation>Nommé par les segments de 3D Slicer.</translation>
+        <translation>Nombrado por los segmentos de 3D Slicer.</translation>
     </message>
     <message>
         <source>Named by the table in the file.</source>
-        <translation>Nommé par la table du fichier.</translation>
+        <translation>Nombrado por la tabla del archivo.</translation>
     </message>
     <message>
         <source>Named by the label description beside the file.</source>
-        <translation>Nommé par la description d&apos;étiquettes à côté du fichier.</translation>
+        <translation>Nombrado por la descripción de etiquetas junto al archivo.</translation>
     </message>
     <message>
         <source>Named by TotalSegmentator&apos;s class numbers: see whether they are right.</source>
-        <translation>Nommé par les numéros de classe de TotalSegmentator : vérifiez qu&apos;ils sont justes.</translation>
+        <translation>Nombrado por los números de clase de TotalSegmentator: compruebe que son correctos.</translation>
     </message>
     <message>
         <source>The stiffness is assumed, {0} kPa for all cells, and not measured: it is not compared with the atlas.</source>
-        <translation>La rigidité est supposée, {0} kPa pour toutes les cellules, et non mesurée : elle n’est pas comparée à l’atlas.</translation>
+        <translation>La rigidez es supuesta, {0} kPa para todas las celdas, y no medida: no se compara con el atlas.</translation>
     </message>
     <message>
         <source>The stiffness is assumed, the atlas&apos;s {0} kPa for all cells, and not measured: it is not compared with the atlas.</source>
-        <translation>La rigidité est supposée, les {0} kPa de l’atlas pour toutes les cellules, et non mesurée : elle n’est pas comparée à l’atlas.</translation>
+        <translation>La rigidez es supuesta, los {0} kPa del atlas para todas las celdas, y no medida: no se compara con el atlas.</translation>
     </message>
     <message>
         <source>The result in {0} is not to be used: {1}.</source>
-        <translation>Le résultat dans {0} est inutilisable : {1}.</translation>
+        <translation>El resultado en {0} no es utilizable: {1}.</translation>
     </message>
     <message>
         <source>Simulate it again with less force, or on other supports.</source>
-        <translation>Simulez-le de nouveau avec moins de force, ou sur d’autres appuis.</translation>
+        <translation>Simúlelo de nuevo con menos fuerza o con otros apoyos.</translation>
     </message>
     <message>
         <source>Within the model: strains reach {0} %.</source>
-        <translation>Dans le modèle : les déformations atteignent {0} %.</translation>
+        <translation>Dentro del modelo: las deformaciones llegan al {0} %.</translation>
     </message>
     <message>
         <source>Outside of the model: strains reach {0} %, and beyond {1} % it is an extrapolation.</source>
-        <translation>Hors du modèle : les déformations atteignent {0} %, et au-delà de {1} % c’est une extrapolation.</translation>
+        <translation>Fuera del modelo: las deformaciones llegan al {0} %, y por encima del {1} % es una extrapolación.</translation>
     </message>
     <message>
         <source>Not to be used: cells turned inside out: {0}.</source>
-        <translation>Inutilisable : cellules retournées : {0}.</translation>
+        <translation>No utilizable: celdas invertidas: {0}.</translation>
     </message>
     <message>
         <source>Not to be used: the computation did not converge.</source>
-        <translation>Inutilisable : le calcul n’a pas convergé.</translation>
+        <translation>No utilizable: el cálculo no ha convergido.</translation>
     </message>
     <message>
         <source>cells turned inside out: {0}</source>
-        <translation>cellules retournées : {0}</translation>
+        <translation>celdas invertidas: {0}</translation>
     </message>
     <message>
         <source>Plan a resection first, and save it.</source>
-        <translation>Planifiez d’abord une résection, et enregistrez-la.</translation>
+        <translation>Planifique primero una resección y guárdela.</translation>
     </message>
     <message>
         <source>The result {0} is not to be used: {1}.</source>
-        <translation>Le résultat {0} est inutilisable : {1}.</translation>
+        <translation>El resultado {0} no es utilizable: {1}.</translation>
     </message>
     <message>
         <source>Simulate it again with less force.</source>
-        <translation>Simulez-le de nouveau avec moins de force.</translation>
+        <translation>Simúlelo de nuevo con menos fuerza.</translation>
     </message>
     <message>
         <source>A result that did not converge cannot be compared: {0}</source>
-        <translation>Un résultat qui n’a pas convergé ne peut pas être comparé&#xa0;: {0}</translation>
+        <translation>Un resultado que no ha convergido no se puede comparar: {0}</translation>
     </message>
     <message>
         <source>The retraction&apos;s answer is not to be used: {0}.</source>
-        <translation>La réponse de la rétraction est inutilisable : {0}.</translation>
+        <translation>La respuesta de la retracción no es utilizable: {0}.</translation>
     </message>
     <message>
         <source>Use less force.</source>
-        <translation>Utilisez moins de force.</translation>
+        <translation>Use menos fuerza.</translation>
     </message>
     <message>
         <source>Less than 5 % of the organ is seen: too little to say where the rest is.</source>
-        <translation>Moins de 5 % de l&apos;organe est visible : trop peu pour dire où se trouve le reste.</translation>
+        <translation>Se ve menos del 5 % del órgano: demasiado poco para decir dónde está el resto.</translation>
     </message>
     <message>
         <source>What is seen does not fit this organ: more than half of the points lie far from it.</source>
-        <translation>Ce qui est vu ne correspond pas à cet organe : plus de la moitié des points en sont éloignés.</translation>
+        <translation>Lo que se ve no corresponde a este órgano: más de la mitad de los puntos está lejos de él.</translation>
     </message>
     <message>
         <source>Preparing the organ</source>
-        <translation>Préparation de l&apos;organe</translation>
+        <translation>Preparando el órgano</translation>
     </message>
     <message>
         <source>Fewer than 20 points of the surface were seen.</source>
-        <translation>Moins de 20 points de la surface ont été vus.</translation>
+        <translation>Se vieron menos de 20 puntos de la superficie.</translation>
     </message>
     <message>
         <source>What was seen is twenty times smaller than the organ: lengths are in mm, are these in metres?</source>
-        <translation>Ce qui est vu est vingt fois plus petit que l&apos;organe : les longueurs sont en mm, celles-ci sont-elles en mètres ?</translation>
+        <translation>Lo visto es veinte veces más pequeño que el órgano: las longitudes son en mm, ¿están estas en metros?</translation>
     </message>
     <message>
         <source>What was seen is five times larger than the organ: lengths are in mm.</source>
-        <translation>Ce qui est vu est cinq fois plus grand que l&apos;organe : les longueurs sont en mm.</translation>
+        <translation>Lo visto es cinco veces mayor que el órgano: las longitudes son en mm.</translation>
     </message>
     <message>
         <source>Placing the organ</source>
-        <translation>Placement de l&apos;organe</translation>
+        <translation>Situando el órgano</translation>
     </message>
     <message>
         <source>The folder cannot be made: {0}</source>
-        <translation>Impossible de créer le dossier : {0}</translation>
+        <translation>No se puede crear la carpeta: {0}</translation>
     </message>
     <message>
         <source>In {0}: {1}.</source>
-        <translation>Dans {0} : {1}.</translation>
+        <translation>En {0}: {1}.</translation>
     </message>
     <message>
         <source>The format &quot;glisson-guidance/1&quot; is described in the documentation.</source>
-        <translation>Le format &quot;glisson-guidance/1&quot; est décrit dans la documentation.</translation>
+        <translation>El formato &quot;glisson-guidance/1&quot; se describe en la documentación.</translation>
     </message>
     <message>
         <source>The first line must be id,x_mm,y_mm,z_mm.</source>
-        <translation>La première ligne doit être id,x_mm,y_mm,z_mm.</translation>
+        <translation>La primera línea debe ser id,x_mm,y_mm,z_mm.</translation>
     </message>
     <message>
         <source>Line {0} must hold an id and three numbers.</source>
-        <translation>La ligne {0} doit contenir un identifiant et trois nombres.</translation>
+        <translation>La línea {0} debe contener un identificador y tres números.</translation>
     </message>
     <message>
         <source>Frame {0} has no pose_guess, and {1} points on its features are too few to find where the organ is.</source>
-        <translation>L&apos;image {0} n&apos;a pas de pose_guess, et {1} points sur ses repères sont trop peu pour trouver l&apos;organe.</translation>
+        <translation>La imagen {0} no tiene pose_guess, y {1} puntos en sus referencias son muy pocos para encontrar el órgano.</translation>
     </message>
     <message>
         <source>Give a pose_guess, or mark ridges or the falciform ligament.</source>
-        <translation>Donnez une pose_guess, ou marquez des crêtes ou le ligament falciforme.</translation>
+        <translation>Indique una pose_guess, o marque bordes o el ligamento falciforme.</translation>
     </message>
     <message>
         <source>Under no pose does what frame {0} saw lie near the organ.</source>
-        <translation>Dans aucune position, ce que l&apos;image {0} a vu n&apos;est proche de l&apos;organe.</translation>
+        <translation>En ninguna posición lo que vio la imagen {0} queda cerca del órgano.</translation>
     </message>
     <message>
         <source>Check that the features have the same names on both sides, that lengths are in mm, and that the frame is of this patient.</source>
-        <translation>Vérifiez que les repères portent les mêmes noms des deux côtés, que les longueurs sont en mm et que l&apos;image est de ce patient.</translation>
+        <translation>Compruebe que las referencias tengan los mismos nombres en ambos lados, que las longitudes sean en mm y que la imagen sea de este paciente.</translation>
     </message>
     <message>
         <source>Reading the guidance case</source>
-        <translation>Lecture du cas de guidage</translation>
+        <translation>Leyendo el caso de guiado</translation>
     </message>
     <message>
         <source>Another window has {0} open: here it can be looked at, and nothing is changed.</source>
-        <translation>{0} est ouvert dans une autre fenêtre : ici on peut le regarder, et rien n’est modifié.</translation>
+        <translation>Otra ventana tiene abierto {0}: aquí se puede mirar, y nada se cambia.</translation>
     </message>
     <message>
         <source>Close it there and open it here again.</source>
-        <translation>Fermez-le là-bas et rouvrez-le ici.</translation>
+        <translation>Ciérrelo allí y vuelva a abrirlo aquí.</translation>
     </message>
     <message>
         <source>The folder of {0} takes no files: the case can be looked at, and nothing is kept.</source>
-        <translation>Le dossier de {0} n’accepte pas de fichiers : on peut regarder le cas, et rien n’est conservé.</translation>
+        <translation>La carpeta de {0} no admite archivos: el caso se puede mirar, y nada se guarda.</translation>
     </message>
     <message>
         <source>Copy it to where you may write, and open the copy.</source>
-        <translation>Copiez-le là où vous pouvez écrire, et ouvrez la copie.</translation>
+        <translation>Cópielo a donde pueda escribir y abra la copia.</translation>
     </message>
     <message>
         <source>The folder {0} is gone: nothing more of this case can be kept.</source>
-        <translation>Le dossier {0} a disparu : plus rien de ce cas ne peut être conservé.</translation>
+        <translation>La carpeta {0} ha desaparecido: nada más de este caso se puede guardar.</translation>
     </message>
     <message>
         <source>Bring it back to its place, or open the case where it is now.</source>
-        <translation>Remettez-le à sa place, ou ouvrez le cas là où il est maintenant.</translation>
+        <translation>Devuélvala a su sitio, o abra el caso donde esté ahora.</translation>
+    </message>
+    <message>
+        <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
+        <translation>Los módulos de {0} se calcularon a partir de módulos de cizalla con un coeficiente de Poisson de {1}, no de {2}.</translation>
+    </message>
+    <message>
+        <source>Say &quot;poisson_ratio&quot;: {1} in the specimen.</source>
+        <translation>Indique &quot;poisson_ratio&quot;: {1} en la muestra (specimen).</translation>
+    </message>
+    <message>
+        <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
+        <translation>El coeficiente de Poisson de la malla debe ser mayor que -1 y no superar 0.5; es {0}.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
     <message>
         <source>ICP: nearest points</source>
-        <translation>ICP&#xa0;: points les plus proches</translation>
+        <translation>ICP: puntos más cercanos</translation>
     </message>
     <message>
         <source>GEO: distances along the surface</source>
-        <translation>GEO&#xa0;: distances le long de la surface</translation>
+        <translation>GEO: distancias a lo largo de la superficie</translation>
     </message>
     <message>
         <source>GNRA: all frames by their landmarks</source>
-        <translation>GNRA&#xa0;: toutes les images par leurs repères</translation>
+        <translation>GNRA: todos los fotogramas por sus puntos de referencia</translation>
     </message>
     <message>
         <source>Given by the sequence</source>
-        <translation>Fourni par la séquence</translation>
+        <translation>Dado por la secuencia</translation>
     </message>
     <message>
         <source>Given</source>
-        <translation>Fourni</translation>
+        <translation>Dado</translation>
     </message>
     <message>
         <source>Algorithms</source>
-        <translation>Algorithmes</translation>
+        <translation>Algoritmos</translation>
     </message>
     <message>
         <source>First algorithm</source>
-        <translation>Premier algorithme</translation>
+        <translation>Primer algoritmo</translation>
     </message>
     <message>
         <source>Second algorithm</source>
-        <translation>Second algorithme</translation>
+        <translation>Segundo algoritmo</translation>
     </message>
     <message>
         <source>What the left picture shows</source>
-        <translation>Ce que montre l’image de gauche</translation>
+        <translation>Lo que muestra la imagen izquierda</translation>
     </message>
     <message>
         <source>What the right picture shows, or nothing</source>
-        <translation>Ce que montre l’image de droite, ou rien</translation>
+        <translation>Lo que muestra la imagen derecha, o nada</translation>
     </message>
     <message>
         <source>Register and judge</source>
-        <translation>Recaler et juger</translation>
+        <translation>Registrar y juzgar</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Annuler</translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Stops registering; what was computed before stays</source>
-        <translation>Arrête le recalage&#xa0;; ce qui était déjà calculé reste</translation>
+        <translation>Detiene el registro; lo calculado antes se conserva</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation>Progression</translation>
+        <translation>Progreso</translation>
     </message>
     <message>
         <source>No second algorithm</source>
-        <translation>Pas de second algorithme</translation>
+        <translation>Sin segundo algoritmo</translation>
     </message>
     <message>
         <source>The sequence names no registered clouds</source>
-        <translation>La séquence ne nomme aucun nuage recalé</translation>
+        <translation>La secuencia no indica nubes registradas</translation>
     </message>
     <message>
         <source>The sequence names no model</source>
-        <translation>La séquence ne nomme aucun modèle</translation>
+        <translation>La secuencia no indica ningún modelo</translation>
     </message>
     <message>
         <source>Open a sequence first</source>
-        <translation>Ouvrez d’abord une séquence</translation>
+        <translation>Abra primero una secuencia</translation>
     </message>
     <message>
         <source>It is being computed</source>
-        <translation>Le calcul est en cours</translation>
+        <translation>Se está calculando</translation>
     </message>
     <message>
         <source>Both algorithms are computed already</source>
-        <translation>Les deux algorithmes sont déjà calculés</translation>
+        <translation>Ambos algoritmos ya están calculados</translation>
     </message>
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
-        <translation>Recale chaque image par les algorithmes ci-dessus et les juge par SIRGn&#xa0;: jusqu’à une seconde environ par image</translation>
+        <translation>Registra cada fotograma con los algoritmos de arriba y los juzga con SIRGn: hasta un segundo por fotograma, más o menos</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::CandidatesTable</name>
+    <message>
+        <source>Suspect, each by itself</source>
+        <translation>Sospechoso, cada uno por sí solo</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>On trials left out</source>
+        <translation>En ensayos apartados</translation>
+    </message>
+    <message>
+        <source>These data cannot tell it from</source>
+        <translation>Estos datos no lo distinguen de</translation>
+    </message>
+    <message>
+        <source>Root mean square on the trials that it was fitted to</source>
+        <translation>Media cuadrática en los ensayos a los que se ajustó</translation>
+    </message>
+    <message>
+        <source>Root mean square on trials that it was not fitted to, left out whole</source>
+        <translation>Media cuadrática en ensayos enteros apartados, a los que no se ajustó</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>out of the running: %1</source>
+        <translation>fuera de concurso: %1</translation>
+    </message>
+    <message>
+        <source>very strong</source>
+        <translation>muy fuerte</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>fuerte</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>débil</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Evidencia</translation>
+    </message>
+    <message>
+        <source>Against the declared model, by the difference of BIC</source>
+        <translation>Contra el modelo declarado, por la diferencia de BIC</translation>
+    </message>
+    <message>
+        <source>ΔBIC %1</source>
+        <translation>ΔBIC %1</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::CaseOverview</name>
     <message>
         <source>The open case</source>
-        <translation>Le cas ouvert</translation>
+        <translation>El caso abierto</translation>
     </message>
     <message>
         <source>What</source>
-        <translation>Élément</translation>
+        <translation>Elemento</translation>
     </message>
     <message>
         <source>State</source>
-        <translation>État</translation>
+        <translation>Estado</translation>
     </message>
     <message>
         <source>Made by</source>
-        <translation>Créé par</translation>
+        <translation>Creado por</translation>
     </message>
     <message>
         <source>What comes next</source>
-        <translation>La suite</translation>
+        <translation>Lo que sigue</translation>
     </message>
     <message>
         <source>up to date</source>
-        <translation>à jour</translation>
+        <translation>al día</translation>
     </message>
     <message>
         <source>⚠ stale</source>
-        <translation>⚠ périmé</translation>
+        <translation>⚠ desfasado</translation>
     </message>
     <message>
         <source>⚠ changed by another program</source>
-        <translation>⚠ modifié par un autre programme</translation>
+        <translation>⚠ modificado por otro programa</translation>
     </message>
     <message>
         <source>⚠ file is gone</source>
-        <translation>⚠ fichier disparu</translation>
+        <translation>⚠ falta el archivo</translation>
     </message>
     <message>
         <source>Something that it was made from has changed since.</source>
-        <translation>Quelque chose dont il a été tiré a changé depuis.</translation>
+        <translation>Algo de lo que se hizo ha cambiado desde entonces.</translation>
     </message>
     <message>
         <source>No case is open. Open images, choose what each series is for, and make a case of them.</source>
-        <translation>Aucun cas n’est ouvert. Ouvrez des images, choisissez à quoi sert chaque série et créez-en un cas.</translation>
+        <translation>No hay ningún caso abierto. Abra imágenes, elija para qué es cada serie y cree un caso con ellas.</translation>
     </message>
     <message>
         <source>Everything is up to date.</source>
-        <translation>Tout est à jour.</translation>
+        <translation>Todo está al día.</translation>
     </message>
     <message>
         <source>Stale: %1. They were made from something that has changed since.</source>
-        <translation>Périmés&#xa0;: %1. Ils ont été tirés de quelque chose qui a changé depuis.</translation>
+        <translation>Desfasados: %1. Se hicieron de algo que ha cambiado desde entonces.</translation>
     </message>
     <message>
         <source>Make the model anew</source>
-        <translation>Refaire le modèle</translation>
+        <translation>Rehacer el modelo</translation>
     </message>
     <message>
         <source>There are no anatomical images: without them nothing can be outlined. Open them on the left.</source>
-        <translation>Il n’y a pas d’images anatomiques&#xa0;: sans elles, rien ne peut être délimité. Ouvrez-les à gauche.</translation>
+        <translation>No hay imágenes anatómicas: sin ellas no se puede delimitar nada. Ábralas a la izquierda.</translation>
     </message>
     <message>
         <source>The elastography has not been inverted: File, Elastography waves (Ctrl+W) makes the stiffness of it.</source>
-        <translation>L’élastographie n’a pas été inversée&#xa0;: Fichier, Ondes d’élastographie (Ctrl+W) en tire la rigidité.</translation>
+        <translation>La elastografía no se ha invertido: Archivo, Ondas de elastografía (Ctrl+W) obtiene de ella la rigidez.</translation>
     </message>
     <message>
         <source>The liver is not outlined yet.</source>
-        <translation>Le foie n’est pas encore délimité.</translation>
+        <translation>El hígado aún no está delimitado.</translation>
     </message>
     <message>
         <source>Outline it in Segment</source>
-        <translation>La délimiter dans Segmenter</translation>
+        <translation>Delimitarlo en Segmentar</translation>
     </message>
     <message>
         <source>There is no model yet.</source>
-        <translation>Il n’y a pas encore de modèle.</translation>
+        <translation>Aún no hay modelo.</translation>
     </message>
     <message>
         <source>Build the model</source>
-        <translation>Construire le modèle</translation>
+        <translation>Construir el modelo</translation>
     </message>
     <message>
         <source>The model is there.</source>
-        <translation>Le modèle est là.</translation>
+        <translation>El modelo está hecho.</translation>
     </message>
     <message>
         <source>Rehearse</source>
-        <translation>Répéter</translation>
+        <translation>Ensayar</translation>
     </message>
     <message>
         <source>Building the model</source>
-        <translation>Construction du modèle</translation>
+        <translation>Construyendo el modelo</translation>
     </message>
     <message>
         <source>import</source>
-        <translation>import</translation>
+        <translation>importación</translation>
     </message>
     <message>
         <source>outlining</source>
-        <translation>délimitation</translation>
+        <translation>delimitación</translation>
     </message>
     <message>
         <source>meshing</source>
-        <translation>maillage</translation>
+        <translation>mallado</translation>
     </message>
     <message>
         <source>giving stiffness</source>
-        <translation>attribution de la rigidité</translation>
+        <translation>asignación de rigidez</translation>
     </message>
     <message>
         <source>inversion of waves</source>
-        <translation>inversion des ondes</translation>
+        <translation>inversión de las ondas</translation>
     </message>
     <message>
         <source>Outline: %1</source>
-        <translation>Contour&#xa0;: %1</translation>
+        <translation>Contorno: %1</translation>
     </message>
     <message>
         <source>Surface: %1</source>
-        <translation>Surface&#xa0;: %1</translation>
+        <translation>Superficie: %1</translation>
     </message>
     <message>
         <source>Tetrahedra of the liver</source>
-        <translation>Tétraèdres du foie</translation>
+        <translation>Tetraedros del hígado</translation>
     </message>
     <message>
         <source>Model: stiffness of each cell</source>
-        <translation>Modèle&#xa0;: rigidité de chaque cellule</translation>
+        <translation>Modelo: rigidez de cada celda</translation>
     </message>
     <message>
         <source>Images: anatomy</source>
-        <translation>Images&#xa0;: anatomie</translation>
+        <translation>Imágenes: anatomía</translation>
     </message>
     <message>
         <source>Map: stiffness (kPa)</source>
-        <translation>Carte&#xa0;: rigidité (kPa)</translation>
+        <translation>Mapa: rigidez (kPa)</translation>
     </message>
     <message>
         <source>Map: confidence</source>
-        <translation>Carte&#xa0;: confiance</translation>
+        <translation>Mapa: confianza</translation>
     </message>
     <message>
         <source>MRE magnitude</source>
-        <translation>Magnitude ERM</translation>
+        <translation>Magnitud de ERM</translation>
     </message>
     <message>
         <source>MRE phase</source>
-        <translation>Phase ERM</translation>
+        <translation>Fase de ERM</translation>
     </message>
     <message>
         <source>MRE waves</source>
-        <translation>Ondes ERM</translation>
+        <translation>Ondas de ERM</translation>
     </message>
     <message>
         <source>There is no model yet. Without elastography its stiffness is assumed: the atlas&apos;s.</source>
-        <translation>Il n’y a pas encore de modèle. Sans élastographie, sa rigidité est supposée : celle de l’atlas.</translation>
+        <translation>Todavía no hay modelo. Sin elastografía su rigidez es supuesta: la del atlas.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ComparisonChoice</name>
     <message>
         <source>Patient</source>
-        <translation>Patient</translation>
+        <translation>Paciente</translation>
     </message>
     <message>
         <source>Atlas</source>
@@ -4479,113 +4554,113 @@
     </message>
     <message>
         <source>With one stiffness for the whole liver, as an atlas gives it</source>
-        <translation>Avec une seule rigidité pour tout le foie, comme la donne un atlas</translation>
+        <translation>Con una sola rigidez para todo el hígado, como la da un atlas</translation>
     </message>
     <message>
         <source>Both</source>
-        <translation>Les deux</translation>
+        <translation>Ambos</translation>
     </message>
     <message>
         <source>Atlas in red, patient in blue: purple where they agree</source>
-        <translation>Atlas en rouge, patient en bleu&#xa0;: violet là où ils concordent</translation>
+        <translation>Atlas en rojo, paciente en azul: violeta donde coinciden</translation>
     </message>
     <message>
         <source>Side by side</source>
-        <translation>Côte à côte</translation>
+        <translation>Lado a lado</translation>
     </message>
     <message>
         <source>Two 3D views that turn together: the patient on the left, the atlas on the right</source>
-        <translation>Deux vues 3D qui tournent ensemble&#xa0;: le patient à gauche, l’atlas à droite</translation>
+        <translation>Dos vistas 3D que giran juntas: el paciente a la izquierda, el atlas a la derecha</translation>
     </message>
     <message>
         <source>No stiffness was measured: there is nothing to compare with the atlas</source>
-        <translation>Aucune rigidité n’a été mesurée : il n’y a rien à comparer à l’atlas</translation>
+        <translation>No se midió ninguna rigidez: no hay nada que comparar con el atlas</translation>
     </message>
     <message>
         <source>With this patient&apos;s own stiffness, as it was measured</source>
-        <translation>Avec la rigidité propre à ce patient, telle qu’elle a été mesurée</translation>
+        <translation>Con la rigidez propia de este paciente, tal como se midió</translation>
     </message>
     <message>
         <source>With the assumed stiffness</source>
-        <translation>Avec la rigidité supposée</translation>
+        <translation>Con la rigidez supuesta</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ContourPlot</name>
     <message>
         <source>Liver (cm³)</source>
-        <translation>Foie (cm³)</translation>
+        <translation>Hígado (cm³)</translation>
     </message>
     <message>
         <source>Volume of a node (mm³)</source>
-        <translation>Volume d’un nœud (mm³)</translation>
+        <translation>Volumen de un nodo (mm³)</translation>
     </message>
     <message>
         <source>Accuracy (mm)</source>
-        <translation>Précision (mm)</translation>
+        <translation>Precisión (mm)</translation>
     </message>
     <message>
         <source>hot spot</source>
-        <translation>point chaud</translation>
+        <translation>punto caliente</translation>
     </message>
     <message>
         <source>this case</source>
-        <translation>ce cas</translation>
+        <translation>este caso</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::CutControls</name>
     <message>
         <source>Cut by a plane</source>
-        <translation>Section par un plan</translation>
+        <translation>Sección por un plano</translation>
     </message>
     <message>
         <source>Cut by a smooth surface through points</source>
-        <translation>Section par une surface lisse passant par des points</translation>
+        <translation>Sección por una superficie suave que pasa por puntos</translation>
     </message>
     <message>
         <source>Divides</source>
-        <translation>Sépare</translation>
+        <translation>Separa</translation>
     </message>
     <message>
         <source>left from right</source>
-        <translation>la gauche de la droite</translation>
+        <translation>izquierda de derecha</translation>
     </message>
     <message>
         <source>front from back</source>
-        <translation>l’avant de l’arrière</translation>
+        <translation>delante de detrás</translation>
     </message>
     <message>
         <source>head from foot</source>
-        <translation>la tête des pieds</translation>
+        <translation>cabeza de pies</translation>
     </message>
     <message>
         <source>Through crosshair</source>
-        <translation>Par le réticule</translation>
+        <translation>Por la cruz</translation>
     </message>
     <message>
         <source>Puts the plane through the crosshair, across the direction above</source>
-        <translation>Place le plan par le réticule, en travers de la direction ci-dessus</translation>
+        <translation>Pone el plano por la cruz, transversal a la dirección de arriba</translation>
     </message>
     <message>
         <source>By three clicks</source>
-        <translation>Par trois clics</translation>
+        <translation>Con tres clics</translation>
     </message>
     <message>
         <source>Then click three places on the liver or in the slices</source>
-        <translation>Cliquez ensuite trois endroits sur le foie ou dans les coupes</translation>
+        <translation>Haga clic después en tres lugares del hígado o de los cortes</translation>
     </message>
     <message>
         <source>Shift</source>
-        <translation>Décaler</translation>
+        <translation>Desplazar</translation>
     </message>
     <message>
         <source>Turn</source>
-        <translation>Tourner</translation>
+        <translation>Girar</translation>
     </message>
     <message>
         <source>Tilt</source>
-        <translation>Incliner</translation>
+        <translation>Inclinar</translation>
     </message>
     <message>
         <source> mm</source>
@@ -4597,421 +4672,421 @@
     </message>
     <message>
         <source>Distance of the plane from the middle of the liver, along its normal</source>
-        <translation>Distance du plan au milieu du foie, le long de sa normale</translation>
+        <translation>Distancia del plano al centro del hígado, a lo largo de su normal</translation>
     </message>
     <message>
         <source>The normal about the axis from feet to head: 0° to the patient&apos;s left, 90° to the back</source>
-        <translation>La normale autour de l’axe pieds-tête&#xa0;: 0° vers la gauche du patient, 90° vers l’arrière</translation>
+        <translation>La normal alrededor del eje de pies a cabeza: 0° hacia la izquierda del paciente, 90° hacia atrás</translation>
     </message>
     <message>
         <source>The normal upwards: 90° to the head</source>
-        <translation>La normale vers le haut&#xa0;: 90° vers la tête</translation>
+        <translation>La normal hacia arriba: 90° hacia la cabeza</translation>
     </message>
     <message>
         <source>Set points</source>
-        <translation>Poser des points</translation>
+        <translation>Poner puntos</translation>
     </message>
     <message>
         <source>Each click on the liver or in a slice sets a point; points can be dragged</source>
-        <translation>Chaque clic sur le foie ou dans une coupe pose un point&#xa0;; les points peuvent être déplacés</translation>
+        <translation>Cada clic en el hígado o en un corte pone un punto; los puntos se pueden arrastrar</translation>
     </message>
     <message>
         <source>Drop the last</source>
-        <translation>Ôter le dernier</translation>
+        <translation>Quitar el último</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation>Effacer</translation>
+        <translation>Borrar</translation>
     </message>
     <message>
         <source>Points set: %1. Three are needed.</source>
-        <translation>Points posés&#xa0;: %1. Il en faut trois.</translation>
+        <translation>Puntos puestos: %1. Hacen falta tres.</translation>
     </message>
     <message>
         <source>Points set: %1. Drag them in any view.</source>
-        <translation>Points posés&#xa0;: %1. Déplacez-les dans n’importe quelle vue.</translation>
+        <translation>Puntos puestos: %1. Arrástrelos en cualquier vista.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::DiaryWindow</name>
     <message>
         <source>Log - Glisson</source>
-        <translation>Journal - Glisson</translation>
+        <translation>Registro - Glisson</translation>
     </message>
     <message>
         <source>What Glisson did, in English, for those who mend it. It holds nothing about a patient: no names, no paths, no values. Nothing is sent anywhere; you decide who gets it.</source>
-        <translation>Ce que Glisson a fait, en anglais, pour ceux qui le réparent. Rien n’y concerne un patient&#xa0;: ni nom, ni chemin, ni valeur. Rien n’est envoyé nulle part&#xa0;; vous décidez qui le reçoit.</translation>
+        <translation>Lo que Glisson ha hecho, en inglés, para quienes lo reparan. No contiene nada sobre un paciente: ni nombres, ni rutas, ni valores. No se envía nada a ninguna parte; usted decide quién lo recibe.</translation>
     </message>
     <message>
         <source>The log</source>
-        <translation>Le journal</translation>
+        <translation>El registro</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation>Copier</translation>
+        <translation>Copiar</translation>
     </message>
     <message>
         <source>Save a report of the problem...</source>
-        <translation>Enregistrer un rapport du problème…</translation>
+        <translation>Guardar un informe del problema…</translation>
     </message>
     <message>
         <source>Save a report of the problem</source>
-        <translation>Enregistrer un rapport du problème</translation>
+        <translation>Guardar un informe del problema</translation>
     </message>
     <message>
         <source>Text (*.txt)</source>
-        <translation>Texte (*.txt)</translation>
+        <translation>Texto (*.txt)</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ErrorsTable</name>
     <message>
         <source>%1 × noise</source>
-        <translation>%1 × bruit</translation>
+        <translation>%1 × ruido</translation>
     </message>
     <message>
         <source>Error, × noise</source>
-        <translation>Erreur, × bruit</translation>
+        <translation>Error, × ruido</translation>
     </message>
     <message>
         <source>Error, %1</source>
-        <translation>Erreur, %1</translation>
+        <translation>Error, %1</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation>Avant</translation>
+        <translation>Antes</translation>
     </message>
     <message>
         <source>After</source>
-        <translation>Après</translation>
+        <translation>Después</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation>%1 à %2</translation>
+        <translation>%1 a %2</translation>
     </message>
     <message>
         <source>On trials left out</source>
-        <translation>Sur les essais écartés</translation>
+        <translation>En ensayos apartados</translation>
     </message>
     <message>
         <source>95 % interval of it</source>
-        <translation>Intervalle à 95 %</translation>
+        <translation>Intervalo del 95 %</translation>
     </message>
     <message>
         <source>Root mean square</source>
-        <translation>Moyenne quadratique</translation>
+        <translation>Media cuadrática</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation>Moyenne</translation>
+        <translation>Media</translation>
     </message>
     <message>
         <source>95 of 100 are below</source>
-        <translation>95 sur 100 sont en dessous</translation>
+        <translation>95 de cada 100 están por debajo</translation>
     </message>
     <message>
         <source>Noise of the measurement</source>
-        <translation>Bruit de la mesure</translation>
+        <translation>Ruido de la medición</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::EvidenceAnswer</name>
     <message>
         <source>What was found</source>
-        <translation>Ce qui a été trouvé</translation>
+        <translation>Lo que se encontró</translation>
     </message>
     <message>
         <source>Residual (mm)</source>
-        <translation>Résidu (mm)</translation>
+        <translation>Residuo (mm)</translation>
     </message>
     <message>
         <source>Measured less predicted, where this trial was farthest off. Arrows %1 times as long as they are; colours reach to %2 mm, between markers interpolated.</source>
-        <translation>Mesuré moins prédit, là où cet essai s’écarte le plus. Flèches allongées %1 fois&#xa0;; couleurs jusqu’à %2 mm, interpolées entre les marqueurs.</translation>
+        <translation>Medido menos predicho, donde este ensayo más se apartó. Flechas alargadas %1 veces; colores hasta %2 mm, interpolados entre marcadores.</translation>
     </message>
     <message>
         <source>Nothing is missing: what the declared model leaves, %1, is noise.</source>
-        <translation>Rien ne manque&#xa0;: ce que laisse le modèle déclaré, %1, est du bruit.</translation>
+        <translation>No falta nada: lo que deja el modelo declarado, %1, es ruido.</translation>
     </message>
     <message>
         <source>No test finds anything in it that noise would not do.</source>
-        <translation>Aucun test n’y trouve rien que le bruit ne ferait pas.</translation>
+        <translation>Ninguna prueba encuentra en ello nada que el ruido no haría.</translation>
     </message>
     <message>
         <source>What the declared model leaves is not noise: %1.</source>
-        <translation>Ce que laisse le modèle déclaré n’est pas du bruit&#xa0;: %1.</translation>
+        <translation>Lo que deja el modelo declarado no es ruido: %1.</translation>
     </message>
     <message>
         <source>What is left at the end: %1.</source>
-        <translation>Ce qui reste à la fin&#xa0;: %1.</translation>
+        <translation>Lo que queda al final: %1.</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation>Avant</translation>
+        <translation>Antes</translation>
     </message>
     <message>
         <source>After</source>
-        <translation>Après</translation>
+        <translation>Después</translation>
     </message>
     <message>
         <source>Suspects</source>
-        <translation>Suspects</translation>
+        <translation>Sospechosos</translation>
     </message>
     <message>
         <source>What to measure next</source>
-        <translation>Que mesurer ensuite</translation>
+        <translation>Qué medir después</translation>
     </message>
     <message>
         <source>No further trial is known that would tell the leading explanations apart.</source>
-        <translation>On ne connaît pas d’autre essai qui départagerait les meilleures explications.</translation>
+        <translation>No se conoce otro ensayo que distinga las explicaciones principales.</translation>
     </message>
     <message>
         <source>Trial that is shown</source>
-        <translation>Essai montré</translation>
+        <translation>Ensayo mostrado</translation>
     </message>
     <message>
         <source>What is left, in space</source>
-        <translation>Ce qui reste, dans l’espace</translation>
+        <translation>Lo que queda, en el espacio</translation>
     </message>
     <message>
         <source>The error before and after</source>
-        <translation>L’erreur avant et après</translation>
+        <translation>El error antes y después</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation>Détails</translation>
+        <translation>Detalles</translation>
     </message>
     <message>
         <source>%1: no effect that Glisson knows explains the error.</source>
-        <translation>%1 : aucun effet que Glisson connaît n&apos;explique l&apos;erreur.</translation>
+        <translation>%1: ningún efecto que Glisson conozca explica el error.</translation>
     </message>
     <message>
         <source>%1: %2. This takes away %3 % of the error; what is left is noise.</source>
-        <translation>%1 : %2. Cela enlève %3 % de l&apos;erreur ; ce qui reste est du bruit.</translation>
+        <translation>%1: %2. Esto quita el %3 % del error; lo que queda es ruido.</translation>
     </message>
     <message>
         <source>%1: %2. This takes away %3 % of the error. More than noise is left: it is a part of the answer, and no proof of a cause.</source>
-        <translation>%1 : %2. Cela enlève %3 % de l&apos;erreur. Il reste plus que du bruit : c&apos;est une partie de la réponse, et non la preuve d&apos;une cause.</translation>
+        <translation>%1: %2. Esto quita el %3 % del error. Queda más que ruido: es una parte de la respuesta, y no prueba de una causa.</translation>
     </message>
     <message>
         <source>The error falls from %1 to %2.</source>
-        <translation>L&apos;erreur tombe de %1 à %2.</translation>
+        <translation>El error baja de %1 a %2.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::EvidenceView</name>
     <message>
         <source>Evidence</source>
-        <translation>Constats</translation>
+        <translation>Evidencia</translation>
     </message>
     <message>
         <source>Hold measurements against the model, and find what it lacks.</source>
-        <translation>Confronter des mesures au modèle et trouver ce qui lui manque.</translation>
+        <translation>Contrastar mediciones con el modelo y encontrar lo que le falta.</translation>
     </message>
     <message>
         <source>Measurements</source>
-        <translation>Mesures</translation>
+        <translation>Mediciones</translation>
     </message>
     <message>
         <source>Open an experiment...</source>
-        <translation>Ouvrir une expérience…</translation>
+        <translation>Abrir un experimento…</translation>
     </message>
     <message>
         <source>A file that says what was measured and which model was assumed (Help, Closing the loop)</source>
-        <translation>Un fichier qui dit ce qui a été mesuré et quel modèle a été supposé (Aide, Boucler la boucle par des mesures)</translation>
+        <translation>Un archivo que dice qué se midió y qué modelo se supuso (Ayuda, Cerrar el círculo con mediciones)</translation>
     </message>
     <message>
         <source>Try the example</source>
-        <translation>Essayer l’exemple</translation>
+        <translation>Probar el ejemplo</translation>
     </message>
     <message>
         <source>Silicone of liver-like stiffness, compressed: measured, not simulated</source>
-        <translation>Silicone de rigidité proche du foie, comprimé&#xa0;: mesuré, non simulé</translation>
+        <translation>Silicona de rigidez parecida al hígado, comprimida: medida, no simulada</translation>
     </message>
     <message>
         <source>Open a report...</source>
-        <translation>Ouvrir un rapport…</translation>
+        <translation>Abrir un informe…</translation>
     </message>
     <message>
         <source>A folder with report.json and model.json, written here or by glisson-cli explain</source>
-        <translation>Un dossier avec report.json et model.json, écrit ici ou par glisson-cli explain</translation>
+        <translation>Una carpeta con report.json y model.json, escrita aquí o por glisson-cli explain</translation>
     </message>
     <message>
         <source>For the patient</source>
-        <translation>Pour le patient</translation>
+        <translation>Para el paciente</translation>
     </message>
     <message>
         <source>Accept for this patient</source>
-        <translation>Accepter pour ce patient</translation>
+        <translation>Aceptar para este paciente</translation>
     </message>
     <message>
         <source>Take back</source>
-        <translation>Retirer</translation>
+        <translation>Retirar</translation>
     </message>
     <message>
         <source>Other trials</source>
-        <translation>Autres essais</translation>
+        <translation>Otros ensayos</translation>
     </message>
     <message>
         <source>Predict other trials...</source>
-        <translation>Prédire d’autres essais…</translation>
+        <translation>Predecir otros ensayos…</translation>
     </message>
     <message>
         <source>An experiment of the same kind; where it was measured, both models are compared with it</source>
-        <translation>Une expérience du même genre&#xa0;; là où elle a été mesurée, les deux modèles lui sont comparés</translation>
+        <translation>Un experimento del mismo tipo; donde se midió, ambos modelos se comparan con él</translation>
     </message>
     <message>
         <source>Save the report...</source>
-        <translation>Enregistrer le rapport…</translation>
+        <translation>Guardar el informe…</translation>
     </message>
     <message>
         <source>Open measurements of a palpation, a material test or a wearable computer.
 Glisson says how far the declared model is off, what it lacks, and how sure that is.
 
 No measurements at hand? Try the example: silicone of liver-like stiffness in compression.</source>
-        <translation>Ouvrez des mesures d’une palpation, d’un essai de matériau ou d’un ordinateur porté.
-Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
+        <translation>Abra mediciones de una palpación, un ensayo de material o un ordenador corporal.
+Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué certeza.
 
-Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: du silicone de rigidité proche du foie, en compression.</translation>
+¿No tiene mediciones a mano? Pruebe el ejemplo: silicona de rigidez parecida al hígado, en compresión.</translation>
     </message>
     <message>
         <source>Explaining %1</source>
-        <translation>Explication de %1</translation>
+        <translation>Explicando %1</translation>
     </message>
     <message>
         <source>Open measurements first.</source>
-        <translation>Ouvrez d’abord des mesures.</translation>
+        <translation>Abra primero mediciones.</translation>
     </message>
     <message>
         <source>Nothing was found missing that could be accepted.</source>
-        <translation>Rien de manquant n’a été trouvé qui pourrait être accepté.</translation>
+        <translation>No se encontró que faltara nada que pudiera aceptarse.</translation>
     </message>
     <message>
         <source>What was found is of a computer, not of a patient.</source>
-        <translation>Ce qui a été trouvé concerne un ordinateur, pas un patient.</translation>
+        <translation>Lo encontrado es de un ordenador, no de un paciente.</translation>
     </message>
     <message>
         <source>Open the patient&apos;s case first.</source>
-        <translation>Ouvrez d’abord le cas du patient.</translation>
+        <translation>Abra primero el caso del paciente.</translation>
     </message>
     <message>
         <source>Tick an effect among what was found.</source>
-        <translation>Cochez un effet parmi ce qui a été trouvé.</translation>
+        <translation>Marque un efecto entre lo encontrado.</translation>
     </message>
     <message>
         <source>%1, learnt from %2</source>
-        <translation>%1, d’après %2</translation>
+        <translation>%1, aprendido de %2</translation>
     </message>
     <message>
         <source>A palpation</source>
-        <translation>Une palpation</translation>
+        <translation>Una palpación</translation>
     </message>
     <message>
         <source>A material test</source>
-        <translation>Un essai de matériau</translation>
+        <translation>Un ensayo de material</translation>
     </message>
     <message>
         <source>A wearable computer</source>
-        <translation>Un ordinateur porté</translation>
+        <translation>Un ordenador corporal</translation>
     </message>
     <message>
         <source>Nothing is open.</source>
-        <translation>Rien n’est ouvert.</translation>
+        <translation>No hay nada abierto.</translation>
     </message>
     <message>
         <source>The ticked effects change the organ that is rehearsed</source>
-        <translation>Les effets cochés changent l’organe qui est répété</translation>
+        <translation>Los efectos marcados cambian el órgano que se ensaya</translation>
     </message>
     <message>
         <source>Nothing was accepted for this patient.</source>
-        <translation>Rien n’a été accepté pour ce patient.</translation>
+        <translation>No se aceptó nada para este paciente.</translation>
     </message>
     <message>
         <source>The organ is again what it was before</source>
-        <translation>L’organe redevient ce qu’il était</translation>
+        <translation>El órgano vuelve a ser lo que era</translation>
     </message>
     <message>
         <source>Accepted: %1</source>
-        <translation>Accepté&#xa0;: %1</translation>
+        <translation>Aceptado: %1</translation>
     </message>
     <message>
         <source>Accepted, but left out: %1</source>
-        <translation>Accepté, mais laissé de côté&#xa0;: %1</translation>
+        <translation>Aceptado, pero omitido: %1</translation>
     </message>
     <message>
         <source>About %1 s left</source>
-        <translation>Encore environ %1 s</translation>
+        <translation>Quedan unos %1 s</translation>
     </message>
     <message>
         <source>About %1 min left</source>
-        <translation>Encore environ %1 min</translation>
+        <translation>Quedan unos %1 min</translation>
     </message>
     <message>
         <source>Accepting the evidence</source>
-        <translation>Acceptation des constats</translation>
+        <translation>Aceptando la evidencia</translation>
     </message>
     <message>
         <source>Taking the evidence back</source>
-        <translation>Retrait des constats</translation>
+        <translation>Retirando la evidencia</translation>
     </message>
     <message>
         <source>Predicting the trials of %1</source>
-        <translation>Prédiction des essais de %1</translation>
+        <translation>Prediciendo los ensayos de %1</translation>
     </message>
     <message>
         <source>not measured</source>
-        <translation>non mesuré</translation>
+        <translation>no medido</translation>
     </message>
     <message>
         <source>Trial</source>
-        <translation>Essai</translation>
+        <translation>Ensayo</translation>
     </message>
     <message>
         <source>Declared</source>
-        <translation>Déclaré</translation>
+        <translation>Declarado</translation>
     </message>
     <message>
         <source>Better</source>
-        <translation>Meilleur</translation>
+        <translation>Mejor</translation>
     </message>
     <message>
         <source>Root mean square error, %1</source>
-        <translation>Erreur quadratique moyenne, %1</translation>
+        <translation>Error cuadrático medio, %1</translation>
     </message>
     <message>
         <source>Open an experiment</source>
-        <translation>Ouvrir une expérience</translation>
+        <translation>Abrir un experimento</translation>
     </message>
     <message>
         <source>Experiments (*.json)</source>
-        <translation>Expériences (*.json)</translation>
+        <translation>Experimentos (*.json)</translation>
     </message>
     <message>
         <source>Open a report (a folder with report.json)</source>
-        <translation>Ouvrir un rapport (un dossier avec report.json)</translation>
+        <translation>Abrir un informe (una carpeta con report.json)</translation>
     </message>
     <message>
         <source>Predict other trials</source>
-        <translation>Prédire d’autres essais</translation>
+        <translation>Predecir otros ensayos</translation>
     </message>
     <message>
         <source>Save the report in this folder</source>
-        <translation>Enregistrer le rapport dans ce dossier</translation>
+        <translation>Guardar el informe en esta carpeta</translation>
     </message>
     <message>
         <source>The report is in %1</source>
-        <translation>Le rapport est dans %1</translation>
+        <translation>El informe está en %1</translation>
     </message>
     <message>
         <source>What was found would change nothing in the rehearsal: %1</source>
-        <translation>Ce qui a été trouvé ne changerait rien à la répétition : %1</translation>
+        <translation>Lo hallado no cambiaría nada en el ensayo: %1</translation>
     </message>
     <message>
         <source>This was measured on &quot;%1&quot;, and nothing shows that it is tissue of %2.</source>
-        <translation>Cela a été mesuré sur « %1 », et rien ne montre que ce soit du tissu de %2.</translation>
+        <translation>Esto se midió en «%1», y nada muestra que sea tejido de %2.</translation>
     </message>
     <message>
         <source>Accept for this patient?</source>
-        <translation>Accepter pour ce patient ?</translation>
+        <translation>¿Aceptar para este paciente?</translation>
     </message>
     <message>
         <source>Specimen: %1
@@ -5019,50 +5094,50 @@ Patient: %2
 
 The organ that is rehearsed changes:
 %3</source>
-        <translation>Échantillon : %1
-Patient : %2
+        <translation>Muestra: %1
+Paciente: %2
 
-L&apos;organe répété change :
+El órgano que se ensaya cambia:
 %3</translation>
     </message>
     <message>
         <source>Accept</source>
-        <translation>Accepter</translation>
+        <translation>Aceptar</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ExportMenu</name>
     <message>
         <source>Images and outlines as NIfTI...</source>
-        <translation>Images et contours en NIfTI...</translation>
+        <translation>Imágenes y contornos como NIfTI...</translation>
     </message>
     <message>
         <source>Images and outlines as NRRD (3D Slicer)...</source>
-        <translation>Images et contours en NRRD (3D Slicer)...</translation>
+        <translation>Imágenes y contornos como NRRD (3D Slicer)...</translation>
     </message>
     <message>
         <source>Outlines as DICOM SEG...</source>
-        <translation>Contours en DICOM SEG...</translation>
+        <translation>Contornos como DICOM SEG...</translation>
     </message>
     <message>
         <source>Surfaces as STL...</source>
-        <translation>Surfaces en STL...</translation>
+        <translation>Superficies como STL...</translation>
     </message>
     <message>
         <source>Surfaces as OBJ...</source>
-        <translation>Surfaces en OBJ...</translation>
+        <translation>Superficies como OBJ...</translation>
     </message>
     <message>
         <source>Surfaces as VTP (ParaView)...</source>
-        <translation>Surfaces en VTP (ParaView)...</translation>
+        <translation>Superficies como VTP (ParaView)...</translation>
     </message>
     <message>
         <source>The model&apos;s tetrahedra as VTU...</source>
-        <translation>Les tétraèdres du modèle en VTU...</translation>
+        <translation>Los tetraedros del modelo como VTU...</translation>
     </message>
     <message>
         <source>Save the outlines</source>
-        <translation>Enregistrer les contours</translation>
+        <translation>Guardar los contornos</translation>
     </message>
     <message>
         <source>DICOM (*.dcm)</source>
@@ -5070,38 +5145,38 @@ L&apos;organe répété change :
     </message>
     <message>
         <source>Save the model</source>
-        <translation>Enregistrer le modèle</translation>
+        <translation>Guardar el modelo</translation>
     </message>
     <message>
         <source>VTK meshes (*.vtu)</source>
-        <translation>Maillages VTK (*.vtu)</translation>
+        <translation>Mallas VTK (*.vtu)</translation>
     </message>
     <message>
         <source>Write the files into this folder</source>
-        <translation>Écrire les fichiers dans ce dossier</translation>
+        <translation>Escribir los archivos en esta carpeta</translation>
     </message>
     <message>
         <source>Exporting</source>
-        <translation>Exportation</translation>
+        <translation>Exportación</translation>
     </message>
     <message>
         <source>Files written: %1, in %2</source>
-        <translation>Fichiers écrits : %1, dans %2</translation>
+        <translation>Archivos escritos: %1, en %2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::FiguresTable</name>
     <message>
         <source>Figures of the registrations</source>
-        <translation>Chiffres des recalages</translation>
+        <translation>Cifras de los registros</translation>
     </message>
     <message>
         <source>Mean correlation</source>
-        <translation>Corrélation moyenne</translation>
+        <translation>Correlación media</translation>
     </message>
     <message>
         <source>Rejected (%)</source>
-        <translation>Rejetés (%)</translation>
+        <translation>Rechazados (%)</translation>
     </message>
     <message>
         <source>TRE (mm)</source>
@@ -5109,7 +5184,7 @@ L&apos;organe répété change :
     </message>
     <message>
         <source>TRE, this frame (mm)</source>
-        <translation>TRE, cette image (mm)</translation>
+        <translation>TRE, este fotograma (mm)</translation>
     </message>
     <message>
         <source>RMSE (mm)</source>
@@ -5117,50 +5192,50 @@ L&apos;organe répété change :
     </message>
     <message>
         <source>RMSE, this frame (mm)</source>
-        <translation>RMSE, cette image (mm)</translation>
+        <translation>RMSE, este fotograma (mm)</translation>
     </message>
     <message>
         <source>Landmarks</source>
-        <translation>Repères</translation>
+        <translation>Puntos de referencia</translation>
     </message>
     <message>
         <source>Triangles</source>
-        <translation>Triangles</translation>
+        <translation>Triángulos</translation>
     </message>
     <message>
         <source>Time (s)</source>
-        <translation>Durée (s)</translation>
+        <translation>Tiempo (s)</translation>
     </message>
     <message>
         <source>SIRGn, over the triangles: 1 is best</source>
-        <translation>SIRGn, sur les triangles&#xa0;: 1 est le meilleur</translation>
+        <translation>SIRGn, sobre los triángulos: 1 es lo mejor</translation>
     </message>
     <message>
         <source>Share of the triangles whose corners are off by %1 mm or more on average</source>
-        <translation>Part des triangles dont les sommets sont décalés de %1 mm ou plus en moyenne</translation>
+        <translation>Proporción de triángulos cuyos vértices se desvían en promedio %1 mm o más</translation>
     </message>
     <message>
         <source>Target registration error: how far registered landmarks are from where they are on the model, mm</source>
-        <translation>Erreur de recalage de la cible (TRE)&#xa0;: distance entre les repères recalés et leur place sur le modèle, mm</translation>
+        <translation>Error de registro del objetivo (TRE): distancia entre los puntos de referencia registrados y su lugar en el modelo, mm</translation>
     </message>
     <message>
         <source>How far the registered cloud is from the model (root mean square), mm</source>
-        <translation>Distance du nuage recalé au modèle (moyenne quadratique), mm</translation>
+        <translation>Distancia de la nube registrada al modelo (media cuadrática), mm</translation>
     </message>
     <message>
         <source>To register all frames and to judge them, s</source>
-        <translation>Pour recaler toutes les images et les juger, s</translation>
+        <translation>Para registrar todos los fotogramas y juzgarlos, s</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::FoundTree</name>
     <message>
         <source>Effect</source>
-        <translation>Effet</translation>
+        <translation>Efecto</translation>
     </message>
     <message>
         <source>Value ± sd</source>
-        <translation>Valeur ± éc. type</translation>
+        <translation>Valor ± desv.</translation>
     </message>
     <message>
         <source>95 %</source>
@@ -5168,137 +5243,137 @@ L&apos;organe répété change :
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation>%1 à %2</translation>
+        <translation>%1 a %2</translation>
     </message>
     <message>
         <source>● left open by the data</source>
-        <translation>● laissé ouvert par les données</translation>
+        <translation>● los datos lo dejan abierto</translation>
     </message>
     <message>
         <source>changes nothing in the rehearsal</source>
-        <translation>ne change rien à la répétition</translation>
+        <translation>no cambia nada en el ensayo</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::LabelNamesDialog</name>
     <message>
         <source>What the labels are</source>
-        <translation>Ce que sont les étiquettes</translation>
+        <translation>Qué son las etiquetas</translation>
     </message>
     <message>
         <source>%1 does not say what its values are. Choose a structure for each that you want.</source>
-        <translation>%1 ne dit pas ce que sont ses valeurs. Choisissez une structure pour chacune de celles que vous voulez.</translation>
+        <translation>%1 no dice qué son sus valores. Elija una estructura para cada uno de los que quiera.</translation>
     </message>
     <message>
         <source>%1: %2 ml</source>
-        <translation>%1 : %2 ml</translation>
+        <translation>%1: %2 ml</translation>
     </message>
     <message>
         <source>Leave out</source>
-        <translation>Laisser de côté</translation>
+        <translation>Omitir</translation>
     </message>
     <message>
         <source>Take them</source>
-        <translation>Les prendre</translation>
+        <translation>Tomarlas</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::LandmarkTable</name>
     <message>
         <source>Landmark</source>
-        <translation>Repère</translation>
+        <translation>Punto</translation>
     </message>
     <message>
         <source>Moves
 mm</source>
-        <translation>Déplac.
+        <translation>Despl.
 mm</translation>
     </message>
     <message>
         <source>Atlas off
 mm</source>
-        <translation>Écart
+        <translation>Error
 atlas
 mm</translation>
     </message>
     <message>
         <source>From 5 mm</source>
-        <translation>Dès
+        <translation>Desde
 5 mm</translation>
     </message>
     <message>
         <source>How far from there the atlas&apos;s stiffness puts it</source>
-        <translation>À quelle distance de là le place la rigidité de l’atlas</translation>
+        <translation>A qué distancia de ahí lo sitúa la rigidez del atlas</translation>
     </message>
     <message>
         <source>5 mm and more matters to a surgeon</source>
-        <translation>5 mm et plus comptent pour un chirurgien</translation>
+        <translation>5 mm o más son importantes para un cirujano</translation>
     </message>
     <message>
         <source>▲ Atlas off</source>
-        <translation>▲ Atlas faux</translation>
+        <translation>▲ Atlas falla</translation>
     </message>
     <message>
         <source>● Moves</source>
-        <translation>● Bouge</translation>
+        <translation>● Se mueve</translation>
     </message>
     <message>
         <source>How far the landmark moves from where the scan shows it</source>
-        <translation>De combien le repère s’éloigne de l’endroit où l’examen le montre</translation>
+        <translation>Cuánto se aleja el punto de referencia de donde lo muestra la exploración</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::LanguageMenu</name>
     <message>
         <source>&amp;Language</source>
-        <translation>&amp;Langue</translation>
+        <translation>&amp;Idioma</translation>
     </message>
     <message>
         <source>System language</source>
-        <translation>Langue du système</translation>
+        <translation>Idioma del sistema</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::LinkedViews</name>
     <message>
         <source>Transverse</source>
-        <translation>Transversale</translation>
+        <translation>Transversal</translation>
     </message>
     <message>
         <source>Patient</source>
-        <translation>Patient</translation>
+        <translation>Paciente</translation>
     </message>
     <message>
         <source>Coronal</source>
-        <translation>Coronale</translation>
+        <translation>Coronal</translation>
     </message>
     <message>
         <source>Sagittal</source>
-        <translation>Sagittale</translation>
+        <translation>Sagital</translation>
     </message>
     <message>
         <source>Drag: turn. Shift+drag: shift. Wheel: zoom. Click: crosshair there.</source>
-        <translation>Glisser&#xa0;: tourner. Maj+glisser&#xa0;: décaler. Molette&#xa0;: zoom. Clic&#xa0;: réticule à cet endroit.</translation>
+        <translation>Arrastrar: girar. Mayús+arrastrar: desplazar. Rueda: zoom. Clic: cruz en ese lugar.</translation>
     </message>
     <message>
         <source>Surgeon</source>
-        <translation>Chirurgien</translation>
+        <translation>Cirujano</translation>
     </message>
     <message>
         <source>Front</source>
-        <translation>Avant</translation>
+        <translation>Delante</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation>Droite</translation>
+        <translation>Derecha</translation>
     </message>
     <message>
         <source>Below</source>
-        <translation>Dessous</translation>
+        <translation>Debajo</translation>
     </message>
     <message>
         <source>Look from here, everything in view</source>
-        <translation>Regarder d’ici, tout dans la vue</translation>
+        <translation>Mirar desde aquí, con todo a la vista</translation>
     </message>
     <message>
         <source>Atlas</source>
@@ -5307,27 +5382,27 @@ mm</translation>
     <message>
         <source>Click: crosshair. Right drag: brightness and contrast. Wheel: next slice.
 Ctrl+wheel: zoom. Shift+drag: shift. Ctrl+drag: turn. Knobs of the crosshair: tilt the other slices.</source>
-        <translation>Clic&#xa0;: réticule. Glisser avec le bouton droit&#xa0;: luminosité et contraste. Molette&#xa0;: coupe suivante.
-Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tourner. Poignées du réticule&#xa0;: incliner les autres coupes.</translation>
+        <translation>Clic: cruz. Arrastrar con el derecho: brillo y contraste. Rueda: corte siguiente.
+Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores de la cruz: inclinar los otros cortes.</translation>
     </message>
     <message>
         <source>Save the picture</source>
-        <translation>Enregistrer l’image</translation>
+        <translation>Guardar la imagen</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
-        <translation>Images (*.png)</translation>
+        <translation>Imágenes (*.png)</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::MainWindow</name>
     <message>
         <source>Opening %1</source>
-        <translation>Ouverture de&#xa0;%1</translation>
+        <translation>Abriendo %1</translation>
     </message>
     <message>
         <source>Opening the demo patient</source>
-        <translation>Ouverture du patient de démonstration</translation>
+        <translation>Abriendo el paciente de demostración</translation>
     </message>
     <message>
         <source>Glisson</source>
@@ -5339,292 +5414,292 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     </message>
     <message>
         <source>&amp;File</source>
-        <translation>&amp;Fichier</translation>
+        <translation>&amp;Archivo</translation>
     </message>
     <message>
         <source>&amp;Open a case...</source>
-        <translation>&amp;Ouvrir un cas…</translation>
+        <translation>&amp;Abrir un caso…</translation>
     </message>
     <message>
         <source>Open the &amp;demo patient</source>
-        <translation>Ouvrir le patient de &amp;démonstration</translation>
+        <translation>Abrir el paciente de &amp;demostración</translation>
     </message>
     <message>
         <source>&amp;Save the picture...</source>
-        <translation>&amp;Enregistrer l’image…</translation>
+        <translation>&amp;Guardar la imagen…</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Quitter</translation>
+        <translation>&amp;Salir</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation>&amp;Aide</translation>
+        <translation>A&amp;yuda</translation>
     </message>
     <message>
         <source>&amp;About Glisson</source>
-        <translation>À &amp;propos de Glisson</translation>
+        <translation>&amp;Acerca de Glisson</translation>
     </message>
     <message>
         <source>%1 (%2 %)</source>
-        <translation>%1 (%2&#xa0;%)</translation>
+        <translation>%1 (%2 %)</translation>
     </message>
     <message>
         <source>A defect in Glisson stopped this: %1</source>
-        <translation>Un défaut de Glisson a interrompu cette opération&#xa0;:&#xa0;%1</translation>
+        <translation>Un defecto de Glisson ha interrumpido esto: %1</translation>
     </message>
     <message>
         <source>Click on the liver where the tool is to touch it.</source>
-        <translation>Cliquez sur le foie à l’endroit que l’instrument doit toucher.</translation>
+        <translation>Haga clic en el hígado donde el instrumento deba tocarlo.</translation>
     </message>
     <message>
         <source>Tool placed in %1 ms.</source>
-        <translation>Instrument placé en&#xa0;%1 ms.</translation>
+        <translation>Instrumento colocado en %1 ms.</translation>
     </message>
     <message>
         <source>Open a case (a folder NAME.glisson)</source>
-        <translation>Ouvrir un cas (un dossier NOM.glisson)</translation>
+        <translation>Abrir un caso (una carpeta NOMBRE.glisson)</translation>
     </message>
     <message>
         <source>Save the picture</source>
-        <translation>Enregistrer l’image</translation>
+        <translation>Guardar la imagen</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
-        <translation>Images (*.png)</translation>
+        <translation>Imágenes (*.png)</translation>
     </message>
     <message>
         <source>The picture could not be written to %1.</source>
-        <translation>L’image n’a pas pu être écrite dans&#xa0;%1.</translation>
+        <translation>No se ha podido escribir la imagen en %1.</translation>
     </message>
     <message>
         <source>About Glisson</source>
-        <translation>À propos de Glisson</translation>
+        <translation>Acerca de Glisson</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planning and reviewing liver surgery.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not a medical device.&lt;/b&gt; Not for diagnosis or treatment.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Glisson&#xa0;%1&lt;/h3&gt;&lt;p&gt;Planification et revue de la chirurgie du foie.&lt;/p&gt;&lt;p&gt;&lt;b&gt;N’est pas un dispositif médical.&lt;/b&gt; Ni pour le diagnostic, ni pour le traitement.&lt;/p&gt;&lt;p&gt;Logiciel libre sous la licence publique générale GNU, version 3 ou ultérieure.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Glisson %1&lt;/h3&gt;&lt;p&gt;Planificación y revisión de la cirugía hepática.&lt;/p&gt;&lt;p&gt;&lt;b&gt;No es un producto sanitario.&lt;/b&gt; No apto para diagnóstico ni tratamiento.&lt;/p&gt;&lt;p&gt;Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Something else is still under way. Wait for it, or cancel it first.</source>
-        <translation>Une autre opération est en cours. Attendez-la, ou annulez-la d’abord.</translation>
+        <translation>Hay otra operación en curso. Espere a que termine o cancélela antes.</translation>
     </message>
     <message>
         <source>Outlining the liver</source>
-        <translation>Délimitation du foie</translation>
+        <translation>Delimitando el hígado</translation>
     </message>
     <message>
         <source>Building the model</source>
-        <translation>Construction du modèle</translation>
+        <translation>Construyendo el modelo</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation>Annulé.</translation>
+        <translation>Cancelado.</translation>
     </message>
     <message>
         <source>Elastography &amp;waves...</source>
-        <translation>&amp;Ondes d’élastographie…</translation>
+        <translation>&amp;Ondas de elastografía…</translation>
     </message>
     <message>
         <source>&amp;Manual</source>
-        <translation>&amp;Manuel</translation>
+        <translation>&amp;Manual</translation>
     </message>
     <message>
         <source>Rehearse</source>
-        <translation>Répéter</translation>
+        <translation>Ensayar</translation>
     </message>
     <message>
         <source>Pull with a tool, and see what moves and how far.</source>
-        <translation>Tirer avec un instrument et voir ce qui bouge, et de combien.</translation>
+        <translation>Tirar con un instrumento y ver qué se mueve y cuánto.</translation>
     </message>
     <message>
         <source>Platform</source>
-        <translation>Plateforme</translation>
+        <translation>Plataforma</translation>
     </message>
     <message>
         <source>Find what can be worn for this case.</source>
-        <translation>Trouver ce qui peut être porté pour ce cas.</translation>
+        <translation>Encontrar qué se puede llevar puesto en este caso.</translation>
     </message>
     <message>
         <source>&amp;Go</source>
-        <translation>&amp;Aller</translation>
+        <translation>&amp;Ir</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation>Ouverts &amp;récemment</translation>
+        <translation>Abiertos &amp;recientemente</translation>
     </message>
     <message>
         <source>Se&amp;ttings...</source>
-        <translation>Ré&amp;glages…</translation>
+        <translation>&amp;Ajustes…</translation>
     </message>
     <message>
         <source>&amp;Keys...</source>
-        <translation>&amp;Touches…</translation>
+        <translation>&amp;Teclas…</translation>
     </message>
     <message>
         <source>&amp;Log and problems...</source>
-        <translation>&amp;Journal et problèmes…</translation>
+        <translation>&amp;Registro y problemas…</translation>
     </message>
     <message>
         <source>None yet</source>
-        <translation>Aucun pour l’instant</translation>
+        <translation>Ninguno todavía</translation>
     </message>
     <message>
         <source>Forget them</source>
-        <translation>Vider la liste</translation>
+        <translation>Vaciar la lista</translation>
     </message>
     <message>
         <source>&amp;Tour on the demo patient</source>
-        <translation>&amp;Visite guidée avec le patient de démonstration</translation>
+        <translation>&amp;Recorrido con el paciente de demostración</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation>&amp;Édition</translation>
+        <translation>&amp;Editar</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation>&amp;Affichage</translation>
+        <translation>&amp;Ver</translation>
     </message>
     <message>
         <source>Open &amp;images...</source>
-        <translation>Ouvrir des &amp;images...</translation>
+        <translation>Abrir &amp;imágenes...</translation>
     </message>
     <message>
         <source>&amp;Add labels...</source>
-        <translation>&amp;Ajouter des étiquettes...</translation>
+        <translation>&amp;Añadir etiquetas...</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation>&amp;Exporter</translation>
+        <translation>&amp;Exportar</translation>
     </message>
     <message>
         <source>&amp;Close the case</source>
-        <translation>&amp;Fermer le cas</translation>
+        <translation>&amp;Cerrar el caso</translation>
     </message>
     <message>
         <source>Open images: a folder, or a file of them</source>
-        <translation>Ouvrir des images : un dossier, ou un de leurs fichiers</translation>
+        <translation>Abrir imágenes: una carpeta o uno de sus archivos</translation>
     </message>
     <message>
         <source>Add labels</source>
-        <translation>Ajouter des étiquettes</translation>
+        <translation>Añadir etiquetas</translation>
     </message>
     <message>
         <source>Label maps and DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;All files (*)</source>
-        <translation>Cartes d&apos;étiquettes et DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;Tous les fichiers (*)</translation>
+        <translation>Mapas de etiquetas y DICOM SEG (*.nii *.nii.gz *.nrrd *.mha *.mhd *.nhdr *.dcm);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>%1 is still under way. If you close now, it is given up, and the case stays as it was.</source>
-        <translation>%1 est encore en cours. Si vous fermez maintenant, c’est abandonné, et le cas reste tel qu’il était.</translation>
+        <translation>%1 sigue en curso. Si cierra ahora, se abandona y el caso queda como estaba.</translation>
     </message>
     <message>
         <source>Keep working</source>
-        <translation>Continuer</translation>
+        <translation>Seguir</translation>
     </message>
     <message>
         <source>Give it up and close</source>
-        <translation>Abandonner et fermer</translation>
+        <translation>Abandonar y cerrar</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ManualWindow</name>
     <message>
         <source>Manual - Glisson</source>
-        <translation>Manuel - Glisson</translation>
+        <translation>Manual - Glisson</translation>
     </message>
     <message>
         <source>Search the manual</source>
-        <translation>Chercher dans le manuel</translation>
+        <translation>Buscar en el manual</translation>
     </message>
     <message>
         <source>Words to search for</source>
-        <translation>Mots à chercher</translation>
+        <translation>Palabras que buscar</translation>
     </message>
     <message>
         <source>Pages of the manual</source>
-        <translation>Pages du manuel</translation>
+        <translation>Páginas del manual</translation>
     </message>
     <message>
         <source>The page</source>
-        <translation>La page</translation>
+        <translation>La página</translation>
     </message>
     <message>
         <source>The manual was not found among the files that ship with Glisson.</source>
-        <translation>Le manuel n’a pas été trouvé parmi les fichiers livrés avec Glisson.</translation>
+        <translation>No se ha encontrado el manual entre los archivos que acompañan a Glisson.</translation>
     </message>
     <message>
         <source>No page holds these words.</source>
-        <translation>Aucune page ne contient ces mots.</translation>
+        <translation>Ninguna página contiene estas palabras.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::MeasureList</name>
     <message>
         <source>Measurements</source>
-        <translation>Mesures</translation>
+        <translation>Medidas</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation>Distance</translation>
+        <translation>Distancia</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation>Angle</translation>
+        <translation>Ángulo</translation>
     </message>
     <message>
         <source>Ball</source>
-        <translation>Boule</translation>
+        <translation>Bola</translation>
     </message>
     <message>
         <source>Volume: %1</source>
-        <translation>Volume&#xa0;: %1</translation>
+        <translation>Volumen: %1</translation>
     </message>
     <message>
         <source>Takes this measurement away</source>
-        <translation>Retire cette mesure</translation>
+        <translation>Quita esta medida</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ModelPanel</name>
     <message>
         <source>Model</source>
-        <translation>Modèle</translation>
+        <translation>Modelo</translation>
     </message>
     <message>
         <source>Bring it up to date</source>
-        <translation>Le mettre à jour</translation>
+        <translation>Actualizarlo</translation>
     </message>
     <message>
         <source>Cells, stiffness and supports of the liver, and building them anew.</source>
-        <translation>Cellules, rigidité et appuis du foie, et leur reconstruction.</translation>
+        <translation>Celdas, rigidez y apoyos del hígado, y cómo construirlos de nuevo.</translation>
     </message>
     <message>
         <source>Needs an outline of the liver: make it in Segment.</source>
-        <translation>Il faut un contour du foie&#xa0;: tracez-le dans Segmenter.</translation>
+        <translation>Necesita un contorno del hígado: hágalo en Segmentar.</translation>
     </message>
     <message>
         <source>The 3D view shows</source>
-        <translation>La vue 3D montre</translation>
+        <translation>La vista 3D muestra</translation>
     </message>
     <message>
         <source>Stiffness</source>
-        <translation>Rigidité</translation>
+        <translation>Rigidez</translation>
     </message>
     <message>
         <source>The patient</source>
-        <translation>Le patient</translation>
+        <translation>El paciente</translation>
     </message>
     <message>
         <source>Cells</source>
-        <translation>Cellules</translation>
+        <translation>Celdas</translation>
     </message>
     <message>
         <source>Young&apos;s modulus</source>
-        <translation>Module de Young</translation>
+        <translation>Módulo de Young</translation>
     </message>
     <message>
         <source>From MR elastography</source>
-        <translation>De l’élastographie par RM</translation>
+        <translation>De la elastografía por RM</translation>
     </message>
     <message>
         <source> kPa</source>
@@ -5632,159 +5707,159 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     </message>
     <message>
         <source>Young&apos;s modulus, about three times the shear modulus</source>
-        <translation>Module de Young, environ trois fois le module de cisaillement</translation>
+        <translation>Módulo de Young, unas tres veces el módulo de cizalla</translation>
     </message>
     <message>
         <source>Give it this stiffness</source>
-        <translation>Lui donner cette rigidité</translation>
+        <translation>Darle esta rigidez</translation>
     </message>
     <message>
         <source>Elastography waves...</source>
-        <translation>Ondes d’élastographie…</translation>
+        <translation>Ondas de elastografía…</translation>
     </message>
     <message>
         <source>Build</source>
-        <translation>Construire</translation>
+        <translation>Construir</translation>
     </message>
     <message>
         <source> cells</source>
-        <translation> cellules</translation>
+        <translation> celdas</translation>
     </message>
     <message>
         <source>Wanted number of cells: more are finer and slower. 20 000 answer at once.</source>
-        <translation>Nombre de cellules voulu&#xa0;: plus il y en a, plus c’est fin et lent. 20 000 répondent aussitôt.</translation>
+        <translation>Número de celdas deseado: más son más finas y lentas. 20 000 responden al instante.</translation>
     </message>
     <message>
         <source>Building the model</source>
-        <translation>Construction du modèle</translation>
+        <translation>Construyendo el modelo</translation>
     </message>
     <message>
         <source>Opening %1</source>
-        <translation>Ouverture de&#xa0;%1</translation>
+        <translation>Abriendo %1</translation>
     </message>
     <message>
         <source>Held</source>
-        <translation>Fixé</translation>
+        <translation>Sujeto</translation>
     </message>
     <message>
         <source>On springs</source>
-        <translation>Sur ressorts</translation>
+        <translation>Sobre muelles</translation>
     </message>
     <message>
         <source>Young&apos;s modulus (kPa)</source>
-        <translation>Module de Young (kPa)</translation>
+        <translation>Módulo de Young (kPa)</translation>
     </message>
     <message>
         <source>Needs a case: open one, or the demo patient.</source>
-        <translation>Il faut un cas&#xa0;: ouvrez-en un, ou le patient de démonstration.</translation>
+        <translation>Necesita un caso: abra uno o el paciente de demostración.</translation>
     </message>
     <message>
         <source>There is no model yet. Build it from the outline.</source>
-        <translation>Il n’y a pas encore de modèle. Construisez-le à partir du contour.</translation>
+        <translation>Aún no hay modelo. Constrúyalo a partir del contorno.</translation>
     </message>
     <message>
         <source>✓ The model is up to date.</source>
-        <translation>✓ Le modèle est à jour.</translation>
+        <translation>✓ El modelo está al día.</translation>
     </message>
     <message>
         <source>▲ A file of the model is gone.</source>
-        <translation>▲ Un fichier du modèle a disparu.</translation>
+        <translation>▲ Falta un archivo del modelo.</translation>
     </message>
     <message>
         <source>▲ Another program has changed a file of the model.</source>
-        <translation>▲ Un autre programme a modifié un fichier du modèle.</translation>
+        <translation>▲ Otro programa ha cambiado un archivo del modelo.</translation>
     </message>
     <message>
         <source>▲ The model is out of date.</source>
-        <translation>▲ Le modèle est périmé.</translation>
+        <translation>▲ El modelo está desactualizado.</translation>
     </message>
     <message>
         <source>▲ Out of date: %1 changed since it was built.</source>
-        <translation>▲ Périmé&#xa0;: %1 a changé depuis sa construction.</translation>
+        <translation>▲ Desactualizado: %1 cambió desde que se construyó.</translation>
     </message>
     <message>
         <source>Build it anew</source>
-        <translation>Le reconstruire</translation>
+        <translation>Construirlo de nuevo</translation>
     </message>
     <message>
         <source>Build the model</source>
-        <translation>Construire le modèle</translation>
+        <translation>Construir el modelo</translation>
     </message>
     <message>
         <source>This case has no stiffness map: import one, or invert its waves</source>
-        <translation>Ce cas n’a pas de carte de rigidité&#xa0;: importez-en une, ou inversez ses ondes</translation>
+        <translation>Este caso no tiene mapa de rigidez: importe uno o invierta sus ondas</translation>
     </message>
     <message>
         <source>Keeps the cells and gives each this stiffness</source>
-        <translation>Garde les cellules et donne à chacune cette rigidité</translation>
+        <translation>Conserva las celdas y da a cada una esta rigidez</translation>
     </message>
     <message>
         <source>Needs cells: build the model first</source>
-        <translation>Il faut des cellules&#xa0;: construisez d’abord le modèle</translation>
+        <translation>Necesita celdas: construya primero el modelo</translation>
     </message>
     <message>
         <source>Makes the cells anew and gives them the stiffness chosen above</source>
-        <translation>Refait les cellules et leur donne la rigidité choisie ci-dessus</translation>
+        <translation>Rehace las celdas y les da la rigidez elegida arriba</translation>
     </message>
     <message>
         <source>See the waves and invert them</source>
-        <translation>Voir les ondes et les inverser</translation>
+        <translation>Ver las ondas e invertirlas</translation>
     </message>
     <message>
         <source>This case has no raw waves</source>
-        <translation>Ce cas n’a pas d’ondes brutes</translation>
+        <translation>Este caso no tiene ondas sin procesar</translation>
     </message>
     <message>
         <source>Assumed from the liver&apos;s shape: the bare area at the vena cava is held, the dome below the diaphragm rests on springs of 1.1 kPa/mm.</source>
-        <translation>Supposé d’après la forme du foie&#xa0;: l’area nuda contre la veine cave est fixée, le dôme sous le diaphragme repose sur des ressorts de 1.1 kPa/mm.</translation>
+        <translation>Supuesto por la forma del hígado: el área desnuda junto a la vena cava está sujeta, la cúpula bajo el diafragma descansa sobre muelles de 1.1 kPa/mm.</translation>
     </message>
     <message>
         <source>%1 cells, %2 points</source>
-        <translation>%1 cellules, %2 points</translation>
+        <translation>%1 celdas, %2 puntos</translation>
     </message>
     <message>
         <source>Smallest dihedral angle %1°</source>
-        <translation>Plus petit angle dièdre %1°</translation>
+        <translation>Menor ángulo diedro %1°</translation>
     </message>
     <message>
         <source>smallest dihedral angle of a cell, °</source>
-        <translation>plus petit angle dièdre d’une cellule, °</translation>
+        <translation>menor ángulo diedro de una celda, °</translation>
     </message>
     <message>
         <source>%1 kPa on average, sd %2</source>
-        <translation>%1 kPa en moyenne, écart-type %2</translation>
+        <translation>%1 kPa de media, desviación típica %2</translation>
     </message>
     <message>
         <source>%1 % of the cells without data of their own, filled from inside</source>
-        <translation>%1 % des cellules sans données propres, complétées depuis l’intérieur</translation>
+        <translation>%1 % de las celdas sin datos propios, rellenadas desde el interior</translation>
     </message>
     <message>
         <source>Young&apos;s modulus of a cell, kPa</source>
-        <translation>module de Young d’une cellule, kPa</translation>
+        <translation>módulo de Young de una celda, kPa</translation>
     </message>
     <message>
         <source>Assumed: the atlas&apos;s 2.1 kPa in shear</source>
-        <translation>Supposé : les 2.1 kPa (cisaillement) de l’atlas</translation>
+        <translation>Supuesto: los 2.1 kPa (cizalla) del atlas</translation>
     </message>
     <message>
         <source>Assumed: the atlas&apos;s 2.6 kPa in shear</source>
-        <translation>Supposé : les 2.6 kPa (cisaillement) de l’atlas</translation>
+        <translation>Supuesto: los 2.6 kPa (cizalla) del atlas</translation>
     </message>
     <message>
         <source>Assumed: one value for all cells</source>
-        <translation>Supposé : une valeur pour toutes les cellules</translation>
+        <translation>Supuesto: un valor para todas las celdas</translation>
     </message>
     <message>
         <source>%1 ml outlined; the cells hold %2 % of it</source>
-        <translation>%1 ml de contour ; les cellules en remplissent %2 %</translation>
+        <translation>%1 ml de contorno; las celdas llenan el %2 %</translation>
     </message>
     <message>
         <source>Assumed: %1 kPa for all cells</source>
-        <translation>Supposé : %1 kPa pour toutes les cellules</translation>
+        <translation>Supuesto: %1 kPa para todas las celdas</translation>
     </message>
     <message>
         <source>Attachments</source>
-        <translation>Attaches</translation>
+        <translation>Fijaciones</translation>
     </message>
 </context>
 <context>
@@ -5798,64 +5873,64 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <name>glisson::widgets::NextStepBox</name>
     <message>
         <source>Next: put the crosshair inside the liver, away from large vessels.</source>
-        <translation>Ensuite&#xa0;: placez le réticule dans le foie, loin des gros vaisseaux.</translation>
+        <translation>A continuación: coloque la cruz dentro del hígado, lejos de los vasos grandes.</translation>
     </message>
     <message>
         <source>Next: build the model of the liver from its outline and stiffness.</source>
-        <translation>Ensuite&#xa0;: construisez le modèle du foie à partir de son contour et de sa rigidité.</translation>
+        <translation>A continuación: construya el modelo del hígado a partir de su contorno y su rigidez.</translation>
     </message>
     <message>
         <source>Outline the liver from here</source>
-        <translation>Délimiter le foie à partir d’ici</translation>
+        <translation>Delimitar el hígado desde aquí</translation>
     </message>
     <message>
         <source>Build the model</source>
-        <translation>Construire le modèle</translation>
+        <translation>Construir el modelo</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::Notices</name>
     <message>
         <source>Close</source>
-        <translation>Fermer</translation>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::NumberBox</name>
     <message>
         <source>At most %1.</source>
-        <translation>Au plus %1.</translation>
+        <translation>Como máximo %1.</translation>
     </message>
     <message>
         <source>At least %1.</source>
-        <translation>Au moins %1.</translation>
+        <translation>Como mínimo %1.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::PatientViews</name>
     <message>
         <source>Displacement (mm)</source>
-        <translation>Déplacement (mm)</translation>
+        <translation>Desplazamiento (mm)</translation>
     </message>
     <message>
         <source>Red: one stiffness from the atlas</source>
-        <translation>Rouge&#xa0;: une seule rigidité, de l’atlas</translation>
+        <translation>Rojo: una sola rigidez, del atlas</translation>
     </message>
     <message>
         <source>Blue: the patient&apos;s own stiffness</source>
-        <translation>Bleu&#xa0;: la rigidité propre au patient</translation>
+        <translation>Azul: la rigidez propia del paciente</translation>
     </message>
     <message>
         <source>Purple: both agree</source>
-        <translation>Violet&#xa0;: les deux concordent</translation>
+        <translation>Violeta: ambas coinciden</translation>
     </message>
     <message>
         <source>Shear stiffness (kPa)</source>
-        <translation>Rigidité en cisaillement (kPa)</translation>
+        <translation>Rigidez a cizalla (kPa)</translation>
     </message>
     <message>
         <source>%1  %2 mm</source>
-        <translation>%1 &#xa0;%2 mm</translation>
+        <translation>%1  %2 mm</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -5863,185 +5938,185 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     </message>
     <message>
         <source>The patient&apos;s own stiffness</source>
-        <translation>La rigidité propre du patient</translation>
+        <translation>La rigidez propia del paciente</translation>
     </message>
     <message>
         <source>One stiffness from the atlas</source>
-        <translation>Une seule rigidité, celle de l’atlas</translation>
+        <translation>Una sola rigidez, la del atlas</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::PlatformTable</name>
     <message>
         <source>Assumed: %1 %2 (%3)</source>
-        <translation>Supposé&#xa0;:&#xa0;%1&#xa0;%2 (%3)</translation>
+        <translation>Supuesto: %1 %2 (%3)</translation>
     </message>
     <message>
         <source>head</source>
-        <translation>tête</translation>
+        <translation>cabeza</translation>
     </message>
     <message>
         <source>belt</source>
-        <translation>ceinture</translation>
+        <translation>cinturón</translation>
     </message>
     <message>
         <source>back</source>
-        <translation>dos</translation>
+        <translation>espalda</translation>
     </message>
     <message>
         <source>idle draw</source>
-        <translation>repos</translation>
+        <translation>reposo</translation>
     </message>
     <message>
         <source>too hot idle</source>
-        <translation>trop chaud au repos</translation>
+        <translation>calor en reposo</translation>
     </message>
     <message>
         <source>too slow</source>
-        <translation>trop lent</translation>
+        <translation>lentitud</translation>
     </message>
     <message>
         <source>slows itself down</source>
-        <translation>se ralentit</translation>
+        <translation>se ralentiza</translation>
     </message>
     <message>
         <source>battery</source>
-        <translation>batterie</translation>
+        <translation>batería</translation>
     </message>
     <message>
         <source>too hot</source>
-        <translation>trop chaud</translation>
+        <translation>calor</translation>
     </message>
     <message>
         <source>✕ fails: %1</source>
-        <translation>✕ échoue&#xa0;:&#xa0;%1</translation>
+        <translation>✕ no sirve: %1</translation>
     </message>
     <message>
         <source>heat</source>
-        <translation>chaleur</translation>
+        <translation>calor</translation>
     </message>
     <message>
         <source>speed</source>
-        <translation>vitesse</translation>
+        <translation>velocidad</translation>
     </message>
     <message>
         <source>✓ holds; next limit: %1</source>
-        <translation>✓ tient&#xa0;; limite&#xa0;:&#xa0;%1</translation>
+        <translation>✓ aguanta; límite: %1</translation>
     </message>
     <message>
         <source>Platform</source>
-        <translation>Plateforme</translation>
+        <translation>Plataforma</translation>
     </message>
     <message>
         <source>Worn on
 the</source>
-        <translation>Porté
-sur</translation>
+        <translation>Se lleva
+en</translation>
     </message>
     <message>
         <source>Draws idle
 W</source>
-        <translation>Au repos
+        <translation>En reposo
 W</translation>
     </message>
     <message>
         <source>Battery
 allows W</source>
-        <translation>Batterie
-permet W</translation>
+        <translation>Batería
+permite W</translation>
     </message>
     <message>
         <source>Left to
 compute W</source>
-        <translation>Reste pour
-calculer W</translation>
+        <translation>Queda para
+calcular W</translation>
     </message>
     <message>
         <source>Frames/s
 at most</source>
-        <translation>Images/s
-au plus</translation>
+        <translation>Fotogr./s
+como máx.</translation>
     </message>
     <message>
         <source>Lasts
 h</source>
-        <translation>Dure
+        <translation>Dura
 h</translation>
     </message>
     <message>
         <source>Surface
 °C</source>
-        <translation>Surface
+        <translation>Superf.
 °C</translation>
     </message>
     <message>
         <source>Limit</source>
-        <translation>Limite</translation>
+        <translation>Límite</translation>
     </message>
     <message>
         <source>Assumed
 figures</source>
-        <translation>Chiffres
-supposés</translation>
+        <translation>Cifras
+supuestas</translation>
     </message>
     <message>
         <source>What it takes from its battery when nothing is computed</source>
-        <translation>Ce qu’elle prend à sa batterie quand rien n’est calculé</translation>
+        <translation>Lo que toma de su batería cuando no se calcula nada</translation>
     </message>
     <message>
         <source>The largest constant power that its battery carries for the operation</source>
-        <translation>La plus grande puissance constante que sa batterie soutient pendant l’opération</translation>
+        <translation>La mayor potencia constante que su batería mantiene durante la operación</translation>
     </message>
     <message>
         <source>What the battery allows, less what idling takes</source>
-        <translation>Ce que la batterie permet, moins ce que prend le repos</translation>
+        <translation>Lo que permite la batería menos lo que consume el reposo</translation>
     </message>
     <message>
         <source>The frame rate that meets every constraint</source>
-        <translation>La fréquence d’images qui satisfait toutes les contraintes</translation>
+        <translation>La frecuencia de fotogramas que cumple todas las condiciones</translation>
     </message>
     <message>
         <source>On one charge, at the wanted frame rate or the fastest it computes</source>
-        <translation>Sur une charge, à la fréquence d’images voulue ou à la plus rapide qu’elle calcule</translation>
+        <translation>Con una carga, a la frecuencia de fotogramas deseada o a la más rápida que calcula</translation>
     </message>
     <message>
         <source>At the end of the operation</source>
-        <translation>À la fin de l’opération</translation>
+        <translation>Al final de la operación</translation>
     </message>
     <message>
         <source>Figures that nobody measured; ≈ marks what rests on them</source>
-        <translation>Chiffres que personne n’a mesurés&#xa0;; ≈ marque ce qui en dépend</translation>
+        <translation>Cifras que nadie ha medido; ≈ marca lo que depende de ellas</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation>%1 sur&#xa0;%2</translation>
+        <translation>%1 de %2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::PlatformView</name>
     <message>
         <source>Volume and stiffness of %1</source>
-        <translation>Volume et rigidité de&#xa0;%1</translation>
+        <translation>Volumen y rigidez de %1</translation>
     </message>
     <message>
         <source>Volume of %1; its stiffness is not known</source>
-        <translation>Volume de&#xa0;%1&#xa0;; sa rigidité n’est pas connue</translation>
+        <translation>Volumen de %1; su rigidez no se conoce</translation>
     </message>
     <message>
         <source>Stiffness of %1; its volume is not known</source>
-        <translation>Rigidité de&#xa0;%1&#xa0;; son volume n’est pas connu</translation>
+        <translation>Rigidez de %1; su volumen no se conoce</translation>
     </message>
     <message>
         <source>%1 has no outlined liver yet: type its volume</source>
-        <translation>%1 n’a pas encore de foie délimité&#xa0;: saisissez son volume</translation>
+        <translation>%1 aún no tiene el hígado delimitado: escriba su volumen</translation>
     </message>
     <message>
         <source>The case</source>
-        <translation>Le cas</translation>
+        <translation>El caso</translation>
     </message>
     <message>
         <source>No case is open: type its figures</source>
-        <translation>Aucun cas n’est ouvert&#xa0;: saisissez ses chiffres</translation>
+        <translation>No hay ningún caso abierto: escriba sus cifras</translation>
     </message>
     <message>
         <source> cm³</source>
@@ -6049,7 +6124,7 @@ supposés</translation>
     </message>
     <message>
         <source>Liver</source>
-        <translation>Foie</translation>
+        <translation>Hígado</translation>
     </message>
     <message>
         <source> kPa</source>
@@ -6057,19 +6132,19 @@ supposés</translation>
     </message>
     <message>
         <source>Mean Young&apos;s modulus. Softer tissue moves farther under the same load, and what a coarse model misses of it grows alike.</source>
-        <translation>Module de Young moyen. Un tissu plus souple se déplace davantage sous la même charge, et ce qu’un modèle grossier en manque croît de même.</translation>
+        <translation>Módulo de Young medio. Un tejido más blando se mueve más con la misma carga, y lo que un modelo grueso pierde de ello crece igual.</translation>
     </message>
     <message>
         <source>Young&apos;s modulus</source>
-        <translation>Module de Young</translation>
+        <translation>Módulo de Young</translation>
     </message>
     <message>
         <source>What is wanted</source>
-        <translation>Ce qui est voulu</translation>
+        <translation>Lo que se desea</translation>
     </message>
     <message>
         <source>Accuracy</source>
-        <translation>Précision</translation>
+        <translation>Precisión</translation>
     </message>
     <message>
         <source> mm</source>
@@ -6077,7 +6152,7 @@ supposés</translation>
     </message>
     <message>
         <source>Duration of the operation</source>
-        <translation>Durée de l’opération</translation>
+        <translation>Duración de la operación</translation>
     </message>
     <message>
         <source> h</source>
@@ -6085,7 +6160,7 @@ supposés</translation>
     </message>
     <message>
         <source>Frame rate</source>
-        <translation>Fréquence d’images</translation>
+        <translation>Frecuencia de fotogramas</translation>
     </message>
     <message>
         <source> /s</source>
@@ -6093,11 +6168,11 @@ supposés</translation>
     </message>
     <message>
         <source>The room and the skin</source>
-        <translation>La pièce et la peau</translation>
+        <translation>La sala y la piel</translation>
     </message>
     <message>
         <source>Operating room</source>
-        <translation>Salle d’opération</translation>
+        <translation>Quirófano</translation>
     </message>
     <message>
         <source> °C</source>
@@ -6105,67 +6180,67 @@ supposés</translation>
     </message>
     <message>
         <source>Hottest surface to be worn</source>
-        <translation>Surface portée la plus chaude</translation>
+        <translation>Superficie más caliente que se puede llevar</translation>
     </message>
     <message>
         <source>The work</source>
-        <translation>Le travail</translation>
+        <translation>El trabajo</translation>
     </message>
     <message>
         <source>Add devices...</source>
-        <translation>Ajouter des appareils…</translation>
+        <translation>Añadir dispositivos…</translation>
     </message>
     <message>
         <source>A table of your own, or what glisson-cli platform measure wrote</source>
-        <translation>Une table à vous, ou ce que glisson-cli platform measure a écrit</translation>
+        <translation>Una tabla propia o lo que escribió glisson-cli platform measure</translation>
     </message>
     <message>
         <source>Surface temperature</source>
-        <translation>Température de surface</translation>
+        <translation>Temperatura de la superficie</translation>
     </message>
     <message>
         <source>Frame rate that holds</source>
-        <translation>Fréquence d’images qui tient</translation>
+        <translation>Frecuencia de fotogramas que aguanta</translation>
     </message>
     <message>
         <source>Battery life</source>
-        <translation>Autonomie de la batterie</translation>
+        <translation>Duración de la batería</translation>
     </message>
     <message>
         <source>Mean power</source>
-        <translation>Puissance moyenne</translation>
+        <translation>Potencia media</translation>
     </message>
     <message>
         <source>Add devices</source>
-        <translation>Ajouter des appareils</translation>
+        <translation>Añadir dispositivos</translation>
     </message>
     <message>
         <source>Device tables (*.json)</source>
-        <translation>Tables d’appareils (*.json)</translation>
+        <translation>Tablas de dispositivos (*.json)</translation>
     </message>
     <message>
         <source>%1 nodes of %2 mm³. A frame is %3 block products: %4 MB to move, %5 million operations.</source>
-        <translation>%1 nœuds de&#xa0;%2 mm³. Une image fait&#xa0;%3 produits par blocs&#xa0;:&#xa0;%4 Mo à déplacer,&#xa0;%5 millions d’opérations.</translation>
+        <translation>%1 nodos de %2 mm³. Un fotograma son %3 productos por bloques: %4 MB que mover, %5 millones de operaciones.</translation>
     </message>
     <message>
         <source>None of these platforms holds.</source>
-        <translation>Aucune de ces plates-formes ne tient.</translation>
+        <translation>Ninguna de estas plataformas aguanta.</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the head: %1</source>
-        <translation>La moins gênante qui tient, sur la tête&#xa0;:&#xa0;%1</translation>
+        <translation>La menos molesta que aguanta, en la cabeza: %1</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the belt: %1</source>
-        <translation>La moins gênante qui tient, à la ceinture&#xa0;:&#xa0;%1</translation>
+        <translation>La menos molesta que aguanta, en el cinturón: %1</translation>
     </message>
     <message>
         <source>Least obtrusive that holds, on the back: %1</source>
-        <translation>La moins gênante qui tient, sur le dos&#xa0;:&#xa0;%1</translation>
+        <translation>La menos molesta que aguanta, en la espalda: %1</translation>
     </message>
     <message>
         <source>Surface after %1 h at %2 frames/s (°C)</source>
-        <translation>Surface après&#xa0;%1 h à&#xa0;%2 images/s (°C)</translation>
+        <translation>Superficie tras %1 h a %2 fotogramas/s (°C)</translation>
     </message>
     <message>
         <source>%1 °C</source>
@@ -6173,7 +6248,7 @@ supposés</translation>
     </message>
     <message>
         <source>Frames/s that hold for %1 h</source>
-        <translation>Images/s qui tiennent&#xa0;%1 h</translation>
+        <translation>Fotogramas/s que aguantan %1 h</translation>
     </message>
     <message>
         <source>%1 /s</source>
@@ -6181,7 +6256,7 @@ supposés</translation>
     </message>
     <message>
         <source>Battery lasts at %1 frames/s (h)</source>
-        <translation>La batterie dure à&#xa0;%1 images/s (h)</translation>
+        <translation>La batería dura a %1 fotogramas/s (h)</translation>
     </message>
     <message>
         <source>%1 h</source>
@@ -6189,106 +6264,106 @@ supposés</translation>
     </message>
     <message>
         <source>Mean power at %1 frames/s (W)</source>
-        <translation>Puissance moyenne à&#xa0;%1 images/s (W)</translation>
+        <translation>Potencia media a %1 fotogramas/s (W)</translation>
     </message>
     <message>
         <source>%1 W: the battery</source>
-        <translation>%1 W&#xa0;: la batterie</translation>
+        <translation>%1 W: la batería</translation>
     </message>
     <message>
         <source>an operation of at most %1 h</source>
-        <translation>une opération d’au plus&#xa0;%1 h</translation>
+        <translation>una operación de como máximo %1 h</translation>
     </message>
     <message>
         <source>at most %1 frames/s</source>
-        <translation>au plus&#xa0;%1 images/s</translation>
+        <translation>como máximo %1 fotogramas/s</translation>
     </message>
     <message>
         <source>an accuracy of %1 mm</source>
-        <translation>une précision de&#xa0;%1 mm</translation>
+        <translation>una precisión de %1 mm</translation>
     </message>
     <message>
         <source>a battery of %1 Wh</source>
-        <translation>une batterie de&#xa0;%1 Wh</translation>
+        <translation>una batería de %1 Wh</translation>
     </message>
     <message>
         <source>a heat sink of %1 °C/W</source>
-        <translation>un dissipateur de&#xa0;%1 °C/W</translation>
+        <translation>un disipador de %1 °C/W</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation>mesuré</translation>
+        <translation>medido</translation>
     </message>
     <message>
         <source>computed</source>
-        <translation>calculé</translation>
+        <translation>calculado</translation>
     </message>
     <message>
         <source>dissertation</source>
-        <translation>thèse</translation>
+        <translation>tesis</translation>
     </message>
     <message>
         <source>ASSUMED</source>
-        <translation>SUPPOSÉ</translation>
+        <translation>SUPUESTO</translation>
     </message>
     <message>
         <source>Idle first: it draws %1 W of the %2 W that its battery allows over %3 h; it would last %4 h and reach %5 °C without computing anything.</source>
-        <translation>Le repos d’abord&#xa0;: elle consomme&#xa0;%1 W sur les&#xa0;%2 W que sa batterie permet pendant&#xa0;%3 h&#xa0;; elle durerait&#xa0;%4 h et atteindrait&#xa0;%5 °C sans rien calculer.</translation>
+        <translation>Primero el reposo: consume %1 W de los %2 W que su batería permite durante %3 h; sin calcular nada duraría %4 h y llegaría a %5 °C.</translation>
     </message>
     <message>
         <source>Frames/s: %1 by its speed, %2 by its battery, %3 by its heat. A frame takes %4 J above idle; mean power %5 W.</source>
-        <translation>Images/s&#xa0;:&#xa0;%1 par sa vitesse,&#xa0;%2 par sa batterie,&#xa0;%3 par sa chaleur. Une image prend&#xa0;%4 J au-dessus du repos&#xa0;; puissance moyenne&#xa0;%5 W.</translation>
+        <translation>Fotogramas/s: %1 por su velocidad, %2 por su batería, %3 por su calor. Un fotograma consume %4 J sobre el reposo; potencia media %5 W.</translation>
     </message>
     <message>
         <source>Why it fails:</source>
-        <translation>Pourquoi elle échoue&#xa0;:</translation>
+        <translation>Por qué no sirve:</translation>
     </message>
     <message>
         <source>No single figure would make it hold.</source>
-        <translation>Aucun chiffre seul ne la ferait tenir.</translation>
+        <translation>Ninguna cifra por sí sola la haría aguantar.</translation>
     </message>
     <message>
         <source>It would hold with one of:</source>
-        <translation>Elle tiendrait avec l’un de ceux-ci&#xa0;:</translation>
+        <translation>Aguantaría con una de estas:</translation>
     </message>
     <message>
         <source>Where its figures come from:</source>
-        <translation>D’où viennent ses chiffres&#xa0;:</translation>
+        <translation>De dónde proceden sus cifras:</translation>
     </message>
     <message>
         <source>Volume of %1; its stiffness is assumed</source>
-        <translation>Volume de %1 ; sa rigidité est supposée</translation>
+        <translation>Volumen de %1; su rigidez es supuesta</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ReadingPanel</name>
     <message>
         <source>Reading</source>
-        <translation>Lecture</translation>
+        <translation>Lectura</translation>
     </message>
     <message>
         <source>What the colours show</source>
-        <translation>Ce que montrent les couleurs</translation>
+        <translation>Qué muestran los colores</translation>
     </message>
     <message>
         <source>Colours: SIRGn&apos;s correlation</source>
-        <translation>Couleurs&#xa0;: corrélation de SIRGn</translation>
+        <translation>Colores: correlación de SIRGn</translation>
     </message>
     <message>
         <source>Colours: error of the landmarks (mm)</source>
-        <translation>Couleurs&#xa0;: erreur des repères (mm)</translation>
+        <translation>Colores: error de los puntos de referencia (mm)</translation>
     </message>
     <message>
         <source>Colours: doubt (mm)</source>
-        <translation>Couleurs&#xa0;: doute (mm)</translation>
+        <translation>Colores: duda (mm)</translation>
     </message>
     <message>
         <source>Correlation: whether landmarks and warp move alike over time, 1 is best. Error: mean distance of a triangle&apos;s landmarks, as registered, from where they are on the model, mm. Doubt: motion that the registration leaves unexplained, mm, to be compared within one sequence.</source>
-        <translation>Corrélation&#xa0;: si les repères et la déformation bougent de même au cours du temps, 1 est le meilleur. Erreur&#xa0;: distance moyenne des repères recalés d’un triangle à leur place sur le modèle, mm. Doute&#xa0;: mouvement que le recalage laisse inexpliqué, mm, à comparer au sein d’une même séquence.</translation>
+        <translation>Correlación: si los puntos de referencia y la deformación se mueven igual con el tiempo, 1 es lo mejor. Error: distancia media de los puntos de referencia registrados de un triángulo a su lugar en el modelo, mm. Duda: movimiento que el registro deja sin explicar, mm, para comparar dentro de una misma secuencia.</translation>
     </message>
     <message>
         <source>Tolerance: rejected from</source>
-        <translation>Tolérance&#xa0;: rejet à partir de</translation>
+        <translation>Tolerancia: rechazo a partir de</translation>
     </message>
     <message>
         <source> mm</source>
@@ -6296,11 +6371,11 @@ supposés</translation>
     </message>
     <message>
         <source>Triangles whose landmarks are off by this much or more, mm, are grey and hatched</source>
-        <translation>Les triangles dont les repères sont décalés d’autant ou plus (mm) sont gris et hachurés</translation>
+        <translation>Los triángulos cuyos puntos de referencia se desvían esto o más (mm) se ven grises y rayados</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation>Tolérance</translation>
+        <translation>Tolerancia</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -6308,299 +6383,299 @@ supposés</translation>
     </message>
     <message>
         <source>Sets the tolerance to %1 mm</source>
-        <translation>Règle la tolérance à %1 mm</translation>
+        <translation>Fija la tolerancia en %1 mm</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::RegisterPage</name>
     <message>
         <source>Register</source>
-        <translation>Recaler</translation>
+        <translation>Registrar</translation>
     </message>
     <message>
         <source>See how good a registration of a video is, place by place.</source>
-        <translation>Voir ce que vaut le recalage d’une vidéo, endroit par endroit.</translation>
+        <translation>Ver qué calidad tiene el registro de un vídeo, lugar por lugar.</translation>
     </message>
     <message>
         <source>Opening the sequence</source>
-        <translation>Ouverture de la séquence</translation>
+        <translation>Abriendo la secuencia</translation>
     </message>
     <message>
         <source>Making an example sequence</source>
-        <translation>Création d’une séquence d’exemple</translation>
+        <translation>Creando una secuencia de ejemplo</translation>
     </message>
     <message>
         <source>Registering the video</source>
-        <translation>Recalage de la vidéo</translation>
+        <translation>Registrando el vídeo</translation>
     </message>
     <message>
         <source>A defect in Glisson stopped this: %1</source>
-        <translation>Un défaut de Glisson a arrêté ceci&#xa0;: %1</translation>
+        <translation>Un defecto de Glisson detuvo esto: %1</translation>
     </message>
     <message>
         <source>Open another...</source>
-        <translation>En ouvrir une autre…</translation>
+        <translation>Abrir otra…</translation>
     </message>
     <message>
         <source>Another sequence.json in place of this one</source>
-        <translation>Un autre sequence.json à la place de celui-ci</translation>
+        <translation>Otro sequence.json en lugar de este</translation>
     </message>
     <message>
         <source>Open a sequence</source>
-        <translation>Ouvrir une séquence</translation>
+        <translation>Abrir una secuencia</translation>
     </message>
     <message>
         <source>Sequences (*.json)</source>
-        <translation>Séquences (*.json)</translation>
+        <translation>Secuencias (*.json)</translation>
     </message>
     <message>
         <source>Click a triangle to see its history.</source>
-        <translation>Cliquez sur un triangle pour voir son évolution.</translation>
+        <translation>Haga clic en un triángulo para ver su evolución.</translation>
     </message>
     <message>
         <source>%1 mm in this frame</source>
-        <translation>%1 mm dans cette image</translation>
+        <translation>%1 mm en este fotograma</translation>
     </message>
     <message>
         <source>not all its corners are seen in this frame</source>
-        <translation>tous ses sommets ne sont pas visibles dans cette image</translation>
+        <translation>no se ven todos sus vértices en este fotograma</translation>
     </message>
     <message>
         <source>rejected</source>
-        <translation>rejeté</translation>
+        <translation>rechazado</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation>accepté</translation>
+        <translation>aceptado</translation>
     </message>
     <message>
         <source>%1, triangle %2: correlation %3; off by %4 mm on average, %5; %6</source>
-        <translation>%1, triangle %2&#xa0;: corrélation %3&#xa0;; décalé de %4 mm en moyenne, %5&#xa0;; %6</translation>
+        <translation>%1, triángulo %2: correlación %3; desviado %4 mm en promedio, %5; %6</translation>
     </message>
     <message>
         <source>%1: %2 frames, %3 landmarks</source>
-        <translation>%1&#xa0;: %2 images, %3 repères</translation>
+        <translation>%1: %2 fotogramas, %3 puntos de referencia</translation>
     </message>
     <message>
         <source>One moment...</source>
-        <translation>Un instant…</translation>
+        <translation>Un momento…</translation>
     </message>
     <message>
         <source>Click a triangle to see its history; hover over it for its figures</source>
-        <translation>Cliquez sur un triangle pour voir son évolution&#xa0;; survolez-le pour ses chiffres</translation>
+        <translation>Haga clic en un triángulo para ver su evolución; pase por encima para ver sus cifras</translation>
     </message>
     <message>
         <source>Not registered yet: press &quot;Register and judge&quot;.</source>
-        <translation>Pas encore recalé&#xa0;: cliquez sur «&#xa0;Recaler et juger&#xa0;».</translation>
+        <translation>Aún sin registrar: pulse «Registrar y juzgar».</translation>
     </message>
     <message>
         <source>%1: %2 % of %3 triangles rejected at %4 mm</source>
-        <translation>%1&#xa0;: %2 % de %3 triangles rejetés à %4 mm</translation>
+        <translation>%1: %2 % de %3 triángulos rechazados a %4 mm</translation>
     </message>
     <message>
         <source>The sequence names no camera, so that no mesh can be drawn over the video.</source>
-        <translation>La séquence ne nomme aucune caméra&#xa0;: aucun maillage ne peut être dessiné sur la vidéo.</translation>
+        <translation>La secuencia no indica ninguna cámara, así que no se puede dibujar la malla sobre el vídeo.</translation>
     </message>
     <message>
         <source>The sequence names no pictures; the mesh is drawn on black.</source>
-        <translation>La séquence ne nomme aucune image&#xa0;; le maillage est dessiné sur fond noir.</translation>
+        <translation>La secuencia no indica imágenes; la malla se dibuja sobre negro.</translation>
     </message>
     <message>
         <source>Correlation</source>
-        <translation>Corrélation</translation>
+        <translation>Correlación</translation>
     </message>
     <message>
         <source>Error
 (mm)</source>
-        <translation>Erreur
+        <translation>Error
 (mm)</translation>
     </message>
     <message>
         <source>Doubt
 (mm)</source>
-        <translation>Doute
+        <translation>Duda
 (mm)</translation>
     </message>
     <message>
         <source>good</source>
-        <translation>bon</translation>
+        <translation>bueno</translation>
     </message>
     <message>
         <source>bad</source>
-        <translation>mauvais</translation>
+        <translation>malo</translation>
     </message>
     <message>
         <source>rejected: off by %1 mm or more</source>
-        <translation>rejeté&#xa0;: décalé de %1 mm ou plus</translation>
+        <translation>rechazado: desviado %1 mm o más</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::RegisterWelcome</name>
     <message>
         <source>How good is a registration of a video?</source>
-        <translation>Que vaut le recalage d’une vidéo&#xa0;?</translation>
+        <translation>¿Qué calidad tiene el registro de un vídeo?</translation>
     </message>
     <message>
         <source>This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the tracks of landmarks, and the model that is registered. glisson-cli sequence makes one of a stereo video and its calibration. Without a video, an example shows what it is about: the demo patient&apos;s liver, breathing and pressed by a tool, simulated.</source>
-        <translation>Il faut une séquence&#xa0;: un sequence.json qui nomme les images d’une vidéo stéréo, un nuage de points pour chacune, les trajectoires de repères et le modèle à recaler. glisson-cli sequence en fait une à partir d’une vidéo stéréo et de son calibrage. Sans vidéo, un exemple montre de quoi il s’agit&#xa0;: le foie du patient de démonstration, qui respire et qu’un instrument enfonce, simulé.</translation>
+        <translation>Hace falta una secuencia: un sequence.json que indica los fotogramas de un vídeo estéreo, una nube de puntos de cada uno, las trayectorias de puntos de referencia y el modelo que se registra. glisson-cli sequence la crea a partir de un vídeo estéreo y su calibración. Sin vídeo, un ejemplo muestra de qué se trata: el hígado del paciente de demostración, que respira y es presionado por un instrumento, simulado.</translation>
     </message>
     <message>
         <source>Open a sequence...</source>
-        <translation>Ouvrir une séquence…</translation>
+        <translation>Abrir una secuencia…</translation>
     </message>
     <message>
         <source>A sequence.json with its clouds, tracks and pictures beside it</source>
-        <translation>Un sequence.json avec ses nuages, trajectoires et images à côté</translation>
+        <translation>Un sequence.json con sus nubes, trayectorias e imágenes al lado</translation>
     </message>
     <message>
         <source>Make an example sequence</source>
-        <translation>Créer une séquence d’exemple</translation>
+        <translation>Crear una secuencia de ejemplo</translation>
     </message>
     <message>
         <source>Simulates 40 frames in a few seconds and opens them; 7 MB</source>
-        <translation>Simule 40 images en quelques secondes et les ouvre&#xa0;; 7 Mo</translation>
+        <translation>Simula 40 fotogramas en pocos segundos y los abre; 7 MB</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::RehearsePanel</name>
     <message>
         <source>Rehearse</source>
-        <translation>Répéter</translation>
+        <translation>Ensayar</translation>
     </message>
     <message>
         <source>Open a case with a model of the liver, or the demo patient, to rehearse a retraction.</source>
-        <translation>Ouvrez un cas avec un modèle du foie, ou le patient de démonstration, pour répéter une rétraction.</translation>
+        <translation>Abra un caso con un modelo del hígado, o el paciente de demostración, para ensayar una retracción.</translation>
     </message>
     <message>
         <source>Show the liver with the stiffness of</source>
-        <translation>Montrer le foie avec la rigidité de</translation>
+        <translation>Mostrar el hígado con la rigidez de</translation>
     </message>
     <message>
         <source>Landmarks</source>
-        <translation>Repères</translation>
+        <translation>Puntos de referencia</translation>
     </message>
     <message>
         <source>Colour the liver by how far it moves</source>
-        <translation>Colorer le foie selon son déplacement</translation>
+        <translation>Colorear el hígado según su desplazamiento</translation>
     </message>
     <message>
         <source>Place the tool to see what moves.</source>
-        <translation>Placez l’instrument pour voir ce qui bouge.</translation>
+        <translation>Coloque el instrumento para ver qué se mueve.</translation>
     </message>
     <message>
         <source>The liver moves by up to %1 mm.</source>
-        <translation>Le foie se déplace jusqu’à&#xa0;%1 mm.</translation>
+        <translation>El hígado se mueve hasta %1 mm.</translation>
     </message>
     <message>
         <source>The atlas is off by up to %1 mm.</source>
-        <translation>L’atlas se trompe jusqu’à&#xa0;%1 mm.</translation>
+        <translation>El atlas se equivoca hasta %1 mm.</translation>
     </message>
     <message>
         <source>Changed by evidence: %1</source>
-        <translation>Modifié par les constats&#xa0;: %1</translation>
+        <translation>Cambiado por la evidencia: %1</translation>
     </message>
     <message>
         <source>Evidence to bear in mind: %1</source>
-        <translation>Constats à garder à l’esprit&#xa0;: %1</translation>
+        <translation>Evidencia que tener presente: %1</translation>
     </message>
     <message>
         <source>Save...</source>
-        <translation>Enregistrer…</translation>
+        <translation>Guardar…</translation>
     </message>
     <message>
         <source>Saves the landmarks as CSV, in mm</source>
-        <translation>Enregistre les repères en CSV, en mm</translation>
+        <translation>Guarda los puntos de referencia como CSV, en mm</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation>Au cours du temps</translation>
+        <translation>A lo largo del tiempo</translation>
     </message>
     <message>
         <source>Save the landmarks as a table</source>
-        <translation>Enregistrer les repères dans un tableau</translation>
+        <translation>Guardar los puntos de referencia como tabla</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation>Tableaux (*.csv)</translation>
+        <translation>Tablas (*.csv)</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation>Écrit&#xa0;: %1</translation>
+        <translation>Escrito: %1</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ReportView</name>
     <message>
         <source>Report</source>
-        <translation>Rapport</translation>
+        <translation>Informe</translation>
     </message>
     <message>
         <source>Show the patient&apos;s name</source>
-        <translation>Montrer le nom du patient</translation>
+        <translation>Mostrar el nombre del paciente</translation>
     </message>
     <message>
         <source>Without it the page names neither the patient nor the case; see the settings too</source>
-        <translation>Sans cela, la page ne nomme ni le patient ni le cas&#xa0;; voir aussi les réglages</translation>
+        <translation>Sin él, la página no nombra ni al paciente ni el caso; vea también los ajustes</translation>
     </message>
     <message>
         <source>Collect again</source>
-        <translation>Rassembler à nouveau</translation>
+        <translation>Reunir de nuevo</translation>
     </message>
     <message>
         <source>Reads the case and the present rehearsal anew</source>
-        <translation>Relit le cas et la répétition en cours</translation>
+        <translation>Lee de nuevo el caso y el ensayo actual</translation>
     </message>
     <message>
         <source>Save as a web page...</source>
-        <translation>Enregistrer comme page web…</translation>
+        <translation>Guardar como página web…</translation>
     </message>
     <message>
         <source>Print to PDF...</source>
-        <translation>Imprimer en PDF…</translation>
+        <translation>Imprimir a PDF…</translation>
     </message>
     <message>
         <source>All that was done for this patient on one page.</source>
-        <translation>Tout ce qui a été fait pour ce patient, sur une page.</translation>
+        <translation>Todo lo hecho para este paciente en una página.</translation>
     </message>
     <message>
         <source>Needs a case: open one, or the demo patient.</source>
-        <translation>Il faut un cas&#xa0;: ouvrez-en un, ou le patient de démonstration.</translation>
+        <translation>Necesita un caso: abra uno o el paciente de demostración.</translation>
     </message>
     <message>
         <source>Collecting the report</source>
-        <translation>Rassemblement du rapport</translation>
+        <translation>Reuniendo el informe</translation>
     </message>
     <message>
         <source>Open a case, or the demo patient, to see its page.</source>
-        <translation>Ouvrez un cas, ou le patient de démonstration, pour voir sa page.</translation>
+        <translation>Abra un caso, o el paciente de demostración, para ver su página.</translation>
     </message>
     <message>
         <source>The page is being collected.</source>
-        <translation>La page est en cours de rassemblement.</translation>
+        <translation>La página se está reuniendo.</translation>
     </message>
     <message>
         <source>Something has changed since this page was collected.</source>
-        <translation>Quelque chose a changé depuis que cette page a été rassemblée.</translation>
+        <translation>Algo ha cambiado desde que se reunió esta página.</translation>
     </message>
     <message>
         <source>Collected from the case and from what is being rehearsed now.</source>
-        <translation>Rassemblé à partir du cas et de ce qui est répété en ce moment.</translation>
+        <translation>Reunido del caso y de lo que se ensaya ahora.</translation>
     </message>
     <message>
         <source>Save the report</source>
-        <translation>Enregistrer le rapport</translation>
+        <translation>Guardar el informe</translation>
     </message>
     <message>
         <source>Web pages (*.html)</source>
-        <translation>Pages web (*.html)</translation>
+        <translation>Páginas web (*.html)</translation>
     </message>
     <message>
         <source>The report is in %1</source>
-        <translation>Le rapport est dans %1</translation>
+        <translation>El informe está en %1</translation>
     </message>
     <message>
         <source>Print the report</source>
-        <translation>Imprimer le rapport</translation>
+        <translation>Imprimir el informe</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
@@ -6608,153 +6683,153 @@ supposés</translation>
     </message>
     <message>
         <source>The report could not be written to %1.</source>
-        <translation>Le rapport n’a pas pu être écrit dans %1.</translation>
+        <translation>El informe no se pudo escribir en %1.</translation>
     </message>
     <message>
         <source>With what can be worn</source>
-        <translation>Avec ce qui peut être porté</translation>
+        <translation>Con lo que se puede llevar</translation>
     </message>
     <message>
         <source>Adds which wearable computers can do this case, as planned in Platform</source>
-        <translation>Ajoute quels ordinateurs portés peuvent traiter ce cas, comme prévu dans Plateforme</translation>
+        <translation>Añade qué ordenadores portables pueden con este caso, como se planificó en Plataforma</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ResectPanel</name>
     <message>
         <source>Plan a resection</source>
-        <translation>Planifier une résection</translation>
+        <translation>Planificar una resección</translation>
     </message>
     <message>
         <source>Needs a model of the liver. Build it first, or open the demo patient.</source>
-        <translation>Il faut un modèle du foie. Construisez-le d’abord, ou ouvrez le patient de démonstration.</translation>
+        <translation>Necesita un modelo del hígado. Constrúyalo primero o abra el paciente de demostración.</translation>
     </message>
     <message>
         <source>Resect</source>
-        <translation>Résection</translation>
+        <translation>Resección</translation>
     </message>
     <message>
         <source>Set a cut: what goes, what stays, how near the tumours it passes.</source>
-        <translation>Poser une section&#xa0;: ce qui part, ce qui reste, à quelle distance des tumeurs elle passe.</translation>
+        <translation>Trazar una sección: qué se va, qué queda, a qué distancia de los tumores pasa.</translation>
     </message>
     <message>
         <source>Draws the part that is removed away from the rest</source>
-        <translation>Écarte du reste la partie qui est retirée</translation>
+        <translation>Aparta del resto la parte que se extirpa</translation>
     </message>
     <message>
         <source>Remove the other part</source>
-        <translation>Retirer l’autre partie</translation>
+        <translation>Extirpar la otra parte</translation>
     </message>
     <message>
         <source>No cut</source>
-        <translation>Aucune section</translation>
+        <translation>Sin sección</translation>
     </message>
     <message>
         <source>Save this plan in the case</source>
-        <translation>Enregistrer ce plan dans le cas</translation>
+        <translation>Guardar este plan en el caso</translation>
     </message>
     <message>
         <source>The three places lie almost on one line. Click three others.</source>
-        <translation>Les trois endroits sont presque alignés. Cliquez-en trois autres.</translation>
+        <translation>Los tres lugares están casi en una línea. Haga clic en otros tres.</translation>
     </message>
     <message>
         <source>Click three places on the liver or in the slices.</source>
-        <translation>Cliquez trois endroits sur le foie ou dans les coupes.</translation>
+        <translation>Haga clic en tres lugares del hígado o de los cortes.</translation>
     </message>
     <message>
         <source>Click on the liver or in the slices where the cut is to pass.</source>
-        <translation>Cliquez sur le foie ou dans les coupes, là où doit passer la section.</translation>
+        <translation>Haga clic en el hígado o en los cortes por donde deba pasar la sección.</translation>
     </message>
     <message>
         <source>Removed</source>
-        <translation>Retiré</translation>
+        <translation>Extirpado</translation>
     </message>
     <message>
         <source>Stays</source>
-        <translation>Reste</translation>
+        <translation>Queda</translation>
     </message>
     <message>
         <source>This patient is not kept in a case folder</source>
-        <translation>Ce patient n’est pas conservé dans un dossier de cas</translation>
+        <translation>Este paciente no se guarda en una carpeta de caso</translation>
     </message>
     <message>
         <source>Writes resection.json, parts.vtu and cut.vtp into results/resection</source>
-        <translation>Écrit resection.json, parts.vtu et cut.vtp dans results/resection</translation>
+        <translation>Escribe resection.json, parts.vtu y cut.vtp en results/resection</translation>
     </message>
     <message>
         <source>Needs a cut through the liver</source>
-        <translation>Il faut une section à travers le foie</translation>
+        <translation>Necesita una sección a través del hígado</translation>
     </message>
     <message>
         <source>Set three or more points where the cut is to pass: on the liver, or in the slices.</source>
-        <translation>Posez trois points ou plus là où doit passer la section&#xa0;: sur le foie ou dans les coupes.</translation>
+        <translation>Ponga tres o más puntos por donde deba pasar la sección: en el hígado o en los cortes.</translation>
     </message>
     <message>
         <source>Click three places through which the plane is to pass.</source>
-        <translation>Cliquez trois endroits par lesquels le plan doit passer.</translation>
+        <translation>Haga clic en tres lugares por los que deba pasar el plano.</translation>
     </message>
     <message>
         <source>Planning...</source>
-        <translation>Planification…</translation>
+        <translation>Planificando…</translation>
     </message>
     <message>
         <source>Put the crosshair where the cut is to pass, then the plane through it. Drag its line in a slice to shift it, a line&apos;s end to tilt it.</source>
-        <translation>Placez le réticule là où doit passer la section, puis le plan par ce point. Tirez sa ligne dans une coupe pour le décaler, une extrémité de la ligne pour l’incliner.</translation>
+        <translation>Ponga la cruz donde deba pasar la sección y después el plano por ella. Arrastre su línea en un corte para desplazarlo, y un extremo de la línea para inclinarlo.</translation>
     </message>
     <message>
         <source>Saving the plan</source>
-        <translation>Enregistrement du plan</translation>
+        <translation>Guardando el plan</translation>
     </message>
     <message>
         <source>The plan is in %1</source>
-        <translation>Le plan est dans %1</translation>
+        <translation>El plan está en %1</translation>
     </message>
     <message>
         <source>Separation</source>
-        <translation>Écartement</translation>
+        <translation>Separación</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ResectionResults</name>
     <message>
         <source>removed</source>
-        <translation>retiré</translation>
+        <translation>extirpado</translation>
     </message>
     <message>
         <source>stays</source>
-        <translation>reste</translation>
+        <translation>queda</translation>
     </message>
     <message>
         <source>cut through</source>
-        <translation>sectionné</translation>
+        <translation>seccionado</translation>
     </message>
     <message>
         <source>▲ R1: cut through</source>
-        <translation>▲ R1&#xa0;: sectionné</translation>
+        <translation>▲ R1: seccionado</translation>
     </message>
     <message>
         <source>▲ Stays in the patient</source>
-        <translation>▲ Reste dans le patient</translation>
+        <translation>▲ Queda en el paciente</translation>
     </message>
     <message>
         <source>▲ R1: under 1 mm</source>
-        <translation>▲ R1&#xa0;: moins de 1 mm</translation>
+        <translation>▲ R1: menos de 1 mm</translation>
     </message>
     <message>
         <source>● Under 5 mm</source>
-        <translation>● Moins de 5 mm</translation>
+        <translation>● Menos de 5 mm</translation>
     </message>
     <message>
         <source>Margins</source>
-        <translation>Marges</translation>
+        <translation>Márgenes</translation>
     </message>
     <message>
         <source>Structure</source>
-        <translation>Structure</translation>
+        <translation>Estructura</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation>Côté</translation>
+        <translation>Lado</translation>
     </message>
     <message>
         <source>mm</source>
@@ -6762,114 +6837,114 @@ supposés</translation>
     </message>
     <message>
         <source>Smallest distance to the cut inside the liver</source>
-        <translation>Plus petite distance à la section à l’intérieur du foie</translation>
+        <translation>Menor distancia a la sección dentro del hígado</translation>
     </message>
     <message>
         <source>R1: a margin under 1 mm counts as tumour at the edge. Under 5 mm is narrow.</source>
-        <translation>R1&#xa0;: une marge inférieure à 1 mm compte comme tumeur au bord. Moins de 5 mm, c’est étroit.</translation>
+        <translation>R1: un margen inferior a 1 mm cuenta como tumor en el borde. Menos de 5 mm es estrecho.</translation>
     </message>
     <message>
         <source>Vessels crossed</source>
-        <translation>Vaisseaux croisés</translation>
+        <translation>Vasos cruzados</translation>
     </message>
     <message>
         <source>Vessel</source>
-        <translation>Vaisseau</translation>
+        <translation>Vaso</translation>
     </message>
     <message>
         <source>Diameter, mm</source>
-        <translation>Diamètre, mm</translation>
+        <translation>Diámetro, mm</translation>
     </message>
     <message>
         <source>The cut crosses no vessel that was outlined.</source>
-        <translation>La section ne croise aucun vaisseau délimité.</translation>
+        <translation>La sección no cruza ningún vaso delimitado.</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1 ml&lt;/b&gt; removed (%2 %)</source>
-        <translation>&lt;b&gt;%1 ml&lt;/b&gt; retirés (%2 %)</translation>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; extirpados (%2 %)</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1 ml&lt;/b&gt; stay (%2 %)</source>
-        <translation>&lt;b&gt;%1 ml&lt;/b&gt; restent (%2 %)</translation>
+        <translation>&lt;b&gt;%1 ml&lt;/b&gt; permanecen (%2 %)</translation>
     </message>
     <message>
         <source>Caution</source>
-        <translation>Attention</translation>
+        <translation>Atención</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SegmentPanel</name>
     <message>
         <source>Segment</source>
-        <translation>Segmenter</translation>
+        <translation>Segmentar</translation>
     </message>
     <message>
         <source>Outline the liver, its vessels and its tumours.</source>
-        <translation>Délimiter le foie, ses vaisseaux et ses tumeurs.</translation>
+        <translation>Delimitar el hígado, sus vasos y sus tumores.</translation>
     </message>
     <message>
         <source>Needs a case: open one, or import images.</source>
-        <translation>Il faut un cas&#xa0;: ouvrez-en un ou importez des images.</translation>
+        <translation>Necesita un caso: abra uno o importe imágenes.</translation>
     </message>
     <message>
         <source>Needs anatomical images: import them in Study.</source>
-        <translation>Il faut des images anatomiques&#xa0;: importez-les dans Étude.</translation>
+        <translation>Necesita imágenes anatómicas: impórtelas en Estudio.</translation>
     </message>
     <message>
         <source>Nothing changed.</source>
-        <translation>Rien n’a changé.</translation>
+        <translation>No ha cambiado nada.</translation>
     </message>
     <message>
         <source>Reading the structures</source>
-        <translation>Lecture des structures</translation>
+        <translation>Leyendo las estructuras</translation>
     </message>
     <message>
         <source>Another name...</source>
-        <translation>Autre nom…</translation>
+        <translation>Otro nombre…</translation>
     </message>
     <message>
         <source>Name of the structure</source>
-        <translation>Nom de la structure</translation>
+        <translation>Nombre de la estructura</translation>
     </message>
     <message>
         <source>Letters, digits and hyphens:</source>
-        <translation>Lettres, chiffres et traits d’union&#xa0;:</translation>
+        <translation>Letras, cifras y guiones:</translation>
     </message>
     <message>
         <source>Choose a structure first, or add one.</source>
-        <translation>Choisissez d’abord une structure, ou ajoutez-en une.</translation>
+        <translation>Elija primero una estructura o añada una.</translation>
     </message>
     <message>
         <source>Click into the structure first, in any slice.</source>
-        <translation>Cliquez d’abord dans la structure, sur n’importe quelle coupe.</translation>
+        <translation>Haga clic primero dentro de la estructura, en cualquier corte.</translation>
     </message>
     <message>
         <source>Replaces the outline by the tissue around the points</source>
-        <translation>Remplace le contour par le tissu autour des points</translation>
+        <translation>Sustituye el contorno por el tejido alrededor de los puntos</translation>
     </message>
     <message>
         <source>Click into the tissue, away from large vessels. Points so far: %1</source>
-        <translation>Cliquez dans le tissu, loin des gros vaisseaux. Points jusqu’ici&#xa0;: %1</translation>
+        <translation>Haga clic en el tejido, lejos de los grandes vasos. Puntos hasta ahora: %1</translation>
     </message>
     <message>
         <source>Click on the piece that is to stay; all others go.</source>
-        <translation>Cliquez sur le morceau à garder&#xa0;; tous les autres disparaissent.</translation>
+        <translation>Haga clic en el trozo que debe quedar; los demás se quitan.</translation>
     </message>
     <message>
         <source>Choose a tool to draw in the slices. Without one, clicks move the crosshair.</source>
-        <translation>Choisissez un outil pour dessiner dans les coupes. Sans outil, les clics déplacent le réticule.</translation>
+        <translation>Elija una herramienta para dibujar en los cortes. Sin ella, los clics mueven la cruz.</translation>
     </message>
     <message>
         <source>Growing: %1</source>
-        <translation>Croissance&#xa0;: %1</translation>
+        <translation>Crecimiento: %1</translation>
     </message>
     <message>
         <source>Structures</source>
-        <translation>Structures</translation>
+        <translation>Estructuras</translation>
     </message>
     <message>
         <source>Structure</source>
-        <translation>Structure</translation>
+        <translation>Estructura</translation>
     </message>
     <message>
         <source>ml</source>
@@ -6877,473 +6952,473 @@ supposés</translation>
     </message>
     <message>
         <source>The chosen one is drawn on. The box shows or hides it.</source>
-        <translation>On dessine sur celle qui est choisie. La case l’affiche ou la masque.</translation>
+        <translation>Se dibuja sobre la elegida. La casilla la muestra o la oculta.</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation>Ajouter</translation>
+        <translation>Añadir</translation>
     </message>
     <message>
         <source>A new, empty structure</source>
-        <translation>Une nouvelle structure, vide</translation>
+        <translation>Una estructura nueva y vacía</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation>Renommer</translation>
+        <translation>Renombrar</translation>
     </message>
     <message>
         <source>Another name, and with it another colour, for the chosen structure</source>
-        <translation>Un autre nom, et avec lui une autre couleur, pour la structure choisie</translation>
+        <translation>Otro nombre, y con él otro color, para la estructura elegida</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation>Supprimer</translation>
+        <translation>Quitar</translation>
     </message>
     <message>
         <source>Takes the chosen structure out of the case; Ctrl+Z brings it back</source>
-        <translation>Retire la structure choisie du cas&#xa0;; Ctrl+Z la ramène</translation>
+        <translation>Quita del caso la estructura elegida; Ctrl+Z la recupera</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation>Outils</translation>
+        <translation>Herramientas</translation>
     </message>
     <message>
         <source>Crosshair</source>
-        <translation>Réticule</translation>
+        <translation>Cruz</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation>Pinceau</translation>
+        <translation>Pincel</translation>
     </message>
     <message>
         <source>Eraser</source>
-        <translation>Gomme</translation>
+        <translation>Goma</translation>
     </message>
     <message>
         <source>Smart brush</source>
-        <translation>Pinceau sélectif</translation>
+        <translation>Pincel selectivo</translation>
     </message>
     <message>
         <source>Scissors</source>
-        <translation>Ciseaux</translation>
+        <translation>Tijeras</translation>
     </message>
     <message>
         <source>Grow</source>
-        <translation>Croissance</translation>
+        <translation>Crecer</translation>
     </message>
     <message>
         <source>Pick piece</source>
-        <translation>Choisir un morceau</translation>
+        <translation>Elegir trozo</translation>
     </message>
     <message>
         <source>Clicks move the crosshair</source>
-        <translation>Les clics déplacent le réticule</translation>
+        <translation>Los clics mueven la cruz</translation>
     </message>
     <message>
         <source>Drag to add. Ctrl: erase instead. Shift+wheel: radius in mm</source>
-        <translation>Glisser pour ajouter. Ctrl&#xa0;: effacer. Maj+molette&#xa0;: rayon en mm</translation>
+        <translation>Arrastre para añadir. Ctrl: borrar. Mayús+rueda: radio en mm</translation>
     </message>
     <message>
         <source>Drag to take away. Ctrl: add instead. Shift+wheel: radius in mm</source>
-        <translation>Glisser pour enlever. Ctrl&#xa0;: ajouter. Maj+molette&#xa0;: rayon en mm</translation>
+        <translation>Arrastre para quitar. Ctrl: añadir. Mayús+rueda: radio en mm</translation>
     </message>
     <message>
         <source>Adds only where the grey values are like those under the click</source>
-        <translation>N’ajoute que là où les niveaux de gris ressemblent à ceux sous le clic</translation>
+        <translation>Añade solo donde los grises se parecen a los del punto pulsado</translation>
     </message>
     <message>
         <source>Draw around something, and cut away what is inside or outside</source>
-        <translation>Entourer quelque chose et enlever ce qui est à l’intérieur ou à l’extérieur</translation>
+        <translation>Rodee algo y corte lo que queda dentro o fuera</translation>
     </message>
     <message>
         <source>Click points into the tissue, then let the structure grow over what looks alike</source>
-        <translation>Placez des points dans le tissu, puis laissez la structure s’étendre sur ce qui lui ressemble</translation>
+        <translation>Marque puntos en el tejido y deje que la estructura crezca sobre lo que se le parece</translation>
     </message>
     <message>
         <source>Click on the piece that is to stay; all others go</source>
-        <translation>Cliquez sur le morceau à garder&#xa0;; tous les autres disparaissent</translation>
+        <translation>Haga clic en el trozo que debe quedar; los demás se quitan</translation>
     </message>
     <message>
         <source>%1 (key %2)</source>
-        <translation>%1 (touche %2)</translation>
+        <translation>%1 (tecla %2)</translation>
     </message>
     <message>
         <source>Radius (Shift+wheel)</source>
-        <translation>Rayon (Maj+molette)</translation>
+        <translation>Radio (Mayús+rueda)</translation>
     </message>
     <message>
         <source>Radius of the brush in mm</source>
-        <translation>Rayon du pinceau en mm</translation>
+        <translation>Radio del pincel en mm</translation>
     </message>
     <message>
         <source>Disc in this slice</source>
-        <translation>Disque dans cette coupe</translation>
+        <translation>Disco en este corte</translation>
     </message>
     <message>
         <source>Ball through the slices</source>
-        <translation>Boule à travers les coupes</translation>
+        <translation>Bola a través de los cortes</translation>
     </message>
     <message>
         <source>Whether the brush reaches into the neighbouring slices</source>
-        <translation>Si le pinceau atteint les coupes voisines</translation>
+        <translation>Si el pincel alcanza los cortes vecinos</translation>
     </message>
     <message>
         <source>Tolerance (standard deviations)</source>
-        <translation>Tolérance (écarts-types)</translation>
+        <translation>Tolerancia (desviaciones típicas)</translation>
     </message>
     <message>
         <source>How far a grey value may be from that under the click, in standard deviations around it</source>
-        <translation>Écart permis d’un niveau de gris à celui sous le clic, en écarts-types autour de lui</translation>
+        <translation>Cuánto puede apartarse un gris del que hay bajo el clic, en desviaciones típicas</translation>
     </message>
     <message>
         <source>Cut away what is inside</source>
-        <translation>Enlever ce qui est à l’intérieur</translation>
+        <translation>Cortar lo que queda dentro</translation>
     </message>
     <message>
         <source>Cut away what is outside</source>
-        <translation>Enlever ce qui est à l’extérieur</translation>
+        <translation>Cortar lo que queda fuera</translation>
     </message>
     <message>
         <source>In this slice only</source>
-        <translation>Dans cette coupe seulement</translation>
+        <translation>Solo en este corte</translation>
     </message>
     <message>
         <source>Through all slices</source>
-        <translation>À travers toutes les coupes</translation>
+        <translation>A través de todos los cortes</translation>
     </message>
     <message>
         <source>Forget the points</source>
-        <translation>Oublier les points</translation>
+        <translation>Olvidar los puntos</translation>
     </message>
     <message>
         <source>The whole structure</source>
-        <translation>La structure entière</translation>
+        <translation>La estructura entera</translation>
     </message>
     <message>
         <source>Fill between slices</source>
-        <translation>Remplir entre les coupes</translation>
+        <translation>Rellenar entre cortes</translation>
     </message>
     <message>
         <source>Fill holes</source>
-        <translation>Combler les trous</translation>
+        <translation>Rellenar huecos</translation>
     </message>
     <message>
         <source>Keep the largest</source>
-        <translation>Garder le plus grand</translation>
+        <translation>Conservar el mayor</translation>
     </message>
     <message>
         <source>Remove pieces below</source>
-        <translation>Supprimer les morceaux sous</translation>
+        <translation>Quitar trozos de menos de</translation>
     </message>
     <message>
         <source>Smooth</source>
-        <translation>Lisser</translation>
+        <translation>Suavizar</translation>
     </message>
     <message>
         <source>Grow by</source>
-        <translation>Élargir de</translation>
+        <translation>Ampliar en</translation>
     </message>
     <message>
         <source>Shrink by</source>
-        <translation>Rétrécir de</translation>
+        <translation>Reducir en</translation>
     </message>
     <message>
         <source>Fills the slices between drawn ones by their shapes</source>
-        <translation>Remplit les coupes entre celles dessinées d’après leurs formes</translation>
+        <translation>Rellena los cortes entre los dibujados según sus formas</translation>
     </message>
     <message>
         <source>Fills what is enclosed on all sides</source>
-        <translation>Comble ce qui est entièrement entouré</translation>
+        <translation>Rellena lo que está cerrado por todos lados</translation>
     </message>
     <message>
         <source>Keeps the largest piece and drops the others</source>
-        <translation>Garde le plus grand morceau et supprime les autres</translation>
+        <translation>Conserva el trozo mayor y quita los demás</translation>
     </message>
     <message>
         <source>Drops pieces of less than this volume in ml</source>
-        <translation>Supprime les morceaux de volume inférieur à celui-ci, en ml</translation>
+        <translation>Quita los trozos de menos de este volumen en ml</translation>
     </message>
     <message>
         <source>Rounds what is smaller than about this many mm</source>
-        <translation>Arrondit ce qui est plus petit qu’environ ce nombre de mm</translation>
+        <translation>Redondea lo que mide menos de unos tantos mm</translation>
     </message>
     <message>
         <source>Adds a margin of this many mm all around</source>
-        <translation>Ajoute tout autour une marge de ce nombre de mm</translation>
+        <translation>Añade alrededor un margen de estos mm</translation>
     </message>
     <message>
         <source>Takes a margin of this many mm away all around</source>
-        <translation>Enlève tout autour une marge de ce nombre de mm</translation>
+        <translation>Quita alrededor un margen de estos mm</translation>
     </message>
     <message>
         <source>Transverse</source>
-        <translation>Transversale</translation>
+        <translation>Transversal</translation>
     </message>
     <message>
         <source>Coronal</source>
-        <translation>Coronale</translation>
+        <translation>Coronal</translation>
     </message>
     <message>
         <source>Sagittal</source>
-        <translation>Sagittale</translation>
+        <translation>Sagital</translation>
     </message>
     <message>
         <source>The slices that were drawn in</source>
-        <translation>Les coupes dans lesquelles on a dessiné</translation>
+        <translation>Los cortes en los que se dibujó</translation>
     </message>
     <message>
         <source>Least volume in ml</source>
-        <translation>Volume minimal en ml</translation>
+        <translation>Volumen mínimo en ml</translation>
     </message>
     <message>
         <source>Radius of smoothing in mm</source>
-        <translation>Rayon du lissage en mm</translation>
+        <translation>Radio del suavizado en mm</translation>
     </message>
     <message>
         <source>Margin in mm</source>
-        <translation>Marge en mm</translation>
+        <translation>Margen en mm</translation>
     </message>
     <message>
         <source>So far to both sides</source>
-        <translation>De chaque côté, de</translation>
+        <translation>Hacia ambos lados, hasta</translation>
     </message>
     <message>
         <source>This slice and all towards you</source>
-        <translation>Cette coupe et toutes celles devant</translation>
+        <translation>Este corte y todos los de delante</translation>
     </message>
     <message>
         <source>This slice and all behind it</source>
-        <translation>Cette coupe et toutes celles derrière</translation>
+        <translation>Este corte y todos los de detrás</translation>
     </message>
     <message>
         <source>How deep the scissors cut along your line of sight, in tilted slices too</source>
-        <translation>Profondeur de la coupe des ciseaux le long de votre regard, dans les coupes inclinées aussi</translation>
+        <translation>Hasta qué profundidad cortan las tijeras a lo largo de su línea de visión, también en cortes inclinados</translation>
     </message>
     <message>
         <source>How far the scissors cut before and behind this slice, in mm</source>
-        <translation>Distance de coupe des ciseaux devant et derrière cette coupe, en mm</translation>
+        <translation>Hasta dónde cortan las tijeras delante y detrás de este corte, en mm</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SeriesTable</name>
     <message>
         <source>Series</source>
-        <translation>Série</translation>
+        <translation>Serie</translation>
     </message>
     <message>
         <source>Size and spacing</source>
-        <translation>Taille et espacement</translation>
+        <translation>Tamaño y espaciado</translation>
     </message>
     <message>
         <source>Use as</source>
-        <translation>Utiliser comme</translation>
+        <translation>Usar como</translation>
     </message>
     <message>
         <source>Remarks</source>
-        <translation>Remarques</translation>
+        <translation>Observaciones</translation>
     </message>
     <message>
         <source>Anatomy</source>
-        <translation>Anatomie</translation>
+        <translation>Anatomía</translation>
     </message>
     <message>
         <source>Stiffness (kPa)</source>
-        <translation>Rigidité (kPa)</translation>
+        <translation>Rigidez (kPa)</translation>
     </message>
     <message>
         <source>Confidence</source>
-        <translation>Confiance</translation>
+        <translation>Confianza</translation>
     </message>
     <message>
         <source>MRE magnitude</source>
-        <translation>Magnitude ERM</translation>
+        <translation>Magnitud de ERM</translation>
     </message>
     <message>
         <source>MRE phase</source>
-        <translation>Phase ERM</translation>
+        <translation>Fase de ERM</translation>
     </message>
     <message>
         <source>MRE waves</source>
-        <translation>Ondes ERM</translation>
+        <translation>Ondas de ERM</translation>
     </message>
     <message>
         <source>Segmentation</source>
-        <translation>Segmentation</translation>
+        <translation>Segmentación</translation>
     </message>
     <message>
         <source>Leave out</source>
-        <translation>Écarter</translation>
+        <translation>Omitir</translation>
     </message>
     <message>
         <source>Without a description</source>
-        <translation>Sans description</translation>
+        <translation>Sin descripción</translation>
     </message>
     <message>
         <source>%1 volumes</source>
-        <translation>%1 volumes</translation>
+        <translation>%1 volúmenes</translation>
     </message>
     <message>
         <source>Use %1 as</source>
-        <translation>Utiliser %1 comme</translation>
+        <translation>Usar %1 como</translation>
     </message>
     <message>
         <source>What this series is for. The proposal is read from its header.</source>
-        <translation>À quoi sert cette série. La proposition est lue dans son en-tête.</translation>
+        <translation>Para qué es esta serie. La propuesta se lee de su cabecera.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SettingsWindow</name>
     <message>
         <source>Settings - Glisson</source>
-        <translation>Réglages - Glisson</translation>
+        <translation>Ajustes - Glisson</translation>
     </message>
     <message>
         <source>&amp;Appearance</source>
-        <translation>&amp;Apparence</translation>
+        <translation>&amp;Aspecto</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation>Sombre</translation>
+        <translation>Oscuro</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation>Clair</translation>
+        <translation>Claro</translation>
     </message>
     <message>
         <source>&amp;Language</source>
-        <translation>&amp;Langue</translation>
+        <translation>&amp;Idioma</translation>
     </message>
     <message>
         <source>System language</source>
-        <translation>Langue du système</translation>
+        <translation>Idioma del sistema</translation>
     </message>
     <message>
         <source>&amp;Processors</source>
-        <translation>&amp;Processeurs</translation>
+        <translation>&amp;Procesadores</translation>
     </message>
     <message>
         <source>All %1</source>
-        <translation>Les %1</translation>
+        <translation>Los %1</translation>
     </message>
     <message>
         <source>How many processors long computations may take</source>
-        <translation>Combien de processeurs les longs calculs peuvent utiliser</translation>
+        <translation>Cuántos procesadores pueden usar los cálculos largos</translation>
     </message>
     <message>
         <source>&amp;Patients&apos; names in what leaves this window</source>
-        <translation>Noms des &amp;patients dans ce qui quitte cette fenêtre</translation>
+        <translation>Nombres de los &amp;pacientes en lo que sale de esta ventana</translation>
     </message>
     <message>
         <source>Pictures, movies and reports name a patient only then. The log never does.</source>
-        <translation>Images, films et rapports ne nomment un patient que dans ce cas. Le journal ne le fait jamais.</translation>
+        <translation>Solo entonces las imágenes, las películas y los informes nombran a un paciente. El registro nunca lo hace.</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation>Fermer</translation>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ShortcutsWindow</name>
     <message>
         <source>Keys - Glisson</source>
-        <translation>Touches - Glisson</translation>
+        <translation>Teclas - Glisson</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation>Rechercher</translation>
+        <translation>Buscar</translation>
     </message>
     <message>
         <source>Words to search for</source>
-        <translation>Mots à chercher</translation>
+        <translation>Palabras que buscar</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation>Touches</translation>
+        <translation>Teclas</translation>
     </message>
     <message>
         <source>What it does</source>
-        <translation>Ce qu’elle fait</translation>
+        <translation>Qué hace</translation>
     </message>
     <message>
         <source>Key</source>
-        <translation>Touche</translation>
+        <translation>Tecla</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SliceTools</name>
     <message>
         <source>Choose a structure first, or add one.</source>
-        <translation>Choisissez d’abord une structure, ou ajoutez-en une.</translation>
+        <translation>Elija primero una estructura o añada una.</translation>
     </message>
     <message>
         <source>One moment: the last change is being worked off.</source>
-        <translation>Un instant&#xa0;: la dernière modification est en cours.</translation>
+        <translation>Un momento: se está aplicando el último cambio.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::SolvingLight</name>
     <message>
         <source>○ No tool</source>
-        <translation>○ Aucun instrument</translation>
+        <translation>○ Ningún instrumento</translation>
     </message>
     <message>
         <source>◐ Solving</source>
-        <translation>◐ Résolution</translation>
+        <translation>◐ Resolviendo</translation>
     </message>
     <message>
         <source>▲ Not to be used</source>
-        <translation>▲ Inutilisable</translation>
+        <translation>▲ No utilizable</translation>
     </message>
     <message>
         <source>✔ Solved</source>
-        <translation>✔ Résolu</translation>
+        <translation>✔ Resuelto</translation>
     </message>
     <message>
         <source>✖ Not solved</source>
-        <translation>✖ Non résolu</translation>
+        <translation>✖ No resuelto</translation>
     </message>
     <message>
         <source>❚❚ Frozen</source>
-        <translation>❚❚ Figé</translation>
+        <translation>❚❚ Congelado</translation>
     </message>
     <message>
         <source>What is shown is from before.</source>
-        <translation>Ce qui est montré est l’état précédent.</translation>
+        <translation>Se muestra el estado anterior.</translation>
     </message>
     <message>
         <source>▲ Outside of the model</source>
-        <translation>▲ Hors du modèle</translation>
+        <translation>▲ Fuera del modelo</translation>
     </message>
     <message>
         <source>Use less force.</source>
-        <translation>Utilisez moins de force.</translation>
+        <translation>Use menos fuerza.</translation>
     </message>
     <message>
         <source>solved in %1 ms · drawn in %2 ms</source>
-        <translation>résolu en %1 ms · dessiné en %2 ms</translation>
+        <translation>resuelto en %1 ms · dibujado en %2 ms</translation>
     </message>
     <message>
         <source>Residual %1: how far the equations are from balance</source>
-        <translation>Résidu %1 : l’écart des équations à l’équilibre</translation>
+        <translation>Residuo %1: cuánto les falta a las ecuaciones para el equilibrio</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::StatusLine</name>
     <message>
         <source>about %1 s left</source>
-        <translation>encore %1 s environ</translation>
+        <translation>quedan unos %1 s</translation>
     </message>
     <message>
         <source>about %1 min left</source>
-        <translation>encore %1 min environ</translation>
+        <translation>quedan unos %1 min</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Annuler</translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Not a medical device</source>
-        <translation>N’est pas un dispositif médical</translation>
+        <translation>No es un producto sanitario</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -7354,106 +7429,106 @@ supposés</translation>
     <name>glisson::widgets::StudyPage</name>
     <message>
         <source>Study</source>
-        <translation>Étude</translation>
+        <translation>Estudio</translation>
     </message>
     <message>
         <source>Find images, say what each series is for, and see what the case holds.</source>
-        <translation>Trouver des images, dire à quoi sert chaque série et voir ce que contient le cas.</translation>
+        <translation>Buscar imágenes, decir para qué es cada serie y ver qué contiene el caso.</translation>
     </message>
     <message>
         <source>Looking for images</source>
-        <translation>Recherche d’images</translation>
+        <translation>Buscando imágenes</translation>
     </message>
     <message>
         <source>Images</source>
-        <translation>Images</translation>
+        <translation>Imágenes</translation>
     </message>
     <message>
         <source>Look in a folder...</source>
-        <translation>Chercher dans un dossier…</translation>
+        <translation>Buscar en una carpeta…</translation>
     </message>
     <message>
         <source>A folder, a DICOMDIR or one file; dropping it on the window does the same</source>
-        <translation>Un dossier, un DICOMDIR ou un fichier&#xa0;; le déposer sur la fenêtre fait de même</translation>
+        <translation>Una carpeta, un DICOMDIR o un archivo; soltarlo en la ventana hace lo mismo</translation>
     </message>
     <message>
         <source>Keep the case as</source>
-        <translation>Conserver le cas sous</translation>
+        <translation>Guardar el caso como</translation>
     </message>
     <message>
         <source>Make a case</source>
-        <translation>Créer un cas</translation>
+        <translation>Crear un caso</translation>
     </message>
     <message>
         <source>Add to the open case</source>
-        <translation>Ajouter au cas ouvert</translation>
+        <translation>Añadir al caso abierto</translation>
     </message>
     <message>
         <source>Drop a folder of DICOM images, a DICOMDIR, or a NIfTI, NRRD or MHA file here.</source>
-        <translation>Déposez ici un dossier d’images DICOM, un DICOMDIR ou un fichier NIfTI, NRRD ou MHA.</translation>
+        <translation>Suelte aquí una carpeta de imágenes DICOM, un DICOMDIR o un archivo NIfTI, NRRD o MHA.</translation>
     </message>
     <message>
         <source>%1: series found: %2</source>
-        <translation>%1&#xa0;: séries trouvées&#xa0;: %2</translation>
+        <translation>%1: series encontradas: %2</translation>
     </message>
     <message>
         <source>; files left out: %1</source>
-        <translation>; fichiers écartés&#xa0;: %1</translation>
+        <translation>; archivos omitidos: %1</translation>
     </message>
     <message>
         <source>Give at least one series a role first.</source>
-        <translation>Donnez d’abord un rôle à au moins une série.</translation>
+        <translation>Dé primero una función a al menos una serie.</translation>
     </message>
     <message>
         <source>There is something of that name already: choose another.</source>
-        <translation>Il existe déjà quelque chose de ce nom&#xa0;: choisissez-en un autre.</translation>
+        <translation>Ya existe algo con ese nombre: elija otro.</translation>
     </message>
     <message>
         <source>Copies the chosen series into a new case</source>
-        <translation>Copie les séries choisies dans un nouveau cas</translation>
+        <translation>Copia las series elegidas en un caso nuevo</translation>
     </message>
     <message>
         <source>No case is open.</source>
-        <translation>Aucun cas n’est ouvert.</translation>
+        <translation>No hay ningún caso abierto.</translation>
     </message>
     <message>
         <source>Patients&apos; names are neither shown nor kept: a case keeps a hash of them. The images are never written to.</source>
-        <translation>Les noms des patients ne sont ni montrés ni gardés : un cas n&apos;en garde qu&apos;une empreinte. Rien n&apos;est jamais écrit dans les images.</translation>
+        <translation>Los nombres de los pacientes ni se muestran ni se guardan: un caso guarda solo un resumen de ellos. Nunca se escribe en las imágenes.</translation>
     </message>
     <message>
         <source>Labels need the images that they were drawn on: give one series another role.</source>
-        <translation>Les étiquettes ont besoin des images sur lesquelles elles ont été dessinées : donnez un autre rôle à une série.</translation>
+        <translation>Las etiquetas necesitan las imágenes sobre las que se dibujaron: dé otro papel a una serie.</translation>
     </message>
     <message>
         <source>Glisson asks before anything is replaced; Ctrl+Z brings it back</source>
-        <translation>Glisson demande avant de remplacer quoi que ce soit ; Ctrl+Z le ramène</translation>
+        <translation>Glisson pregunta antes de reemplazar nada; Ctrl+Z lo recupera</translation>
     </message>
     <message>
         <source>Open images: a folder, or a file of them</source>
-        <translation>Ouvrir des images : un dossier, ou un de leurs fichiers</translation>
+        <translation>Abrir imágenes: una carpeta o uno de sus archivos</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::StudyPanel</name>
     <message>
         <source>Slices show</source>
-        <translation>Les coupes montrent</translation>
+        <translation>Los cortes muestran</translation>
     </message>
     <message>
         <source>Anatomy</source>
-        <translation>Anatomie</translation>
+        <translation>Anatomía</translation>
     </message>
     <message>
         <source>Stiffness (MR elastography)</source>
-        <translation>Rigidité (élastographie par RM)</translation>
+        <translation>Rigidez (elastografía por RM)</translation>
     </message>
     <message>
         <source>Structures</source>
-        <translation>Structures</translation>
+        <translation>Estructuras</translation>
     </message>
     <message>
         <source>Structure</source>
-        <translation>Structure</translation>
+        <translation>Estructura</translation>
     </message>
     <message>
         <source>ml</source>
@@ -7461,225 +7536,162 @@ supposés</translation>
     </message>
     <message>
         <source>No patient open</source>
-        <translation>Aucun patient ouvert</translation>
+        <translation>Ningún paciente abierto</translation>
     </message>
     <message>
         <source>%1 cells
 Young&apos;s modulus %2 kPa (mean)</source>
-        <translation>%1 cellules
-Module de Young&#xa0;%2 kPa (moyenne)</translation>
+        <translation>%1 celdas
+Módulo de Young %2 kPa (media)</translation>
     </message>
     <message>
         <source>%1 voxels,
 %2 each</source>
-        <translation>%1 voxels,
-de %2 chacun</translation>
+        <translation>%1 vóxeles,
+de %2 cada uno</translation>
     </message>
     <message>
         <source>%1 cells
 Young&apos;s modulus %2 kPa (assumed)</source>
-        <translation>%1 cellules
-Module de Young %2 kPa (supposé)</translation>
+        <translation>%1 celdas
+Módulo de Young %2 kPa (supuesto)</translation>
     </message>
     <message>
         <source>%1 (fixed)</source>
-        <translation>%1 (fixe)</translation>
+        <translation>%1 (fijo)</translation>
     </message>
     <message>
         <source>No part of the model: drawn where it was outlined, it does not move.</source>
-        <translation>Ne fait pas partie du modèle : dessiné là où il a été délimité, il ne bouge pas.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::widgets::SuspectsTable</name>
-    <message>
-        <source>Suspect, each by itself</source>
-        <translation>Suspect, chacun seul</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Erreur</translation>
-    </message>
-    <message>
-        <source>On trials left out</source>
-        <translation>Sur les essais écartés</translation>
-    </message>
-    <message>
-        <source>These data cannot tell it from</source>
-        <translation>Ces données ne le distinguent pas de</translation>
-    </message>
-    <message>
-        <source>Root mean square on the trials that it was fitted to</source>
-        <translation>Moyenne quadratique sur les essais auxquels il a été ajusté</translation>
-    </message>
-    <message>
-        <source>Root mean square on trials that it was not fitted to, left out whole</source>
-        <translation>Moyenne quadratique sur des essais entiers écartés, auxquels il n’a pas été ajusté</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>out of the running: %1</source>
-        <translation>hors course&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>very strong</source>
-        <translation>très forte</translation>
-    </message>
-    <message>
-        <source>strong</source>
-        <translation>forte</translation>
-    </message>
-    <message>
-        <source>weak</source>
-        <translation>faible</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>aucune</translation>
-    </message>
-    <message>
-        <source>Evidence</source>
-        <translation>Preuve</translation>
-    </message>
-    <message>
-        <source>Against the declared model, by the difference of BIC</source>
-        <translation>Contre le modèle déclaré, par la différence de BIC</translation>
-    </message>
-    <message>
-        <source>ΔBIC %1</source>
-        <translation>ΔBIC %1</translation>
+        <translation>No es parte del modelo: se dibuja donde se contorneó y no se mueve.</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TakingIn</name>
     <message>
         <source>Looking at the labels</source>
-        <translation>Examen des étiquettes</translation>
+        <translation>Examinando las etiquetas</translation>
     </message>
     <message>
         <source>The case %1 has an anatomy already. These images would replace it; what was outlined and modelled on it then no longer fits.</source>
-        <translation>Le cas %1 a déjà une anatomie. Ces images la remplaceraient ; ce qui y a été contouré et modélisé ne conviendrait plus.</translation>
+        <translation>El caso %1 ya tiene una anatomía. Estas imágenes la reemplazarían; lo que se contorneó y modeló sobre ella dejaría de encajar.</translation>
     </message>
     <message>
         <source>Replace the anatomy?</source>
-        <translation>Remplacer l&apos;anatomie ?</translation>
+        <translation>¿Reemplazar la anatomía?</translation>
     </message>
     <message>
         <source>Is it this patient?</source>
-        <translation>Est-ce bien ce patient ?</translation>
+        <translation>¿Es este paciente?</translation>
     </message>
     <message>
         <source>Replace</source>
-        <translation>Remplacer</translation>
+        <translation>Reemplazar</translation>
     </message>
     <message>
         <source>Add all the same</source>
-        <translation>Ajouter malgré tout</translation>
+        <translation>Añadir de todos modos</translation>
     </message>
     <message>
         <source>Importing</source>
-        <translation>Importation</translation>
+        <translation>Importando</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::Timeline</name>
     <message>
         <source>Pause</source>
-        <translation>Pause</translation>
+        <translation>Pausa</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation>Lire</translation>
+        <translation>Reproducir</translation>
     </message>
     <message>
         <source>One frame back</source>
-        <translation>Une image en arrière</translation>
+        <translation>Un fotograma atrás</translation>
     </message>
     <message>
         <source>One frame on</source>
-        <translation>Une image en avant</translation>
+        <translation>Un fotograma adelante</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation>Image</translation>
+        <translation>Fotograma</translation>
     </message>
     <message>
         <source>No frames</source>
-        <translation>Aucune image</translation>
+        <translation>Sin fotogramas</translation>
     </message>
     <message>
         <source>Frame %1 of %2</source>
-        <translation>Image %1 sur %2</translation>
+        <translation>Fotograma %1 de %2</translation>
     </message>
     <message>
         <source>Open a sequence first</source>
-        <translation>Ouvrez d’abord une séquence</translation>
+        <translation>Abra primero una secuencia</translation>
     </message>
     <message>
         <source>Plays the video at 15 frames a second, round and round (Space)</source>
-        <translation>Lit la vidéo à 15 images par seconde, en boucle (Espace)</translation>
+        <translation>Reproduce el vídeo a 15 fotogramas por segundo, en bucle (Espacio)</translation>
     </message>
     <message>
         <source>One frame back (Left)</source>
-        <translation>Une image en arrière (Gauche)</translation>
+        <translation>Un fotograma atrás (Izquierda)</translation>
     </message>
     <message>
         <source>One frame on (Right)</source>
-        <translation>Une image en avant (Droite)</translation>
+        <translation>Un fotograma adelante (Derecha)</translation>
     </message>
     <message>
         <source>The frame that is shown (Left, Right, Page Up, Page Down, Home, End)</source>
-        <translation>L’image affichée (Gauche, Droite, Page préc., Page suiv., Début, Fin)</translation>
+        <translation>El fotograma que se muestra (Izquierda, Derecha, RePág, AvPág, Inicio, Fin)</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ToolControls</name>
     <message>
         <source>Tool</source>
-        <translation>Instrument</translation>
+        <translation>Instrumento</translation>
     </message>
     <message>
         <source>Direction</source>
-        <translation>Direction</translation>
+        <translation>Dirección</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation>Force</translation>
+        <translation>Fuerza</translation>
     </message>
     <message>
         <source>Place by click</source>
-        <translation>Placer d’un clic</translation>
+        <translation>Colocar con un clic</translation>
     </message>
     <message>
         <source>Then click on the liver where the tool is to touch it. By key: Ctrl+T, at the crosshair</source>
-        <translation>Cliquez ensuite sur le foie à l’endroit que l’instrument doit toucher. Au clavier&#xa0;: Ctrl+T, au réticule</translation>
+        <translation>Haga clic después en el hígado donde deba tocarlo el instrumento. Con el teclado: Ctrl+T, en la cruz</translation>
     </message>
     <message>
         <source>Hoist segment VI</source>
-        <translation>Soulever le segment VI</translation>
+        <translation>Elevar el segmento VI</translation>
     </message>
     <message>
         <source>Puts the tool under the right, lower, rear part of the liver, lifting it to the front and the head</source>
-        <translation>Place l’instrument sous la partie droite, inférieure et postérieure du foie, en la soulevant vers l’avant et la tête</translation>
+        <translation>Coloca el instrumento bajo la parte derecha, inferior y posterior del hígado y la eleva hacia delante y hacia la cabeza</translation>
     </message>
     <message>
         <source>Hoist to front and head</source>
-        <translation>Soulever vers l’avant et la tête</translation>
+        <translation>Elevar hacia delante y la cabeza</translation>
     </message>
     <message>
         <source>Pull away from the surface</source>
-        <translation>Tirer loin de la surface</translation>
+        <translation>Tirar alejando de la superficie</translation>
     </message>
     <message>
         <source>Push into the surface</source>
-        <translation>Appuyer sur la surface</translation>
+        <translation>Empujar contra la superficie</translation>
     </message>
     <message>
         <source>As the arrow was dragged</source>
-        <translation>Comme la flèche a été tirée</translation>
+        <translation>Como se arrastró la flecha</translation>
     </message>
     <message>
         <source> N</source>
@@ -7687,121 +7699,121 @@ Module de Young %2 kPa (supposé)</translation>
     </message>
     <message>
         <source>Touch with the rigid tool itself</source>
-        <translation>Toucher avec l’instrument rigide lui-même</translation>
+        <translation>Tocar con el propio instrumento rígido</translation>
     </message>
     <message>
         <source>The tool&apos;s solid in contact with the liver, and several tools at once. Otherwise the force is spread over a patch.</source>
-        <translation>Le solide de l’instrument au contact du foie, et plusieurs instruments à la fois. Sinon, la force est répartie sur une surface.</translation>
+        <translation>El cuerpo del instrumento en contacto con el hígado, y varios instrumentos a la vez. Si no, la fuerza se reparte sobre una zona.</translation>
     </message>
     <message>
         <source>Several tools at once need rigid tools</source>
-        <translation>Plusieurs instruments à la fois ne sont possibles qu’avec des instruments rigides</translation>
+        <translation>Varios instrumentos a la vez solo son posibles con instrumentos rígidos</translation>
     </message>
     <message>
         <source>Take the tool away</source>
-        <translation>Retirer l’instrument</translation>
+        <translation>Retirar el instrumento</translation>
     </message>
     <message>
         <source>From %1 N on, strains are outside of the model</source>
-        <translation>Dès %1 N, les déformations sont hors du modèle</translation>
+        <translation>Desde %1 N, las deformaciones están fuera del modelo</translation>
     </message>
     <message>
         <source>Add another tool</source>
-        <translation>Ajouter un autre instrument</translation>
+        <translation>Añadir otro instrumento</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TourCard</name>
     <message>
         <source>End the tour</source>
-        <translation>Terminer la visite</translation>
+        <translation>Terminar el recorrido</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation>Retour</translation>
+        <translation>Atrás</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
+        <translation>%1 de %2</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation>Suivant</translation>
+        <translation>Siguiente</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation>Terminé</translation>
+        <translation>Listo</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TrackControls</name>
     <message>
         <source>❚❚ Freeze</source>
-        <translation>❚❚ Figer</translation>
+        <translation>❚❚ Congelar</translation>
     </message>
     <message>
         <source>Nothing moves the tool while you look around</source>
-        <translation>Rien ne déplace l’instrument pendant que vous regardez</translation>
+        <translation>Nada mueve el instrumento mientras usted observa</translation>
     </message>
     <message>
         <source>▶ Play</source>
-        <translation>▶ Lire</translation>
+        <translation>▶ Reproducir</translation>
     </message>
     <message>
         <source>Shows again what was done, from where the time stands; rests are cut to 1 s</source>
-        <translation>Montre à nouveau ce qui a été fait, à partir du temps choisi&#xa0;; les pauses sont réduites à 1 s</translation>
+        <translation>Muestra de nuevo lo hecho, desde el tiempo elegido; las pausas se acortan a 1 s</translation>
     </message>
     <message>
         <source>Any moment of this rehearsal, in seconds</source>
-        <translation>N’importe quel moment de cette répétition, en secondes</translation>
+        <translation>Cualquier momento de este ensayo, en segundos</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation>Temps</translation>
+        <translation>Tiempo</translation>
     </message>
     <message>
         <source>Table...</source>
-        <translation>Tableau…</translation>
+        <translation>Tabla…</translation>
     </message>
     <message>
         <source>Saves every moment as CSV: tools, forces (N), landmarks (mm)</source>
-        <translation>Enregistre chaque moment en CSV&#xa0;: instruments, forces (N), repères (mm)</translation>
+        <translation>Guarda cada momento como CSV: instrumentos, fuerzas (N), puntos de referencia (mm)</translation>
     </message>
     <message>
         <source>Forget</source>
-        <translation>Oublier</translation>
+        <translation>Olvidar</translation>
     </message>
     <message>
         <source>Forgets what was done so far; the tool stays</source>
-        <translation>Oublie ce qui a été fait jusqu’ici&#xa0;; l’instrument reste</translation>
+        <translation>Olvida lo hecho hasta ahora; el instrumento se queda</translation>
     </message>
     <message>
         <source>Stop (%1 %)</source>
-        <translation>Arrêter (%1 %)</translation>
+        <translation>Parar (%1 %)</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation>Écrit&#xa0;: %1</translation>
+        <translation>Escrito: %1</translation>
     </message>
     <message>
         <source>Save a movie of the rehearsal</source>
-        <translation>Enregistrer un film de la répétition</translation>
+        <translation>Guardar una película del ensayo</translation>
     </message>
     <message>
         <source>Movies (*.mp4);;Folder of pictures (*)</source>
-        <translation>Films (*.mp4);;Dossier d’images (*)</translation>
+        <translation>Películas (*.mp4);;Carpeta de imágenes (*)</translation>
     </message>
     <message>
         <source>Save the rehearsal as a table</source>
-        <translation>Enregistrer la répétition dans un tableau</translation>
+        <translation>Guardar el ensayo como tabla</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation>Tableaux (*.csv)</translation>
+        <translation>Tablas (*.csv)</translation>
     </message>
     <message>
         <source>%1 of %2 s</source>
-        <translation>%1 sur %2 s</translation>
+        <translation>%1 de %2 s</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -7809,19 +7821,19 @@ Module de Young %2 kPa (supposé)</translation>
     </message>
     <message>
         <source>A movie of what the 3D view shows, MP4 or pictures</source>
-        <translation>Un film de ce que montre la vue 3D&#xa0;: MP4 ou images</translation>
+        <translation>Una película de lo que muestra la vista 3D: MP4 o imágenes</translation>
     </message>
     <message>
         <source>Move a tool first: there is nothing to show yet</source>
-        <translation>Déplacez d’abord un instrument&#xa0;: il n’y a encore rien à montrer</translation>
+        <translation>Mueva primero un instrumento: aún no hay nada que mostrar</translation>
     </message>
     <message>
         <source>Movie...</source>
-        <translation>Film…</translation>
+        <translation>Película…</translation>
     </message>
     <message>
         <source>Stopped. No movie was written.</source>
-        <translation>Arrêté. Aucun film n’a été écrit.</translation>
+        <translation>Detenido. No se ha escrito ninguna película.</translation>
     </message>
 </context>
 <context>
@@ -7840,11 +7852,11 @@ Module de Young %2 kPa (supposé)</translation>
     </message>
     <message>
         <source>Atlas off</source>
-        <translation>Écart de l’atlas</translation>
+        <translation>Error del atlas</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation>Force</translation>
+        <translation>Fuerza</translation>
     </message>
     <message>
         <source>5 mm</source>
@@ -7852,124 +7864,124 @@ Module de Young %2 kPa (supposé)</translation>
     </message>
     <message>
         <source>Moves at most</source>
-        <translation>Déplacement maximal</translation>
+        <translation>Se mueve como máximo</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::TriangleHistory</name>
     <message>
         <source>A triangle over the frames</source>
-        <translation>Un triangle au fil des images</translation>
+        <translation>Un triángulo a lo largo de los fotogramas</translation>
     </message>
     <message>
         <source>Triangle</source>
-        <translation>Triangle</translation>
+        <translation>Triángulo</translation>
     </message>
     <message>
         <source>none</source>
-        <translation>aucun</translation>
+        <translation>ninguno</translation>
     </message>
     <message>
         <source>The triangle of the left picture whose history is drawn; or click one in a picture</source>
-        <translation>Le triangle de l’image de gauche dont l’évolution est tracée&#xa0;; ou cliquez-en un dans une image</translation>
+        <translation>El triángulo de la imagen izquierda cuya evolución se dibuja; o haga clic en uno en una imagen</translation>
     </message>
     <message>
         <source>Error (mm)</source>
-        <translation>Erreur (mm)</translation>
+        <translation>Error (mm)</translation>
     </message>
     <message>
         <source>Motion (mm)</source>
-        <translation>Mouvement (mm)</translation>
+        <translation>Movimiento (mm)</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation>Image</translation>
+        <translation>Fotograma</translation>
     </message>
     <message>
         <source>The chosen triangle over the frames</source>
-        <translation>Le triangle choisi au fil des images</translation>
+        <translation>El triángulo elegido a lo largo de los fotogramas</translation>
     </message>
     <message>
         <source>Left: how far the registered corners are from where they are on the model, mm, with the tolerance as a dash-dotted line. Right: what SIRGn&apos;s correlation compares, the motion of the landmarks and of the registration&apos;s warp, mm</source>
-        <translation>À gauche&#xa0;: distance des sommets recalés à leur place sur le modèle, mm, avec la tolérance en trait mixte. À droite&#xa0;: ce que compare la corrélation de SIRGn, le mouvement des repères et celui de la déformation du recalage, mm</translation>
+        <translation>Izquierda: distancia de los vértices registrados a su lugar en el modelo, mm, con la tolerancia como línea de trazo y punto. Derecha: lo que compara la correlación de SIRGn, el movimiento de los puntos de referencia y el de la deformación del registro, mm</translation>
     </message>
     <message>
         <source>Landmarks, %1</source>
-        <translation>Repères, %1</translation>
+        <translation>Puntos de referencia, %1</translation>
     </message>
     <message>
         <source>Warp, %1</source>
-        <translation>Déformation, %1</translation>
+        <translation>Deformación, %1</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::Undo</name>
     <message>
         <source>Undone: %1</source>
-        <translation>Annulé&#xa0;: %1</translation>
+        <translation>Deshecho: %1</translation>
     </message>
     <message>
         <source>Done again: %1</source>
-        <translation>Rétabli&#xa0;: %1</translation>
+        <translation>Rehecho: %1</translation>
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation>&amp;Annuler&#xa0;: %1</translation>
+        <translation>&amp;Deshacer: %1</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation>&amp;Annuler</translation>
+        <translation>&amp;Deshacer</translation>
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation>&amp;Rétablir&#xa0;: %1</translation>
+        <translation>&amp;Rehacer: %1</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation>&amp;Rétablir</translation>
+        <translation>&amp;Rehacer</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ViewBar</name>
     <message>
         <source>Measure a &amp;distance</source>
-        <translation>Mesurer une &amp;distance</translation>
+        <translation>Medir una &amp;distancia</translation>
     </message>
     <message>
         <source>A distance in mm: click its two ends, or press Enter at the crosshair; Escape gives up</source>
-        <translation>Une distance en mm&#xa0;: cliquez sur ses deux extrémités, ou appuyez sur Entrée au réticule&#xa0;; Échap annule</translation>
+        <translation>Una distancia en mm: haga clic en sus dos extremos, o pulse Intro en la cruz; Esc la cancela</translation>
     </message>
     <message>
         <source>Measure an &amp;angle</source>
-        <translation>Mesurer un &amp;angle</translation>
+        <translation>Medir un &amp;ángulo</translation>
     </message>
     <message>
         <source>An angle in degrees: click one side, the vertex, the other side</source>
-        <translation>Un angle en degrés&#xa0;: cliquez sur un côté, le sommet, l’autre côté</translation>
+        <translation>Un ángulo en grados: haga clic en un lado, el vértice y el otro lado</translation>
     </message>
     <message>
         <source>Measure a &amp;ball</source>
-        <translation>Mesurer une &amp;boule</translation>
+        <translation>Medir una &amp;bola</translation>
     </message>
     <message>
         <source>A ball&apos;s volume in ml: click its centre, then a point of its surface</source>
-        <translation>Le volume d’une boule en ml&#xa0;: cliquez sur son centre, puis sur un point de sa surface</translation>
+        <translation>El volumen de una bola en ml: haga clic en su centro y después en un punto de su superficie</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation>Volume</translation>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>Lists the volume of a structure, in ml</source>
-        <translation>Ajoute à la liste le volume d’une structure, en ml</translation>
+        <translation>Añade a la lista el volumen de una estructura, en ml</translation>
     </message>
     <message>
         <source>&amp;Volume of</source>
-        <translation>&amp;Volume de</translation>
+        <translation>&amp;Volumen de</translation>
     </message>
     <message>
         <source>Automatic</source>
-        <translation>Automatique</translation>
+        <translation>Automático</translation>
     </message>
     <message>
         <source>Abdomen</source>
@@ -7977,57 +7989,57 @@ Module de Young %2 kPa (supposé)</translation>
     </message>
     <message>
         <source>Liver</source>
-        <translation>Foie</translation>
+        <translation>Hígado</translation>
     </message>
     <message>
         <source>Lung</source>
-        <translation>Poumon</translation>
+        <translation>Pulmón</translation>
     </message>
     <message>
         <source>Bone</source>
-        <translation>Os</translation>
+        <translation>Hueso</translation>
     </message>
     <message>
         <source>Brightness and contrast of the slices. The presets are for CT; MR has no fixed scale.
 By hand: drag with the right button</source>
-        <translation>Luminosité et contraste des coupes. Les préréglages sont pour le scanner&#xa0;; l’IRM n’a pas d’échelle fixe.
-À la main&#xa0;: glissez avec le bouton droit</translation>
+        <translation>Brillo y contraste de los cortes. Los valores predefinidos son para TC; la RM no tiene escala fija.
+A mano: arrastre con el botón derecho</translation>
     </message>
     <message>
         <source>Brightness and contrast</source>
-        <translation>Luminosité et contraste</translation>
+        <translation>Brillo y contraste</translation>
     </message>
     <message>
         <source>&amp;Next brightness and contrast</source>
-        <translation>Luminosité et contraste &amp;suivants</translation>
+        <translation>&amp;Siguiente brillo y contraste</translation>
     </message>
     <message>
         <source>Surgeon&apos;s &amp;side</source>
-        <translation>Côté du &amp;chirurgien</translation>
+        <translation>&amp;Lado del cirujano</translation>
     </message>
     <message>
         <source>Turns the three slices to where the surgeon stands. By hand: drag the knobs of the crosshair, or Ctrl and drag</source>
-        <translation>Tourne les trois coupes vers là où se tient le chirurgien. À la main&#xa0;: tirez les poignées du réticule, ou Ctrl et glisser</translation>
+        <translation>Gira los tres cortes hacia donde está el cirujano. A mano: arrastre los tiradores de la cruz, o Ctrl y arrastrar</translation>
     </message>
     <message>
         <source>&amp;Four views</source>
-        <translation>&amp;Quatre vues</translation>
+        <translation>&amp;Cuatro vistas</translation>
     </message>
     <message>
         <source>3D &amp;large</source>
-        <translation>3D en &amp;grand</translation>
+        <translation>3D &amp;grande</translation>
     </message>
     <message>
         <source>T&amp;hree slices side by side</source>
-        <translation>&amp;Trois coupes côte à côte</translation>
+        <translation>&amp;Tres cortes lado a lado</translation>
     </message>
     <message>
         <source>&amp;One view: the one in use</source>
-        <translation>&amp;Une vue&#xa0;: celle utilisée</translation>
+        <translation>&amp;Una vista: la que se usa</translation>
     </message>
     <message>
         <source>Save the &amp;picture of the view in use...</source>
-        <translation>Enregistrer l’&amp;image de la vue utilisée…</translation>
+        <translation>Guardar la &amp;imagen de la vista en uso…</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -8035,73 +8047,73 @@ By hand: drag with the right button</source>
     </message>
     <message>
         <source>What there is no room for here</source>
-        <translation>Ce qui ne tient pas ici</translation>
+        <translation>Lo que no cabe aquí</translation>
     </message>
     <message>
         <source>Own</source>
-        <translation>Personnalisé</translation>
+        <translation>Propio</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation>Fenêtre</translation>
+        <translation>Ventana</translation>
     </message>
     <message>
         <source>S&amp;tandard planes</source>
-        <translation>Plans s&amp;tandard</translation>
+        <translation>Planos es&amp;tándar</translation>
     </message>
     <message>
         <source>Transverse, coronal and sagittal slices again</source>
-        <translation>De nouveau des coupes transversales, coronales et sagittales</translation>
+        <translation>De nuevo cortes transversales, coronales y sagitales</translation>
     </message>
     <message>
         <source>W %1  L %2</source>
-        <translation>L %1  N %2</translation>
+        <translation>A %1  N %2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::ViewFrame</name>
     <message>
         <source>Show all four views</source>
-        <translation>Montrer les quatre vues</translation>
+        <translation>Mostrar las cuatro vistas</translation>
     </message>
     <message>
         <source>Fill the window with this view</source>
-        <translation>Remplir la fenêtre avec cette vue</translation>
+        <translation>Llenar la ventana con esta vista</translation>
     </message>
     <message>
         <source>Save the picture of this view</source>
-        <translation>Enregistrer l’image de cette vue</translation>
+        <translation>Guardar la imagen de esta vista</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::WaveView</name>
     <message>
         <source>Elastography waves</source>
-        <translation>Ondes d’élastographie</translation>
+        <translation>Ondas de elastografía</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation>Pause</translation>
+        <translation>Pausa</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation>Lecture</translation>
+        <translation>Reproducir</translation>
     </message>
     <message>
         <source>A defect in Glisson stopped this: %1</source>
-        <translation>Un défaut de Glisson a interrompu cette opération&#xa0;:&#xa0;%1</translation>
+        <translation>Un defecto de Glisson ha interrumpido esto: %1</translation>
     </message>
     <message>
         <source>Inverting the waves</source>
-        <translation>Inversion des ondes</translation>
+        <translation>Invirtiendo las ondas</translation>
     </message>
     <message>
         <source>Saving the maps</source>
-        <translation>Enregistrement des cartes</translation>
+        <translation>Guardando los mapas</translation>
     </message>
     <message>
         <source>The case now holds this stiffness. Build its model anew to use it.</source>
-        <translation>Le cas contient maintenant cette rigidité. Reconstruisez son modèle pour l’utiliser.</translation>
+        <translation>El caso contiene ahora esta rigidez. Construya de nuevo su modelo para usarla.</translation>
     </message>
     <message>
         <source> Hz</source>
@@ -8109,47 +8121,47 @@ By hand: drag with the right button</source>
     </message>
     <message>
         <source>as the images say</source>
-        <translation>selon les images</translation>
+        <translation>según las imágenes</translation>
     </message>
     <message>
         <source>&amp;Vibration</source>
-        <translation>&amp;Vibration</translation>
+        <translation>&amp;Vibración</translation>
     </message>
     <message>
         <source>Complex modulus</source>
-        <translation>Module complexe</translation>
+        <translation>Módulo complejo</translation>
     </message>
     <message>
         <source>Local wavelength</source>
-        <translation>Longueur d’onde locale</translation>
+        <translation>Longitud de onda local</translation>
     </message>
     <message>
         <source>&amp;Method</source>
-        <translation>&amp;Méthode</translation>
+        <translation>&amp;Método</translation>
     </message>
     <message>
         <source>High-pass</source>
-        <translation>Passe-haut</translation>
+        <translation>Paso alto</translation>
     </message>
     <message>
         <source>Curl</source>
-        <translation>Rotationnel</translation>
+        <translation>Rotacional</translation>
     </message>
     <message>
         <source>Keep</source>
-        <translation>Conserver</translation>
+        <translation>Conservar</translation>
     </message>
     <message>
         <source>&amp;Long waves</source>
-        <translation>Ondes &amp;longues</translation>
+        <translation>Ondas &amp;largas</translation>
     </message>
     <message>
         <source>Compute the stiffness</source>
-        <translation>Calculer la rigidité</translation>
+        <translation>Calcular la rigidez</translation>
     </message>
     <message>
         <source>Shear waves</source>
-        <translation>Ondes de cisaillement</translation>
+        <translation>Ondas de cizalla</translation>
     </message>
     <message>
         <source>rad</source>
@@ -8157,7 +8169,7 @@ By hand: drag with the right button</source>
     </message>
     <message>
         <source>Shear stiffness</source>
-        <translation>Rigidité en cisaillement</translation>
+        <translation>Rigidez a cizalla</translation>
     </message>
     <message>
         <source>kPa</source>
@@ -8165,58 +8177,58 @@ By hand: drag with the right button</source>
     </message>
     <message>
         <source>Confidence</source>
-        <translation>Confiance</translation>
+        <translation>Confianza</translation>
     </message>
     <message>
         <source>Slice</source>
-        <translation>Coupe</translation>
+        <translation>Corte</translation>
     </message>
     <message>
         <source>Accept into the case</source>
-        <translation>Accepter dans le cas</translation>
+        <translation>Aceptar en el caso</translation>
     </message>
     <message>
         <source>Compute the stiffness from the waves that the case holds.</source>
-        <translation>Calculez la rigidité à partir des ondes que contient le cas.</translation>
+        <translation>Calcule la rigidez a partir de las ondas que contiene el caso.</translation>
     </message>
     <message>
         <source>Shear stiffness %1 kPa on average over %2 confident voxels, %3 % of the region; middle half %4 to %5 kPa; vibration %6 Hz, wavelength %7 mm</source>
-        <translation>Rigidité en cisaillement de&#xa0;%1 kPa en moyenne sur&#xa0;%2 voxels de confiance,&#xa0;%3&#xa0;% de la région&#xa0;; moitié centrale de&#xa0;%4 à&#xa0;%5 kPa&#xa0;; vibration&#xa0;%6 Hz, longueur d’onde&#xa0;%7 mm</translation>
+        <translation>Rigidez a cizalla de %1 kPa de media en %2 vóxeles de confianza, el %3 % de la región; mitad central de %4 a %5 kPa; vibración %6 Hz, longitud de onda %7 mm</translation>
     </message>
     <message>
         <source>Slice %1 of %2</source>
-        <translation>Coupe&#xa0;%1 sur&#xa0;%2</translation>
+        <translation>Corte %1 de %2</translation>
     </message>
 </context>
 <context>
     <name>glisson::widgets::WelcomePage</name>
     <message>
         <source>Plan a liver operation</source>
-        <translation>Planifier une opération du foie</translation>
+        <translation>Planificar una operación de hígado</translation>
     </message>
     <message>
         <source>Drop a case or a folder of DICOM images here, or begin with the demo patient.</source>
-        <translation>Déposez ici un cas ou un dossier d’images DICOM, ou commencez par le patient de démonstration.</translation>
+        <translation>Arrastre aquí un caso o una carpeta de imágenes DICOM, o empiece con el paciente de demostración.</translation>
     </message>
     <message>
         <source>Open the demo patient</source>
-        <translation>Ouvrir le patient de démonstration</translation>
+        <translation>Abrir el paciente de demostración</translation>
     </message>
     <message>
         <source>Open a case...</source>
-        <translation>Ouvrir un cas…</translation>
+        <translation>Abrir un caso…</translation>
     </message>
     <message>
         <source>Open images...</source>
-        <translation>Ouvrir des images…</translation>
+        <translation>Abrir imágenes…</translation>
     </message>
     <message>
         <source>Opened before</source>
-        <translation>Ouverts récemment</translation>
+        <translation>Abiertos recientemente</translation>
     </message>
     <message>
         <source>Glisson ended unexpectedly. Open %1 as it was</source>
-        <translation>Glisson s’est arrêté de façon inattendue. Ouvrir %1 tel qu’il était</translation>
+        <translation>Glisson terminó de forma inesperada. Abrir %1 tal como estaba</translation>
     </message>
 </context>
 <context>
@@ -8227,204 +8239,204 @@ By hand: drag with the right button</source>
     </message>
     <message>
         <source>Research</source>
-        <translation>Recherche</translation>
+        <translation>Investigación</translation>
     </message>
 </context>
 <context>
     <name>patients</name>
     <message>
         <source>Demo patient</source>
-        <translation>Patient de démonstration</translation>
+        <translation>Paciente de demostración</translation>
     </message>
 </context>
 <context>
     <name>structures</name>
     <message>
         <source>Liver</source>
-        <translation>Foie</translation>
+        <translation>Hígado</translation>
     </message>
     <message>
         <source>Tumour</source>
-        <translation>Tumeur</translation>
+        <translation>Tumor</translation>
     </message>
     <message>
         <source>Cyst</source>
-        <translation>Kyste</translation>
+        <translation>Quiste</translation>
     </message>
     <message>
         <source>Portal vein</source>
-        <translation>Veine porte</translation>
+        <translation>Vena porta</translation>
     </message>
     <message>
         <source>Hepatic vein</source>
-        <translation>Veine hépatique</translation>
+        <translation>Vena hepática</translation>
     </message>
     <message>
         <source>Artery</source>
-        <translation>Artère</translation>
+        <translation>Arteria</translation>
     </message>
     <message>
         <source>Biliary tract</source>
-        <translation>Voies biliaires</translation>
+        <translation>Vías biliares</translation>
     </message>
     <message>
         <source>Necrosis</source>
-        <translation>Nécrose</translation>
+        <translation>Necrosis</translation>
     </message>
     <message>
         <source>Gallbladder</source>
-        <translation>Vésicule biliaire</translation>
+        <translation>Vesícula biliar</translation>
     </message>
     <message>
         <source>Gastric vein</source>
-        <translation>Veine gastrique</translation>
+        <translation>Vena gástrica</translation>
     </message>
     <message>
         <source>Aorta</source>
-        <translation>Aorte</translation>
+        <translation>Aorta</translation>
     </message>
     <message>
         <source>Heart</source>
-        <translation>Cœur</translation>
+        <translation>Corazón</translation>
     </message>
     <message>
         <source>Stomach</source>
-        <translation>Estomac</translation>
+        <translation>Estómago</translation>
     </message>
     <message>
         <source>Kidney</source>
-        <translation>Rein</translation>
+        <translation>Riñón</translation>
     </message>
     <message>
         <source>Spleen</source>
-        <translation>Rate</translation>
+        <translation>Bazo</translation>
     </message>
     <message>
         <source>Pancreas</source>
-        <translation>Pancréas</translation>
+        <translation>Páncreas</translation>
     </message>
     <message>
         <source>Bone</source>
-        <translation>Os</translation>
+        <translation>Hueso</translation>
     </message>
     <message>
         <source>Hilum</source>
-        <translation>Hile hépatique</translation>
+        <translation>Hilio hepático</translation>
     </message>
     <message>
         <source>Vena cava</source>
-        <translation>Veine cave</translation>
+        <translation>Vena cava</translation>
     </message>
     <message>
         <source>Duodenum</source>
-        <translation>Duodénum</translation>
+        <translation>Duodeno</translation>
     </message>
     <message>
         <source>Small bowel</source>
-        <translation>Intestin grêle</translation>
+        <translation>Intestino delgado</translation>
     </message>
     <message>
         <source>Colon</source>
-        <translation>Côlon</translation>
+        <translation>Colon</translation>
     </message>
     <message>
         <source>Esophagus</source>
-        <translation>Œsophage</translation>
+        <translation>Esófago</translation>
     </message>
     <message>
         <source>Adrenal gland</source>
-        <translation>Glande surrénale</translation>
+        <translation>Glándula suprarrenal</translation>
     </message>
     <message>
         <source>Kidney left</source>
-        <translation>Rein gauche</translation>
+        <translation>Riñón izquierdo</translation>
     </message>
     <message>
         <source>Kidney right</source>
-        <translation>Rein droit</translation>
+        <translation>Riñón derecho</translation>
     </message>
     <message>
         <source>Adrenal gland left</source>
-        <translation>Glande surrénale gauche</translation>
+        <translation>Glándula suprarrenal izquierda</translation>
     </message>
     <message>
         <source>Adrenal gland right</source>
-        <translation>Glande surrénale droite</translation>
+        <translation>Glándula suprarrenal derecha</translation>
     </message>
 </context>
 <context>
     <name>tour</name>
     <message>
         <source>Study: the images</source>
-        <translation>Étude&#xa0;: les images</translation>
+        <translation>Estudio: las imágenes</translation>
     </message>
     <message>
         <source>Every case begins with its images. Drop a DICOM folder on the window: Glisson proposes what each series is for, and you correct it. Here you also see what a case still lacks.</source>
-        <translation>Tout cas commence par ses images. Déposez un dossier DICOM sur la fenêtre&#xa0;: Glisson propose à quoi sert chaque série, et vous corrigez. Vous voyez aussi ici ce qui manque encore à un cas.</translation>
+        <translation>Todo caso empieza por sus imágenes. Suelte una carpeta DICOM sobre la ventana: Glisson propone para qué sirve cada serie y usted lo corrige. Aquí también ve qué le falta todavía a un caso.</translation>
     </message>
     <message>
         <source>Segment: what is where</source>
-        <translation>Segmenter&#xa0;: où se trouve quoi</translation>
+        <translation>Segmentar: qué está dónde</translation>
     </message>
     <message>
         <source>The liver, its vessels and tumours as coloured outlines in the slices. Paint, erase, grow and smooth; every step can be undone, even after the case was closed.</source>
-        <translation>Le foie, ses vaisseaux et ses tumeurs en contours colorés sur les coupes. Peindre, effacer, faire croître et lisser&#xa0;; chaque pas peut être annulé, même après la fermeture du cas.</translation>
+        <translation>El hígado, sus vasos y tumores como contornos de color en los cortes. Pinte, borre, haga crecer y suavice; cada paso se puede deshacer, incluso después de cerrar el caso.</translation>
     </message>
     <message>
         <source>Model: how stiff each part is</source>
-        <translation>Modèle&#xa0;: la rigidité de chaque partie</translation>
+        <translation>Modelo: la rigidez de cada parte</translation>
     </message>
     <message>
         <source>The liver becomes tetrahedra, and each gets the patient&apos;s own stiffness from MR elastography. What holds the liver in place is shown too.</source>
-        <translation>Le foie devient un ensemble de tétraèdres, et chacun reçoit la rigidité propre du patient, tirée de l’élastographie par RM. Ce qui tient le foie en place est montré aussi.</translation>
+        <translation>El hígado se convierte en tetraedros y cada uno recibe la rigidez propia del paciente según la elastografía por RM. También se muestra qué sujeta el hígado.</translation>
     </message>
     <message>
         <source>Rehearse: pull, and see</source>
-        <translation>Répéter&#xa0;: tirer et voir</translation>
+        <translation>Ensayar: tirar y ver</translation>
     </message>
     <message>
         <source>Resect: what is left</source>
-        <translation>Résection&#xa0;: ce qui reste</translation>
+        <translation>Resección: lo que queda</translation>
     </message>
     <message>
         <source>A cutting surface divides the liver: volumes of specimen and remnant, the smallest margin to each tumour, and the vessels that are crossed.</source>
-        <translation>Une surface de coupe divise le foie&#xa0;: volumes de la pièce et du foie restant, plus petite marge à chaque tumeur, et vaisseaux traversés.</translation>
+        <translation>Una superficie de corte divide el hígado: volúmenes de la pieza y del remanente, el menor margen a cada tumor y los vasos que se cruzan.</translation>
     </message>
     <message>
         <source>Register: can the overlay be trusted</source>
-        <translation>Recaler&#xa0;: peut-on se fier à la superposition&#xa0;?</translation>
+        <translation>Registrar: ¿se puede confiar en la superposición?</translation>
     </message>
     <message>
         <source>Laparoscopic video is registered to the model, and SIRGn shows on each triangle how well, for one algorithm or two side by side.</source>
-        <translation>La vidéo laparoscopique est recalée sur le modèle, et SIRGn montre sur chaque triangle avec quelle qualité, pour un algorithme ou deux côte à côte.</translation>
+        <translation>El vídeo laparoscópico se registra con el modelo, y SIRGn muestra en cada triángulo con qué calidad, para un algoritmo o dos en paralelo.</translation>
     </message>
     <message>
         <source>Platform: what to wear</source>
-        <translation>Plateforme&#xa0;: que porter</translation>
+        <translation>Plataforma: qué llevar</translation>
     </message>
     <message>
         <source>Which wearable computer carries this case for as long as the operation takes: frames a second, battery and heat, and why the others do not.</source>
-        <translation>Quel ordinateur porté sur soi suffit à ce cas pendant toute l’opération&#xa0;: images par seconde, batterie et chaleur, et pourquoi les autres ne suffisent pas.</translation>
+        <translation>Qué ordenador corporal sirve para este caso mientras dure la operación: fotogramas por segundo, batería y calor, y por qué los demás no sirven.</translation>
     </message>
     <message>
         <source>Evidence: where the model is wrong</source>
-        <translation>Constats&#xa0;: là où le modèle se trompe</translation>
+        <translation>Evidencia: dónde se equivoca el modelo</translation>
     </message>
     <message>
         <source>Measurements are held against the model. What it cannot explain is traced to a cause; you accept that cause for this patient, and can take it back.</source>
-        <translation>Les mesures sont confrontées au modèle. Ce qu’il ne peut expliquer est ramené à une cause&#xa0;; vous l’acceptez pour ce patient, et pouvez revenir en arrière.</translation>
+        <translation>Las mediciones se comparan con el modelo. Lo que no puede explicar se atribuye a una causa; usted la acepta para este paciente y puede retirarla.</translation>
     </message>
     <message>
         <source>Report: one page</source>
-        <translation>Rapport&#xa0;: une page</translation>
+        <translation>Informe: una página</translation>
     </message>
     <message>
         <source>All that was done for this patient, to read, save or print. The name is masked unless you ask for it in the settings.</source>
-        <translation>Tout ce qui a été fait pour ce patient, à lire, enregistrer ou imprimer. Le nom est masqué, sauf demande dans les réglages.</translation>
+        <translation>Todo lo hecho para este paciente, para leer, guardar o imprimir. El nombre se oculta salvo que lo pida en los ajustes.</translation>
     </message>
     <message>
         <source>A retractor hoists segment VI. Change the force, or place the tool elsewhere by a click: the table follows each tumour and vessel, and marks what is 5 mm or more off.</source>
-        <translation>Un écarteur soulève le segment VI. Changez la force, ou placez l’instrument ailleurs d’un clic : le tableau suit chaque tumeur et chaque vaisseau, et marque ce qui s’écarte de 5 mm ou plus.</translation>
+        <translation>Un separador eleva el segmento VI. Cambie la fuerza, o coloque el instrumento en otro lugar con un clic: la tabla sigue cada tumor y cada vaso, y marca lo que se desvía 5 mm o más.</translation>
     </message>
 </context>
 </TS>

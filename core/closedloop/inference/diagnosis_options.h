@@ -1,0 +1,81 @@
+#pragma once
+// What a diagnosis is strict about: every threshold of the search, of the evidence and of what is told, each with its
+// reason. Chi-squared and promises are in units of the noise; "excess" is the root mean square by which a residual
+// exceeds the noise.
+
+#include <cstddef>
+
+namespace glisson::closedloop {
+
+// How effects are looked for. Most of it says where fits, which may take many solves, are not worth their time.
+struct SearchOptions {
+  // A solve can take seconds: every candidate gets so many steps, and only those near the best go on to the end.
+  int first_iterations = 5;
+  int first_iterations_where_quick = 15;  // where a prediction takes so little that more steps cost nothing
+  double near_the_best = 1.5;             // within this factor of the least chi-squared the order may still change
+  std::size_t searches_per_effect = 2;    // from the starts of least error: each further one costs a whole fit
+  double hopeless_start = 0.1;            // one that is ten times as far off as another has ended is not fitted
+
+  // Shares of what the best candidate takes of the error, to first order.
+  double least_promise = 0.3;          // what promises far less than the best is not fitted
+  double promise_for_slow_form = 0.6;  // slow forms are tried where a quick form of their kind does about as well
+  // Half of what a finer mesh may change, squared: less cannot be told from the mesh's own error.
+  double promise_over_mesh_error = 0.25;
+
+  // From the third effect on, one that leaves more than this share of the excess names nothing.
+  double excess_after_third_effect = 0.8;
+  // ... and one that promises less than half of the square that this would take is not fitted.
+  [[nodiscard]] double promise_of_third_effect() const {
+    return 0.5 * (1 - excess_after_third_effect * excess_after_third_effect);
+  }
+  // Two effects that leave more than this share of the excess are no explanation that a third would complete.
+  double excess_worth_a_third_effect = 0.7;
+
+  // First-order refits hold while parameters move little: above this factor of the fit's chi-squared they are made
+  // anew.
+  double beyond_first_order = 1.3;
+  double clearly_worse_left_out = 1.25;     // of chi-squared: an effect whose absence costs so much on trials stays
+  double exit_bic_share = 0.5;              // of entry_bic: lower than at entry, so that none goes in and out for ever
+  double gain_beyond_luck = 5;              // of chi-squared on trials left out, in units of what the fit leaves
+  double end_of_range = 1e-6;               // of a parameter's range: the tolerance of fits that end at a bound
+  std::size_t forms_per_kind_in_pairs = 2;  // the number of pairs to fit grows with the square of the forms
+
+  // Each effect against the others in its place.
+  std::size_t swap_rounds = 3;      // two effects may go on swapping for ever
+  double excess_worth_swaps = 0.5;  // what leaves more than half of the error is no explanation, whatever its effects
+  double swap_bic = 2;              // "positive" evidence on Kass and Raftery's scale
+  double about_as_well_left_out = 1.1;  // of chi-squared: one of fewer numbers may lose so much on trials left out
+};
+
+// What speaks for a set of effects.
+struct EvidenceOptions {
+  double top_load = 0.9;  // trials beyond this share of the largest load are left out together: a tenth is another load
+  int refit_iterations = 3;               // from where the first order leads there is little left to go
+  int refit_iterations_where_quick = 10;  // where more steps cost nothing
+  double most_of_expected_error = 1.5;    // the size of the mesh's error is known roughly, from one finer mesh
+  int resamplings_of_error = 1000;        // 25 lie beyond each end of the interval
+  int resamplings_of_parameters = 400;    // 10 do; each takes a small solve
+  double resampling_prior = 1e-6;  // weakest of priors: keeps a resampling solvable that drew one trial again and again
+};
+
+struct DiagnosisOptions {
+  double entry_bic = 10;  // "very strong" evidence on Kass and Raftery's scale (1995), over a score of candidates
+  double alike_bic = 10;  // what less than that cannot tell apart, causes from a smooth function without cause too
+  std::size_t most_effects = 3;
+  // With effects, a rest this much above the stated noise is still called explained: noise is seldom known better.
+  // Shared among them: the more effects, the closer they must come.
+  double near_noise_excess = 0.15;
+  double noise_uncertainty = 0.05;  // without effects: as the tests of a residual assume (residual.h)
+  double worth_naming = 0.8;        // of the error on trials left out: above it a partial explanation helps nobody
+
+  int trials_to_resample = 4;          // with fewer, resampling says nothing of the scatter between trials
+  double undetermined = 0.5;           // of the prior width: a wider deviation is what was known before
+  double told_at_end_of_range = 1e-3;  // of the range: a person takes the value for the limit
+  double inseparable = 0.95;           // correlation of two parameters: a tenth of the variance is each one's own
+  double clear_separation = 4;         // standard deviations by which a further trial should tell rivals apart
+
+  SearchOptions search;
+  EvidenceOptions evidence;
+};
+
+}  // namespace glisson::closedloop

@@ -1,0 +1,200 @@
+#include "closedloop/inference/internal/found_effects.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace glisson::closedloop {
+namespace {
+
+struct FoundParameters {
+  std::vector<std::vector<FoundParameter>> of_setting;
+  std::vector<std::string> notes;
+};
+FoundParameters found_parameters(const Search& search, const Candidate& chosen);
+
+}  // namespace
+
+Result<FoundEffects> found_effects(const Search& search, const Candidate& declared, const Candidate& chosen,
+                                   const std::vector<std::vector<Candidate>>& in_place,
+                                   const std::optional<double>& held_out_rms, double rms) {
+  const Observations& all = search.model().observations();
+  FoundParameters parameters = found_parameters(search, chosen);
+  FoundEffects found{{}, {}, std::move(parameters.notes)};
+  for (std::size_t which = 0; which < chosen.fit.settings.size(); ++which) {
+    const Setting& setting = chosen.fit.settings[which];
+    const auto smaller = chosen.fit.settings.size() == 1 ? Result<Candidate>(declared) : search.without(chosen, which);
+    if (!smaller) return failure(smaller.error());
+    FoundEffect effect;
+    effect.kind = setting.kind;
+    effect.form = setting.form;
+    effect.sentence = effect_of(search.model(), setting)->sentence;
+    effect.parameters = std::move(parameters.of_setting[which]);
+    effect.delta_bic = search.bic_of(chosen) - search.bic_of(*smaller);
+    effect.held_out_rms = held_out_rms;
+    if (search.folds().any()) effect.held_out_rms_without = error_figures(all, smaller->left_out.predicted).rms;
+    effect.removed_rms = error_figures(all, smaller->fit.predicted).rms - rms;
+    for (const Candidate& other : in_place[which]) {
+      const bool known =
+          other.kind == setting.kind || std::count(effect.alike.begin(), effect.alike.end(), other.kind) > 0;
+      if (!known && search.bic_of(other) < search.bic_of(chosen) + search.options().alike_bic) {
+        effect.alike.push_back(other.kind);
+        found.rivals.push_back({other.kind, other.fit.settings});
+      }
+    }
+    found.effects.push_back(std::move(effect));
+  }
+  std::stable_sort(found.effects.begin(), found.effects.end(),
+                   [](const auto& a, const auto& b) { return a.removed_rms > b.removed_rms; });
+  return found;
+}
+
+std::vector<RankedCandidate> ranking(const Search& search, const Candidate& declared,
+                                     const std::vector<Candidate>& singles) {
+  const Observations& all = search.model().observations();
+  std::vector<RankedCandidate> ranking;
+  for (const Candidate& single : singles) {
+    RankedCandidate candidate{single.kind, single.form,    single.fit.settings, 0, {}, 0,
+                              {},          single.removed, single.failed};
+    if (single.fitted()) {
+      candidate.rms = error_figures(all, single.fit.predicted).rms;
+      candidate.delta_bic = search.bic_of(single) - search.bic_of(declared);
+      if (search.folds().any()) candidate.held_out_rms = error_figures(all, single.left_out.predicted).rms;
+    }
+    const auto same =
+        std::find_if(ranking.begin(), ranking.end(), [&](const auto& s) { return s.kind == single.kind; });
+    if (same == ranking.end()) {
+      ranking.push_back(std::move(candidate));
+    } else if (candidate.removed.empty() && (!same->removed.empty() || candidate.delta_bic < same->delta_bic)) {
+      *same = std::move(candidate);
+    }
+  }
+  std::stable_sort(ranking.begin(), ranking.end(), [](const RankedCandidate& a, const RankedCandidate& b) {
+    return std::pair(!a.removed.empty(), a.delta_bic) < std::pair(!b.removed.empty(), b.delta_bic);
+  });
+  for (RankedCandidate& candidate : ranking) {
+    for (const RankedCandidate& other : ranking) {
+      if (&other != &candidate && candidate.removed.empty() && other.removed.empty() &&
+          std::abs(other.delta_bic - candidate.delta_bic) < search.options().alike_bic)
+        candidate.alike.push_back(other.kind);
+    }
+  }
+  return ranking;
+}
+
+// For two models with normal noise the expected log Bayes factor is half the square of their distance.
+std::optional<NextMeasurement> next_measurement(const ForwardModel& model, const Settings& chosen,
+                                                const std::vector<Rival>& rivals, const DiagnosisOptions& options) {
+  if (rivals.empty()) return std::nullopt;
+  const std::vector<std::string> sentences = model.further_trials();
+  NextMeasurement next;
+  for (std::size_t trial = 0; trial < sentences.size(); ++trial) {
+    const auto expected = model.predict_further(trial, chosen);
+    if (!expected || !expected->allFinite()) continue;
+    std::vector<std::string> separated;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Rival& rival : rivals) {
+      const auto otherwise = model.predict_further(trial, rival.settings);
+      if (!otherwise || !otherwise->allFinite()) continue;
+      const double separation = (*expected - *otherwise).norm();
+      if (separation < options.clear_separation) continue;
+      least = std::min(least, separation);
+      if (std::count(separated.begin(), separated.end(), rival.kind) == 0) separated.push_back(rival.kind);
+    }
+    if (separated.empty()) continue;
+    if (std::pair(separated.size(), least) > std::pair(next.rivals.size(), next.expected_separation))
+      next = {sentences[trial], separated, least};
+  }
+  return next.rivals.empty() ? std::nullopt : std::optional(std::move(next));
+}
+
+namespace {
+
+std::vector<std::string> hardly_told_apart(const Settings& settings, const Eigen::MatrixXd& covariance,
+                                           double inseparable);
+
+// Value, standard deviation and interval: from the noise, or, where trials are many and scatter more, from them.
+FoundParameter found_parameter(const Parameter& parameter, double value, double std,
+                               const Eigen::MatrixXd::ConstRowXpr& samples, bool enough_trials) {
+  FoundParameter found{parameter, value, std, value - 1.96 * std, value + 1.96 * std, true};
+  const double mean = samples.mean();
+  const double resampled = std::sqrt((samples.array() - mean).square().mean());
+  if (enough_trials && resampled > std) {
+    found.std = resampled;
+    std::vector<double> sorted(samples.begin(), samples.end());
+    std::sort(sorted.begin(), sorted.end());
+    found.low = sorted[sorted.size() / 40];
+    found.high = sorted[sorted.size() - 1 - sorted.size() / 40];
+  }
+  found.low = std::max(found.low, parameter.lower);
+  found.high = std::min(found.high, parameter.upper);
+  return found;
+}
+
+bool at_end_of_range(const Parameter& parameter, double value, double close) {
+  const double margin = close * (parameter.upper - parameter.lower);
+  return value > parameter.upper - margin ||
+         (parameter.scale == Scale::logarithmic ? value < (1 + close) * parameter.lower
+                                                : value < parameter.lower + margin);
+}
+
+FoundParameters found_parameters(const Search& search, const Candidate& chosen) {
+  const Settings& settings = chosen.fit.settings;
+  FoundParameters found;
+  found.of_setting.resize(settings.size());
+  if (parameter_count(settings) == 0) return found;
+  const ForwardModel& model = search.model();
+  const DiagnosisOptions& options = search.options();
+  const ParameterRanges ranges = ranges_of(model, settings);
+  const double excess = std::max(1.0, chosen.fit.chi2 / double(chosen.fit.white.size())) * search.correlation();
+  const Eigen::MatrixXd covariance_of_noise =
+      covariance(search.whitening().whiten(chosen.fit.derivatives) / std::sqrt(excess), ranges.prior_width);
+  const Eigen::MatrixXd samples = bootstrapped_parameters(model, chosen.fit, search.whitening(), options.evidence);
+  const Eigen::VectorXd values = values_of(settings);
+  Eigen::Index at = 0;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    for (const Parameter& parameter : effect_of(model, settings[i])->parameters) {
+      FoundParameter one =
+          found_parameter(parameter, values[at], std::sqrt(covariance_of_noise(at, at)), samples.row(at),
+                          model.observations().trial_count() >= options.trials_to_resample);
+      one.determined = one.std < options.undetermined * ranges.prior_width[at];
+      if (!one.determined)
+        found.notes.push_back(fmt::format("These data do not determine {} of {}.", parameter.name, settings[i].kind));
+      if (at_end_of_range(parameter, one.value, options.told_at_end_of_range))
+        found.notes.push_back(fmt::format("{} of {} ended at the limit of its range ({:.3g}).", parameter.name,
+                                          settings[i].kind, one.value));
+      found.of_setting[i].push_back(std::move(one));
+      ++at;
+    }
+  }
+  for (std::string& note : hardly_told_apart(settings, covariance_of_noise, options.inseparable))
+    found.notes.push_back(std::move(note));
+  return found;
+}
+
+// A sentence for each two effects of which one's size stands for the other's.
+std::vector<std::string> hardly_told_apart(const Settings& settings, const Eigen::MatrixXd& covariance,
+                                           double inseparable) {
+  std::vector<std::size_t> setting_of_parameter;
+  for (std::size_t i = 0; i < settings.size(); ++i)
+    setting_of_parameter.insert(setting_of_parameter.end(), static_cast<std::size_t>(settings[i].parameters.size()), i);
+  std::vector<std::string> notes;
+  std::set<std::pair<std::size_t, std::size_t>> said;
+  for (Eigen::Index a = 0; a < covariance.rows(); ++a) {
+    for (Eigen::Index b = 0; b < a; ++b) {
+      const std::size_t one = setting_of_parameter[static_cast<std::size_t>(b)];
+      const std::size_t other = setting_of_parameter[static_cast<std::size_t>(a)];
+      const double correlation = covariance(a, b) / std::sqrt(covariance(a, a) * covariance(b, b));
+      if (one != other && std::abs(correlation) > inseparable && said.insert({one, other}).second)
+        notes.push_back(fmt::format("{} and {} can hardly be told apart in size (correlation {:.2f}).",
+                                    settings[one].kind, settings[other].kind, correlation));
+    }
+  }
+  return notes;
+}
+
+}  // namespace
+}  // namespace glisson::closedloop

@@ -1,0 +1,41 @@
+#pragma once
+// What the search found, for people: effects with their parameters and evidence, how each kind does alone, and the
+// trial that would tell rivals apart.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "closedloop/inference/explanation.h"
+#include "closedloop/inference/internal/search_steps.h"
+
+namespace glisson::closedloop {
+
+// A kind that these data cannot tell from one that was found, with all settings that act then.
+struct Rival {
+  std::string kind;
+  Settings settings;
+};
+
+struct FoundEffects {
+  std::vector<FoundEffect> effects;  // by what they remove, the largest first
+  std::vector<Rival> rivals;
+  std::vector<std::string> notes;  // which parameters the data leave open
+};
+
+// The settings of `chosen`. `in_place`: for each of them, what was fitted in its place. `held_out_rms` and `rms` are
+// errors of the whole explanation. Fails where an explanation without one of them cannot be solved.
+Result<FoundEffects> found_effects(const Search& search, const Candidate& declared, const Candidate& chosen,
+                                   const std::vector<std::vector<Candidate>>& in_place,
+                                   const std::optional<double>& held_out_rms, double rms);
+
+// Of each kind its best form alone, against the declared model; the best first, what was left out last.
+[[nodiscard]] std::vector<RankedCandidate> ranking(const Search& search, const Candidate& declared,
+                                                   const std::vector<Candidate>& singles);
+
+// The trial for which the leading rival is expected to differ most from what was chosen; nothing where none would tell.
+[[nodiscard]] std::optional<NextMeasurement> next_measurement(const ForwardModel& model, const Settings& chosen,
+                                                              const std::vector<Rival>& rivals,
+                                                              const DiagnosisOptions& options);
+
+}  // namespace glisson::closedloop
