@@ -9,6 +9,7 @@
 #include "mechanics/elements/internal_forces.h"
 #include "mechanics/internal/simulation_answer.h"
 #include "mechanics/meshfree/meshfree_model.h"
+#include "mechanics/statics/buckling.h"
 #include "mechanics/statics/data_driven.h"
 #include "mechanics/statics/displacements.h"
 #include "mechanics/statics/equilibrium.h"
@@ -257,6 +258,12 @@ Result<Answer> small_equilibrium(const geometry::TetMesh& mesh, std::vector<doub
   progress.report(0.9, GLISSON_TEXT("Solving"));
   auto result = model->solve(scenario.loads);
   if (!result) return failure(std::move(result.error()));
+  if (const double beyond = load_beyond_buckling(*model, *result); beyond > 1) {
+    result->notes.push_back(fmt::format(
+        "Linear elasticity cannot know it: the body buckles, at a load at least {:.1f} times smaller. Take a "
+        "material for large deformation (corotational, neo-hookean).",
+        beyond));
+  }
   auto landmarks_mm = model->displacement_at(*result, places);
   auto von_mises_kPa = model->von_mises_kPa(*result);
   return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}, {}, {}};

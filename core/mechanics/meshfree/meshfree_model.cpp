@@ -132,7 +132,8 @@ Result<CarriedLoad> carry(const MeshfreeBody& handles, const AppliedLoads& loads
   CarriedLoad carried;
   carried.q_mm.setZero(handles.basis->unknowns());
   double part = 1.0;
-  for (int halvings = 0; carried.share < 1.0 && halvings <= options.max_halvings;) {
+  for (int halvings = 0;
+       carried.share < 1.0 && halvings <= options.max_halvings && carried.steps < options.max_steps_in_all;) {
     progress.report(carried.share, GLISSON_TEXT("Looking for the equilibrium"));
     const double next = std::min(1.0, carried.share + part);
     const ElasticPotential of_places(handles.body, handles.materials, loads, next);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 #include <cmath>
+#include <Eigen/Geometry>
+#include <limits>
 
 #include "base/stopwatch.h"
 #include "mechanics/elements/boundary_potential.h"
@@ -12,6 +14,18 @@
 #include "mechanics/statics/validity.h"
 
 namespace glisson::mechanics {
+namespace {
+
+constexpr double times_its_size = 1000, unlimited = std::numeric_limits<double>::infinity();
+
+double size_of(const Body& body) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& position : body.layout.positions_mm) box.extend(position);
+  return box.diagonal().norm();
+}
+
+}  // namespace
+
 Result<StaticResult> find_equilibrium(const Body& body, const std::vector<Material>& materials, const Loads& loads,
                                       const NewtonOptions& options, const Progress& progress) {
   return applied_loads(body, loads, gas_on(materials)).and_then([&](const AppliedLoads& applied) {
@@ -30,16 +44,20 @@ Result<StaticResult> find_equilibrium(const Body& body, const std::vector<Materi
                                       const Progress& progress) {
   GLISSON_ASSERT(materials.size() == body.mesh.cells.size() && loads.dead_mN.size() == 3 * body.layout.nodes());
   const Stopwatch watch;
-  const MinimiseOptions descent_options{options.relative_tolerance, options.max_steps, body.options.memory_limit_bytes};
+  MinimiseOptions descent_options{options.relative_tolerance, options.max_steps, body.options.memory_limit_bytes};
   Eigen::VectorXd u_mm = Eigen::VectorXd::Zero(loads.dead_mN.size());
   double carried = 0.0, part = 1.0, relative_residual = 0.0;
   int steps = 0, halvings = 0;
-  while (carried < 1.0 && halvings <= options.max_halvings) {
+  bool hopeless = false;
+  while (carried < 1.0 && halvings <= options.max_halvings && steps < options.max_steps_in_all && !hopeless) {
     progress.report(carried, GLISSON_TEXT("Looking for the equilibrium"));
     const double next = std::min(1.0, carried + part);
     const ElasticPotential balance(body, materials, loads, next);
+    // At rest the first direction is the answer of small strain.
+    descent_options.longest_mm = steps == 0 ? times_its_size * size_of(body) : unlimited;
     auto descent = minimise(balance, body.resolved.fixed, balance.scale_mN(), u_mm, descent_options, progress);
     if (!descent) return failure(std::move(descent.error()));
+    hopeless = descent->hopeless;
     steps += descent->steps;
     relative_residual = descent->relative_residual;
     if (descent->converged) {
@@ -61,10 +79,15 @@ Result<StaticResult> find_equilibrium(const Body& body, const std::vector<Materi
   result.why_stopped =
       carried == 1.0 ? fmt::format("The relative residual {:.1e} is within the tolerance {:.1e}.", relative_residual,
                                    options.relative_tolerance)
-                     : fmt::format(
-                           "Beyond {:.1f} % of the load no equilibrium was found within {} Newton steps: the relative "
-                           "residual stayed at {:.1e}, above the tolerance {:.1e}.",
-                           100.0 * carried, options.max_steps, relative_residual, options.relative_tolerance);
+      : hopeless
+          ? fmt::format(
+                "The body is far too soft for its load: by small strain it would move more than {:g} times its own "
+                "size. Check the units of stiffness and load.",
+                times_its_size)
+          : fmt::format(
+                "Beyond {:.1f} % of the load no equilibrium was found within {} Newton steps: the relative "
+                "residual stayed at {:.1e}, above the tolerance {:.1e}.",
+                100.0 * carried, options.max_steps, relative_residual, options.relative_tolerance);
   result.step_ms = 1e3 * watch.seconds();
   return result;
 }
