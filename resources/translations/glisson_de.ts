@@ -4220,6 +4220,38 @@
         <source>Bring it back to its place, or open the case where it is now.</source>
         <translation>Bringen Sie ihn an seinen Platz zurück, oder öffnen Sie den Fall dort, wo er jetzt ist.</translation>
     </message>
+    <message>
+        <source>{0} does not hold the images that {1} was made from.</source>
+        <translation>{0} enthält nicht die Bilder, aus denen {1} gemacht wurde.</translation>
+    </message>
+    <message>
+        <source>Name the folder that was imported.</source>
+        <translation>Nennen Sie den Ordner, der importiert wurde.</translation>
+    </message>
+    <message>
+        <source>Tetrahedra {0} and {1} lie on the same side of the face that they share: they overlap.</source>
+        <translation>Die Tetraeder {0} und {1} liegen auf derselben Seite ihrer gemeinsamen Fläche: Sie überlappen sich.</translation>
+    </message>
+    <message>
+        <source>Mesh it anew.</source>
+        <translation>Vernetzen Sie neu.</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} MB of voxels in {2} MB: nearly all of them have one value.</source>
+        <translation>{0} enthält {1} MB Voxel in {2} MB: Fast alle haben denselben Wert.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of cell {0} is {1} kPa; matter has {2} to {3} kPa.</source>
+        <translation>Der Elastizitätsmodul der Zelle {0} ist {1} kPa; Materie hat {2} bis {3} kPa.</translation>
+    </message>
+    <message>
+        <source>Check its unit: liver has 2 to 60 kPa.</source>
+        <translation>Prüfen Sie seine Einheit: Leber hat 2 bis 60 kPa.</translation>
+    </message>
+    <message>
+        <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
+        <translation>--study dient nur einem DICOM SEG (--format dicom-seg).</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

@@ -4220,6 +4220,38 @@
         <source>Bring it back to its place, or open the case where it is now.</source>
         <translation>Devuélvala a su sitio, o abra el caso donde esté ahora.</translation>
     </message>
+    <message>
+        <source>{0} does not hold the images that {1} was made from.</source>
+        <translation>{0} no contiene las imágenes de las que se hizo {1}.</translation>
+    </message>
+    <message>
+        <source>Name the folder that was imported.</source>
+        <translation>Indique la carpeta que se importó.</translation>
+    </message>
+    <message>
+        <source>Tetrahedra {0} and {1} lie on the same side of the face that they share: they overlap.</source>
+        <translation>Los tetraedros {0} y {1} están del mismo lado de la cara que comparten: se solapan.</translation>
+    </message>
+    <message>
+        <source>Mesh it anew.</source>
+        <translation>Vuelva a mallarlo.</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} MB of voxels in {2} MB: nearly all of them have one value.</source>
+        <translation>{0} contiene {1} MB de vóxeles en {2} MB: casi todos tienen el mismo valor.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of cell {0} is {1} kPa; matter has {2} to {3} kPa.</source>
+        <translation>El módulo de Young de la celda {0} es de {1} kPa; la materia tiene de {2} a {3} kPa.</translation>
+    </message>
+    <message>
+        <source>Check its unit: liver has 2 to 60 kPa.</source>
+        <translation>Compruebe su unidad: el hígado tiene de 2 a 60 kPa.</translation>
+    </message>
+    <message>
+        <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
+        <translation>--study sirve solo para un DICOM SEG (--format dicom-seg).</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>

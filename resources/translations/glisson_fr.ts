@@ -4220,6 +4220,38 @@
         <source>Bring it back to its place, or open the case where it is now.</source>
         <translation>Remettez-le à sa place, ou ouvrez le cas là où il est maintenant.</translation>
     </message>
+    <message>
+        <source>{0} does not hold the images that {1} was made from.</source>
+        <translation>{0} ne contient pas les images dont {1} a été fait.</translation>
+    </message>
+    <message>
+        <source>Name the folder that was imported.</source>
+        <translation>Indiquez le dossier qui a été importé.</translation>
+    </message>
+    <message>
+        <source>Tetrahedra {0} and {1} lie on the same side of the face that they share: they overlap.</source>
+        <translation>Les tétraèdres {0} et {1} sont du même côté de la face qu’ils partagent : ils se chevauchent.</translation>
+    </message>
+    <message>
+        <source>Mesh it anew.</source>
+        <translation>Refaites le maillage.</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} MB of voxels in {2} MB: nearly all of them have one value.</source>
+        <translation>{0} contient {1} Mo de voxels dans {2} Mo : presque tous ont la même valeur.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of cell {0} is {1} kPa; matter has {2} to {3} kPa.</source>
+        <translation>Le module d’Young de la cellule {0} est de {1} kPa ; la matière a de {2} à {3} kPa.</translation>
+    </message>
+    <message>
+        <source>Check its unit: liver has 2 to 60 kPa.</source>
+        <translation>Vérifiez son unité : le foie a de 2 à 60 kPa.</translation>
+    </message>
+    <message>
+        <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
+        <translation>--study ne sert qu’à un DICOM SEG (--format dicom-seg).</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -7324,7 +7356,7 @@ supposés</translation>
     </message>
     <message>
         <source>Residual %1: how far the equations are from balance</source>
-        <translation>Résidu %1 : l’écart des équations à l’équilibre</translation>
+        <translation>Résidu %1&#xa0;: l’écart des équations à l’équilibre</translation>
     </message>
 </context>
 <context>
