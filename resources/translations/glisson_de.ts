@@ -4252,6 +4252,10 @@
         <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
         <translation>--study dient nur einem DICOM SEG (--format dicom-seg).</translation>
     </message>
+    <message>
+        <source>there is no picture</source>
+        <translation>es gibt kein Bild</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -6634,10 +6638,6 @@ figures</source>
     <message>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>The report could not be written to %1.</source>
-        <translation>Der Bericht konnte nicht nach %1 geschrieben werden.</translation>
     </message>
     <message>
         <source>With what can be worn</source>

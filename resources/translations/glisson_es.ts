@@ -4252,6 +4252,10 @@
         <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
         <translation>--study sirve solo para un DICOM SEG (--format dicom-seg).</translation>
     </message>
+    <message>
+        <source>there is no picture</source>
+        <translation>no hay ninguna imagen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -6637,10 +6641,6 @@ supuestas</translation>
     <message>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>The report could not be written to %1.</source>
-        <translation>El informe no se pudo escribir en %1.</translation>
     </message>
     <message>
         <source>With what can be worn</source>

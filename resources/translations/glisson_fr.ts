@@ -4252,6 +4252,10 @@
         <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
         <translation>--study ne sert qu’à un DICOM SEG (--format dicom-seg).</translation>
     </message>
+    <message>
+        <source>there is no picture</source>
+        <translation>il n’y a pas d’image</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -6637,10 +6641,6 @@ supposés</translation>
     <message>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>The report could not be written to %1.</source>
-        <translation>Le rapport n’a pas pu être écrit dans %1.</translation>
     </message>
     <message>
         <source>With what can be worn</source>
