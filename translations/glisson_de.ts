@@ -4221,16 +4221,40 @@
         <translation>Bringen Sie ihn an seinen Platz zurück, oder öffnen Sie den Fall dort, wo er jetzt ist.</translation>
     </message>
     <message>
-        <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
-        <translation>Die Moduln in {0} wurden mit der Querkontraktionszahl {1} aus Schubmoduln berechnet, nicht mit {2}.</translation>
+        <source>{0} does not hold the images that {1} was made from.</source>
+        <translation>{0} enthält nicht die Bilder, aus denen {1} gemacht wurde.</translation>
     </message>
     <message>
-        <source>Say &quot;poisson_ratio&quot;: {1} in the specimen.</source>
-        <translation>Geben Sie im Prüfkörper (specimen) &quot;poisson_ratio&quot;: {1} an.</translation>
+        <source>Name the folder that was imported.</source>
+        <translation>Nennen Sie den Ordner, der importiert wurde.</translation>
     </message>
     <message>
-        <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
-        <translation>Die Querkontraktionszahl des Netzes muss über -1 und darf nicht über 0.5 liegen; sie ist {0}.</translation>
+        <source>Tetrahedra {0} and {1} lie on the same side of the face that they share: they overlap.</source>
+        <translation>Die Tetraeder {0} und {1} liegen auf derselben Seite ihrer gemeinsamen Fläche: Sie überlappen sich.</translation>
+    </message>
+    <message>
+        <source>Mesh it anew.</source>
+        <translation>Vernetzen Sie neu.</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} MB of voxels in {2} MB: nearly all of them have one value.</source>
+        <translation>{0} enthält {1} MB Voxel in {2} MB: Fast alle haben denselben Wert.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of cell {0} is {1} kPa; matter has {2} to {3} kPa.</source>
+        <translation>Der Elastizitätsmodul der Zelle {0} ist {1} kPa; Materie hat {2} bis {3} kPa.</translation>
+    </message>
+    <message>
+        <source>Check its unit: liver has 2 to 60 kPa.</source>
+        <translation>Prüfen Sie seine Einheit: Leber hat 2 bis 60 kPa.</translation>
+    </message>
+    <message>
+        <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
+        <translation>--study dient nur einem DICOM SEG (--format dicom-seg).</translation>
+    </message>
+    <message>
+        <source>there is no picture</source>
+        <translation>es gibt kein Bild</translation>
     </message>
 </context>
 <context>
@@ -4318,69 +4342,6 @@
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
         <translation>Registriert jedes Bild mit den Algorithmen oben und beurteilt sie mit SIRGn: bis etwa eine Sekunde je Bild</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::widgets::CandidatesTable</name>
-    <message>
-        <source>Suspect, each by itself</source>
-        <translation>Verdacht, jeder für sich</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Fehler</translation>
-    </message>
-    <message>
-        <source>On trials left out</source>
-        <translation>An ausgelassenen Versuchen</translation>
-    </message>
-    <message>
-        <source>These data cannot tell it from</source>
-        <translation>Diese Daten unterscheiden es nicht von</translation>
-    </message>
-    <message>
-        <source>Root mean square on the trials that it was fitted to</source>
-        <translation>Quadratisches Mittel auf den Versuchen, an die es angepasst wurde</translation>
-    </message>
-    <message>
-        <source>Root mean square on trials that it was not fitted to, left out whole</source>
-        <translation>Quadratisches Mittel auf ganz ausgelassenen Versuchen, an die es nicht angepasst wurde</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>out of the running: %1</source>
-        <translation>aus dem Rennen: %1</translation>
-    </message>
-    <message>
-        <source>very strong</source>
-        <translation>sehr stark</translation>
-    </message>
-    <message>
-        <source>strong</source>
-        <translation>stark</translation>
-    </message>
-    <message>
-        <source>weak</source>
-        <translation>schwach</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keiner</translation>
-    </message>
-    <message>
-        <source>Evidence</source>
-        <translation>Beleg</translation>
-    </message>
-    <message>
-        <source>Against the declared model, by the difference of BIC</source>
-        <translation>Gegen das angegebene Modell, nach dem Unterschied des BIC</translation>
-    </message>
-    <message>
-        <source>ΔBIC %1</source>
-        <translation>ΔBIC %1</translation>
     </message>
 </context>
 <context>
@@ -6679,10 +6640,6 @@ figures</source>
         <translation>PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>The report could not be written to %1.</source>
-        <translation>Der Bericht konnte nicht nach %1 geschrieben werden.</translation>
-    </message>
-    <message>
         <source>With what can be worn</source>
         <translation>Mit tragbaren Rechnern</translation>
     </message>
@@ -7560,6 +7517,69 @@ Elastizitätsmodul %2 kPa (angenommen)</translation>
     <message>
         <source>No part of the model: drawn where it was outlined, it does not move.</source>
         <translation>Nicht Teil des Modells: gezeichnet, wo es umrissen wurde; es bewegt sich nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::SuspectsTable</name>
+    <message>
+        <source>Suspect, each by itself</source>
+        <translation>Verdacht, jeder für sich</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>On trials left out</source>
+        <translation>An ausgelassenen Versuchen</translation>
+    </message>
+    <message>
+        <source>These data cannot tell it from</source>
+        <translation>Diese Daten unterscheiden es nicht von</translation>
+    </message>
+    <message>
+        <source>Root mean square on the trials that it was fitted to</source>
+        <translation>Quadratisches Mittel auf den Versuchen, an die es angepasst wurde</translation>
+    </message>
+    <message>
+        <source>Root mean square on trials that it was not fitted to, left out whole</source>
+        <translation>Quadratisches Mittel auf ganz ausgelassenen Versuchen, an die es nicht angepasst wurde</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>out of the running: %1</source>
+        <translation>aus dem Rennen: %1</translation>
+    </message>
+    <message>
+        <source>very strong</source>
+        <translation>sehr stark</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>stark</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>schwach</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Beleg</translation>
+    </message>
+    <message>
+        <source>Against the declared model, by the difference of BIC</source>
+        <translation>Gegen das angegebene Modell, nach dem Unterschied des BIC</translation>
+    </message>
+    <message>
+        <source>ΔBIC %1</source>
+        <translation>ΔBIC %1</translation>
     </message>
 </context>
 <context>

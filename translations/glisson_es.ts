@@ -4221,16 +4221,40 @@
         <translation>Devuélvala a su sitio, o abra el caso donde esté ahora.</translation>
     </message>
     <message>
-        <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
-        <translation>Los módulos de {0} se calcularon a partir de módulos de cizalla con un coeficiente de Poisson de {1}, no de {2}.</translation>
+        <source>{0} does not hold the images that {1} was made from.</source>
+        <translation>{0} no contiene las imágenes de las que se hizo {1}.</translation>
     </message>
     <message>
-        <source>Say &quot;poisson_ratio&quot;: {1} in the specimen.</source>
-        <translation>Indique &quot;poisson_ratio&quot;: {1} en la muestra (specimen).</translation>
+        <source>Name the folder that was imported.</source>
+        <translation>Indique la carpeta que se importó.</translation>
     </message>
     <message>
-        <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
-        <translation>El coeficiente de Poisson de la malla debe ser mayor que -1 y no superar 0.5; es {0}.</translation>
+        <source>Tetrahedra {0} and {1} lie on the same side of the face that they share: they overlap.</source>
+        <translation>Los tetraedros {0} y {1} están del mismo lado de la cara que comparten: se solapan.</translation>
+    </message>
+    <message>
+        <source>Mesh it anew.</source>
+        <translation>Vuelva a mallarlo.</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} MB of voxels in {2} MB: nearly all of them have one value.</source>
+        <translation>{0} contiene {1} MB de vóxeles en {2} MB: casi todos tienen el mismo valor.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of cell {0} is {1} kPa; matter has {2} to {3} kPa.</source>
+        <translation>El módulo de Young de la celda {0} es de {1} kPa; la materia tiene de {2} a {3} kPa.</translation>
+    </message>
+    <message>
+        <source>Check its unit: liver has 2 to 60 kPa.</source>
+        <translation>Compruebe su unidad: el hígado tiene de 2 a 60 kPa.</translation>
+    </message>
+    <message>
+        <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
+        <translation>--study sirve solo para un DICOM SEG (--format dicom-seg).</translation>
+    </message>
+    <message>
+        <source>there is no picture</source>
+        <translation>no hay ninguna imagen</translation>
     </message>
 </context>
 <context>
@@ -4318,69 +4342,6 @@
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
         <translation>Registra cada fotograma con los algoritmos de arriba y los juzga con SIRGn: hasta un segundo por fotograma, más o menos</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::widgets::CandidatesTable</name>
-    <message>
-        <source>Suspect, each by itself</source>
-        <translation>Sospechoso, cada uno por sí solo</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Error</translation>
-    </message>
-    <message>
-        <source>On trials left out</source>
-        <translation>En ensayos apartados</translation>
-    </message>
-    <message>
-        <source>These data cannot tell it from</source>
-        <translation>Estos datos no lo distinguen de</translation>
-    </message>
-    <message>
-        <source>Root mean square on the trials that it was fitted to</source>
-        <translation>Media cuadrática en los ensayos a los que se ajustó</translation>
-    </message>
-    <message>
-        <source>Root mean square on trials that it was not fitted to, left out whole</source>
-        <translation>Media cuadrática en ensayos enteros apartados, a los que no se ajustó</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>out of the running: %1</source>
-        <translation>fuera de concurso: %1</translation>
-    </message>
-    <message>
-        <source>very strong</source>
-        <translation>muy fuerte</translation>
-    </message>
-    <message>
-        <source>strong</source>
-        <translation>fuerte</translation>
-    </message>
-    <message>
-        <source>weak</source>
-        <translation>débil</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>ninguna</translation>
-    </message>
-    <message>
-        <source>Evidence</source>
-        <translation>Evidencia</translation>
-    </message>
-    <message>
-        <source>Against the declared model, by the difference of BIC</source>
-        <translation>Contra el modelo declarado, por la diferencia de BIC</translation>
-    </message>
-    <message>
-        <source>ΔBIC %1</source>
-        <translation>ΔBIC %1</translation>
     </message>
 </context>
 <context>
@@ -6682,10 +6643,6 @@ supuestas</translation>
         <translation>PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>The report could not be written to %1.</source>
-        <translation>El informe no se pudo escribir en %1.</translation>
-    </message>
-    <message>
         <source>With what can be worn</source>
         <translation>Con lo que se puede llevar</translation>
     </message>
@@ -7563,6 +7520,69 @@ Módulo de Young %2 kPa (supuesto)</translation>
     <message>
         <source>No part of the model: drawn where it was outlined, it does not move.</source>
         <translation>No es parte del modelo: se dibuja donde se contorneó y no se mueve.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::SuspectsTable</name>
+    <message>
+        <source>Suspect, each by itself</source>
+        <translation>Sospechoso, cada uno por sí solo</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>On trials left out</source>
+        <translation>En ensayos apartados</translation>
+    </message>
+    <message>
+        <source>These data cannot tell it from</source>
+        <translation>Estos datos no lo distinguen de</translation>
+    </message>
+    <message>
+        <source>Root mean square on the trials that it was fitted to</source>
+        <translation>Media cuadrática en los ensayos a los que se ajustó</translation>
+    </message>
+    <message>
+        <source>Root mean square on trials that it was not fitted to, left out whole</source>
+        <translation>Media cuadrática en ensayos enteros apartados, a los que no se ajustó</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>out of the running: %1</source>
+        <translation>fuera de concurso: %1</translation>
+    </message>
+    <message>
+        <source>very strong</source>
+        <translation>muy fuerte</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>fuerte</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>débil</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Evidencia</translation>
+    </message>
+    <message>
+        <source>Against the declared model, by the difference of BIC</source>
+        <translation>Contra el modelo declarado, por la diferencia de BIC</translation>
+    </message>
+    <message>
+        <source>ΔBIC %1</source>
+        <translation>ΔBIC %1</translation>
     </message>
 </context>
 <context>

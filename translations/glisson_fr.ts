@@ -4221,16 +4221,40 @@
         <translation>Remettez-le à sa place, ou ouvrez le cas là où il est maintenant.</translation>
     </message>
     <message>
-        <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
-        <translation>Les modules de {0} ont été calculés à partir de modules de cisaillement avec un coefficient de Poisson de {1}, et non de {2}.</translation>
+        <source>{0} does not hold the images that {1} was made from.</source>
+        <translation>{0} ne contient pas les images dont {1} a été fait.</translation>
     </message>
     <message>
-        <source>Say &quot;poisson_ratio&quot;: {1} in the specimen.</source>
-        <translation>Indiquez &quot;poisson_ratio&quot; : {1} dans l’échantillon (specimen).</translation>
+        <source>Name the folder that was imported.</source>
+        <translation>Indiquez le dossier qui a été importé.</translation>
     </message>
     <message>
-        <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
-        <translation>Le coefficient de Poisson du maillage doit être supérieur à -1 et ne pas dépasser 0.5 ; il vaut {0}.</translation>
+        <source>Tetrahedra {0} and {1} lie on the same side of the face that they share: they overlap.</source>
+        <translation>Les tétraèdres {0} et {1} sont du même côté de la face qu’ils partagent : ils se chevauchent.</translation>
+    </message>
+    <message>
+        <source>Mesh it anew.</source>
+        <translation>Refaites le maillage.</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} MB of voxels in {2} MB: nearly all of them have one value.</source>
+        <translation>{0} contient {1} Mo de voxels dans {2} Mo : presque tous ont la même valeur.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of cell {0} is {1} kPa; matter has {2} to {3} kPa.</source>
+        <translation>Le module d’Young de la cellule {0} est de {1} kPa ; la matière a de {2} à {3} kPa.</translation>
+    </message>
+    <message>
+        <source>Check its unit: liver has 2 to 60 kPa.</source>
+        <translation>Vérifiez son unité : le foie a de 2 à 60 kPa.</translation>
+    </message>
+    <message>
+        <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
+        <translation>--study ne sert qu’à un DICOM SEG (--format dicom-seg).</translation>
+    </message>
+    <message>
+        <source>there is no picture</source>
+        <translation>il n’y a pas d’image</translation>
     </message>
 </context>
 <context>
@@ -4318,69 +4342,6 @@
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
         <translation>Recale chaque image par les algorithmes ci-dessus et les juge par SIRGn&#xa0;: jusqu’à une seconde environ par image</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::widgets::CandidatesTable</name>
-    <message>
-        <source>Suspect, each by itself</source>
-        <translation>Suspect, chacun seul</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Erreur</translation>
-    </message>
-    <message>
-        <source>On trials left out</source>
-        <translation>Sur les essais écartés</translation>
-    </message>
-    <message>
-        <source>These data cannot tell it from</source>
-        <translation>Ces données ne le distinguent pas de</translation>
-    </message>
-    <message>
-        <source>Root mean square on the trials that it was fitted to</source>
-        <translation>Moyenne quadratique sur les essais auxquels il a été ajusté</translation>
-    </message>
-    <message>
-        <source>Root mean square on trials that it was not fitted to, left out whole</source>
-        <translation>Moyenne quadratique sur des essais entiers écartés, auxquels il n’a pas été ajusté</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>out of the running: %1</source>
-        <translation>hors course&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>very strong</source>
-        <translation>très forte</translation>
-    </message>
-    <message>
-        <source>strong</source>
-        <translation>forte</translation>
-    </message>
-    <message>
-        <source>weak</source>
-        <translation>faible</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>aucune</translation>
-    </message>
-    <message>
-        <source>Evidence</source>
-        <translation>Preuve</translation>
-    </message>
-    <message>
-        <source>Against the declared model, by the difference of BIC</source>
-        <translation>Contre le modèle déclaré, par la différence de BIC</translation>
-    </message>
-    <message>
-        <source>ΔBIC %1</source>
-        <translation>ΔBIC %1</translation>
     </message>
 </context>
 <context>
@@ -6682,10 +6643,6 @@ supposés</translation>
         <translation>PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>The report could not be written to %1.</source>
-        <translation>Le rapport n’a pas pu être écrit dans %1.</translation>
-    </message>
-    <message>
         <source>With what can be worn</source>
         <translation>Avec ce qui peut être porté</translation>
     </message>
@@ -7563,6 +7520,69 @@ Module de Young %2 kPa (supposé)</translation>
     <message>
         <source>No part of the model: drawn where it was outlined, it does not move.</source>
         <translation>Ne fait pas partie du modèle : dessiné là où il a été délimité, il ne bouge pas.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::SuspectsTable</name>
+    <message>
+        <source>Suspect, each by itself</source>
+        <translation>Suspect, chacun seul</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>On trials left out</source>
+        <translation>Sur les essais écartés</translation>
+    </message>
+    <message>
+        <source>These data cannot tell it from</source>
+        <translation>Ces données ne le distinguent pas de</translation>
+    </message>
+    <message>
+        <source>Root mean square on the trials that it was fitted to</source>
+        <translation>Moyenne quadratique sur les essais auxquels il a été ajusté</translation>
+    </message>
+    <message>
+        <source>Root mean square on trials that it was not fitted to, left out whole</source>
+        <translation>Moyenne quadratique sur des essais entiers écartés, auxquels il n’a pas été ajusté</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>out of the running: %1</source>
+        <translation>hors course&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>very strong</source>
+        <translation>très forte</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>forte</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>faible</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Preuve</translation>
+    </message>
+    <message>
+        <source>Against the declared model, by the difference of BIC</source>
+        <translation>Contre le modèle déclaré, par la différence de BIC</translation>
+    </message>
+    <message>
+        <source>ΔBIC %1</source>
+        <translation>ΔBIC %1</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include "widgets/help/shortcuts_window.h"
 #include "widgets/main_window.h"
 #include "widgets/panels/ask_path.h"
+#include "widgets/panels/write_picture.h"
 #include "widgets/settings/settings.h"
 #include "widgets/settings/settings_window.h"
 #include "widgets/study/study_page.h"
@@ -108,8 +109,9 @@ void MainWindow::save_picture() {
   const QString name = "glisson.png";
   const QString file = ask_where_to_save(this, tr("Save the picture"), name, tr("Pictures (*.png)"));
   if (file.isEmpty()) return;
-  if (!views_->space().smooth_picture().save(file))
-    notices_->say([file] { return tr("The picture could not be written to %1.").arg(file); });
+  if (auto written = write_picture(views_->space().smooth_picture(), path_of(file)); !written) {
+    show_error(written.error());
+  }
 }
 
 void MainWindow::show_manual() {

@@ -27,6 +27,7 @@ void add_export(CLI::App& app, Action& chosen) {
   auto case_folder = std::make_shared<std::string>();
   auto format = std::make_shared<std::string>();
   auto out = std::make_shared<std::string>();
+  auto study = std::make_shared<std::optional<std::string>>();
   command->add_option("case", *case_folder, "The case")->required();
   command->add_option("--format", *format, "nrrd, nifti, stl, obj, vtp (a folder); dicom-seg, vtu (a file)")
       ->required()
@@ -34,12 +35,18 @@ void add_export(CLI::App& app, Action& chosen) {
         return casefile::export_format(name) ? std::string() : "one of nrrd, nifti, dicom-seg, stl, obj, vtp, vtu";
       });
   command->add_option("--out", *out, "File or folder to write")->required();
-  command->callback([&chosen, case_folder, format, out] {
+  command->add_option("--study", *study,
+                      "dicom-seg: the images that the case was made from; the file then carries the patient's name and "
+                      "number and names each slice, so that an archive can put it to them");
+  command->callback([&chosen, case_folder, format, out, study] {
     chosen = [=](const Progress& progress) -> Result<Outcome> {
       const auto patient = casefile::Case::open(*case_folder);
       if (!patient) return failure(patient.error());
       const auto wanted = *casefile::export_format(*format);
-      return casefile::export_case(*patient, wanted, *out, progress).map([&](const auto& files) {
+      if (*study && wanted != casefile::ExportFormat::dicom_seg) {
+        return failure("export-study-unused", GLISSON_TEXT("--study serves a DICOM SEG alone (--format dicom-seg)."));
+      }
+      return casefile::export_case(*patient, wanted, *out, progress, *study).map([&](const auto& files) {
         return describe(files, messages(casefile::export_remarks(*patient, wanted)));
       });
     };

@@ -8,6 +8,7 @@
 #include <unistd.h>
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <system_error>
 #include <utility>
@@ -25,7 +26,10 @@ const std::string part_prefix = ".part-";
 class Part {
  public:
   static Result<Part> begin(const fs::path& target);
-  Part(Part&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)), path_(std::move(other.path_)) {}
+  Part(Part&& other) noexcept
+      : descriptor_(std::exchange(other.descriptor_, -1)),
+        path_(std::move(other.path_)),
+        holds_old_(other.holds_old_) {}
   Part& operator=(Part&&) = delete;
   ~Part();
 
@@ -33,11 +37,13 @@ class Part {
   [[nodiscard]] int write(std::string_view bytes) const;
   [[nodiscard]] int flush() const;
   [[nodiscard]] int put_in_place(const fs::path& target);
+  [[nodiscard]] int exchange_with(const fs::path& target);
 
  private:
   Part(int descriptor, fs::path path) : descriptor_(descriptor), path_(std::move(path)) {}
   int descriptor_ = -1;
-  fs::path path_;  // empty once it stands in its place
+  fs::path path_;           // empty once it stands in its place
+  bool holds_old_ = false;  // what was at the target stands at the path
 };
 
 // The files of a write_together under way in this thread.
@@ -46,6 +52,8 @@ struct Together {
 };
 thread_local Together* together = nullptr;
 
+Result<void> put_all_in_place(Together& files);
+void flush_folder_of(const fs::path& target);
 bool locked(int descriptor);
 bool stands_at(int descriptor, const fs::path& path);
 int flushed(int descriptor);
@@ -67,6 +75,7 @@ Result<void> write_file(const fs::path& target, std::string_view bytes) {
     return {};
   }
   if (const int code = part->put_in_place(target); code != 0) return file_not_writable(target, reason_of(code));
+  flush_folder_of(target);
   return {};
 }
 
@@ -86,11 +95,16 @@ Result<void> write_together(const std::function<Result<void>()>& write) {
     throw;
   }
   together = nullptr;
-  for (auto& [part, target] : files.written) {
-    if (!outcome) break;
-    if (const int code = part.put_in_place(target); code != 0) outcome = file_not_writable(target, reason_of(code));
-  }
-  return outcome;
+  return outcome ? put_all_in_place(files) : outcome;
+}
+
+int exchange_files(const fs::path& one, const fs::path& other) {
+  if (::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0) return 0;
+  const bool by_renaming = errno == ENOENT || errno == EINVAL || errno == ENOSYS;
+  if (!by_renaming) return errno;
+  std::error_code problem;
+  const bool forwards = fs::exists(fs::symlink_status(one, problem));
+  return ::rename((forwards ? one : other).c_str(), (forwards ? other : one).c_str()) == 0 ? 0 : errno;
 }
 
 Result<void> write_text_file(const fs::path& target, std::string_view text) { return write_file(target, text); }
@@ -205,7 +219,7 @@ Result<Part> Part::begin(const fs::path& target) {
 
 Part::~Part() {
   if (descriptor_ < 0) return;
-  if (!path_.empty()) ::unlink(path_.c_str());
+  if (!path_.empty() && (holds_old_ || stands_at(descriptor_, path_))) ::unlink(path_.c_str());
   ::close(descriptor_);
 }
 
@@ -225,12 +239,38 @@ int Part::flush() const { return flushed(descriptor_); }
 int Part::put_in_place(const fs::path& target) {
   if (::rename(path_.c_str(), target.c_str()) != 0) return errno;
   path_.clear();
+  return 0;
+}
+
+// There and back.
+int Part::exchange_with(const fs::path& target) {
+  std::error_code problem;
+  const bool is_there = fs::exists(fs::symlink_status(target, problem));
+  const bool mine = stands_at(descriptor_, path_);
+  const int code = exchange_files(path_, target);
+  if (code == 0) holds_old_ = mine && is_there;
+  return code;
+}
+
+// One right after the other; what was there stands by, to come back where one of them cannot take its place.
+Result<void> put_all_in_place(Together& files) {
+  std::vector<std::pair<Part, fs::path>>& written = files.written;
+  for (std::size_t n = 0; n < written.size(); ++n) {
+    const int code = written[n].first.exchange_with(written[n].second);
+    if (code == 0) continue;
+    for (std::size_t done = n; done-- > 0;) (void)written[done].first.exchange_with(written[done].second);
+    return file_not_writable(written[n].second, reason_of(code));
+  }
+  for (const auto& [part, target] : written) flush_folder_of(target);
+  return {};
+}
+
+void flush_folder_of(const fs::path& target) {
   const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (const int folder = ::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {
     (void)flushed(folder);  // the file is whole in either place
     ::close(folder);
   }
-  return 0;
 }
 
 // Where a file system knows no locks, each writer takes the file for its own.

@@ -20,9 +20,13 @@ Result<void> write_file(const std::filesystem::path& target, std::string_view by
 Result<void> write_copy(const std::filesystem::path& source, const std::filesystem::path& target);
 
 // Calls write(), whose files, as long as this thread writes them, all take their places together when it succeeds, and
-// none of them where it fails. A kill among the renames, or one that the system refuses, is the only thing in between.
+// none of them where it fails. A kill among the renames, which follow each other at once, is the only thing in between.
 // Inside, no file may be read back. A call inside of another joins it.
 Result<void> write_together(const std::function<Result<void>()>& write);
+
+// The two files take each other's places, or the one that is there the other's. 0, or what the system says of it. On
+// file systems that know no exchange the first takes the second's place, which is then gone.
+[[nodiscard]] int exchange_files(const std::filesystem::path& one, const std::filesystem::path& other);
 
 // The error of a file that could not be written.
 [[nodiscard]] Failure file_not_writable(const std::filesystem::path& file, const std::string& reason);

@@ -108,81 +108,88 @@ Result<fs::path> Case::file_of(const std::string& id) const {
                                                      : GLISSON_TEXT("Mesh the liver first (glisson-cli mesh)."),
                          folder_});
   }
-  return folder_ / entry->file;
+  const fs::path file = folder_ / entry->file;
+  const bool waits = transaction_ && std::find(transaction_->waiting_for.begin(), transaction_->waiting_for.end(),
+                                               file) != transaction_->waiting_for.end();
+  return waits ? waiting_place(file) : file;
 }
 
 Result<imaging::Volume> Case::volume(const std::string& id) const {
   return file_of(id).and_then([](const fs::path& file) { return imaging::read_volume_file(file); });
 }
 
-Result<void> Case::set_origin(std::string origin) {
+Result<void> Case::together(const std::function<Result<void>()>& change) {
+  if (transaction_) return change();
   const FolderLock lock(folder_, FolderLock::Wait::until_free);
   if (auto read = reread(); !read) return read;
-  std::swap(origin_, origin);
-  auto saved = save();
-  if (!saved) std::swap(origin_, origin);
-  return saved;
+  transaction_ = Transaction{entries_, origin_, {}, {}};
+  Result<void> changed;
+  try {
+    changed = change();
+  } catch (...) {
+    (void)take_back({});
+    throw;
+  }
+  return changed ? commit() : take_back(changed.error());
+}
+
+Result<void> Case::set_origin(std::string origin) {
+  return together([&]() -> Result<void> {
+    origin_ = std::move(origin);
+    return {};
+  });
 }
 
 Result<void> Case::add(const std::string& id, const std::string& extension, Provenance made,
                        const std::function<Result<void>(const fs::path&)>& write) {
-  const FolderLock lock(folder_, FolderLock::Wait::until_free);
-  if (auto read = reread(); !read) return read;
-  Entry entry{id, fs::path(id + extension), {}, std::move(made), {}, version(), utc_now()};
-  for (const std::string& source : entry.made.from) {
-    // Another program may have edited a label since: what counts is the content that was used.
-    auto content = file_of(source).and_then(sha256_of_file);
-    if (!content) return failure(content.error());
-    entry.from_sha256[source] = std::move(*content);
-  }
-  return put({{id, std::move(entry), write}});
+  return together([&]() -> Result<void> {
+    Entry entry{id, fs::path(id + extension), {}, std::move(made), {}, version(), utc_now()};
+    for (const std::string& source : entry.made.from) {
+      // Another program may have edited a label since: what counts is the content that was used.
+      auto content = file_of(source).and_then(sha256_of_file);
+      if (!content) return failure(content.error());
+      entry.from_sha256[source] = std::move(*content);
+    }
+    return stage({{id, std::move(entry), write}});
+  });
 }
 
 Result<void> Case::remove(const std::string& id) { return replace({{id, std::nullopt, {}}}); }
 
 Result<void> Case::replace(const std::vector<Replacement>& replacements) {
-  const FolderLock lock(folder_, FolderLock::Wait::until_free);
-  if (auto read = reread(); !read) return read;
-  return put(replacements);
+  return together([&] { return stage(replacements); });
 }
 
-// Under the lock, on what case.json says now. An entry without a content is given that of the file written for it.
-Result<void> Case::put(const std::vector<Replacement>& replacements) {
-  const std::vector<Entry> before = entries_;
-  std::vector<fs::path> waiting, leaving;
-  std::error_code ignored;
-  const auto take_back = [&](const Error& error) {
-    entries_ = before;
-    for (const fs::path& file : waiting) fs::remove(file, ignored);
-    return failure(error);
-  };
+// An entry without a content is given that of the file written for it.
+Result<void> Case::stage(const std::vector<Replacement>& replacements) {
   for (const Replacement& replacement : replacements) {
     const auto present =
         std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.id == replacement.id; });
     const bool known = present != entries_.end();
     for (const fs::path& file :
          {known ? present->file : fs::path(), replacement.entry ? replacement.entry->file : ""}) {
-      if (auto inside = refuse_links(folder_, file); !inside) return take_back(inside.error());
+      if (auto inside = refuse_links(folder_, file); !inside) return inside;
     }
     if (known && (!replacement.entry || replacement.entry->file != present->file)) {
-      leaving.push_back(folder_ / present->file);
+      transaction_->leaving.push_back(folder_ / present->file);
     }
     if (!replacement.entry) {
       if (known) entries_.erase(present);
       continue;
     }
     Entry entry = *replacement.entry;
-    waiting.push_back(waiting_place(folder_ / entry.file));
-    fs::create_directories(waiting.back().parent_path(), ignored);
-    if (auto written = replacement.write(waiting.back()); !written) return take_back(written.error());
-    auto content = sha256_of_file(waiting.back());
-    if (!content) return take_back(content.error());
+    const fs::path target = folder_ / entry.file, waiting = waiting_place(target);
+    std::erase(transaction_->leaving, target);
+    std::erase(transaction_->waiting_for, target);
+    transaction_->waiting_for.push_back(target);
+    std::error_code ignored;
+    fs::create_directories(waiting.parent_path(), ignored);  // what is wrong shows in the writing
+    if (auto written = replacement.write(waiting); !written) return written;
+    auto content = sha256_of_file(waiting);
+    if (!content) return failure(content.error());
     if (!entry.sha256.empty() && entry.sha256 != *content) {
-      return take_back(Error{"case-wrong-content",
-                             GLISSON_TEXT("{0} would not come out as it was."),
-                             {(folder_ / entry.file).string()},
-                             {},
-                             folder_ / entry.file});
+      return failure(Error{
+          "case-wrong-content", GLISSON_TEXT("{0} would not come out as it was."), {target.string()}, {}, target});
     }
     entry.sha256 = std::move(*content);
     if (known) {
@@ -191,9 +198,46 @@ Result<void> Case::put(const std::vector<Replacement>& replacements) {
       entries_.push_back(std::move(entry));
     }
   }
+  return {};
+}
+
+// With case.json it has happened; then the files take their places, the old ones standing by until all have.
+Result<void> Case::commit() {
   if (auto saved = save(); !saved) return take_back(saved.error());
-  for (const fs::path& file : leaving) fs::remove(file, ignored);
-  return finish_interrupted_addition();
+  std::vector<fs::path> placed;
+  std::error_code ignored;
+  for (const fs::path& target : transaction_->waiting_for) {
+    if (const int code = exchange_files(waiting_place(target), target); code != 0) {
+      for (const fs::path& done : placed) (void)exchange_files(waiting_place(done), done);
+      return take_back(Error{"case-not-writable",
+                             GLISSON_TEXT("{0} cannot be put in its place: {1}."),
+                             {target.string(), std::generic_category().message(code)},
+                             {},
+                             target},
+                       Recorded::yes);
+    }
+    placed.push_back(target);
+  }
+  for (const fs::path& target : transaction_->waiting_for) fs::remove(waiting_place(target), ignored);
+  for (const fs::path& file : transaction_->leaving) {
+    const bool kept =
+        std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) { return folder_ / entry.file == file; });
+    if (!kept) fs::remove(file, ignored);
+  }
+  transaction_.reset();
+  return {};
+}
+
+// As it was. Where case.json says otherwise and cannot be written, the files wait for the next who opens the case.
+Result<void> Case::take_back(const Error& error, Recorded recorded) {
+  entries_ = std::move(transaction_->entries_before);
+  origin_ = std::move(transaction_->origin_before);
+  const std::vector<fs::path> waiting_for = std::move(transaction_->waiting_for);
+  transaction_.reset();
+  if (recorded == Recorded::yes && !save()) return failure(error);
+  std::error_code ignored;
+  for (const fs::path& target : waiting_for) fs::remove(waiting_place(target), ignored);
+  return failure(error);
 }
 
 Freshness Case::freshness(const std::string& id) const {

@@ -90,6 +90,10 @@ class Case {
   // says; then nothing has changed.
   Result<void> replace(const std::vector<Replacement>& replacements);
 
+  // All that change() adds, removes and sets becomes one transaction: where it fails, nothing of it has happened.
+  // Inside, what was added can be read (file_of); other programs wait. A call inside of another joins it.
+  Result<void> together(const std::function<Result<void>()>& change);
+
   // Reads files to compare their content: costs time on large volumes.
   [[nodiscard]] Freshness freshness(const std::string& id) const;
 
@@ -97,11 +101,22 @@ class Case {
   Result<void> reread();
   Result<void> save() const;
   Result<void> finish_interrupted_addition() const;
-  Result<void> put(const std::vector<Replacement>& replacements);
+  Result<void> stage(const std::vector<Replacement>& replacements);
+  Result<void> commit();
+
+  // What a transaction has changed so far: what was before it, the files that wait for their places, and those that go.
+  struct Transaction {
+    std::vector<Entry> entries_before;
+    std::string origin_before;
+    std::vector<std::filesystem::path> waiting_for, leaving;
+  };
+  enum class Recorded { no, yes };  // in case.json
+  Result<void> take_back(const Error& error, Recorded recorded = Recorded::no);
 
   std::filesystem::path folder_;
   std::string origin_;
   std::vector<Entry> entries_;
+  std::optional<Transaction> transaction_;
 };
 
 }  // namespace glisson::casefile

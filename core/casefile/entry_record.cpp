@@ -1,6 +1,6 @@
 #include "casefile/entry_record.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 #include "base/json.h"
 #include "casefile/sentence_record.h"
@@ -20,6 +20,16 @@ bool is_the_place_of(const std::string& id, const std::string& file) {
   if (id.front() == '.' || id[slash + 1] == '.' || id.find('\0') != std::string::npos) return false;
   if (!file.starts_with(id + ".")) return false;
   return file.find('/', slash + 1) == std::string::npos && file.find('\0') == std::string::npos;
+}
+
+// Earlier versions kept the series' description and the names of its files, where patients are often named.
+void forget_names(Provenance& made) {
+  made.options.erase("description");
+  std::map<std::string, std::string> numbered;
+  for (const auto& [name, content] : made.sources) {
+    numbered[name.starts_with("file-") ? name : fmt::format("file-{:05}", numbered.size() + 1)] = content;
+  }
+  made.sources = std::move(numbered);
 }
 
 }  // namespace
@@ -51,6 +61,7 @@ Result<Entry> entry_of(std::string_view text, const fs::path& file) {
     entry.when_utc = made.value("when", "");
     entry.made.options = made.value("options", std::map<std::string, std::string>{});
     entry.made.sources = made.value("sources", std::map<std::string, std::string>{});
+    forget_names(entry.made);
     if (made.contains("note_pieces")) {
       for (const Json& note : made.at("note_pieces")) entry.made.notes.push_back(sentence_from(note));
     } else {

@@ -60,7 +60,7 @@ Result<Evidence> accept_evidence(Case& patient, const fs::path& model_file, cons
   if (!content) return failure(std::move(content.error()));
   std::vector<std::string> names;
   for (const closedloop::LearntEffect& effect : accepted.effects) names.push_back(effect.kind);
-  if (auto kept = keep(patient, model_file, {{model_file.string(), *content}}, names); !kept) {
+  if (auto kept = keep(patient, model_file, {{"file-00001", *content}}, names); !kept) {
     return failure(std::move(kept.error()));
   }
   return accepted;

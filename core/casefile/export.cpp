@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
+#include "base/files.h"
 #include "base/write_file.h"
 #include "casefile/structures.h"
 #include "casefile/used_entries.h"
 #include "geometry/mesh_file.h"
 #include "imaging/dicom_seg.h"
 #include "imaging/dicom_uid.h"
+#include "imaging/study.h"
 #include "imaging/volume_file.h"
 
 namespace glisson::casefile {
@@ -53,7 +56,34 @@ Result<void> export_surface(const Case& patient, const Entry& entry, const fs::p
   });
 }
 
-Result<void> export_segmentation(const Case& patient, const fs::path& target) {
+// The series of the study whose files are those that the anatomy was read from, by their content.
+Result<imaging::SegmentationSource> source_in(const Case& patient, const fs::path& folder) {
+  const auto other_study = [&] {
+    return failure(Error{"export-other-study",
+                         GLISSON_TEXT("{0} does not hold the images that {1} was made from."),
+                         {folder.string(), patient.folder().string()},
+                         GLISSON_TEXT("Name the folder that was imported."),
+                         folder});
+  };
+  const Entry* anatomy = patient.find("volumes/anatomy");
+  if (anatomy == nullptr || anatomy->made.sources.empty()) return other_study();
+  std::multiset<std::string> contents;
+  for (const auto& [name, content] : anatomy->made.sources) contents.insert(content);
+  const auto study = imaging::scan(folder);
+  if (!study) return failure(study.error());
+  for (const imaging::Series& series : study->series) {
+    if (series.files.size() != contents.size() || imaging::has_volume_file_name(series.files.front())) continue;
+    std::multiset<std::string> found;
+    for (const fs::path& file : series.files) found.insert(sha256_of_file(file).value_or("unreadable"));
+    if (found != contents) continue;
+    auto source = imaging::segmentation_source(series.files);
+    if (source) source->series_description = "Segmentation";
+    return source;
+  }
+  return other_study();
+}
+
+Result<void> export_segmentation(const Case& patient, const fs::path& target, const std::optional<fs::path>& study) {
   const auto structures = read_structures(patient);
   if (!structures) return failure(structures.error());
   std::vector<imaging::SegmentedMask> segments;
@@ -66,6 +96,14 @@ Result<void> export_segmentation(const Case& patient, const fs::path& target) {
   source.study_uid = imaging::uid_from_name("study " + identity);
   source.series_uid = imaging::uid_from_name("series " + identity);
   source.frame_of_reference_uid = imaging::uid_from_name("frame of reference " + identity);
+  if (study) {
+    auto named = source_in(patient, *study);
+    if (!named) return failure(named.error());
+    source = *std::move(named);
+    // Of several volumes in one series, or of many frames in one file, which slice is which is not known.
+    const auto slices = static_cast<std::size_t>(segments.front().mask.grid.size[2]);
+    if (source.instances.size() != slices) source.instances.clear();
+  }
   return imaging::write_dicom_seg(target, segments, source);
 }
 
@@ -100,7 +138,7 @@ std::optional<ExportFormat> export_format(std::string_view name) {
 }
 
 Result<std::vector<fs::path>> export_case(const Case& patient, ExportFormat format, const fs::path& out,
-                                          const Progress& progress) {
+                                          const Progress& progress, const std::optional<fs::path>& study) {
   const auto entries = entries_for(patient, format);
   if (entries.empty()) {
     return failure(Error{"export-nothing",
@@ -110,7 +148,7 @@ Result<std::vector<fs::path>> export_case(const Case& patient, ExportFormat form
                          patient.folder()});
   }
   if (format == ExportFormat::dicom_seg) {
-    return export_segmentation(patient, out).map([&] { return std::vector{out}; });
+    return export_segmentation(patient, out, study).map([&] { return std::vector{out}; });
   }
   if (format == ExportFormat::vtu) {
     return geometry::read_tetrahedra(patient.folder() / entries.front()->file)

@@ -41,10 +41,9 @@ Result<const Series*> series_for(const Study& study, Role role, const std::optio
                                  const std::string& option);
 std::string id_of(Role role);
 
-Result<Imported> import_chosen(Case& patient, const Study& study, const std::vector<Chosen>& chosen,
-                               const std::vector<WantedLabels>& labels, const Progress& progress) {
+Result<Imported> import_series_of(Case& patient, const Study& study, const std::vector<Chosen>& chosen,
+                                  const std::vector<WantedLabels>& labels, const Progress& progress) {
   Imported imported;
-  // A kill on the way may leave a real volume marked as simulated, and never the reverse.
   const std::string origin = origin_of(study);
   if (!origin.empty()) {
     if (auto marked = patient.set_origin(origin); !marked) return failure(marked.error());
@@ -69,6 +68,19 @@ Result<Imported> import_chosen(Case& patient, const Study& study, const std::vec
     if (auto saved = patient.set_origin(origin); !saved) return failure(saved.error());
   }
   return imported;
+}
+
+// All of it or nothing.
+Result<Imported> import_chosen(Case& patient, const Study& study, const std::vector<Chosen>& chosen,
+                               const std::vector<WantedLabels>& labels, const Progress& progress) {
+  Imported imported;
+  return patient
+      .together([&] {
+        return import_series_of(patient, study, chosen, labels, progress).map([&](Imported all) {
+          imported = std::move(all);
+        });
+      })
+      .map([&] { return std::move(imported); });
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "segmentation/structures.h"
 
 namespace glisson::casefile {
+namespace fs = std::filesystem;
 namespace {
 
 using imaging::Series;
@@ -34,6 +35,7 @@ Result<Read> read_map(const WantedLabels& wanted);
 Failure nothing_named(const std::vector<WantedLabels>& wanted, const std::vector<LabelledPart>& unnamed);
 Failure brought_twice(const std::string& name, const std::string& second);
 Failure outside(const Series& series);
+std::string without_names_of(const Series& series, std::string text);
 
 }  // namespace
 
@@ -79,16 +81,45 @@ Result<std::vector<ImportedStructure>> import_labels(Case& patient, const std::v
   return imported;
 }
 
+// Descriptions, numbers and names of files often name the patient; what was taken in is known by its content.
 Provenance made_from(const Series& series) {
-  Provenance made{"import", {{"series", series.uid}, {"description", series.description}}, {}, {}, {}};
-  for (const std::string& problem : series.problems) made.notes.push_back({problem, {}});
-  for (const auto& file : series.files) {
-    made.sources[file.filename().string()] = sha256_of_file(file).value_or("unreadable");
+  Provenance made{"import", {}, {}, {}, {}};
+  std::string contents;
+  for (std::size_t n = 0; n < series.files.size(); ++n) {
+    const std::string content = sha256_of_file(series.files[n]).value_or("unreadable");
+    made.sources[fmt::format("file-{:05}", n + 1)] = content;
+    contents += content;
   }
+  made.options["series"] = sha256_of_text(contents).substr(0, 16);
+  for (const std::string& problem : series.problems) made.notes.push_back({without_names_of(series, problem), {}});
   return made;
 }
 
 namespace {
+
+// Of its files, and of others beside them (a copy that was left out).
+std::string without_names_of(const Series& series, std::string text) {
+  std::set<fs::path> folders;
+  for (const fs::path& file : series.files) folders.insert(file.parent_path());
+  std::set<std::string> names;
+  for (const fs::path& folder : folders) {
+    std::error_code problem;
+    for (fs::directory_iterator file(folder, problem), end; !problem && file != end; file.increment(problem)) {
+      names.insert(file->path().filename().string());
+    }
+    names.insert(folder.string());
+  }
+  // The longest first, so that none is left that another is part of.
+  std::vector<std::string> in_order(names.begin(), names.end());
+  std::stable_sort(in_order.begin(), in_order.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  for (const std::string& name : in_order) {
+    if (name.size() < 3) continue;
+    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 3)) {
+      text.replace(at, name.size(), "...");
+    }
+  }
+  return text;
+}
 
 Result<Read> read_dicom(const Series& series) {
   auto segments = imaging::read_dicom_seg(series.files.front());
@@ -96,7 +127,6 @@ Result<Read> read_dicom(const Series& series) {
   Read read;
   for (imaging::SegmentedMask& segment : *segments) {
     Provenance made = made_from(series);
-    made.options["segment"] = segment.info.name;
     // Of several "Tumour" each is kept.
     const std::string name = structure_name(segment.info.name);
     const auto taken = [&](const std::string& candidate) {
@@ -130,7 +160,6 @@ Result<Read> read_map(const WantedLabels& wanted) {
     if (part.structure.empty() || std::any_of(read.structures.begin(), read.structures.end(), same)) continue;
     Provenance made = made_from(series);
     made.options["label-value"] = std::to_string(part.value);
-    if (!part.written.empty()) made.options["segment"] = part.written;
     if (!map->named_by.text.empty()) made.notes.push_back(map->named_by);
     if (!left_out.empty()) made.notes.push_back({GLISSON_TEXT("Left out of the label map: {0}."), {left_out}});
     read.structures.push_back({part.structure, mask_of(*map, part.structure),

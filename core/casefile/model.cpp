@@ -66,10 +66,13 @@ Result<meshing::LiverMesh> mesh_liver(Case& patient, const meshing::MeshOptions&
   }
 
   progress.report(0.9, GLISSON_TEXT("Saving the mesh"));
-  auto saved = patient.add("meshes/liver", ".vtu", made,
-                           [&](const fs::path& file) { return geometry::write_tetrahedra(file, meshed->body); });
+  auto saved = patient.together([&] {
+    return patient
+        .add("meshes/liver", ".vtu", made,
+             [&](const fs::path& file) { return geometry::write_tetrahedra(file, meshed->body); })
+        .and_then([&] { return save_structure_surfaces(patient, *structures); });
+  });
   if (!saved) return failure(saved.error());
-  if (auto surfaces = save_structure_surfaces(patient, *structures); !surfaces) return failure(surfaces.error());
   meshed->notes = made.notes;
   return meshed;
 }

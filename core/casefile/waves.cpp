@@ -44,18 +44,20 @@ Result<void> accept_waves(Case& patient, const InvertedWaves& inverted) {
     return patient.add(id, ".nrrd", inverted.made,
                        [&](const fs::path& file) { return imaging::write_volume_file(file, volume); });
   };
-  if (auto saved = save("volumes/shear-wave", map.wave_rad); !saved) return saved;
-  for (const auto& [id, volume] : {std::pair{"volumes/storage", &map.storage_kPa}, {"volumes/loss", &map.loss_kPa}}) {
-    Result<void> done;
-    if (*volume) {
-      done = save(id, **volume);
-    } else if (patient.find(id) != nullptr) {
-      done = patient.remove(id);  // that of an earlier inversion would not belong to this map
+  return patient.together([&]() -> Result<void> {
+    if (auto saved = save("volumes/shear-wave", map.wave_rad); !saved) return saved;
+    for (const auto& [id, volume] : {std::pair{"volumes/storage", &map.storage_kPa}, {"volumes/loss", &map.loss_kPa}}) {
+      Result<void> done;
+      if (*volume) {
+        done = save(id, **volume);
+      } else if (patient.find(id) != nullptr) {
+        done = patient.remove(id);  // that of an earlier inversion would not belong to this map
+      }
+      if (!done) return done;
     }
-    if (!done) return done;
-  }
-  if (auto saved = save("volumes/confidence", map.confidence); !saved) return saved;
-  return save("volumes/stiffness", map.magnitude_kPa);
+    if (auto saved = save("volumes/confidence", map.confidence); !saved) return saved;
+    return save("volumes/stiffness", map.magnitude_kPa);
+  });
 }
 
 Result<elastography::SortedWaves> read_waves(const Case& patient, const elastography::AskedFor& asked) {

@@ -238,6 +238,7 @@ Result<void> write_with(const fs::path& file, vtkDataObject* data, Configure&& c
     const vtkNew<FirstComplaint> complaint;
     const vtkNew<Writer> writer;
     writer->AddObserver(vtkCommand::ErrorEvent, complaint);
+    writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, complaint);
     configure(*writer);
     writer->SetInputData(data);
     writer->SetFileName(beside.c_str());

@@ -36,6 +36,9 @@ std::vector<Face> faces_side_by_side(const TetMesh& mesh);
 // The number of items at `first` that are the same face.
 std::size_t cells_at_face(const std::vector<Face>& faces, std::size_t first);
 
+// Is the order of its corners, outward from the cell, an even permutation of the sorted one?
+bool turns_even(const Face& face);
+
 Corners corners_of(const TetMesh& mesh, std::size_t cell);
 double volume_mm3(const Corners& corners) {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[3] - corners[0]) / 6.0;
@@ -194,6 +197,12 @@ std::size_t cells_at_face(const std::vector<Face>& faces, std::size_t first) {
   return end - first;
 }
 
+bool turns_even(const Face& face) {
+  const auto& [a, b, c] = face.corners;
+  const int exchanged = (a > b) + (a > c) + (b > c);
+  return exchanged % 2 == 0;
+}
+
 Corners corners_of(const TetMesh& mesh, std::size_t cell) {
   Corners corners;
   for (std::size_t i = 0; i < 4; ++i) corners[i] = mesh.points_mm[static_cast<std::size_t>(mesh.cells[cell][i])];
@@ -275,6 +284,15 @@ Result<void> check_that_it_hangs_together(const TetMesh& mesh) {
                    GLISSON_TEXT("The face of the points {0}, {1} and {2} belongs to {3} tetrahedra; at most two can."),
                    {std::to_string(faces[i].sorted[0]), std::to_string(faces[i].sorted[1]),
                     std::to_string(faces[i].sorted[2]), std::to_string(cells)});
+  }
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    if (faces[i].sorted != faces[i - 1].sorted || turns_even(faces[i]) != turns_even(faces[i - 1])) continue;
+    return failure(Error{"mesh-tangled",
+                         GLISSON_TEXT("Tetrahedra {0} and {1} lie on the same side of the face that they share: they "
+                                      "overlap."),
+                         {std::to_string(faces[i - 1].cell), std::to_string(faces[i].cell)},
+                         GLISSON_TEXT("Mesh it anew."),
+                         {}});
   }
 
   std::vector<std::size_t> cells_of_part;

@@ -143,6 +143,16 @@ Result<void> check_room(const VolumeHeader& header, const fs::path& file) {
   const double most = header.coding == VoxelCoding::deflated ? 1032 * there
                       : header.coding == VoxelCoding::text ? there / 2 * static_cast<double>(bytes_of(header.type)) + 8
                                                            : there;
+  // Label maps shrink to a 200th, images to a third; what shrinks more is one value, or made to fill the memory.
+  constexpr double any_size = 256.0 * 1024 * 1024, most_shrunk = 500;
+  if (header.coding == VoxelCoding::deflated && declared > any_size && declared > most_shrunk * there &&
+      declared <= most) {
+    return failure(Error{"volume-file-hollow",
+                         GLISSON_TEXT("{0} holds {1} MB of voxels in {2} MB: nearly all of them have one value."),
+                         {file.string(), fmt::format("{:.0f}", declared / 1e6), fmt::format("{:.1f}", there / 1e6)},
+                         GLISSON_TEXT("Cut out the part that is needed, or resample it to larger voxels."),
+                         file});
+  }
   if (declared <= most) return {};
   return failure(Error{"volume-file-truncated",
                        GLISSON_TEXT("{0} is too short: its header declares {1} bytes of voxels and the file can hold "

@@ -10,6 +10,7 @@
 #include "mechanics/meshfree/meshfree_model.h"
 #include "mechanics/potentials/elastic.h"
 #include "mechanics/scenario/mesh_moduli.h"
+#include "mechanics/statics/buckling.h"
 #include "mechanics/statics/data_driven.h"
 #include "mechanics/statics/displacements.h"
 #include "mechanics/statics/equilibrium.h"
@@ -254,6 +255,12 @@ Result<Answer> linear_equilibrium(const Question& question, const Progress& prog
   progress.report(0.9, GLISSON_TEXT("Solving"));
   auto result = model->solve(question.scenario.loads);
   if (!result) return failure(std::move(result.error()));
+  if (const double beyond = load_beyond_buckling(*model, *result); beyond > 1) {
+    result->notes.push_back(fmt::format(
+        "Linear elasticity cannot know it: the body buckles, at a load at least {:.1f} times smaller. Take a "
+        "material for large deformation (corotational, neo-hookean).",
+        beyond));
+  }
   auto landmarks_mm = model->displacement_at(*result, question.places);
   auto von_mises_kPa = model->von_mises_kPa(*result);
   return Answer{std::move(*result), std::move(landmarks_mm), std::move(von_mises_kPa), {}, {}, {}};

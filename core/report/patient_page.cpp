@@ -18,7 +18,7 @@ using casefile::Entry;
 using casefile::Freshness;
 
 void add_figures(Page& page, const std::vector<Figure>& figures);
-void add_images(Page& page, const Case& patient, bool names_shown);
+void add_images(Page& page, const Case& patient);
 Result<void> add_structures(Page& page, const Case& patient);
 void add_retraction(Page& page, const Case& patient, const std::optional<RehearsedRetraction>& retraction);
 void add_plan(Page& page, const std::optional<hardware::Plan>& plan);
@@ -39,7 +39,7 @@ Result<Page> patient_page(const Case& patient, const PatientPageContent& content
   if (auto added = add_structures(page, patient); !added) return failure(std::move(added.error()));
   add_plan(page, content.plan);
   progress.report(0.3, GLISSON_TEXT("Reading the model"));
-  add_images(page, patient, content.name.has_value());
+  add_images(page, patient);
   if (auto added = add_model(page, patient); !added) return failure(std::move(added.error()));
   if (auto added = add_evidence(page, patient); !added) return failure(std::move(added.error()));
   progress.report(0.7, GLISSON_TEXT("Comparing the files with what they were made from"));
@@ -61,20 +61,15 @@ void add_figures(Page& page, const std::vector<Figure>& figures) {
   if (figures.size() > 1) page.blocks.push_back(FigureRow{{figures.begin() + 1, figures.end()}});
 }
 
-void add_images(Page& page, const Case& patient, bool names_shown) {
+void add_images(Page& page, const Case& patient) {
   page.blocks.push_back(Heading{"Images"});
   Table table{"", {"Volume", "From", "Made by"}, {}};
-  if (names_shown) table.columns.push_back("Series");
   for (const Entry& entry : patient.entries()) {
     if (!entry.id.starts_with("volumes/")) continue;
     std::vector<Cell> row{
         {plain_name(entry.id.substr(std::string("volumes/").size()))},
         {entry.made.sources.empty() ? "the case" : fmt::format("{} files", entry.made.sources.size())},
         {plain_way(entry.made.by)}};
-    if (names_shown) {
-      const auto described = entry.made.options.find("description");
-      row.push_back({described == entry.made.options.end() ? "" : described->second});
-    }
     table.rows.push_back(std::move(row));
   }
   if (table.rows.empty()) {

@@ -3,7 +3,7 @@
 // tools do to the landmarks, the structures; then, from the next page on, how it came about: images, model, evidence,
 // and where each file of the case comes from. Read from the case; what the case does not hold is given.
 //
-// The patient's name, the series' descriptions and the case's own folder stay out of it unless the name is given.
+// The patient's name and the case's own folder stay out of it unless the name is given.
 
 #include <optional>
 #include <string>

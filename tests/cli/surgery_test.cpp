@@ -1,13 +1,12 @@
 // Rehearsing and resecting through the program itself, on a liver that is an ellipsoid with a ball in it.
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <functional>
 
 #include "base/files.h"
 #include "base/json.h"
 #include "support/data.h"
 #include "support/process.h"
+#include "support/small_liver.h"
 
 namespace glisson::test {
 namespace {
@@ -15,38 +14,11 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// Voxels of 5 mm around the origin.
-std::string nrrd(const std::string& type, const std::function<std::string(double, double, double)>& voxel) {
-  std::string file = "NRRD0004\ntype: " + type +
-                     "\ndimension: 3\nspace: left-posterior-superior\nsizes: 34 26 26\n"
-                     "space directions: (5,0,0) (0,5,0) (0,0,5)\nspace origin: (-82.5,-62.5,-62.5)\n"
-                     "kinds: domain domain domain\nendian: little\nencoding: raw\n\n";
-  for (int k = 0; k < 26; ++k) {
-    for (int j = 0; j < 26; ++j) {
-      for (int i = 0; i < 34; ++i) file += voxel(-82.5 + 5 * i, -62.5 + 5 * j, -62.5 + 5 * k);
-    }
-  }
-  return file;
-}
-
-std::string label(bool inside) { return {inside ? '\1' : '\0'}; }
-std::string two_bytes(int value) { return {static_cast<char>(value & 255), static_cast<char>(value >> 8)}; }
-
 class SmallLiver : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
-    const auto write = [](const char* name, const std::string& text) {
-      ASSERT_TRUE(write_text_file(folder_->path() / name, text));
-    };
-    const auto in_liver = [](double x, double y, double z) { return x * x / 4900 + y * y / 2500 + z * z / 2500 < 1; };
-    write("scan.nrrd", nrrd("int16", [&](double x, double y, double z) {
-            return two_bytes((in_liver(x, y, z) ? 300 : 40) + static_cast<int>(x + 100) / 10);
-          }));
-    write("liver.nrrd", nrrd("uint8", [&](double x, double y, double z) { return label(in_liver(x, y, z)); }));
-    write("tumour.nrrd", nrrd("uint8", [](double x, double y, double z) {
-            return label((x + 40) * (x + 40) + y * y + z * z < 15 * 15);
-          }));
+    ASSERT_TRUE(write_small_liver(folder_->path()));
     answer({"import", file("scan.nrrd"), "--case", patient()});
     answer({"segment", patient(), "--structure", "liver", "--labels", file("liver.nrrd")});
     answer({"segment", patient(), "--structure", "tumour-1", "--labels", file("tumour.nrrd")});

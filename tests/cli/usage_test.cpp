@@ -6,6 +6,7 @@
 #include "base/files.h"
 #include "support/folders.h"
 #include "support/process.h"
+#include "support/small_liver.h"
 
 namespace glisson::test {
 namespace {
@@ -82,6 +83,25 @@ TEST(Usage, ASurfaceWithoutAnAreaIsRefusedAndNoDefect) {
     EXPECT_THAT(refused.err, HasSubstr("area"));
   }
   EXPECT_FALSE(fs::exists(out));
+}
+
+// Discs from before Unicode: the bytes of a name are taken as they are, and told as well as JSON can.
+TEST(Usage, NamesThatAreNotUtf8AreReadAndTold) {
+  const TemporaryFolder folder;
+  const fs::path disc = folder.path() / "M\xFCller";
+  ASSERT_TRUE(write_small_liver(disc));
+  const fs::path made = folder.path() / "J\xF6rg.glisson";
+  const Finished imported =
+      glisson_cli({"import", (disc / "scan.nrrd").string(), "--case", made.string(), "--json", "--quiet"});
+  EXPECT_EQ(imported.exit_code, 0) << imported.err;
+  EXPECT_TRUE(imported.json().contains("volumes"));
+  const Finished segmented = glisson_cli({"segment", made.string(), "--structure", "liver", "--labels",
+                                          (disc / "liver.nrrd").string(), "--json", "--quiet"});
+  EXPECT_EQ(segmented.exit_code, 0) << segmented.err;
+  EXPECT_TRUE(parse_json(*read_text_file(made / "case.json")));
+  const Finished missing = glisson_cli({"scan", (disc / "none").string(), "--json", "--quiet"});
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_EQ(missing.json().at("error").at("code"), "path-not-found");
 }
 
 // The answer itself may meet a full disk.

@@ -173,6 +173,24 @@ TEST(VolumeFile, RefusesMoreVoxelsThanAnyScanHas) {
   EXPECT_EQ(read_volume_file_header(file).error().code, "volume-file-too-large");
 }
 
+// Two megabytes of it took four gigabytes of memory.
+TEST(VolumeFile, RefusesWhatUnpacksToHundredsOfTimesItsSize) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "hollow.nrrd";
+  const auto packed = [&](const char* slices, std::size_t bytes) {
+    test::write_bytes(file, std::string("NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\n"
+                                        "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n"
+                                        "endian: little\nencoding: gzip\nsizes: 512 512 ") +
+                                slices + "\n\n" + std::string(bytes, 'x'));
+    const auto header = read_volume_file_header(file);
+    return header ? std::string("read") : header.error().code;
+  };
+  EXPECT_EQ(packed("700", 400'000), "volume-file-hollow");
+  EXPECT_EQ(packed("700", 1'000'000), "read");  // a label map of the whole body
+  EXPECT_EQ(packed("300", 160'000), "read");
+  EXPECT_EQ(packed("700", 300'000), "volume-file-truncated");
+}
+
 // --- as ITK reads them ---
 
 struct ItkVolume {

@@ -82,6 +82,24 @@ TEST_F(HostileFile, CutAnywhere) {
   }
 }
 
+TEST_F(HostileFile, ThatSaysNeitherThatItsPixelsAreSignedNorNot) {
+  const auto file = test::dicom_slice({});
+  file->getDataset()->putAndInsertUint16(DCM_PixelRepresentation, 3);
+  test::save(*file, bad());
+  EXPECT_THAT(reason(), HasSubstr("PixelRepresentation is 3"));
+}
+
+// Rows of another length than they were stored with shear the picture, which only the surplus gives away.
+TEST_F(HostileFile, WithMorePixelsThanRowsAndColumnsIsTold) {
+  const auto file = test::dicom_slice({});
+  std::vector<Uint16> pixels(8 * 6 + 6, 1);
+  file->getDataset()->putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
+  test::save(*file, bad());
+  const auto study = scan(bad());
+  ASSERT_TRUE(study && study->series.size() == 1);
+  EXPECT_THAT(study->series.front().problems, testing::Contains(HasSubstr("the picture may be sheared")));
+}
+
 TEST_F(HostileFile, WithALengthBeyondItsEnd) {
   test::write_bytes(bad(), beginning() + std::string("\x08\x00\x05\x00UN\0\0", 8) + number32(0xFFFFFFF0u) + "short");
   EXPECT_THAT(reason(), HasSubstr("ends at byte"));

@@ -101,7 +101,8 @@ class ReportViewTest : public QObject {
     const auto bytes = read_text_file(html.toStdString(), 1 << 26);
     QVERIFY(bytes && bytes->find("6.00 kPa on average") != std::string::npos);
     QVERIFY(bytes->find(">small<") == std::string::npos);
-    view_->print_pdf(pdf);
+    QVERIFY(bool(view_->print_pdf(pdf.toStdString())));
+    QVERIFY(!view_->print_pdf("/proc/nowhere/report.pdf"));
     QFile file(pdf);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.read(5) == "%PDF-");

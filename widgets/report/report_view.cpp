@@ -6,6 +6,7 @@
 #include <QPrinter>
 #include <QVBoxLayout>
 
+#include "base/files.h"
 #include "geometry/mesh_file.h"
 #include "report/html.h"
 #include "report/patient_page.h"
@@ -223,14 +224,18 @@ Result<void> ReportView::save_html(const fs::path& file) const {
   return report::write_html(file, *page_);
 }
 
-void ReportView::print_pdf(const QString& file) const {
+// Qt does not notice a full disk.
+Result<void> ReportView::print_pdf(const fs::path& file) const {
   GLISSON_ASSERT(document_ != nullptr);
-  QPrinter printer(QPrinter::HighResolution);
-  printer.setOutputFormat(QPrinter::PdfFormat);
-  printer.setOutputFileName(file);
-  printer.setPageSize(QPageSize(QPageSize::A4));
-  printer.setDocName(tr("Report"));
-  document_->print(&printer);
+  return write_atomically(file, [this](const fs::path& beside) -> Result<void> {
+    QPrinter printer(QPrinter::HighResolution);
+    printer.setOutputFormat(QPrinter::PdfFormat);
+    printer.setOutputFileName(text_of(beside));
+    printer.setPageSize(QPageSize(QPageSize::A4));
+    printer.setDocName(tr("Report"));
+    document_->print(&printer);
+    return {};
+  });
 }
 
 void ReportView::choose_html() {
@@ -246,11 +251,10 @@ void ReportView::choose_html() {
 void ReportView::choose_pdf() {
   const QString file = ask_where_to_save(this, tr("Print the report"), pdf_name, tr("PDF (*.pdf)"));
   if (file.isEmpty()) return;
-  print_pdf(file);
-  if (QFileInfo(file).size() > 0) {
-    context_.tell_status(tr("The report is in %1").arg(file));
+  if (auto written = print_pdf(path_of(file)); !written) {
+    context_.tell_error(written.error());
   } else {
-    context_.tell_status(tr("The report could not be written to %1.").arg(file));
+    context_.tell_status(tr("The report is in %1").arg(file));
   }
 }
 

@@ -33,7 +33,7 @@ class ReportView : public QWidget {
   // Collects everything anew, on a worker.
   void refresh();
   Result<void> save_html(const std::filesystem::path& file) const;
-  void print_pdf(const QString& file) const;
+  Result<void> print_pdf(const std::filesystem::path& file) const;
 
  protected:
   void showEvent(QShowEvent* event) override;

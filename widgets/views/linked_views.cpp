@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "widgets/panels/ask_path.h"
+#include "widgets/panels/write_picture.h"
+#include "widgets/words/paths.h"
 #include "widgets/words/worded.h"
 
 namespace glisson::widgets {
@@ -126,7 +128,7 @@ void LinkedViews::save_picture(std::size_t frame) {
   const QImage picture = views[frame]->smooth_picture();  // as it is now, before a dialog lies over it
   static constexpr const char* proposed = "view.png";
   const QString file = ask_where_to_save(this, tr("Save the picture"), proposed, tr("Pictures (*.png)"));
-  if (!file.isEmpty() && !picture.save(file)) Q_EMIT picture_not_saved(file);
+  if (!file.isEmpty() && !write_picture(picture, path_of(file))) Q_EMIT picture_not_saved(file);
 }
 
 void LinkedViews::show_slices(const SliceContent& content) {

@@ -10,6 +10,9 @@
 namespace glisson::mechanics {
 namespace {
 
+// A millionth of what the softest gels have, and diamond's.
+constexpr double softest_kPa = 1e-6, stiffest_kPa = 1.2e9;
+
 Result<void> check_size(const geometry::TetMesh& mesh);
 Result<void> check_material(const std::vector<double>& youngs_kPa, std::size_t cells, const StaticOptions& options);
 std::string free_motion_of_any_part(const Body& body);
@@ -100,7 +103,15 @@ Result<void> check_material(const std::vector<double>& youngs_kPa, std::size_t c
                    {std::to_string(youngs_kPa.size()), std::to_string(cells)});
   }
   for (std::size_t c = 0; c < cells; ++c) {
-    if (std::isfinite(youngs_kPa[c]) && youngs_kPa[c] > 0) continue;
+    if (youngs_kPa[c] >= softest_kPa && youngs_kPa[c] <= stiffest_kPa) continue;
+    if (std::isfinite(youngs_kPa[c]) && youngs_kPa[c] > 0) {
+      return failure(Error{"modulus-invalid",
+                           GLISSON_TEXT("Young's modulus of cell {0} is {1} kPa; matter has {2} to {3} kPa."),
+                           {std::to_string(c), fmt::format("{}", youngs_kPa[c]), fmt::format("{}", softest_kPa),
+                            fmt::format("{}", stiffest_kPa)},
+                           GLISSON_TEXT("Check its unit: liver has 2 to 60 kPa."),
+                           {}});
+    }
     return failure(Error{"modulus-invalid",
                          GLISSON_TEXT("Young's modulus of cell {0} is {1} kPa; it must be a number above zero."),
                          {std::to_string(c), fmt::format("{}", youngs_kPa[c])},

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 #include <cmath>
+#include <Eigen/Geometry>
+#include <limits>
 
 #include "base/stopwatch.h"
 #include "mechanics/elements/strain.h"
@@ -11,6 +13,17 @@
 #include "mechanics/statics/validity.h"
 
 namespace glisson::mechanics {
+namespace {
+
+constexpr double times_its_size = 1000, unlimited = std::numeric_limits<double>::infinity();
+
+double size_of(const Body& body) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& position : body.layout.positions_mm) box.extend(position);
+  return box.diagonal().norm();
+}
+
+}  // namespace
 
 Result<StaticResult> find_equilibrium(const Body& body, const std::vector<Material>& materials, const Loads& loads,
                                       const NewtonOptions& options, const Progress& progress) {
@@ -41,29 +54,38 @@ Result<StaticResult> find_equilibrium(const Body& body, const std::vector<Materi
   result.why_stopped =
       whole ? fmt::format("The relative residual {:.1e} is within the tolerance {:.1e}.", carried->relative_residual,
                           options.relative_tolerance)
-            : fmt::format(
-                  "Beyond {:.1f} % of the load no equilibrium was found within {} Newton steps: the relative "
-                  "residual stayed at {:.1e}, above the tolerance {:.1e}.",
-                  100.0 * carried->share, options.max_steps, carried->relative_residual, options.relative_tolerance);
+      : carried->hopeless
+          ? fmt::format(
+                "The body is far too soft for its load: by small strain it would move more than {:g} times its own "
+                "size. Check the units of stiffness and load.",
+                times_its_size)
+          : fmt::format(
+                "Beyond {:.1f} % of the load no equilibrium was found within {} Newton steps: the relative "
+                "residual stayed at {:.1e}, above the tolerance {:.1e}.",
+                100.0 * carried->share, options.max_steps, carried->relative_residual, options.relative_tolerance);
   result.step_ms = 1e3 * watch.seconds();
   return result;
 }
 
 Result<CarriedLoad> carry_load(const Unknowns& unknowns, const Body& body, const std::vector<Material>& materials,
                                const AppliedLoads& loads, const NewtonOptions& options, const Progress& progress) {
-  const MinimiseOptions newton{options.relative_tolerance, options.max_steps, body.options.memory_limit_bytes};
+  MinimiseOptions newton{options.relative_tolerance, options.max_steps, body.options.memory_limit_bytes};
   const Eigen::VectorXd rest_mm = Eigen::VectorXd::Zero(loads.dead_mN.size());
   CarriedLoad carried{unknowns.at_rest()};
   double part = 1.0;
-  for (int halvings = 0; carried.share < 1.0 && halvings <= options.max_halvings;) {
+  for (int halvings = 0; carried.share < 1.0 && halvings <= options.max_halvings &&
+                         carried.steps < options.max_steps_in_all && !carried.hopeless;) {
     progress.report(carried.share, GLISSON_TEXT("Looking for the equilibrium"));
     const double next = std::min(1.0, carried.share + part);
     const AppliedLoads now = share_of(loads, next);
     // At rest ligaments and capsule pull at nothing: what is left is the load.
     const double scale_mN = unknowns.size_mN(force_mN(boundary_and_loads(body, now), rest_mm));
     const TotalPotential potential(body, static_potentials(body, materials, now));
+    // At rest the first direction is the answer of small strain.
+    newton.longest_mm = carried.steps == 0 ? times_its_size * size_of(body) : unlimited;
     auto found = unknowns.minimum_of(potential, scale_mN, carried.x_mm, newton, progress);
     if (!found) return failure(std::move(found.error()));
+    carried.hopeless = found->hopeless;
     carried.steps += found->steps;
     carried.relative_residual = found->relative_residual;
     if (found->converged) {

@@ -18,6 +18,7 @@ struct NewtonOptions {
   double relative_tolerance = 1e-6;  // of the loads; Newton's last step usually leaves far less
   int max_steps = 40;                // for each part of the load: what needs more is better loaded in smaller parts
   int max_halvings = 6;              // of the load: no part is smaller than 1/64 of it
+  int max_steps_in_all = 600;        // 64 parts of nine steps
 };
 
 // The result's `iterations` are Newton steps, all parts of the load together; `external_work_uJ` is f.u, of dead loads,

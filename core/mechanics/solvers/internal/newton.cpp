@@ -47,6 +47,9 @@ Result<NewtonResult> minimise(const Objective& objective, const std::vector<std:
     const auto direction =
         newton_direction(objective, fixed, descent.u_mm, residual_mN, options.memory_limit_bytes, progress, order);
     if (!direction) return failure(direction.error());
+    // Also where it is no number.
+    descent.hopeless = descent.steps == 0 && !(direction->lpNorm<Eigen::Infinity>() <= options.longest_mm);
+    if (descent.hopeless) return descent;
     const double slope_uJ = residual_mN.dot(*direction);
 
     // Backtracking until the energy falls by a little of what its slope promises (Armijo). Near the end the fall drowns

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <Eigen/SparseCore>
+#include <limits>
 #include <vector>
 
 #include "base/progress.h"
@@ -17,6 +18,7 @@ struct NewtonResult {
   double relative_residual = 0;  // of `scale_mN`, over what is not held
   int steps = 0;
   bool converged = false;
+  bool hopeless = false;  // the first direction was longer than allowed
 };
 
 // From `start_mm`, which keeps its values where `held` is 1. Where the scale is zero nothing loads what is free, and
@@ -25,6 +27,7 @@ struct MinimiseOptions {
   double relative_tolerance = 1e-6;
   int max_steps = 40;
   std::uint64_t memory_limit_bytes = 0;
+  double longest_mm = std::numeric_limits<double>::infinity();  // of the first direction, at any node
 };
 Result<NewtonResult> minimise(const Objective& objective, const std::vector<std::uint8_t>& fixed, double scale_mN,
                               const Eigen::VectorXd& start_mm, const MinimiseOptions& options,

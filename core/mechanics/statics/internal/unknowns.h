@@ -50,7 +50,8 @@ struct CarriedLoad {
   Eigen::VectorXd x_mm;
   double share = 0;  // 1: all of it
   double relative_residual = 0;
-  int steps = 0;  // Newton's
+  int steps = 0;          // Newton's
+  bool hopeless = false;  // by small strain the body would move a thousand times its size
 };
 Result<CarriedLoad> carry_load(const Unknowns& unknowns, const Body& body, const std::vector<Material>& materials,
                                const AppliedLoads& loads, const NewtonOptions& options, const Progress& progress);

@@ -1,0 +1,206 @@
+// A hundred names, numbers and notes are planted wherever a study has room for them: in the attributes of its files,
+// outermost and nested, in private ones, in the names of files and folders, in the comments of volumes, labels and
+// surfaces. Then everything that the program writes is searched for them.
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <zlib.h>
+#include <algorithm>
+#include <cctype>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "support/dicom_files.h"
+#include "support/process.h"
+#include "support/small_liver.h"
+
+namespace glisson::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string planted = "SEKRET";
+const std::string planted_uid = "1.2.826.0.987654321";
+
+// All text that a file of the dictionary may hold, and the same two levels down.
+int plant_everywhere(DcmDataset& data) {
+  DcmItem *frame = nullptr, *deep = nullptr;
+  data.findOrCreateSequenceItem(DCM_ReferencedImageSequence, frame, -2);
+  frame->findOrCreateSequenceItem(DCM_PurposeOfReferenceCodeSequence, deep, -2);
+  std::vector<DcmTag> tags;
+  DcmDataDictionary& dictionary = dcmDataDict.wrlock();
+  for (auto entry = dictionary.normalBegin(); entry != dictionary.normalEnd(); ++entry) {
+    const DcmTagKey key = (*entry)->getKey();
+    const bool of_the_file = key.getGroup() < 0x0008 || key.getGroup() >= 0x7fe0 || key.getElement() == 0;
+    if (of_the_file || (*entry)->getPrivateCreator() != nullptr) continue;
+    tags.emplace_back(key, (*entry)->getVR());
+  }
+  dcmDataDict.wrunlock();
+  int count = 0;
+  for (const DcmTag& tag : tags) {
+    switch (tag.getEVR()) {
+      case EVR_PN:
+      case EVR_LO:
+      case EVR_SH:
+      case EVR_LT:
+      case EVR_ST:
+      case EVR_UT:
+      case EVR_UC:
+      case EVR_AE: break;
+      default: continue;
+    }
+    for (DcmItem* item : {static_cast<DcmItem*>(&data), deep}) {
+      if (item->putAndInsertString(tag, fmt::format("{}{:04x}", planted, tag.getElement()).c_str()).good()) ++count;
+    }
+  }
+  data.putAndInsertString(DcmTag(0x0009, 0x0010, EVR_LO), planted.c_str());
+  data.putAndInsertString(DcmTag(0x0009, 0x1001, EVR_UT), planted.c_str());
+  return count;
+}
+
+// The small liver as a study.
+int write_study(const fs::path& folder) {
+  int count = 0;
+  for (int k = 0; k < 26; ++k) {
+    SliceSpec spec;
+    spec.columns = 34;
+    spec.rows = 26;
+    spec.column_spacing_mm = spec.row_spacing_mm = 5;
+    spec.position_mm = {-82.5, -62.5, -62.5 + 5.0 * k};
+    spec.instance_number = k + 1;
+    spec.study_uid = planted_uid + ".1";
+    spec.series_uid = planted_uid + ".2";
+    spec.frame_of_reference_uid = planted_uid + ".3";
+    spec.value = [=](int i, int j) {
+      const double x = -82.5 + 5 * i, y = -62.5 + 5 * j, z = -62.5 + 5 * k;
+      return x * x / 4900 + y * y / 2500 + z * z / 2500 < 1 ? 300 : 40;
+    };
+    const auto file = dicom_slice(spec);
+    count += plant_everywhere(*file->getDataset());
+    file->getDataset()->putAndInsertString(DCM_SOPInstanceUID, fmt::format("{}.4.{}", planted_uid, k).c_str());
+    fs::create_directories(folder);
+    save(*file, folder / fmt::format("{}-{:02}.dcm", planted, k));
+  }
+  return count;
+}
+
+std::string in_capitals(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::toupper(c); });
+  return text;
+}
+
+// What a file holds, unpacked where it is packed as a whole.
+std::string content(const fs::path& file) {
+  if (file.extension() != ".gz") return *read_text_file(file);
+  std::string bytes;
+  const gzFile stream = ::gzopen(file.c_str(), "rb");
+  char block[4096];
+  for (int got = 0; (got = ::gzread(stream, block, sizeof block)) > 0;)
+    bytes.append(block, static_cast<std::size_t>(got));
+  ::gzclose(stream);
+  return bytes;
+}
+
+int expect_nothing_planted_in(const fs::path& folder) {
+  int files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().string().substr(folder.string().size());
+    EXPECT_EQ(in_capitals(name).find(planted), std::string::npos) << name;
+    if (!entry.is_regular_file()) continue;
+    ++files;
+    const std::string bytes = in_capitals(content(entry.path()));
+    for (const std::string& secret : {planted, planted_uid}) {
+      const std::size_t at = bytes.find(secret);
+      EXPECT_EQ(at, std::string::npos) << name << ": ..." << bytes.substr(at < 60 ? 0 : at - 60, 160) << "...";
+    }
+  }
+  return files;
+}
+
+class PlantedNames : public testing::Test {
+ protected:
+  void run(std::vector<std::string> words) {
+    words.push_back("--quiet");
+    const Finished finished = glisson_cli(words);
+    EXPECT_EQ(finished.exit_code, 0) << words.front() << ": " << finished.err;
+    if (words.front() != "scan") said_ += finished.out;
+  }
+  [[nodiscard]] std::string in(const std::string& name) const { return (disc_.path() / name).string(); }
+  [[nodiscard]] std::string out(const std::string& name) const { return (out_.path() / name).string(); }
+  void write(const std::string& name, const std::string& text) const {
+    ASSERT_TRUE(write_text_file(disc_.path() / name, text));
+  }
+
+  TemporaryFolder disc_, out_;
+  std::string said_;
+};
+
+TEST_F(PlantedNames, StandInNothingThatIsWritten) {
+  const std::string study = in("SEKRET-Anna/scan");
+  EXPECT_GT(write_study(study), 26 * 100);
+  ASSERT_TRUE(write_small_liver(disc_.path()));
+  fs::rename(in("liver.nrrd"), in("SEKRET-liver.nrrd"));
+  fs::rename(in("tumour.nrrd"), in("SEKRET-tumour.nrrd"));
+  // Free text in a volume's header.
+  std::string noted = *read_text_file(in("scan.nrrd"));
+  noted.insert(noted.find('\n') + 1, "# SEKRET comment\ncontent: SEKRET\nSekretKey:=SEKRET\n");
+  write("SEKRET.nrrd", noted);
+  write("pull.json", R"({"loads": [{"tool": {"center_mm": [0, -50, 0], "radius_mm": 15, "force_N": [0, -0.5, 0]}}]})");
+  write("hook.json", R"({"format": "glisson-session/1", "commands": [{"hold": {"id": "hook",
+      "shape": "nathanson-retractor", "position_mm": [0, 0, -70], "direction": [0, 0, 1], "push_mN": 200}}]})");
+  write("SEKRET-model.json", R"({"format": "glisson-closedloop-model/1", "kind": "palpation", "verdict": "explained",
+      "effects": [{"kind": "stiffness-scale", "parameters": {"factor": 0.5}}]})");
+
+  const std::string patient = out("p.glisson");
+  run({"import", study, "--case", patient});
+  run({"import", in("SEKRET.nrrd"), "--case", out("q.glisson")});
+  run({"segment", patient, "--structure", "liver", "--labels", in("SEKRET-liver.nrrd")});
+  run({"segment", patient, "--structure", "tumour-1", "--labels", in("SEKRET-tumour.nrrd")});
+  run({"mesh", patient, "--target-cells", "600"});
+  run({"stiffness", patient, "--uniform-kPa", "6"});
+  run({"simulate", patient, "--scenario", in("pull.json"), "--out", out("result")});
+  run({"resect", patient, "--plane=-20,0,0,1,0,0", "--out", out("resection")});
+  run({"session", patient, "--commands", in("hook.json"), "--out", out("recorded.json")});
+  run({"accept", patient, in("SEKRET-model.json"), "--of-this-patient"});
+  run({"report", patient, "--out", out("page.html")});
+  run({"render", patient, "--scene", "organ", "--size", "160x120", "--out", out("organ.png")});
+  for (const char* format : {"nrrd", "nifti", "stl", "obj", "vtp"}) {
+    run({"export", patient, "--format", format, "--out", out(format)});
+  }
+  run({"export", patient, "--format", "dicom-seg", "--out", out("seg.dcm")});
+  run({"export", patient, "--format", "vtu", "--out", out("liver.vtu")});
+  run({"deidentify", in("SEKRET-Anna"), "--out", out("nameless")});
+  run({"import", out("nameless"), "--case", out("r.glisson")});
+  run({"study", "beams", patient, "--nodes", "60", "--out", out("beams")});
+  // Surfaces with a title in them.
+  std::string obj = *read_text_file(out("obj/liver.obj"));
+  write("SEKRET.obj", "# SEKRET\no SEKRET\n" + obj);
+  run({"register", in("SEKRET.obj"), in("SEKRET.obj"), "--method", "icp", "--out", out("moved.ply")});
+  run({"match", in("SEKRET.obj"), in("SEKRET.obj"), "--points", "20", "--out", out("matches.csv")});
+  ASSERT_FALSE(HasFailure()) << said_;
+  EXPECT_GT(expect_nothing_planted_in(out_.path()), 40);
+
+  // On request alone: so that an archive can put the outlines to the images.
+  run({"export", patient, "--format", "dicom-seg", "--study", study, "--out", out("referring.dcm")});
+  DcmFileFormat referring;
+  ASSERT_TRUE(referring.loadFile(out("referring.dcm").c_str()).good());
+  OFString name, study_uid;
+  referring.getDataset()->findAndGetOFString(DCM_PatientName, name);
+  referring.getDataset()->findAndGetOFString(DCM_StudyInstanceUID, study_uid);
+  EXPECT_THAT(name.c_str(), testing::HasSubstr(planted));
+  EXPECT_EQ(study_uid, OFString((planted_uid + ".1").c_str()));
+  DcmItem* series = nullptr;
+  ASSERT_TRUE(referring.getDataset()->findAndGetSequenceItem(DCM_ReferencedSeriesSequence, series).good());
+  DcmSequenceOfItems* instances = nullptr;
+  ASSERT_TRUE(series->findAndGetSequence(DCM_ReferencedInstanceSequence, instances).good());
+  EXPECT_EQ(instances->card(), 26u);
+  const Finished other = glisson_cli(
+      {"export", patient, "--format", "dicom-seg", "--study", out("nameless"), "--out", out("no.dcm"), "--quiet"});
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_THAT(other.err, testing::HasSubstr("does not hold the images"));
+}
+
+}  // namespace
+}  // namespace glisson::test
