@@ -4256,6 +4256,18 @@
         <source>there is no picture</source>
         <translation>no hay ninguna imagen</translation>
     </message>
+    <message>
+        <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
+        <translation>Los módulos de {0} se calcularon a partir de módulos de cizalla con un coeficiente de Poisson de {1}, no de {2}.</translation>
+    </message>
+    <message>
+        <source>Say &quot;poisson_ratio&quot;: {1} in the specimen.</source>
+        <translation>Indique &quot;poisson_ratio&quot;: {1} en la muestra (specimen).</translation>
+    </message>
+    <message>
+        <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
+        <translation>El coeficiente de Poisson de la malla debe ser mayor que -1 y no superar 0.5; es {0}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -4342,6 +4354,69 @@
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
         <translation>Registra cada fotograma con los algoritmos de arriba y los juzga con SIRGn: hasta un segundo por fotograma, más o menos</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::CandidatesTable</name>
+    <message>
+        <source>very strong</source>
+        <translation>muy fuerte</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>fuerte</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>débil</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Suspect, each by itself</source>
+        <translation>Sospechoso, cada uno por sí solo</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>On trials left out</source>
+        <translation>En ensayos apartados</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Evidencia</translation>
+    </message>
+    <message>
+        <source>These data cannot tell it from</source>
+        <translation>Estos datos no lo distinguen de</translation>
+    </message>
+    <message>
+        <source>Root mean square on the trials that it was fitted to</source>
+        <translation>Media cuadrática en los ensayos a los que se ajustó</translation>
+    </message>
+    <message>
+        <source>Root mean square on trials that it was not fitted to, left out whole</source>
+        <translation>Media cuadrática en ensayos enteros apartados, a los que no se ajustó</translation>
+    </message>
+    <message>
+        <source>Against the declared model, by the difference of BIC</source>
+        <translation>Contra el modelo declarado, por la diferencia de BIC</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>ΔBIC %1</source>
+        <translation>ΔBIC %1</translation>
+    </message>
+    <message>
+        <source>out of the running: %1</source>
+        <translation>fuera de concurso: %1</translation>
     </message>
 </context>
 <context>
@@ -7520,69 +7595,6 @@ Módulo de Young %2 kPa (supuesto)</translation>
     <message>
         <source>No part of the model: drawn where it was outlined, it does not move.</source>
         <translation>No es parte del modelo: se dibuja donde se contorneó y no se mueve.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::widgets::SuspectsTable</name>
-    <message>
-        <source>Suspect, each by itself</source>
-        <translation>Sospechoso, cada uno por sí solo</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Error</translation>
-    </message>
-    <message>
-        <source>On trials left out</source>
-        <translation>En ensayos apartados</translation>
-    </message>
-    <message>
-        <source>These data cannot tell it from</source>
-        <translation>Estos datos no lo distinguen de</translation>
-    </message>
-    <message>
-        <source>Root mean square on the trials that it was fitted to</source>
-        <translation>Media cuadrática en los ensayos a los que se ajustó</translation>
-    </message>
-    <message>
-        <source>Root mean square on trials that it was not fitted to, left out whole</source>
-        <translation>Media cuadrática en ensayos enteros apartados, a los que no se ajustó</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>out of the running: %1</source>
-        <translation>fuera de concurso: %1</translation>
-    </message>
-    <message>
-        <source>very strong</source>
-        <translation>muy fuerte</translation>
-    </message>
-    <message>
-        <source>strong</source>
-        <translation>fuerte</translation>
-    </message>
-    <message>
-        <source>weak</source>
-        <translation>débil</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>ninguna</translation>
-    </message>
-    <message>
-        <source>Evidence</source>
-        <translation>Evidencia</translation>
-    </message>
-    <message>
-        <source>Against the declared model, by the difference of BIC</source>
-        <translation>Contra el modelo declarado, por la diferencia de BIC</translation>
-    </message>
-    <message>
-        <source>ΔBIC %1</source>
-        <translation>ΔBIC %1</translation>
     </message>
 </context>
 <context>

@@ -4256,6 +4256,18 @@
         <source>there is no picture</source>
         <translation>il n’y a pas d’image</translation>
     </message>
+    <message>
+        <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
+        <translation>Les modules de {0} ont été calculés à partir de modules de cisaillement avec un coefficient de Poisson de {1}, et non de {2}.</translation>
+    </message>
+    <message>
+        <source>Say &quot;poisson_ratio&quot;: {1} in the specimen.</source>
+        <translation>Indiquez &quot;poisson_ratio&quot; : {1} dans l’échantillon (specimen).</translation>
+    </message>
+    <message>
+        <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
+        <translation>Le coefficient de Poisson du maillage doit être supérieur à -1 et ne pas dépasser 0.5 ; il vaut {0}.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -4342,6 +4354,69 @@
     <message>
         <source>Registers every frame by the algorithms above and judges them by SIRGn: up to a second or so a frame</source>
         <translation>Recale chaque image par les algorithmes ci-dessus et les juge par SIRGn&#xa0;: jusqu’à une seconde environ par image</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::CandidatesTable</name>
+    <message>
+        <source>very strong</source>
+        <translation>très forte</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>forte</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>faible</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Suspect, each by itself</source>
+        <translation>Suspect, chacun seul</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>On trials left out</source>
+        <translation>Sur les essais écartés</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Preuve</translation>
+    </message>
+    <message>
+        <source>These data cannot tell it from</source>
+        <translation>Ces données ne le distinguent pas de</translation>
+    </message>
+    <message>
+        <source>Root mean square on the trials that it was fitted to</source>
+        <translation>Moyenne quadratique sur les essais auxquels il a été ajusté</translation>
+    </message>
+    <message>
+        <source>Root mean square on trials that it was not fitted to, left out whole</source>
+        <translation>Moyenne quadratique sur des essais entiers écartés, auxquels il n’a pas été ajusté</translation>
+    </message>
+    <message>
+        <source>Against the declared model, by the difference of BIC</source>
+        <translation>Contre le modèle déclaré, par la différence de BIC</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>ΔBIC %1</source>
+        <translation>ΔBIC %1</translation>
+    </message>
+    <message>
+        <source>out of the running: %1</source>
+        <translation>hors course : %1</translation>
     </message>
 </context>
 <context>
@@ -7520,69 +7595,6 @@ Module de Young %2 kPa (supposé)</translation>
     <message>
         <source>No part of the model: drawn where it was outlined, it does not move.</source>
         <translation>Ne fait pas partie du modèle : dessiné là où il a été délimité, il ne bouge pas.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::widgets::SuspectsTable</name>
-    <message>
-        <source>Suspect, each by itself</source>
-        <translation>Suspect, chacun seul</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Erreur</translation>
-    </message>
-    <message>
-        <source>On trials left out</source>
-        <translation>Sur les essais écartés</translation>
-    </message>
-    <message>
-        <source>These data cannot tell it from</source>
-        <translation>Ces données ne le distinguent pas de</translation>
-    </message>
-    <message>
-        <source>Root mean square on the trials that it was fitted to</source>
-        <translation>Moyenne quadratique sur les essais auxquels il a été ajusté</translation>
-    </message>
-    <message>
-        <source>Root mean square on trials that it was not fitted to, left out whole</source>
-        <translation>Moyenne quadratique sur des essais entiers écartés, auxquels il n’a pas été ajusté</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>out of the running: %1</source>
-        <translation>hors course&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>very strong</source>
-        <translation>très forte</translation>
-    </message>
-    <message>
-        <source>strong</source>
-        <translation>forte</translation>
-    </message>
-    <message>
-        <source>weak</source>
-        <translation>faible</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>aucune</translation>
-    </message>
-    <message>
-        <source>Evidence</source>
-        <translation>Preuve</translation>
-    </message>
-    <message>
-        <source>Against the declared model, by the difference of BIC</source>
-        <translation>Contre le modèle déclaré, par la différence de BIC</translation>
-    </message>
-    <message>
-        <source>ΔBIC %1</source>
-        <translation>ΔBIC %1</translation>
     </message>
 </context>
 <context>
