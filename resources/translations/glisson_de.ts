@@ -261,10 +261,6 @@
         <translation>Schreiben</translation>
     </message>
     <message>
-        <source>SIMULATED from a real patient&apos;s anatomy, not measured</source>
-        <translation>SIMULIERT nach der Anatomie eines wirklichen Patienten, nicht gemessen</translation>
-    </message>
-    <message>
         <source>The study has no series {0}.</source>
         <translation>Die Studie hat keine Serie {0}.</translation>
     </message>
@@ -2801,22 +2797,6 @@
         <translation>Zeichnen</translation>
     </message>
     <message>
-        <source>The surface in {0} is not closed, so nothing lies inside it.</source>
-        <translation>Die Oberfläche in {0} ist nicht geschlossen, also liegt nichts in ihr.</translation>
-    </message>
-    <message>
-        <source>Use the anatomy that ships with the program.</source>
-        <translation>Verwenden Sie die mitgelieferte Anatomie.</translation>
-    </message>
-    <message>
-        <source>{0} does not list the demo&apos;s landmarks: {1}.</source>
-        <translation>{0} führt die Landmarken der Demonstration nicht auf: {1}.</translation>
-    </message>
-    <message>
-        <source>reading the anatomy</source>
-        <translation>Anatomie wird gelesen</translation>
-    </message>
-    <message>
         <source>simulating the MR images</source>
         <translation>MR-Bilder werden simuliert</translation>
     </message>
@@ -3467,10 +3447,6 @@
     <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
         <translation>kein Modell angegeben, daher auch kein Abstand davon (RMSE)</translation>
-    </message>
-    <message>
-        <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULIERT: die Form der Leber eines wirklichen Patienten, die nach einer Formel atmet und von einem Instrument eingedrückt wird. Die „vorgegebene“ Registrierung ist die wahre, in die links im Bild ein Fehler eingebaut wurde.</translation>
     </message>
     <message>
         <source>The movie {0} cannot be written.</source>
@@ -4220,6 +4196,14 @@
         <source>Bring it back to its place, or open the case where it is now.</source>
         <translation>Bringen Sie ihn an seinen Platz zurück, oder öffnen Sie den Fall dort, wo er jetzt ist.</translation>
     </message>
+    <message>
+        <source>SIMULATED, not measured</source>
+        <translation>SIMULIERT, nicht gemessen</translation>
+    </message>
+    <message>
+        <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
+        <translation>SIMULIERT: eine erzeugte Leber, die nach einer Formel atmet und von einem Instrument eingedrückt wird. Die „vorgegebene“ Registrierung ist die wahre, in die links im Bild ein Fehler eingebaut wurde.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -4824,10 +4808,6 @@
         <translation>Das Beispiel probieren</translation>
     </message>
     <message>
-        <source>Silicone of liver-like stiffness, compressed: measured, not simulated</source>
-        <translation>Silikon von leberähnlicher Steifigkeit unter Druck: gemessen, nicht simuliert</translation>
-    </message>
-    <message>
         <source>Open a report...</source>
         <translation>Bericht öffnen …</translation>
     </message>
@@ -4862,16 +4842,6 @@
     <message>
         <source>Save the report...</source>
         <translation>Bericht speichern …</translation>
-    </message>
-    <message>
-        <source>Open measurements of a palpation, a material test or a wearable computer.
-Glisson says how far the declared model is off, what it lacks, and how sure that is.
-
-No measurements at hand? Try the example: silicone of liver-like stiffness in compression.</source>
-        <translation>Öffnen Sie Messungen einer Palpation, eines Materialversuchs oder eines am Körper getragenen Rechners.
-Glisson sagt, wie weit das angegebene Modell danebenliegt, was ihm fehlt und wie sicher das ist.
-
-Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnlicher Steifigkeit unter Druck.</translation>
     </message>
     <message>
         <source>Explaining %1</source>
@@ -5028,6 +4998,20 @@ Das geprobte Organ ändert sich:
     <message>
         <source>Accept</source>
         <translation>Annehmen</translation>
+    </message>
+    <message>
+        <source>A sample of tissue, compressed: simulated, and it does something that its file does not declare</source>
+        <translation>Eine Gewebeprobe unter Druck: simuliert, und sie tut etwas, das ihre Datei nicht angibt</translation>
+    </message>
+    <message>
+        <source>Open measurements of a palpation, a material test or a wearable computer.
+Glisson says how far the declared model is off, what it lacks, and how sure that is.
+
+No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
+        <translation>Öffnen Sie Messungen einer Palpation, eines Materialversuchs oder eines am Körper getragenen Rechners.
+Glisson sagt, wie weit das angegebene Modell danebenliegt, was ihm fehlt und wie sicher das ist.
+
+Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprobe, die etwas nicht Angegebenes tut.</translation>
     </message>
 </context>
 <context>

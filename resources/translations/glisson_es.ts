@@ -261,10 +261,6 @@
         <translation>Escribiendo</translation>
     </message>
     <message>
-        <source>SIMULATED from a real patient&apos;s anatomy, not measured</source>
-        <translation>SIMULADO a partir de la anatomía de un paciente real, no medido</translation>
-    </message>
-    <message>
         <source>The study has no series {0}.</source>
         <translation>El estudio no tiene la serie {0}.</translation>
     </message>
@@ -2801,22 +2797,6 @@
         <translation>Dibujando</translation>
     </message>
     <message>
-        <source>The surface in {0} is not closed, so nothing lies inside it.</source>
-        <translation>La superficie de {0} no está cerrada, así que no hay nada en su interior.</translation>
-    </message>
-    <message>
-        <source>Use the anatomy that ships with the program.</source>
-        <translation>Use la anatomía incluida con el programa.</translation>
-    </message>
-    <message>
-        <source>{0} does not list the demo&apos;s landmarks: {1}.</source>
-        <translation>{0} no enumera los puntos de referencia de la demostración: {1}.</translation>
-    </message>
-    <message>
-        <source>reading the anatomy</source>
-        <translation>leyendo la anatomía</translation>
-    </message>
-    <message>
         <source>simulating the MR images</source>
         <translation>simulando las imágenes de RM</translation>
     </message>
@@ -3467,10 +3447,6 @@
     <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
         <translation>no se dio ningún modelo, así que no hay distancia a él (RMSE)</translation>
-    </message>
-    <message>
-        <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULADO: la forma del hígado de un paciente real, que respira y es presionado por un instrumento según una fórmula. El registro llamado «dado» es el verdadero con un fallo introducido a la izquierda de la imagen.</translation>
     </message>
     <message>
         <source>The movie {0} cannot be written.</source>
@@ -4220,6 +4196,14 @@
         <source>Bring it back to its place, or open the case where it is now.</source>
         <translation>Devuélvala a su sitio, o abra el caso donde esté ahora.</translation>
     </message>
+    <message>
+        <source>SIMULATED, not measured</source>
+        <translation>SIMULADO, no medido</translation>
+    </message>
+    <message>
+        <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
+        <translation>SIMULADO: un hígado generado, que respira y es presionado por un instrumento según una fórmula. El registro llamado «dado» es el verdadero con un fallo introducido a la izquierda de la imagen.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -4824,10 +4808,6 @@
         <translation>Probar el ejemplo</translation>
     </message>
     <message>
-        <source>Silicone of liver-like stiffness, compressed: measured, not simulated</source>
-        <translation>Silicona de rigidez parecida al hígado, comprimida: medida, no simulada</translation>
-    </message>
-    <message>
         <source>Open a report...</source>
         <translation>Abrir un informe…</translation>
     </message>
@@ -4862,16 +4842,6 @@
     <message>
         <source>Save the report...</source>
         <translation>Guardar el informe…</translation>
-    </message>
-    <message>
-        <source>Open measurements of a palpation, a material test or a wearable computer.
-Glisson says how far the declared model is off, what it lacks, and how sure that is.
-
-No measurements at hand? Try the example: silicone of liver-like stiffness in compression.</source>
-        <translation>Abra mediciones de una palpación, un ensayo de material o un ordenador corporal.
-Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué certeza.
-
-¿No tiene mediciones a mano? Pruebe el ejemplo: silicona de rigidez parecida al hígado, en compresión.</translation>
     </message>
     <message>
         <source>Explaining %1</source>
@@ -5028,6 +4998,20 @@ El órgano que se ensaya cambia:
     <message>
         <source>Accept</source>
         <translation>Aceptar</translation>
+    </message>
+    <message>
+        <source>A sample of tissue, compressed: simulated, and it does something that its file does not declare</source>
+        <translation>Una muestra de tejido, comprimida: simulada, y hace algo que su archivo no declara</translation>
+    </message>
+    <message>
+        <source>Open measurements of a palpation, a material test or a wearable computer.
+Glisson says how far the declared model is off, what it lacks, and how sure that is.
+
+No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
+        <translation>Abra mediciones de una palpación, un ensayo de material o un ordenador corporal.
+Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué certeza.
+
+¿No tiene mediciones a mano? Pruebe el ejemplo: una muestra de tejido simulada que hace algo no declarado.</translation>
     </message>
 </context>
 <context>

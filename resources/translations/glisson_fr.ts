@@ -261,10 +261,6 @@
         <translation>Écriture</translation>
     </message>
     <message>
-        <source>SIMULATED from a real patient&apos;s anatomy, not measured</source>
-        <translation>SIMULÉ d’après l’anatomie d’un vrai patient, non mesuré</translation>
-    </message>
-    <message>
         <source>The study has no series {0}.</source>
         <translation>L’étude n’a pas de série {0}.</translation>
     </message>
@@ -2801,22 +2797,6 @@
         <translation>Dessin</translation>
     </message>
     <message>
-        <source>The surface in {0} is not closed, so nothing lies inside it.</source>
-        <translation>La surface de {0} n’est pas fermée, rien ne se trouve donc à l’intérieur.</translation>
-    </message>
-    <message>
-        <source>Use the anatomy that ships with the program.</source>
-        <translation>Utilisez l’anatomie livrée avec le programme.</translation>
-    </message>
-    <message>
-        <source>{0} does not list the demo&apos;s landmarks: {1}.</source>
-        <translation>{0} ne donne pas les repères de la démonstration&#xa0;: {1}.</translation>
-    </message>
-    <message>
-        <source>reading the anatomy</source>
-        <translation>lecture de l’anatomie</translation>
-    </message>
-    <message>
         <source>simulating the MR images</source>
         <translation>simulation des images RM</translation>
     </message>
@@ -3467,10 +3447,6 @@
     <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
         <translation>aucun modèle n’a été donné, donc aucune distance à celui-ci (RMSE)</translation>
-    </message>
-    <message>
-        <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULÉ&#xa0;: la forme du foie d’un vrai patient, qui respire et qu’un instrument enfonce selon une formule. Le recalage dit «&#xa0;fourni&#xa0;» est le vrai, dans lequel une erreur a été mise à gauche de l’image.</translation>
     </message>
     <message>
         <source>The movie {0} cannot be written.</source>
@@ -4220,6 +4196,14 @@
         <source>Bring it back to its place, or open the case where it is now.</source>
         <translation>Remettez-le à sa place, ou ouvrez le cas là où il est maintenant.</translation>
     </message>
+    <message>
+        <source>SIMULATED, not measured</source>
+        <translation>SIMULÉ, non mesuré</translation>
+    </message>
+    <message>
+        <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
+        <translation>SIMULÉ&#xa0;: un foie engendré, qui respire et qu’un instrument enfonce selon une formule. Le recalage dit «&#xa0;fourni&#xa0;» est le vrai, dans lequel une erreur a été mise à gauche de l’image.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::AlgorithmChoice</name>
@@ -4824,10 +4808,6 @@
         <translation>Essayer l’exemple</translation>
     </message>
     <message>
-        <source>Silicone of liver-like stiffness, compressed: measured, not simulated</source>
-        <translation>Silicone de rigidité proche du foie, comprimé&#xa0;: mesuré, non simulé</translation>
-    </message>
-    <message>
         <source>Open a report...</source>
         <translation>Ouvrir un rapport…</translation>
     </message>
@@ -4862,16 +4842,6 @@
     <message>
         <source>Save the report...</source>
         <translation>Enregistrer le rapport…</translation>
-    </message>
-    <message>
-        <source>Open measurements of a palpation, a material test or a wearable computer.
-Glisson says how far the declared model is off, what it lacks, and how sure that is.
-
-No measurements at hand? Try the example: silicone of liver-like stiffness in compression.</source>
-        <translation>Ouvrez des mesures d’une palpation, d’un essai de matériau ou d’un ordinateur porté.
-Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
-
-Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: du silicone de rigidité proche du foie, en compression.</translation>
     </message>
     <message>
         <source>Explaining %1</source>
@@ -5028,6 +4998,20 @@ L&apos;organe répété change :
     <message>
         <source>Accept</source>
         <translation>Accepter</translation>
+    </message>
+    <message>
+        <source>A sample of tissue, compressed: simulated, and it does something that its file does not declare</source>
+        <translation>Un échantillon de tissu, comprimé&#xa0;: simulé, et il fait quelque chose que son fichier ne déclare pas</translation>
+    </message>
+    <message>
+        <source>Open measurements of a palpation, a material test or a wearable computer.
+Glisson says how far the declared model is off, what it lacks, and how sure that is.
+
+No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
+        <translation>Ouvrez des mesures d’une palpation, d’un essai de matériau ou d’un ordinateur porté.
+Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
+
+Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de tissu simulé qui fait quelque chose de non déclaré.</translation>
     </message>
 </context>
 <context>
@@ -7324,7 +7308,7 @@ supposés</translation>
     </message>
     <message>
         <source>Residual %1: how far the equations are from balance</source>
-        <translation>Résidu %1 : l’écart des équations à l’équilibre</translation>
+        <translation>Résidu %1&#xa0;: l’écart des équations à l’équilibre</translation>
     </message>
 </context>
 <context>

@@ -33,8 +33,7 @@ class RegisterPageTest : public QObject {
     options.landmarks = 50;
     options.step_px = 14;
     options.outlier_share = 0;
-    const auto made = studies::write_example_sequence(glisson::test::source_folder() / "resources" / "demo" / "anatomy",
-                                                      folder_.path() / "example", options);
+    const auto made = studies::write_example_sequence(folder_.path() / "example", options);
     QVERIFY2(made.has_value(), made ? "" : made.error().message().c_str());
     file_ = *made;
   }
