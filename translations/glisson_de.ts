@@ -261,10 +261,6 @@
         <translation>Schreiben</translation>
     </message>
     <message>
-        <source>SIMULATED from a real patient&apos;s anatomy, not measured</source>
-        <translation>SIMULIERT nach der Anatomie eines wirklichen Patienten, nicht gemessen</translation>
-    </message>
-    <message>
         <source>The study has no series {0}.</source>
         <translation>Die Studie hat keine Serie {0}.</translation>
     </message>
@@ -2801,22 +2797,6 @@
         <translation>Zeichnen</translation>
     </message>
     <message>
-        <source>The surface in {0} is not closed, so nothing lies inside it.</source>
-        <translation>Die Oberfläche in {0} ist nicht geschlossen, also liegt nichts in ihr.</translation>
-    </message>
-    <message>
-        <source>Use the anatomy that ships with the program.</source>
-        <translation>Verwenden Sie die mitgelieferte Anatomie.</translation>
-    </message>
-    <message>
-        <source>{0} does not list the demo&apos;s landmarks: {1}.</source>
-        <translation>{0} führt die Landmarken der Demonstration nicht auf: {1}.</translation>
-    </message>
-    <message>
-        <source>reading the anatomy</source>
-        <translation>Anatomie wird gelesen</translation>
-    </message>
-    <message>
         <source>simulating the MR images</source>
         <translation>MR-Bilder werden simuliert</translation>
     </message>
@@ -3467,10 +3447,6 @@
     <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
         <translation>kein Modell angegeben, daher auch kein Abstand davon (RMSE)</translation>
-    </message>
-    <message>
-        <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULIERT: die Form der Leber eines wirklichen Patienten, die nach einer Formel atmet und von einem Instrument eingedrückt wird. Die „vorgegebene“ Registrierung ist die wahre, in die links im Bild ein Fehler eingebaut wurde.</translation>
     </message>
     <message>
         <source>The movie {0} cannot be written.</source>
@@ -4221,12 +4197,28 @@
         <translation>Bringen Sie ihn an seinen Platz zurück, oder öffnen Sie den Fall dort, wo er jetzt ist.</translation>
     </message>
     <message>
+        <source>SIMULATED, not measured</source>
+        <translation>SIMULIERT, nicht gemessen</translation>
+    </message>
+    <message>
+        <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
+        <translation>SIMULIERT: eine erzeugte Leber, die nach einer Formel atmet und von einem Instrument eingedrückt wird. Die „vorgegebene“ Registrierung ist die wahre, in die links im Bild ein Fehler eingebaut wurde.</translation>
+    </message>
+    <message>
         <source>{0} does not hold the images that {1} was made from.</source>
         <translation>{0} enthält nicht die Bilder, aus denen {1} gemacht wurde.</translation>
     </message>
     <message>
         <source>Name the folder that was imported.</source>
         <translation>Nennen Sie den Ordner, der importiert wurde.</translation>
+    </message>
+    <message>
+        <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
+        <translation>Die Moduln in {0} wurden mit der Querkontraktionszahl {1} aus Schubmoduln berechnet, nicht mit {2}.</translation>
+    </message>
+    <message>
+        <source>Say &quot;poisson_ratio&quot;: {1} in the specimen.</source>
+        <translation>Geben Sie im Prüfkörper (specimen) &quot;poisson_ratio&quot;: {1} an.</translation>
     </message>
     <message>
         <source>Tetrahedra {0} and {1} lie on the same side of the face that they share: they overlap.</source>
@@ -4249,24 +4241,16 @@
         <translation>Prüfen Sie seine Einheit: Leber hat 2 bis 60 kPa.</translation>
     </message>
     <message>
+        <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
+        <translation>Die Querkontraktionszahl des Netzes muss über -1 und darf nicht über 0.5 liegen; sie ist {0}.</translation>
+    </message>
+    <message>
         <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
         <translation>--study dient nur einem DICOM SEG (--format dicom-seg).</translation>
     </message>
     <message>
         <source>there is no picture</source>
         <translation>es gibt kein Bild</translation>
-    </message>
-    <message>
-        <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
-        <translation>Die Moduln in {0} wurden mit der Querkontraktionszahl {1} aus Schubmoduln berechnet, nicht mit {2}.</translation>
-    </message>
-    <message>
-        <source>Say &quot;poisson_ratio&quot;: {1} in the specimen.</source>
-        <translation>Geben Sie im Prüfkörper (specimen) &quot;poisson_ratio&quot;: {1} an.</translation>
-    </message>
-    <message>
-        <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
-        <translation>Die Querkontraktionszahl des Netzes muss über -1 und darf nicht über 0.5 liegen; sie ist {0}.</translation>
     </message>
 </context>
 <context>
@@ -4935,10 +4919,6 @@
         <translation>Das Beispiel probieren</translation>
     </message>
     <message>
-        <source>Silicone of liver-like stiffness, compressed: measured, not simulated</source>
-        <translation>Silikon von leberähnlicher Steifigkeit unter Druck: gemessen, nicht simuliert</translation>
-    </message>
-    <message>
         <source>Open a report...</source>
         <translation>Bericht öffnen …</translation>
     </message>
@@ -4973,16 +4953,6 @@
     <message>
         <source>Save the report...</source>
         <translation>Bericht speichern …</translation>
-    </message>
-    <message>
-        <source>Open measurements of a palpation, a material test or a wearable computer.
-Glisson says how far the declared model is off, what it lacks, and how sure that is.
-
-No measurements at hand? Try the example: silicone of liver-like stiffness in compression.</source>
-        <translation>Öffnen Sie Messungen einer Palpation, eines Materialversuchs oder eines am Körper getragenen Rechners.
-Glisson sagt, wie weit das angegebene Modell danebenliegt, was ihm fehlt und wie sicher das ist.
-
-Keine Messungen zur Hand? Probieren Sie das Beispiel: Silikon von leberähnlicher Steifigkeit unter Druck.</translation>
     </message>
     <message>
         <source>Explaining %1</source>
@@ -5139,6 +5109,20 @@ Das geprobte Organ ändert sich:
     <message>
         <source>Accept</source>
         <translation>Annehmen</translation>
+    </message>
+    <message>
+        <source>A sample of tissue, compressed: simulated, and it does something that its file does not declare</source>
+        <translation>Eine Gewebeprobe unter Druck: simuliert, und sie tut etwas, das ihre Datei nicht angibt</translation>
+    </message>
+    <message>
+        <source>Open measurements of a palpation, a material test or a wearable computer.
+Glisson says how far the declared model is off, what it lacks, and how sure that is.
+
+No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
+        <translation>Öffnen Sie Messungen einer Palpation, eines Materialversuchs oder eines am Körper getragenen Rechners.
+Glisson sagt, wie weit das angegebene Modell danebenliegt, was ihm fehlt und wie sicher das ist.
+
+Keine Messungen zur Hand? Probieren Sie das Beispiel: eine simulierte Gewebeprobe, die etwas nicht Angegebenes tut.</translation>
     </message>
 </context>
 <context>

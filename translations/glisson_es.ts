@@ -261,10 +261,6 @@
         <translation>Escribiendo</translation>
     </message>
     <message>
-        <source>SIMULATED from a real patient&apos;s anatomy, not measured</source>
-        <translation>SIMULADO a partir de la anatomía de un paciente real, no medido</translation>
-    </message>
-    <message>
         <source>The study has no series {0}.</source>
         <translation>El estudio no tiene la serie {0}.</translation>
     </message>
@@ -2801,22 +2797,6 @@
         <translation>Dibujando</translation>
     </message>
     <message>
-        <source>The surface in {0} is not closed, so nothing lies inside it.</source>
-        <translation>La superficie de {0} no está cerrada, así que no hay nada en su interior.</translation>
-    </message>
-    <message>
-        <source>Use the anatomy that ships with the program.</source>
-        <translation>Use la anatomía incluida con el programa.</translation>
-    </message>
-    <message>
-        <source>{0} does not list the demo&apos;s landmarks: {1}.</source>
-        <translation>{0} no enumera los puntos de referencia de la demostración: {1}.</translation>
-    </message>
-    <message>
-        <source>reading the anatomy</source>
-        <translation>leyendo la anatomía</translation>
-    </message>
-    <message>
         <source>simulating the MR images</source>
         <translation>simulando las imágenes de RM</translation>
     </message>
@@ -3467,10 +3447,6 @@
     <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
         <translation>no se dio ningún modelo, así que no hay distancia a él (RMSE)</translation>
-    </message>
-    <message>
-        <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULADO: la forma del hígado de un paciente real, que respira y es presionado por un instrumento según una fórmula. El registro llamado «dado» es el verdadero con un fallo introducido a la izquierda de la imagen.</translation>
     </message>
     <message>
         <source>The movie {0} cannot be written.</source>
@@ -4221,12 +4197,28 @@
         <translation>Devuélvala a su sitio, o abra el caso donde esté ahora.</translation>
     </message>
     <message>
+        <source>SIMULATED, not measured</source>
+        <translation>SIMULADO, no medido</translation>
+    </message>
+    <message>
+        <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
+        <translation>SIMULADO: un hígado generado, que respira y es presionado por un instrumento según una fórmula. El registro llamado «dado» es el verdadero con un fallo introducido a la izquierda de la imagen.</translation>
+    </message>
+    <message>
         <source>{0} does not hold the images that {1} was made from.</source>
         <translation>{0} no contiene las imágenes de las que se hizo {1}.</translation>
     </message>
     <message>
         <source>Name the folder that was imported.</source>
         <translation>Indique la carpeta que se importó.</translation>
+    </message>
+    <message>
+        <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
+        <translation>Los módulos de {0} se calcularon a partir de módulos de cizalla con un coeficiente de Poisson de {1}, no de {2}.</translation>
+    </message>
+    <message>
+        <source>Say &quot;poisson_ratio&quot;: {1} in the specimen.</source>
+        <translation>Indique &quot;poisson_ratio&quot;: {1} en la muestra (specimen).</translation>
     </message>
     <message>
         <source>Tetrahedra {0} and {1} lie on the same side of the face that they share: they overlap.</source>
@@ -4249,24 +4241,16 @@
         <translation>Compruebe su unidad: el hígado tiene de 2 a 60 kPa.</translation>
     </message>
     <message>
+        <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
+        <translation>El coeficiente de Poisson de la malla debe ser mayor que -1 y no superar 0.5; es {0}.</translation>
+    </message>
+    <message>
         <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
         <translation>--study sirve solo para un DICOM SEG (--format dicom-seg).</translation>
     </message>
     <message>
         <source>there is no picture</source>
         <translation>no hay ninguna imagen</translation>
-    </message>
-    <message>
-        <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
-        <translation>Los módulos de {0} se calcularon a partir de módulos de cizalla con un coeficiente de Poisson de {1}, no de {2}.</translation>
-    </message>
-    <message>
-        <source>Say &quot;poisson_ratio&quot;: {1} in the specimen.</source>
-        <translation>Indique &quot;poisson_ratio&quot;: {1} en la muestra (specimen).</translation>
-    </message>
-    <message>
-        <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
-        <translation>El coeficiente de Poisson de la malla debe ser mayor que -1 y no superar 0.5; es {0}.</translation>
     </message>
 </context>
 <context>
@@ -4935,10 +4919,6 @@
         <translation>Probar el ejemplo</translation>
     </message>
     <message>
-        <source>Silicone of liver-like stiffness, compressed: measured, not simulated</source>
-        <translation>Silicona de rigidez parecida al hígado, comprimida: medida, no simulada</translation>
-    </message>
-    <message>
         <source>Open a report...</source>
         <translation>Abrir un informe…</translation>
     </message>
@@ -4973,16 +4953,6 @@
     <message>
         <source>Save the report...</source>
         <translation>Guardar el informe…</translation>
-    </message>
-    <message>
-        <source>Open measurements of a palpation, a material test or a wearable computer.
-Glisson says how far the declared model is off, what it lacks, and how sure that is.
-
-No measurements at hand? Try the example: silicone of liver-like stiffness in compression.</source>
-        <translation>Abra mediciones de una palpación, un ensayo de material o un ordenador corporal.
-Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué certeza.
-
-¿No tiene mediciones a mano? Pruebe el ejemplo: silicona de rigidez parecida al hígado, en compresión.</translation>
     </message>
     <message>
         <source>Explaining %1</source>
@@ -5139,6 +5109,20 @@ El órgano que se ensaya cambia:
     <message>
         <source>Accept</source>
         <translation>Aceptar</translation>
+    </message>
+    <message>
+        <source>A sample of tissue, compressed: simulated, and it does something that its file does not declare</source>
+        <translation>Una muestra de tejido, comprimida: simulada, y hace algo que su archivo no declara</translation>
+    </message>
+    <message>
+        <source>Open measurements of a palpation, a material test or a wearable computer.
+Glisson says how far the declared model is off, what it lacks, and how sure that is.
+
+No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
+        <translation>Abra mediciones de una palpación, un ensayo de material o un ordenador corporal.
+Glisson dice cuánto se equivoca el modelo declarado, qué le falta y con qué certeza.
+
+¿No tiene mediciones a mano? Pruebe el ejemplo: una muestra de tejido simulada que hace algo no declarado.</translation>
     </message>
 </context>
 <context>

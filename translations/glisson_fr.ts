@@ -261,10 +261,6 @@
         <translation>Écriture</translation>
     </message>
     <message>
-        <source>SIMULATED from a real patient&apos;s anatomy, not measured</source>
-        <translation>SIMULÉ d’après l’anatomie d’un vrai patient, non mesuré</translation>
-    </message>
-    <message>
         <source>The study has no series {0}.</source>
         <translation>L’étude n’a pas de série {0}.</translation>
     </message>
@@ -2801,22 +2797,6 @@
         <translation>Dessin</translation>
     </message>
     <message>
-        <source>The surface in {0} is not closed, so nothing lies inside it.</source>
-        <translation>La surface de {0} n’est pas fermée, rien ne se trouve donc à l’intérieur.</translation>
-    </message>
-    <message>
-        <source>Use the anatomy that ships with the program.</source>
-        <translation>Utilisez l’anatomie livrée avec le programme.</translation>
-    </message>
-    <message>
-        <source>{0} does not list the demo&apos;s landmarks: {1}.</source>
-        <translation>{0} ne donne pas les repères de la démonstration&#xa0;: {1}.</translation>
-    </message>
-    <message>
-        <source>reading the anatomy</source>
-        <translation>lecture de l’anatomie</translation>
-    </message>
-    <message>
         <source>simulating the MR images</source>
         <translation>simulation des images RM</translation>
     </message>
@@ -3467,10 +3447,6 @@
     <message>
         <source>no model was given, so there is no distance from it (RMSE)</source>
         <translation>aucun modèle n’a été donné, donc aucune distance à celui-ci (RMSE)</translation>
-    </message>
-    <message>
-        <source>SIMULATED: the shape of a real patient&apos;s liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULÉ&#xa0;: la forme du foie d’un vrai patient, qui respire et qu’un instrument enfonce selon une formule. Le recalage dit «&#xa0;fourni&#xa0;» est le vrai, dans lequel une erreur a été mise à gauche de l’image.</translation>
     </message>
     <message>
         <source>The movie {0} cannot be written.</source>
@@ -4221,12 +4197,28 @@
         <translation>Remettez-le à sa place, ou ouvrez le cas là où il est maintenant.</translation>
     </message>
     <message>
+        <source>SIMULATED, not measured</source>
+        <translation>SIMULÉ, non mesuré</translation>
+    </message>
+    <message>
+        <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
+        <translation>SIMULÉ&#xa0;: un foie engendré, qui respire et qu’un instrument enfonce selon une formule. Le recalage dit «&#xa0;fourni&#xa0;» est le vrai, dans lequel une erreur a été mise à gauche de l’image.</translation>
+    </message>
+    <message>
         <source>{0} does not hold the images that {1} was made from.</source>
         <translation>{0} ne contient pas les images dont {1} a été fait.</translation>
     </message>
     <message>
         <source>Name the folder that was imported.</source>
         <translation>Indiquez le dossier qui a été importé.</translation>
+    </message>
+    <message>
+        <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
+        <translation>Les modules de {0} ont été calculés à partir de modules de cisaillement avec un coefficient de Poisson de {1}, et non de {2}.</translation>
+    </message>
+    <message>
+        <source>Say &quot;poisson_ratio&quot;: {1} in the specimen.</source>
+        <translation>Indiquez &quot;poisson_ratio&quot; : {1} dans l’échantillon (specimen).</translation>
     </message>
     <message>
         <source>Tetrahedra {0} and {1} lie on the same side of the face that they share: they overlap.</source>
@@ -4249,24 +4241,16 @@
         <translation>Vérifiez son unité : le foie a de 2 à 60 kPa.</translation>
     </message>
     <message>
+        <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
+        <translation>Le coefficient de Poisson du maillage doit être supérieur à -1 et ne pas dépasser 0.5 ; il vaut {0}.</translation>
+    </message>
+    <message>
         <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
         <translation>--study ne sert qu’à un DICOM SEG (--format dicom-seg).</translation>
     </message>
     <message>
         <source>there is no picture</source>
         <translation>il n’y a pas d’image</translation>
-    </message>
-    <message>
-        <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
-        <translation>Les modules de {0} ont été calculés à partir de modules de cisaillement avec un coefficient de Poisson de {1}, et non de {2}.</translation>
-    </message>
-    <message>
-        <source>Say &quot;poisson_ratio&quot;: {1} in the specimen.</source>
-        <translation>Indiquez &quot;poisson_ratio&quot; : {1} dans l’échantillon (specimen).</translation>
-    </message>
-    <message>
-        <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
-        <translation>Le coefficient de Poisson du maillage doit être supérieur à -1 et ne pas dépasser 0.5 ; il vaut {0}.</translation>
     </message>
 </context>
 <context>
@@ -4935,10 +4919,6 @@
         <translation>Essayer l’exemple</translation>
     </message>
     <message>
-        <source>Silicone of liver-like stiffness, compressed: measured, not simulated</source>
-        <translation>Silicone de rigidité proche du foie, comprimé&#xa0;: mesuré, non simulé</translation>
-    </message>
-    <message>
         <source>Open a report...</source>
         <translation>Ouvrir un rapport…</translation>
     </message>
@@ -4973,16 +4953,6 @@
     <message>
         <source>Save the report...</source>
         <translation>Enregistrer le rapport…</translation>
-    </message>
-    <message>
-        <source>Open measurements of a palpation, a material test or a wearable computer.
-Glisson says how far the declared model is off, what it lacks, and how sure that is.
-
-No measurements at hand? Try the example: silicone of liver-like stiffness in compression.</source>
-        <translation>Ouvrez des mesures d’une palpation, d’un essai de matériau ou d’un ordinateur porté.
-Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
-
-Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: du silicone de rigidité proche du foie, en compression.</translation>
     </message>
     <message>
         <source>Explaining %1</source>
@@ -5139,6 +5109,20 @@ L&apos;organe répété change :
     <message>
         <source>Accept</source>
         <translation>Accepter</translation>
+    </message>
+    <message>
+        <source>A sample of tissue, compressed: simulated, and it does something that its file does not declare</source>
+        <translation>Un échantillon de tissu, comprimé&#xa0;: simulé, et il fait quelque chose que son fichier ne déclare pas</translation>
+    </message>
+    <message>
+        <source>Open measurements of a palpation, a material test or a wearable computer.
+Glisson says how far the declared model is off, what it lacks, and how sure that is.
+
+No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared.</source>
+        <translation>Ouvrez des mesures d’une palpation, d’un essai de matériau ou d’un ordinateur porté.
+Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
+
+Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de tissu simulé qui fait quelque chose de non déclaré.</translation>
     </message>
 </context>
 <context>

@@ -11,7 +11,7 @@ namespace {
 Outcome describe(const studies::DemoSummary& summary) {
   const auto& comparison = summary.atlas_against_mre;
   std::string text = fmt::format(
-      "SIMULATED from a real patient's anatomy; not a medical device.\n"
+      "SIMULATED: a generated patient; not a medical device.\n"
       "Liver {:.0f} ml (true {:.0f} ml, Dice {:.3f}); {} cells; Young's modulus {:.2f} kPa on average (sd {:.2f})\n"
       "{} with {:.1f} N: the liver moves by up to {:.1f} mm; atlas against MRE: mean {:.1f} mm, largest {:.1f} mm\n",
       summary.liver_ml, summary.true_liver_ml, summary.liver_dice, summary.cells, summary.stiffness.mean_kPa,

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "base/files.h"
 #include "studies/example_sequence.h"
 #include "study_commands.h"
 
@@ -15,10 +14,7 @@ struct Options {
 };
 
 Result<Outcome> run(const Options& options, const Progress& progress) {
-  const auto resources = resource_folder();
-  if (!resources) return failure(resources.error());
-  const auto file =
-      studies::write_example_sequence(*resources / "demo" / "anatomy", options.out, options.sequence, progress);
+  const auto file = studies::write_example_sequence(options.out, options.sequence, progress);
   if (!file) return failure(file.error());
   return Outcome{{{"frames", options.sequence.frames}, {"file", file->string()}},
                  fmt::format("{} simulated frames: {}\n", options.sequence.frames, file->string())};
@@ -28,7 +24,7 @@ Result<Outcome> run(const Options& options, const Progress& progress) {
 
 void add_study_example_sequence(CLI::App& study, Action& chosen) {
   CLI::App* command = study.add_subcommand(
-      "example-sequence", "A simulated sequence for sirgn: a real liver's shape, breathing and pressed by a tool");
+      "example-sequence", "A simulated sequence for sirgn: a generated liver, breathing and pressed by a tool");
   auto options = std::make_shared<Options>();
   command->add_option("--frames", options->sequence.frames, "How many")
       ->check(CLI::Range(3, 1000))
@@ -38,6 +34,8 @@ void add_study_example_sequence(CLI::App& study, Action& chosen) {
       ->capture_default_str();
   command->add_option("--fault-mm", options->sequence.fault_mm, "Of the given registration, at its worst")
       ->check(CLI::Range(0.0, 50.0))
+      ->capture_default_str();
+  command->add_option("--patient", options->sequence.patient, "Seed of the generated liver (see study anatomy)")
       ->capture_default_str();
   command->add_option("--seed", options->sequence.seed, "Of noise")->capture_default_str();
   command->add_option("--out", options->out, "New folder for sequence.json, clouds, pictures and truth.json")

@@ -52,7 +52,7 @@ double Lesion::distance_mm(const Vector3d& p) const {
 Result<std::vector<Lesion>> place_lesions(const std::vector<LesionWish>& wishes, const LiverBody& liver,
                                           const Segments& segments, const std::vector<const VesselTree*>& trunks,
                                           std::uint64_t seed) {
-  constexpr double apart_mm = 3, off_vessels_mm = 1, under_surface_mm = 1;
+  constexpr double apart_mm = 3, off_vessels_mm = 1, under_surface_mm = 3;
   constexpr int tries = 60000;
   const geometry::Box box = geometry::bounding_box(liver.surface.points_mm);
   Random random(seed);

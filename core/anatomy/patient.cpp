@@ -59,6 +59,19 @@ SegmentShares drawn_shares(std::uint64_t seed) {
   return shares;
 }
 
+// `options` as drawn() leaves them.
+LiverBody body_of(const PatientOptions& options, double spacing_mm = 3) {
+  return make_liver_body(LiverShape(options.modes, options.lobes, mixed(options.seed, 3)), options.volume_ml,
+                         spacing_mm);
+}
+
+Vector3d mirrored(const Vector3d& position_mm) { return {-position_mm.x(), position_mm.y(), position_mm.z()}; }
+
+void mirror(Surface& surface) {
+  for (Vector3d& point : surface.points_mm) point = mirrored(point);
+  for (auto& triangle : surface.triangles) std::swap(triangle[1], triangle[2]);
+}
+
 }  // namespace
 
 double shear_kPa_of(int fibrosis_stage) {
@@ -76,8 +89,7 @@ Result<Patient> make_patient(const PatientOptions& asked, const Progress& progre
   patient.turned = options.lobes == LobeVariant::turned;
 
   progress.report(0, GLISSON_TEXT("shaping the liver"));
-  patient.liver = std::make_shared<LiverBody>(
-      make_liver_body(LiverShape(options.modes, options.lobes, mixed(options.seed, 3)), options.volume_ml));
+  patient.liver = std::make_shared<LiverBody>(body_of(options));
   patient.segments = std::make_shared<Segments>(patient.liver, drawn_shares(options.seed));
   patient.vena_cava = patient.liver->to_patient(patient.liver->shape.vena_cava());
   patient.gall_bladder = patient.liver->to_patient(patient.liver->shape.gall_bladder());
@@ -154,16 +166,20 @@ std::vector<NamedSurface> surfaces_of(const Patient& patient, double least_radiu
   surfaces.push_back({"vena-cava", surface_of(patient.vena_cava, 2)});
   for (const Lesion& lesion : patient.lesions) surfaces.push_back({lesion.name, surface_of(lesion)});
   if (patient.turned) {
-    for (auto& [name, surface] : surfaces) {
-      for (Vector3d& point : surface.points_mm) point = placed(patient, point);
-      for (auto& triangle : surface.triangles) std::swap(triangle[1], triangle[2]);
-    }
+    for (auto& [name, surface] : surfaces) mirror(surface);
   }
   return surfaces;
 }
 
+Result<Surface> make_liver_surface(const PatientOptions& asked, double spacing_mm) {
+  if (auto checked = check(asked); !checked) return failure(std::move(checked.error()));
+  Surface liver = body_of(drawn(asked), spacing_mm).surface;
+  if (asked.lobes == LobeVariant::turned) mirror(liver);
+  return liver;
+}
+
 Vector3d placed(const Patient& patient, const Vector3d& position_mm) {
-  return patient.turned ? Vector3d(-position_mm.x(), position_mm.y(), position_mm.z()) : position_mm;
+  return patient.turned ? mirrored(position_mm) : position_mm;
 }
 
 int segment_at(const Patient& patient, const Vector3d& placed_mm) {

@@ -55,6 +55,11 @@ struct Patient {
 // Fails with anatomy-volume (not 800 to 2800 ml), anatomy-tissue, what place_lesions says, and cancelled.
 Result<Patient> make_patient(const PatientOptions& options, const Progress& progress = {});
 
+// The liver's surface alone of the same patient, placed: much faster, since nothing grows. A wider grid than the
+// patient's own of 3 mm rounds the margins off, and is faster still. Lesions are not looked at. Fails with
+// anatomy-volume and anatomy-tissue.
+Result<geometry::Surface> make_liver_surface(const PatientOptions& options, double spacing_mm = 3);
+
 // A named surface, ready to be written: "liver", "portal-vein", "hepatic-vein", "artery", "gallbladder", "vena-cava",
 // "tumour-1", "cyst-1". Vessels as far as they are at least `least_radius_mm` wide, which images show.
 struct NamedSurface {

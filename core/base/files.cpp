@@ -105,7 +105,7 @@ Result<fs::path> resource_folder() {
     const fs::path installed = program.parent_path().parent_path() / "share" / "glisson" / "resources";
     if (fs::is_directory(installed, problem)) return installed;
     for (fs::path folder = program.parent_path(); folder != folder.parent_path(); folder = folder.parent_path()) {
-      if (fs::is_directory(folder / "resources" / "demo", problem)) return folder / "resources";
+      if (fs::is_directory(folder / "resources" / "devices", problem)) return folder / "resources";
     }
   }
   return failure(Error{"resources-missing",

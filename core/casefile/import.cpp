@@ -15,7 +15,7 @@
 namespace glisson::casefile {
 namespace {
 
-constexpr const char* simulated_origin = GLISSON_TEXT("SIMULATED from a real patient's anatomy, not measured");
+constexpr const char* simulated_origin = GLISSON_TEXT("SIMULATED, not measured");
 
 using imaging::Role;
 using imaging::Series;

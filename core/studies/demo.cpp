@@ -45,12 +45,10 @@ Result<void> draw_pictures(Run& run, const Case& patient, const Progress& progre
 
 Result<DemoSummary> run_demo(const fs::path& out, const DemoRunOptions& options, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const auto resources = resource_folder();
-  if (!resources) return failure(resources.error());
   if (auto cleared = clear_folder(out); !cleared) return failure(cleared.error());
 
   Run run{out, options, {}, {}};
-  auto demo = write_demo_study(*resources / "demo" / "anatomy", out, {}, progress.part(0.0, 0.35));
+  auto demo = write_demo_study(out, {}, progress.part(0.0, 0.35));
   if (!demo) return failure(demo.error());
   run.demo = std::move(*demo);
 

@@ -1,22 +1,22 @@
 #include "studies/demo_anatomy.h"
 
-#include "base/json.h"
+#include <algorithm>
+#include <cmath>
+
+#include "anatomy/landmarks.h"
 #include "base/parallel.h"
-#include "geometry/mesh_file.h"
 #include "segmentation/rasterise.h"
 #include "studies/demo_body.h"
 
 namespace glisson::studies {
-namespace fs = std::filesystem;
 namespace {
 
 using geometry::Surface;
 using imaging::Grid;
 using imaging::Mask;
 
-Result<void> read_closed(const fs::path& file, Surface& surface);
-Result<std::vector<DemoLandmark>> read_landmarks(const fs::path& file);
 Surface scaled_about_center(Surface surface, double factor);
+void append(Surface& whole, const Surface& part);
 
 // Draws `tissue` where the surface's inside is and `where` allows.
 template <typename Where>
@@ -29,33 +29,54 @@ void draw(TissueImage& image, const Surface& surface, Tissue tissue, Where where
 
 }  // namespace
 
-Result<DemoAnatomy> read_demo_anatomy(const fs::path& folder) {
-  DemoAnatomy anatomy;
-  for (const auto& [name, surface] : {std::pair{"liver.vtk", &anatomy.liver},
-                                      {"portal_vein.vtk", &anatomy.portal_vein},
-                                      {"hepatic_veins.vtk", &anatomy.hepatic_veins},
-                                      {"arteries.vtk", &anatomy.arteries},
-                                      {"gallbladder.vtk", &anatomy.gallbladder},
-                                      {"liver_tumours.vtk", &anatomy.tumour},
-                                      {"liver_cysts.vtk", &anatomy.cysts}}) {
-    if (auto read = read_closed(folder / name, *surface); !read) return failure(std::move(read.error()));
-  }
-  // The files of the liver and the portal vein hold specks of five points beside the organ.
-  for (Surface* surface : {&anatomy.liver, &anatomy.portal_vein}) {
-    *surface = std::move(geometry::connected_pieces(*surface).front());
-  }
+// A tumour that would be cut out (Milan criteria: one of up to 50 mm; Mazzaferro et al. 1996, N Engl J Med 334:693), in
+// the segment that the demo hoists.
+anatomy::PatientOptions demo_patient_options() {
+  using anatomy::LesionKind;
+  anatomy::PatientOptions options;
+  options.seed = 1;
+  options.lesions = {{LesionKind::tumour, 30, 6, {}}, {LesionKind::cyst, 16, 8, {}}, {LesionKind::cyst, 11, 4, {}}};
+  return options;
+}
 
-  auto landmarks = read_landmarks(folder / "landmarks.json");
-  if (!landmarks) return failure(std::move(landmarks.error()));
-  anatomy.landmarks = std::move(*landmarks);
-  anatomy.landmarks.push_back(
-      {"tumour-1-centre", "tumour-1", geometry::bounding_box(anatomy.tumour.points_mm).center_mm()});
-  return anatomy;
+Result<DemoAnatomy> make_demo_anatomy(const anatomy::PatientOptions& options, const Progress& progress) {
+  constexpr double body_of_ml = 2300, drawn_radius_mm = 1.8, drawn_spacing_mm = 1.4;
+  const auto patient = anatomy::make_patient(options, progress);
+  if (!patient) return failure(patient.error());
+
+  DemoAnatomy demo;
+  demo.size = std::cbrt(patient->options.volume_ml / body_of_ml);
+  for (anatomy::NamedSurface& named : anatomy::surfaces_of(*patient)) {
+    if (named.name == "liver") demo.liver = std::move(named.surface);
+    else if (named.name == "portal-vein") demo.portal_vein = std::move(named.surface);
+    else if (named.name == "hepatic-vein") demo.hepatic_veins = std::move(named.surface);
+    else if (named.name == "vena-cava") demo.vena_cava = std::move(named.surface);
+    else if (named.name == "artery") demo.arteries = std::move(named.surface);
+    else if (named.name == "gallbladder") demo.gallbladder = std::move(named.surface);
+    else append(named.name.starts_with("tumour") ? demo.tumour : demo.cysts, named.surface);
+  }
+  demo.drawn_portal_vein = anatomy::tree_surface(patient->portal_vein, drawn_radius_mm, drawn_spacing_mm);
+  demo.drawn_hepatic_veins = anatomy::tree_surface(patient->hepatic_vein, drawn_radius_mm, drawn_spacing_mm);
+  for (const anatomy::Landmark& landmark : anatomy::landmarks_of(*patient)) {
+    // Within segments, those of the left lobe and of the one that is hoisted.
+    constexpr std::array<const char*, 3> segments = {"portal-segment-2-division", "portal-segment-3-division",
+                                                     "portal-segment-6-division"};
+    if (landmark.id.starts_with("portal-segment") &&
+        std::find(segments.begin(), segments.end(), landmark.id) == segments.end()) {
+      continue;
+    }
+    demo.landmarks.push_back({landmark.id, landmark.structure, landmark.position_mm});
+  }
+  for (const anatomy::Lesion& lesion : patient->lesions) {
+    if (lesion.kind != anatomy::LesionKind::tumour) continue;
+    demo.landmarks.push_back({lesion.name + "-centre", lesion.name, anatomy::placed(*patient, lesion.center_mm)});
+  }
+  return demo;
 }
 
 TissueImage draw_tissues(const DemoAnatomy& anatomy, const Grid& grid, std::uint64_t seed) {
   TissueImage image{grid, std::vector<Tissue>(grid.voxels(), Tissue::air)};
-  const DemoBody body(anatomy.liver, seed);
+  const DemoBody body(anatomy.liver, anatomy.size, seed);
   const auto width = static_cast<std::size_t>(grid.size[0]);
   parallel_for(grid.voxels() / width, 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
@@ -65,6 +86,7 @@ TissueImage draw_tissues(const DemoAnatomy& anatomy, const Grid& grid, std::uint
   });
 
   const auto anywhere = [](std::size_t) { return true; };
+  draw(image, anatomy.vena_cava, Tissue::hepatic_vein, anywhere);
   draw(image, anatomy.gallbladder, Tissue::bile, anywhere);
   draw(image, anatomy.liver, Tissue::liver, anywhere);
   draw(image, anatomy.tumour, Tissue::tumour, anywhere);
@@ -85,43 +107,16 @@ Mask liver_mask(const DemoAnatomy& anatomy, const Grid& grid) { return segmentat
 
 namespace {
 
-Result<void> read_closed(const fs::path& file, Surface& surface) {
-  auto read = geometry::read_surface(file);
-  if (!read) return failure(std::move(read.error()));
-  if (!geometry::is_watertight(*read)) {
-    return failure(Error{"demo-anatomy-not-closed",
-                         GLISSON_TEXT("The surface in {0} is not closed, so nothing lies inside it."),
-                         {file.string()},
-                         GLISSON_TEXT("Use the anatomy that ships with the program."),
-                         file});
-  }
-  surface = std::move(*read);
-  return {};
-}
-
-Result<std::vector<DemoLandmark>> read_landmarks(const fs::path& file) {
-  const auto document = read_json_file(file);
-  if (!document) return failure(document.error());
-  std::vector<DemoLandmark> landmarks;
-  try {
-    for (const Json& entry : document->at("landmarks")) {
-      const auto position = entry.at("position_mm").get<std::array<double, 3>>();
-      landmarks.push_back({entry.at("id"), entry.at("structure"), {position[0], position[1], position[2]}});
-    }
-  } catch (const Json::exception& exception) {
-    return failure(Error{"demo-landmarks-invalid",
-                         GLISSON_TEXT("{0} does not list the demo's landmarks: {1}."),
-                         {file.string(), exception.what()},
-                         GLISSON_TEXT("Use the anatomy that ships with the program."),
-                         file});
-  }
-  return landmarks;
-}
-
 Surface scaled_about_center(Surface surface, double factor) {
   const Eigen::Vector3d center = geometry::bounding_box(surface.points_mm).center_mm();
   for (Eigen::Vector3d& point : surface.points_mm) point = center + factor * (point - center);
   return surface;
+}
+
+void append(Surface& whole, const Surface& part) {
+  const int before = static_cast<int>(whole.points_mm.size());
+  whole.points_mm.insert(whole.points_mm.end(), part.points_mm.begin(), part.points_mm.end());
+  for (const auto& [a, b, c] : part.triangles) whole.triangles.push_back({a + before, b + before, c + before});
 }
 
 }  // namespace

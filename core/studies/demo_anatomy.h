@@ -1,18 +1,18 @@
 #pragma once
-// The demo patient's body: the liver and its vessels, tumour, cysts and gall bladder from a real patient's scan
-// (resources/demo/anatomy), the rest drawn around them in simple shapes. SIMULATED but for the surfaces named.
+// The demo patient's body: the generator's seed 1 (anatomy/patient.h) with a tumour and two cysts, and what lies
+// around in simple shapes. SIMULATED, all of it.
 //
-// Frame. The surfaces are in patient coordinates (LPS, mm) as they are in the files: no transform is applied. That they
-// are is read off the anatomy: the greater part of the liver lies at negative x (right), the gall bladder's fundus
-// (y -246) before the aorta (y -155 to -128, that is: towards the front), and the hepatic veins meet upwards, in the
-// vena cava at (-33, -167, -243), above the portal vein's division at z -274.
+//   glisson-cli study anatomy --seed 1 --tumour 30@6 --cyst 16@8 --cyst 11@4 --out DIR
+//
+// writes the same liver, vessels and lesions. Frame: patient coordinates, LPS, mm (anatomy/liver_body.h says where).
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "anatomy/patient.h"
+#include "base/progress.h"
 #include "base/result.h"
 #include "geometry/surface.h"
 #include "imaging/image.h"
@@ -21,18 +21,26 @@ namespace glisson::studies {
 
 // A point whose displacement a surgeon would want to know.
 struct DemoLandmark {
-  std::string id;         // "portal-bifurcation", "tumour-1-centre"
+  std::string id;         // "portal-right-division", "tumour-1-centre"
   std::string structure;  // "portal-vein", "hepatic-vein", "tumour-1"
   Eigen::Vector3d position_mm{0, 0, 0};
 };
 
+// Closed surfaces. The hepatic veins are those within the liver; they open into the vena cava.
 struct DemoAnatomy {
-  geometry::Surface liver, portal_vein, hepatic_veins, arteries, gallbladder, tumour, cysts;
-  std::vector<DemoLandmark> landmarks;  // those of landmarks.json, then the tumour's centre
+  geometry::Surface liver, portal_vein, hepatic_veins, vena_cava, arteries, gallbladder, tumour, cysts;
+  geometry::Surface drawn_portal_vein, drawn_hepatic_veins;  // as far as a radiologist follows them in these voxels
+  std::vector<DemoLandmark> landmarks;  // divisions of vessels inside the liver, then the tumour's centre
+  double size = 1;                      // of the body: the liver's lengths against one of 2300 ml
 };
 
-// Fails with what geometry::read_surface and read_json_file say, and demo-anatomy-not-closed.
-Result<DemoAnatomy> read_demo_anatomy(const std::filesystem::path& folder);
+// What the demo asks the generator for.
+[[nodiscard]] anatomy::PatientOptions demo_patient_options();
+
+// Landmarks are known by construction: where the trees divide among segments, and where the largest branch joins each
+// hepatic vein. Fails with what anatomy::make_patient says.
+Result<DemoAnatomy> make_demo_anatomy(const anatomy::PatientOptions& options = demo_patient_options(),
+                                      const Progress& progress = {});
 
 enum class Tissue : std::uint8_t {
   air,  // around the body, and gas in it

@@ -13,7 +13,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The outline in axial planes: a superellipse |x/a|^n + |y/b|^n = 1, which leaves the real liver at least 20 mm inside.
+// Where the generator puts the porta: bodies of other sizes are scaled about it (anatomy/liver_body.h).
+const Vector3d porta_mm(0, -163, -285);
+
+// The outline in axial planes: a superellipse |x/a|^n + |y/b|^n = 1.
 constexpr double outline_x_mm = 186, outline_y_mm = 148, outline_power = 2.35;
 const Vector3d body_center(0, -163, -300);
 
@@ -50,17 +53,8 @@ const std::array<Ellipsoid, 5> pancreas = {
     tilted({36, -180, -306}, {24, 10, 12}, 0, 20), tilted({66, -164, -298}, {22, 10, 12}, 0, 30),
     tilted({92, -146, -290}, {18, 10, 12}, 0, 35)};
 
-// The aorta's middle in the real model, straight lines between; the spine follows it.
-Vector3d aorta_at(double z) {
-  const std::array<Vector3d, 5> middle = {Vector3d(4, -148, -425), Vector3d(3, -156, -349), Vector3d(4, -150, -307),
-                                          Vector3d(4, -129, -259), Vector3d(8, -122, -185)};
-  for (std::size_t i = 1; i < middle.size(); ++i) {
-    if (z > middle[i].z() && i + 1 < middle.size()) continue;
-    const double t = (z - middle[i - 1].z()) / (middle[i].z() - middle[i - 1].z());
-    return middle[i - 1] + t * (middle[i] - middle[i - 1]);
-  }
-  return middle.back();
-}
+// The aorta before the spine, which follows it: farther back where the chest begins. By eye, as anatomy books draw it.
+Vector3d aorta_at(double z) { return {4, -138 - 15 * std::tanh((-z - 285) / 55), z}; }
 
 double flat_distance(const Vector3d& a, const Vector3d& b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
@@ -82,16 +76,18 @@ double Ellipsoid::depth_mm(const Vector3d& position_mm) const {
 // The diaphragm lies on the liver: from every point of the liver's surface it may fall off no faster than a parabola.
 // The left half is a dome of its own, and around them the lungs end in a rim, lower behind. The greatest of all these
 // is its height.
-DemoBody::DemoBody(const geometry::Surface& liver, std::uint64_t seed) : seed_(seed) {
+DemoBody::DemoBody(const geometry::Surface& liver, double size, std::uint64_t seed) : size_(size), seed_(seed) {
   constexpr double curvature_mm = 5, left_curvature_mm = 80;
   const Vector3d left_top(76, -150, -226);
+  std::vector<Vector3d> liver_mm = liver.points_mm;
+  for (Vector3d& point : liver_mm) point = at_size_1(point);
   for (int row = 0; row < dome_rows; ++row) {
     for (int column = 0; column < dome_columns; ++column) {
       const double x = dome_x0_mm + column * dome_pitch_mm, y = dome_y0_mm + row * dome_pitch_mm;
       const double from_left_mm = flat_distance({x, y, 0}, left_top);
       const double rim_mm = -305 + 65 * std::clamp((-30 - y) / 270, 0.0, 1.0) + 14 * smooth_noise(seed, {x, y, 0}, 60);
       double height = std::max(rim_mm, left_top.z() - from_left_mm * from_left_mm / (2 * left_curvature_mm));
-      for (const Vector3d& point : liver.points_mm) {
+      for (const Vector3d& point : liver_mm) {
         const double squared = (point.x() - x) * (point.x() - x) + (point.y() - y) * (point.y() - y);
         height = std::max(height, point.z() - squared / (2 * curvature_mm));
       }
@@ -112,7 +108,10 @@ DemoBody::DemoBody(const geometry::Surface& liver, std::uint64_t seed) : seed_(s
   bowel_.push_back(tilted({132, -125, -390}, {20, 20, 50}, 0, 0));
 }
 
-Tissue DemoBody::tissue_at(const Vector3d& p) const {
+Vector3d DemoBody::at_size_1(const Vector3d& position_mm) const { return porta_mm + (position_mm - porta_mm) / size_; }
+
+Tissue DemoBody::tissue_at(const Vector3d& position_mm) const {
+  const Vector3d p = at_size_1(position_mm);
   const double depth = depth_under_skin_mm(p);
   if (depth < 0) return Tissue::air;
   if (depth < 2) return Tissue::muscle;  // skin, about as bright
@@ -187,7 +186,7 @@ Tissue DemoBody::chest_at(const Vector3d& p) const {
   const Vector3d aorta = aorta_at(p.z());
   if (flat_distance(p, aorta) < 12) return Tissue::blood;
   if (flat_distance(p, aorta + Vector3d(-4, -22, 0)) < 8) return Tissue::muscle;    // oesophagus
-  if (flat_distance(p, {-20, -172, 0}) < 12 && p.z() > -224) return Tissue::blood;  // vena cava to the atrium
+  if (flat_distance(p, {-16, -174, 0}) < 13 && p.z() > -195) return Tissue::blood;  // vena cava to the atrium
   if (flat_distance(p, aorta + Vector3d(-2, -10, 0)) < 26) return Tissue::fat;
   if (p.z() < diaphragm_height_mm(p) + 1.5) return Tissue::muscle;
   return on_a_vessel(seed_ + 50, p, 20) ? Tissue::blood : Tissue::lung;
@@ -197,7 +196,7 @@ Tissue DemoBody::abdomen_at(const Vector3d& p) const {
   if (p.z() > diaphragm_height_mm(p) - diaphragm_mm) return Tissue::muscle;
   const Vector3d aorta = aorta_at(p.z());
   if (flat_distance(p, aorta) < 10.5) return Tissue::blood;
-  if (p.z() < -318 && flat_distance(p, {-27, -150, 0}) < 11.5) return Tissue::blood;  // vena cava below the real one
+  if (p.z() < -425 && flat_distance(p, {-27, -149, 0}) < 11.5) return Tissue::blood;  // vena cava below the liver's
   if (const auto organ = stomach_at(p, seed_ + 10)) return *organ;
   if (spleen_hollow.level(p) > 1 && spleen.level(p) < 1) return Tissue::spleen;
   for (const Ellipsoid& kidney : {right_kidney, left_kidney}) {

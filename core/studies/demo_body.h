@@ -1,6 +1,7 @@
 #pragma once
 // What surrounds the demo patient's liver, in simple shapes: the body wall with its ribs, spine, lungs, heart, spleen,
-// kidneys, stomach, bowel, pancreas. Sizes are textbook sizes, places follow from the real aorta, vena cava and liver.
+// kidneys, stomach, bowel, pancreas. Sizes are textbook sizes for a liver of 2300 ml, and go with the liver's; places
+// follow from where the generator's liver leaves room for its neighbours (anatomy/liver_shape.h).
 
 #include <cstdint>
 #include <vector>
@@ -23,11 +24,14 @@ struct Ellipsoid {
 
 class DemoBody {
  public:
-  DemoBody(const geometry::Surface& liver, std::uint64_t seed);
+  // `size`: of the body's lengths, 1 for a liver of 2300 ml.
+  DemoBody(const geometry::Surface& liver, double size, std::uint64_t seed);
 
   [[nodiscard]] Tissue tissue_at(const Eigen::Vector3d& position_mm) const;
 
  private:
+  // Positions below are of the body at size 1, mm.
+  [[nodiscard]] Eigen::Vector3d at_size_1(const Eigen::Vector3d& position_mm) const;
   [[nodiscard]] double depth_under_skin_mm(const Eigen::Vector3d& position_mm) const;
   [[nodiscard]] double fat_thickness_mm(const Eigen::Vector3d& position_mm) const;
   [[nodiscard]] double diaphragm_height_mm(const Eigen::Vector3d& position_mm) const;
@@ -35,6 +39,7 @@ class DemoBody {
   [[nodiscard]] Tissue chest_at(const Eigen::Vector3d& position_mm) const;
   [[nodiscard]] Tissue abdomen_at(const Eigen::Vector3d& position_mm) const;
 
+  double size_;
   std::uint64_t seed_;
   std::vector<Ellipsoid> bowel_;
   std::vector<double> dome_mm_;  // height of the diaphragm on a lattice over x and y

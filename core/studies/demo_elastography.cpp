@@ -73,8 +73,13 @@ Waves simulate_waves(const Volume& shear_kPa, const WaveOptions& options, std::u
   };
   // The driver lies on the right front of the chest over the liver; the others stand for what the ribs and the
   // diaphragm throw back.
-  const std::array<Front, 3> fronts = {
+  std::array<Front, 3> fronts = {
       Front{{-95, -290, -295}, 55, 1.0}, {{-140, -70, -300}, 30, 0.28}, {{90, -280, -270}, 30, 0.22}};
+  for (Front& front : fronts) {
+    const Vector3d porta_mm(0, -163, -285);  // bodies are scaled about it
+    front.center_mm = porta_mm + options.body_size * (front.center_mm - porta_mm);
+    front.radius_mm *= options.body_size;
+  }
   const double omega = 2 * std::numbers::pi * options.frequency_Hz;
 
   const Grid& grid = shear_kPa.grid;

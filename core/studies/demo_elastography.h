@@ -30,6 +30,7 @@ struct WaveOptions {
   double damping_ratio = 0.12;  // imaginary over twice the real part of the modulus; soft tissue, in the tenths
   double amplitude_um = 40;     // at the driver
   int phase_offsets = 4;        // evenly over one period
+  double body_size = 1;         // as DemoAnatomy's: the driver lies on the skin
 };
 
 // Displacement along the slices' normal, um, one volume a phase offset. Each of several wave fronts (the driver on the

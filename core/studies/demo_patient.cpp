@@ -70,10 +70,9 @@ class Staging {
 
 }  // namespace
 
-Result<DemoPatient> write_demo_study(const fs::path& anatomy_folder, const fs::path& out_folder,
-                                     const DemoOptions& options, const Progress& progress) {
-  progress.report(0, GLISSON_TEXT("reading the anatomy"));
-  const auto anatomy = read_demo_anatomy(anatomy_folder);
+Result<DemoPatient> write_demo_study(const fs::path& out_folder, const DemoOptions& options,
+                                     const Progress& progress) {
+  const auto anatomy = make_demo_anatomy(demo_patient_options(), progress.part(0, 0.1));
   if (!anatomy) return failure(anatomy.error());
 
   if (progress.cancelled()) return cancelled();
@@ -152,7 +151,9 @@ Result<ElastographyImages> simulate_elastography(const DemoAnatomy& anatomy, con
   if (progress.cancelled()) return cancelled();
   images.magnitude = simulate_image(anatomy, grid, Contrast::elastography, options.seed);
   if (progress.cancelled()) return cancelled();
-  images.waves = simulate_waves(images.true_shear_kPa, options.waves, options.seed);
+  WaveOptions waves = options.waves;
+  waves.body_size = anatomy.size;
+  images.waves = simulate_waves(images.true_shear_kPa, waves, options.seed);
   if (progress.cancelled()) return cancelled();
   images.measured =
       measure_stiffness(images.true_shear_kPa, liver_mask(anatomy, grid), images.waves.amplitude_um, options.seed);
@@ -281,8 +282,8 @@ std::vector<SegmentedMask> true_structures(const DemoAnatomy& anatomy, const Gri
   };
   add("liver", liver_mask(anatomy, grid));
   add("tumour-1", segmentation::rasterise(anatomy.tumour, grid));
-  add("portal-vein", segmentation::rasterise(anatomy.portal_vein, grid));
-  add("hepatic-vein", segmentation::rasterise(anatomy.hepatic_veins, grid));
+  add("portal-vein", segmentation::rasterise(anatomy.drawn_portal_vein, grid));
+  add("hepatic-vein", segmentation::rasterise(anatomy.drawn_hepatic_veins, grid));
   add("gallbladder", segmentation::rasterise(anatomy.gallbladder, grid));
   add("cyst", segmentation::rasterise(anatomy.cysts, grid));
   return structures;

@@ -1,15 +1,15 @@
 #pragma once
-// A liver MR and MR elastography study as DICOM files, SIMULATED from a real patient's anatomy, with its truth beside
-// it.
+// A liver MR and MR elastography study of a generated patient as DICOM files, SIMULATED, with its truth beside it.
 //
-// Nothing in it was measured but the surfaces of the liver and what lies in it (resources/demo/anatomy). Every file
-// says so: patient name, comments, descriptions, truth.json. The same seed gives the same bytes.
+// Nothing in it was measured. Every file says so: patient name, comments, descriptions, truth.json. The same seed gives
+// the same bytes.
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "anatomy/write_patient.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "imaging/study.h"
@@ -19,14 +19,13 @@
 namespace glisson::studies {
 
 struct DemoOptions {
-  std::uint64_t seed = 2026;
+  std::uint64_t seed = 1;  // of body, texture, stiffness and noise; the patient's own stands in demo_patient_options()
   DemoStiffness stiffness;
-  WaveOptions waves;
+  WaveOptions waves;  // body_size is set by the anatomy
 };
 
 // The sentence that goes wherever the demo patient is shown.
-inline constexpr const char* demo_is_simulated =
-    "SIMULATED from a real patient's anatomy: nothing but the shape of the liver and of what lies in it is real.";
+inline constexpr const char* demo_is_simulated = anatomy::is_simulated;
 
 struct DemoSeries {
   imaging::Role role = imaging::Role::other;
@@ -48,7 +47,7 @@ struct DemoPatient {
   std::vector<DemoSeeds> seeds;
 
   // truth.json (landmarks, seeds, volumes, options), the true masks on the anatomy's grid (liver.nrrd, tumour-1.nrrd,
-  // cyst.nrrd, portal-vein.nrrd, hepatic-vein.nrrd, gallbladder.nrrd) and shear_kPa.nrrd, the true shear modulus on
+  // cyst.nrrd, gallbladder.nrrd; portal-vein.nrrd and hepatic-vein.nrrd from 1.8 mm radius on) and shear_kPa.nrrd, the true shear modulus on
   // the elastography's grid.
   std::filesystem::path truth_folder;
 };
@@ -60,9 +59,8 @@ struct DemoPatient {
 [[nodiscard]] imaging::Grid demo_elastography_grid();
 
 // Writes dicom/ and truth/ under out_folder, in place of what they held; on failure they are as they were.
-// Fails with what reading the anatomy and writing files say, or cancelled.
-Result<DemoPatient> write_demo_study(const std::filesystem::path& anatomy_folder,
-                                     const std::filesystem::path& out_folder, const DemoOptions& options = {},
+// Fails with what making the anatomy and writing files say, or cancelled.
+Result<DemoPatient> write_demo_study(const std::filesystem::path& out_folder, const DemoOptions& options = {},
                                      const Progress& progress = {});
 
 }  // namespace glisson::studies

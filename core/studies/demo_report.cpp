@@ -89,8 +89,7 @@ Result<void> write_demo_report(const DemoSummary& summary) {
   page.title = "A rehearsed retraction";
   page.subtitle = "Demo patient: from a DICOM study to moved landmarks";
   page.warning = std::string(demo_is_simulated) + " Not a medical device.";
-  page.footer = fmt::format("Glisson {}. Made in {:.0f} s. Anatomy: UCL scikit-surgeryvtk liver models (BSD-3-Clause).",
-                            version(), summary.seconds);
+  page.footer = fmt::format("Glisson {}. Made in {:.0f} s.", version(), summary.seconds);
   page.blocks = {
       report::Paragraph{what_happened(summary)},
       report::Paragraph{force_that_matters(summary)},

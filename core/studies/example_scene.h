@@ -1,6 +1,6 @@
 #pragma once
-// What a laparoscope would see of the demo patient's liver while it breathes and a tool presses it. SIMULATED but for
-// the liver's shape: the motion is a formula, the colours are noise, the tool is a rod.
+// What a laparoscope would see of a liver while it breathes and a tool presses it. SIMULATED: the motion is a formula,
+// the colours are noise, the tool is a rod.
 //
 // All places are in the camera's space, mm: x to the right of the picture, y down, z away from the camera.
 

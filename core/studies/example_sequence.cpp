@@ -5,12 +5,12 @@
 #include <numbers>
 #include <random>
 
+#include "anatomy/patient.h"
 #include "base/files.h"
 #include "base/json.h"
 #include "geometry/manifold.h"
 #include "geometry/mesh_file.h"
 #include "registration_quality/sequence_file.h"
-#include "studies/demo_anatomy.h"
 #include "studies/example_scene.h"
 #include "vision/draw.h"
 
@@ -62,13 +62,15 @@ class Recording {
 
 }  // namespace
 
-Result<fs::path> write_example_sequence(const fs::path& anatomy_folder, const fs::path& folder,
-                                        const ExampleSequenceOptions& options, const Progress& progress) {
-  const auto anatomy = read_demo_anatomy(anatomy_folder);
-  if (!anatomy) return failure(anatomy.error());
+Result<fs::path> write_example_sequence(const fs::path& folder, const ExampleSequenceOptions& options,
+                                        const Progress& progress) {
+  anatomy::PatientOptions patient;
+  patient.seed = options.patient;
+  const auto liver = anatomy::make_liver_surface(patient);
+  if (!liver) return failure(liver.error());
   auto made = registration_quality::NewSequenceFolder::make(folder);
   if (!made) return failure(made.error());
-  const ExampleScene scene(anatomy->liver);
+  const ExampleScene scene(*liver);
   Recording recording(scene, folder, options);
   for (int frame = 0; frame < options.frames; ++frame) {
     if (progress.cancelled()) return cancelled();
@@ -78,12 +80,6 @@ Result<fs::path> write_example_sequence(const fs::path& anatomy_folder, const fs
   auto file = recording.finish();
   if (file) made->keep();
   return file;
-}
-
-Result<fs::path> write_example_sequence(const fs::path& folder, const Progress& progress) {
-  return resource_folder().and_then([&](const fs::path& resources) {
-    return write_example_sequence(resources / "demo" / "anatomy", folder, {}, progress);
-  });
 }
 
 namespace {
@@ -222,8 +218,8 @@ Result<fs::path> Recording::finish() {
   const fs::path file = folder_ / "sequence.json";
   auto written = write_json_file(
       file,
-      {{"simulated", GLISSON_TEXT("SIMULATED: the shape of a real patient's liver, breathing and pressed by a tool "
-                                  "as a formula says. The registration called \"given\" is the true one with a "
+      {{"simulated", GLISSON_TEXT("SIMULATED: a generated liver, breathing and pressed by a tool as a formula says."
+                                  " The registration called \"given\" is the true one with a "
                                   "fault put into it on the left of the picture.")},
        {"frames", frames_},
        {"landmarks", "tracks.csv"},

@@ -6,12 +6,12 @@
 #include <numbers>
 #include <random>
 
+#include "anatomy/patient.h"
 #include "base/files.h"
 #include "imaging/filters.h"
 #include "imaging/volume_file.h"
 #include "segmentation/rasterise.h"
 #include "studies/cohort.h"
-#include "studies/demo_anatomy.h"
 
 namespace glisson::studies {
 namespace {
@@ -56,9 +56,6 @@ double mean_stiffness_kPa(std::mt19937& random) {
   return from_kPa - length_kPa * std::log(uniform(random));
 }
 
-// Of the real liver's lengths, so that volumes are 1.2 to 2.3 litres.
-double size_of_liver(std::mt19937& random) { return 0.8 + 0.2 * uniform(random); }
-
 imaging::Volume liver_map(const geometry::Surface& liver, double mean_kPa, std::mt19937& random) {
   imaging::Volume map{{grid_around(liver), {}}, "kPa"};
   const imaging::Mask mask = segmentation::rasterise(liver, map.grid);
@@ -92,9 +89,6 @@ imaging::Volume liver_map(const geometry::Surface& liver, double mean_kPa, std::
 }  // namespace
 
 Result<void> write_simulated_cohort(const std::filesystem::path& folder, int patients, unsigned seed) {
-  const auto anatomy = resource_folder().and_then(
-      [](const auto& resources) { return read_demo_anatomy(resources / "demo" / "anatomy"); });
-  if (!anatomy) return failure(anatomy.error());
   std::mt19937 random(seed);
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
@@ -102,11 +96,12 @@ Result<void> write_simulated_cohort(const std::filesystem::path& folder, int pat
   if (auto written = write_text_file(folder / simulated_note, warning); !written) return written;
   for (int patient = 1; patient <= patients; ++patient) {
     const double mean_kPa = mean_stiffness_kPa(random);
-    geometry::Surface liver = anatomy->liver;
-    const double size = size_of_liver(random);
-    for (Eigen::Vector3d& point : liver.points_mm) point *= size;
+    anatomy::PatientOptions options;
+    options.seed = static_cast<std::uint64_t>(seed - 1) * 100000 + static_cast<std::uint64_t>(patient);
+    const auto liver = anatomy::make_liver_surface(options, 5);  // the maps' voxels are wider
+    if (!liver) return failure(liver.error());
     const auto file = folder / fmt::format("simulated-{:03}-stiffness.nrrd", patient);
-    if (auto written = imaging::write_volume_file(file, liver_map(liver, mean_kPa, random)); !written) return written;
+    if (auto written = imaging::write_volume_file(file, liver_map(*liver, mean_kPa, random)); !written) return written;
   }
   return {};
 }

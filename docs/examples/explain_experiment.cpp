@@ -1,6 +1,6 @@
 // What does a model lack that measurements show?
 //
-//   explain_experiment resources/examples/silicone/experiment.json OUT
+//   explain_experiment resources/examples/tissue/experiment.json OUT
 //
 // Prints the verdict and its evidence, and leaves report.html and the better model in OUT.
 

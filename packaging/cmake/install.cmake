@@ -21,7 +21,7 @@ endfunction()
 # --- the program
 install(TARGETS glisson-cli COMPONENT program)
 set(resources ${PROJECT_SOURCE_DIR}/resources)
-install(DIRECTORY ${resources}/demo ${resources}/devices ${resources}/examples ${resources}/manual ${resources}/studies
+install(DIRECTORY ${resources}/devices ${resources}/examples ${resources}/manual ${resources}/studies
   DESTINATION ${CMAKE_INSTALL_DATADIR}/glisson/resources COMPONENT program)
 install(FILES ${resources}/ATTRIBUTION.md DESTINATION ${CMAKE_INSTALL_DATADIR}/glisson/resources COMPONENT program)
 install(FILES ${share}/completion/glisson-cli DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions

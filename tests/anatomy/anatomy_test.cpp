@@ -7,6 +7,7 @@
 #include <set>
 
 #include "anatomy/capsules.h"
+#include "anatomy/landmarks.h"
 #include "anatomy/patient.h"
 #include "base/parallel.h"
 
@@ -234,6 +235,72 @@ TEST(GeneratedVariants, LackTheirLobeOrAreMirrored) {
   EXPECT_NEAR(geometry::volume_mm3(mirrored), 1.4e6, 100);  // still outwards
   for (std::size_t i = 0; i < mirrored.points_mm.size(); i += 100) {
     EXPECT_EQ(mirrored.points_mm[i].x(), -usual.liver->surface.points_mm[i].x());
+  }
+}
+
+TEST(GeneratedPatient, HasTheSameLiverWithoutItsVessels) {
+  for (const LobeVariant lobes : {LobeVariant::usual, LobeVariant::turned}) {
+    PatientOptions options;
+    options.seed = 2;
+    options.lobes = lobes;
+    options.portal_terminals = options.hepatic_terminals = options.arterial_terminals = 2;
+    const Surface whole = surfaces_of(make_patient(options).value()).front().surface;
+    const Surface alone = make_liver_surface(options).value();
+    EXPECT_EQ(alone.points_mm, whole.points_mm);
+    EXPECT_EQ(alone.triangles, whole.triangles);
+  }
+  PatientOptions impossible;
+  impossible.volume_ml = 5000;
+  EXPECT_EQ(make_liver_surface(impossible).error().code, "anatomy-volume");
+}
+
+// Which segments the twigs beyond a node feed, by following each twig back to the entry.
+std::set<int> fed_beyond(const VesselTree& tree, std::size_t node) {
+  std::set<int> segments;
+  const std::vector<int> children = tree.children_counts();
+  for (std::size_t twig = 0; twig < tree.nodes.size(); ++twig) {
+    if (children[twig] > 0) continue;
+    int at = static_cast<int>(twig);
+    while (at >= 0 && at != static_cast<int>(node)) at = tree.nodes[static_cast<std::size_t>(at)].parent;
+    if (at >= 0) segments.insert(tree.nodes[twig].segment);
+  }
+  return segments;
+}
+
+TEST(GeneratedLandmarks, LieWhereTheVesselsThatTheyNamePart) {
+  const std::map<std::string, std::set<int>> feeds = {{"portal-right-division", {5, 6, 7, 8}},
+                                                      {"portal-right-anterior-division", {5, 8}},
+                                                      {"portal-right-posterior-division", {6, 7}},
+                                                      {"portal-left-division", {2, 3, 4}},
+                                                      {"portal-umbilical-division", {3, 4}},
+                                                      {"portal-segment-2-division", {2}},
+                                                      {"portal-segment-6-division", {6}}};
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const Patient& patient = patient_of(seed);
+    const std::vector<Landmark> landmarks = landmarks_of(patient);
+    std::set<std::string> names;
+    for (const Landmark& landmark : landmarks) {
+      EXPECT_TRUE(names.insert(landmark.id).second) << landmark.id;
+      EXPECT_GE(patient.liver->depth_mm(landmark.position_mm), 3) << landmark.id;
+      const VesselTree& tree = landmark.structure == "portal-vein" ? patient.portal_vein : patient.hepatic_vein;
+      const auto node = std::find_if(tree.nodes.begin(), tree.nodes.end(), [&](const VesselNode& one) {
+        return one.position_mm == landmark.position_mm;
+      });
+      ASSERT_NE(node, tree.nodes.end()) << landmark.id << " lies on no vessel";
+      const auto index = static_cast<std::size_t>(node - tree.nodes.begin());
+      EXPECT_GE(tree.children_counts()[index], 2) << landmark.id << " is no division";
+      if (feeds.contains(landmark.id)) {
+        EXPECT_EQ(fed_beyond(tree, index), feeds.at(landmark.id)) << landmark.id;
+      }
+    }
+    EXPECT_TRUE(names.contains("portal-right-anterior-division") && names.contains("hepatic-confluence")) << seed;
+    const auto height_mm = [&](const std::string& id) {
+      const auto found = std::find_if(landmarks.begin(), landmarks.end(), [&](const auto& one) { return one.id == id; });
+      return found == landmarks.end() ? -1e9 : found->position_mm.z();
+    };
+    if (names.contains("hepatic-right-inferior-division")) {
+      EXPECT_LT(height_mm("hepatic-right-inferior-division"), height_mm("hepatic-right-division"));
+    }
   }
 }
 

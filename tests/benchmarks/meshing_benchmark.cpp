@@ -1,24 +1,22 @@
-// Labels to tetrahedra and to Voronoi nodes, on a real patient's liver rasterised to 1.5 mm (154 x 149 x 133 voxels).
+// Labels to tetrahedra and to Voronoi nodes, on a large generated liver rasterised to 1.5 mm.
 //
 //   bench_meshing        counters: cells, min_dihedral_deg, hausdorff_mm
 
 #include <benchmark/benchmark.h>
 
-#include "geometry/mesh_file.h"
+#include "anatomy/patient.h"
 #include "mechanics/meshfree/voronoi_nodes.h"
 #include "meshing/mesh_labels.h"
 #include "segmentation/rasterise.h"
-#include "support/data.h"
 
 namespace {
 
 using namespace glisson;
 
 imaging::Mask patient_liver() {
-  imaging::Mask none;
-  const auto file = test::shared_data() / "liver_patient_models_ucl/models/Liver/liver.vtk";
-  const auto surface = geometry::read_surface(file);
-  if (!surface) return none;
+  anatomy::PatientOptions options;
+  options.volume_ml = 2300;
+  const auto surface = anatomy::make_liver_surface(options);
   constexpr double spacing_mm = 1.5;
   constexpr int margin = 3;
   const geometry::Box box = geometry::bounding_box(surface->points_mm);
@@ -34,7 +32,6 @@ imaging::Mask patient_liver() {
 
 void mesh_a_liver(benchmark::State& state) {
   const imaging::Mask liver = patient_liver();
-  if (liver.values.empty()) return state.SkipWithError("no patient's liver: set GLISSON_SHARED_DATA");
   imaging::LabelMap labels;
   labels.grid = liver.grid;
   labels.values.assign(liver.values.begin(), liver.values.end());
@@ -50,7 +47,6 @@ BENCHMARK(mesh_a_liver)->Arg(5000)->Arg(20000)->Arg(90000)->Unit(benchmark::kMil
 
 void spread_nodes(benchmark::State& state) {
   const imaging::Mask liver = patient_liver();
-  if (liver.values.empty()) return state.SkipWithError("no patient's liver: set GLISSON_SHARED_DATA");
   for (auto _ : state) {
     const auto nodes = mechanics::voronoi_nodes(liver, {.nodes = static_cast<int>(state.range(0))});
     if (!nodes) return state.SkipWithError(nodes.error().message().c_str());

@@ -72,7 +72,7 @@ void files_of_a_sequence(const fs::path& folder) {
 }
 
 void curves_of_the_example(const fs::path& folder) {
-  for (const auto& entry : fs::directory_iterator(test::source_folder() / "resources/examples/silicone")) {
+  for (const auto& entry : fs::directory_iterator(test::source_folder() / "resources/examples/tissue")) {
     if (entry.path().extension() == ".csv") fs::copy_file(entry.path(), folder / entry.path().filename());
   }
 }
@@ -107,7 +107,7 @@ std::vector<Target> targets() {
       reader_of("convergence", "c.json", {shipped("devices/convergence.json")},
                 [](const fs::path& file) { return hardware::read_convergence_curve(file); }),
       reader_of(
-          "experiment", "e.json", {shipped("examples/silicone/experiment.json")},
+          "experiment", "e.json", {shipped("examples/tissue/experiment.json")},
           [](const fs::path& file) { return closedloop::read_experiment(file); }, curves_of_the_example),
       reader_of(
           "guidance", "guidance.json", {guided}, [](const fs::path& file) { return guidance::read_guidance(file); },

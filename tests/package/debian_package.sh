@@ -8,7 +8,7 @@ trap 'rm -rf "$place"' EXIT
 package=$(ls "$place"/glisson_*.deb)
 failed=0
 held=$(dpkg-deb --contents "$package")
-for file in bin/glisson bin/glisson-cli share/glisson/resources/demo/anatomy/liver.vtk share/glisson/resources/devices/devices.json \
+for file in bin/glisson bin/glisson-cli share/glisson/resources/examples/tissue/experiment.json share/glisson/resources/devices/devices.json \
   share/glisson/resources/manual/{,de/,fr/,es/}01-start.md share/glisson/resources/manual/pictures/tour-resect.png \
   share/man/man1/glisson-cli.1.gz share/applications/io.glisson.Glisson.desktop share/metainfo/io.glisson.Glisson.metainfo.xml \
   share/mime/packages/io.glisson.Glisson.xml share/icons/hicolor/scalable/apps/io.glisson.Glisson.svg \

@@ -1,14 +1,14 @@
 // Pictures, drawn off screen and held against tests/baselines.
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cstdlib>
 
-#include "geometry/mesh_file.h"
+#include "anatomy/patient.h"
 #include "scene/anatomy.h"
 #include "scene/bodies.h"
 #include "scene/composite.h"
 #include "scene/scene.h"
-#include "support/data.h"
 #include "support/picture_check.h"
 
 namespace glisson::scene {
@@ -161,18 +161,18 @@ TEST(DrawRedBlue, IsPurpleWhereTheResultsAgreeAndRedOrBlueWhereTheyDoNot) {
   EXPECT_TRUE(looks_like_baseline(*picture, "organ-red-blue"));
 }
 
-TEST(Draw, ShowsARealPatientsLiver) {
-  GLISSON_NEEDS_DATA("liver_patient_models_ucl");
-  const auto folder = test::shared_data() / "liver_patient_models_ucl" / "models" / "Liver";
+TEST(Draw, ShowsAGeneratedPatientsLiver) {
+  anatomy::PatientOptions options;
+  options.lesions = {{anatomy::LesionKind::tumour, 30, 6, {}}};
+  const auto patient = anatomy::make_patient(options);
+  ASSERT_TRUE(patient) << patient.error().message();
   Scene scene;
-  for (const auto& [name, file] : {std::pair{"portal-vein", "portal_vein.vtk"},
-                                   {"hepatic-veins", "hepatic_veins.vtk"},
-                                   {"tumour-1", "liver_tumours.vtk"},
-                                   {"liver", "liver.vtk"}}) {
-    auto surface = geometry::read_surface(folder / file);
-    ASSERT_TRUE(surface) << surface.error().message();
-    scene.surfaces.push_back(structure(name, *std::move(surface)));
+  for (anatomy::NamedSurface& named : anatomy::surfaces_of(*patient)) {
+    if (named.name == "liver" || named.name.ends_with("vein") || named.name.starts_with("tumour")) {
+      scene.surfaces.push_back(structure(named.name, std::move(named.surface)));
+    }
   }
+  std::reverse(scene.surfaces.begin(), scene.surfaces.end());  // what is seen through comes last
   EXPECT_TRUE(looks_like_baseline(drawn(scene), "patient-liver"));
 }
 

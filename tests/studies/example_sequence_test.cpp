@@ -14,8 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path anatomy = glisson::test::source_folder() / "resources" / "demo" / "anatomy";
-
 ExampleSequenceOptions small() {
   ExampleSequenceOptions options;
   options.frames = 20;  // one breath
@@ -48,7 +46,7 @@ std::pair<double, double> near_and_far(const registration_quality::Quality& qual
 
 TEST(ExampleSequence, ShowsSirgnTheFaultThatItHolds) {
   const TemporaryFolder folder;
-  const auto file = write_example_sequence(anatomy, folder.path() / "example", small());
+  const auto file = write_example_sequence(folder.path() / "example", small());
   ASSERT_TRUE(file.has_value()) << file.error().message();
   const auto files = registration_quality::read_sequence(*file);
   ASSERT_TRUE(files.has_value()) << files.error().message();
@@ -72,7 +70,7 @@ TEST(ExampleSequence, WithoutAFaultIsRegisteredTruly) {
   const TemporaryFolder folder;
   ExampleSequenceOptions options = small();
   options.fault_mm = 0;
-  const auto file = write_example_sequence(anatomy, folder.path() / "example", options).value();
+  const auto file = write_example_sequence(folder.path() / "example", options).value();
   const auto registered = registration_quality::register_sequence(registration_quality::read_sequence(file).value(),
                                                                   registration_quality::SequenceMethod::given)
                               .value();
@@ -86,8 +84,8 @@ TEST(ExampleSequence, IsTheSameFromTheSameSeed) {
   const TemporaryFolder folder;
   ExampleSequenceOptions options = small();
   options.frames = 3;
-  const auto a = write_example_sequence(anatomy, folder.path() / "a", options).value();
-  const auto b = write_example_sequence(anatomy, folder.path() / "b", options).value();
+  const auto a = write_example_sequence(folder.path() / "a", options).value();
+  const auto b = write_example_sequence(folder.path() / "b", options).value();
   for (const char* name : {"tracks.csv", "f002.ply", "f002.jpg", "r002.ply"}) {
     EXPECT_EQ(sha256_of_file(a.parent_path() / name).value(), sha256_of_file(b.parent_path() / name).value()) << name;
   }
@@ -97,13 +95,13 @@ TEST(ExampleSequence, LeavesNothingBehindWhenItIsCancelled) {
   const TemporaryFolder folder;
   std::stop_source stop;
   const Progress progress([&](double, std::string_view) { stop.request_stop(); }, stop.get_token());
-  const auto file = write_example_sequence(anatomy, folder.path() / "example", small(), progress);
+  const auto file = write_example_sequence(folder.path() / "example", small(), progress);
   ASSERT_FALSE(file.has_value());
   EXPECT_EQ(file.error().code, "cancelled");
   EXPECT_FALSE(fs::exists(folder.path() / "example"));
   // And a folder that holds something is not written into.
   ASSERT_TRUE(write_text_file(folder.path() / "mine.txt", "mine"));
-  EXPECT_EQ(write_example_sequence(anatomy, folder.path(), small()).error().code, "sequence-folder-not-empty");
+  EXPECT_EQ(write_example_sequence(folder.path(), small()).error().code, "sequence-folder-not-empty");
   EXPECT_TRUE(fs::exists(folder.path() / "mine.txt"));
 }
 

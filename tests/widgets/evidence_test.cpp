@@ -108,12 +108,14 @@ class EvidenceTest : public QObject {
   void explains_the_example_that_ships() {
     finish([this] { QTest::mouseClick(child<QPushButton>("evidence_example"), Qt::LeftButton); });
     QVERIFY(view_->record() != nullptr);
-    // Silicone stiffens in compression and softens once it was stretched; no one effect explains it to the noise.
-    QCOMPARE(view_->record()->verdict, std::string("unexplained"));
-    QCOMPARE(view_->record()->effects.front().kind, std::string("strain-stiffening"));
+    // The sample stiffens and gives way while it is held, which its file does not declare.
+    QCOMPARE(view_->record()->verdict, std::string("explained"));
+    QCOMPARE(view_->record()->effects.size(), std::size_t{2});
+    QCOMPARE(view_->record()->effects[0].kind, std::string("strain-stiffening"));
+    QCOMPARE(view_->record()->effects[1].kind, std::string("viscoelastic-creep"));
     // In plain words first: whose, what, and how much of the error it takes away; numbers are asked for.
     const QString verdict = child<QLabel>("patient_name")->text();
-    QVERIFY2(verdict.contains("Silicone EF10_75T in compression") && verdict.contains("Stiffens as it deforms") &&
+    QVERIFY2(verdict.contains("SIMULATED: a sample of liver tissue in compression") && verdict.contains("Stiffens as it deforms") &&
                  QRegularExpression("takes away 9\\d %").match(verdict).hasMatch(),
              qPrintable(verdict));
     const auto* candidates = child<QTableWidget>("evidence_candidates");
@@ -135,7 +137,7 @@ class EvidenceTest : public QObject {
   void predicts_trials_that_it_was_not_fitted_to() {
     const auto resources = resource_folder();
     QVERIFY(bool(resources));
-    finish([&] { view_->compare_trials(*resources / "examples" / "silicone" / "heldout.json"); });
+    finish([&] { view_->compare_trials(*resources / "examples" / "tissue" / "heldout.json"); });
     const auto* table = child<QTableWidget>("evidence_comparison");
     QVERIFY(table->isVisible());
     QCOMPARE(table->rowCount(), 2);
@@ -218,11 +220,22 @@ class EvidenceTest : public QObject {
     QVERIFY(casefile::Case::open(folder)->find("evidence/model") == nullptr);
   }
 
-  // The silicone that ships is nobody's liver, and what was found of it changes nothing.
+  // The sample that ships is nobody's liver; and how tissue stiffens at large strain changes nothing in a linear rehearsal.
   void refuses_what_is_not_of_this_patient_or_changes_nothing() {
     const fs::path kept = view_->record()->folder;
     finish([this] { QTest::mouseClick(child<QPushButton>("evidence_example"), Qt::LeftButton); });
     auto* accept = child<QPushButton>("evidence_accept");
+    QVERIFY(!accept->isEnabled());
+    QVERIFY2(accept->toolTip().contains("SIMULATED: a sample") && accept->toolTip().contains("tissue of small"),
+             qPrintable(accept->toolTip()));
+    const fs::path stiffening = folder_ / "stiffening";
+    fs::copy(view_->record()->folder, stiffening);
+    for (const char* file : {"model.json", "report.json"}) {
+      Json document = read_json_file(stiffening / file).value();
+      document["effects"] = Json::array({document["effects"][0]});
+      QVERIFY(bool(write_json_file(stiffening / file, document)));
+    }
+    view_->open(stiffening);
     QVERIFY(!accept->isEnabled());
     QVERIFY2(accept->toolTip().contains("change nothing"), qPrintable(accept->toolTip()));
     const auto* found = child<FoundTree>("evidence_found");

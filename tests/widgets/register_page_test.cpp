@@ -33,8 +33,7 @@ class RegisterPageTest : public QObject {
     options.landmarks = 50;
     options.step_px = 14;
     options.outlier_share = 0;
-    const auto made = studies::write_example_sequence(glisson::test::source_folder() / "resources" / "demo" / "anatomy",
-                                                      folder_.path() / "example", options);
+    const auto made = studies::write_example_sequence(folder_.path() / "example", options);
     QVERIFY2(made.has_value(), made ? "" : made.error().message().c_str());
     file_ = *made;
   }
@@ -112,10 +111,10 @@ class RegisterPageTest : public QObject {
       std::sort(sorted.begin(), sorted.end());
       QVERIFY(low <= sorted[sorted.size() / 10]);
     }
-    // The fault that was put into what the sequence gives: nearest points do not make it.
+    // What the sequence gives leaves the model where its fault is; nearest points lie on it, wherever they slide.
     const auto* figures = child<FiguresTable>("figures");
     QCOMPARE(figures->horizontalHeaderItem(0)->text(), QString("Given"));
-    QVERIFY(number(figures, FiguresTable::correlation, 0) < number(figures, FiguresTable::correlation, 1));
+    QVERIFY(number(figures, FiguresTable::rmse, 1) < 0.5 * number(figures, FiguresTable::rmse, 0));
     child<Timeline>("timeline")->show_frame(7);
     auto* video = child<HeatVideo>("first_video");
     QTest::mouseClick(video, Qt::LeftButton, {}, video->on_widget({161, 234}).toPoint());
@@ -175,15 +174,17 @@ class RegisterPageTest : public QObject {
     QTest::keyClick(page_.get(), Qt::Key_End);
     QCOMPARE(timeline->frame(), 19);
     QTest::keyClick(page_.get(), Qt::Key_Home);
-    const QPointF before = *child<HeatVideo>("first_video")->middle_of(some_triangle());
+    const std::size_t triangle = some_triangle();
+    const QPointF before = *child<HeatVideo>("first_video")->middle_of(triangle);
     QTest::keyClick(page_.get(), Qt::Key_Space);
     QVERIFY(timeline->playing());
     QTRY_VERIFY(timeline->frame() > 2);
     click(child<QPushButton>("play"));
     QVERIFY(!timeline->playing());
     timeline->show_frame(10);
-    const QPointF after = *child<HeatVideo>("first_video")->middle_of(some_triangle());
-    QVERIFY(QLineF(before, after).length() > 5);  // the mesh goes with the breath
+    const QPointF after = *child<HeatVideo>("first_video")->middle_of(triangle);
+    const double moved = QLineF(before, after).length();
+    QVERIFY2(moved > 5, qPrintable(QString::number(moved)));  // the mesh goes with the breath
   }
 
   void a_click_on_a_triangle_shows_its_history() {

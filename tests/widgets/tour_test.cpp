@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QImage>
+#include <QSignalSpy>
 #include <QtTest>
 #include <set>
 
@@ -11,6 +12,7 @@
 #include "support/tour_picture.h"
 #include "widgets/evidence/evidence_view.h"
 #include "widgets/main_window.h"
+#include "widgets/views/wave_view.h"
 
 namespace glisson::widgets {
 namespace {
@@ -53,6 +55,29 @@ class TourTest : public QObject {
     QCOMPARE(static_cast<int>(seen.size()), window_->tour().stops());
     QVERIFY(!window_->tour().isVisible());  // the last button ends it
     QVERIFY2(pictures_that_differ_.isEmpty(), qPrintable(pictures_that_differ_.join('\n')));
+  }
+
+  // Its picture stands in the manual.
+  void shows_the_waves_of_its_patient() {
+    for (QAction* action : window_->findChildren<QAction*>()) {
+      if (action->shortcut() == QKeySequence("Ctrl+W")) action->trigger();
+    }
+    auto* waves = window_->findChild<WaveView*>();
+    QVERIFY(waves != nullptr);
+    waves->setFixedSize(1280, 720);
+    QSignalSpy inverted(waves, &WaveView::inverted);
+    waves->invert();
+    QVERIFY(inverted.wait(patience_ms));
+    auto* play = waves->findChild<QPushButton*>("wave_play");
+    if (!play->isChecked()) play->click();
+    while (waves->instant() > 0.01 && waves->instant() < 0.99) {
+      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+    play->click();
+    const QImage picture = waves->grab().toImage().convertToFormat(QImage::Format_RGB888);
+    const test::PictureVerdict verdict = test::held_against_baseline(picture, "wave-window");
+    QVERIFY2(verdict.alike, qPrintable(verdict.words));
+    waves->close();
   }
 
   void goes_back_and_ends_by_keys() {

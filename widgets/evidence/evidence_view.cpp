@@ -119,7 +119,7 @@ QWidget* EvidenceView::make_panel() {
     open_->setText(tr("Open an experiment..."));
     open_->setToolTip(tr("A file that says what was measured and which model was assumed (Help, Closing the loop)"));
     example_->setText(tr("Try the example"));
-    example_->setToolTip(tr("Silicone of liver-like stiffness, compressed: measured, not simulated"));
+    example_->setToolTip(tr("A sample of tissue, compressed: simulated, and it does something that its file does not declare"));
     open_report_->setText(tr("Open a report..."));
     open_report_->setToolTip(tr("A folder with report.json and model.json, written here or by glisson-cli explain"));
     use_title->setText(tr("For the patient"));
@@ -147,7 +147,7 @@ QWidget* EvidenceView::make_beginning() {
     beginning_->setText(
         tr("Open measurements of a palpation, a material test or a wearable computer.\n"
            "Glisson says how far the declared model is off, what it lacks, and how sure that is.\n\n"
-           "No measurements at hand? Try the example: silicone of liver-like stiffness in compression."));
+           "No measurements at hand? Try the example: a simulated sample of tissue that does something undeclared."));
   });
   return page;
 }
@@ -163,7 +163,7 @@ void EvidenceView::open(const fs::path& path) {
 void EvidenceView::open_example() {
   const auto resources = resource_folder();
   if (!resources) return context_.tell_error(resources.error());
-  explain(*resources / "examples" / "silicone" / "experiment.json");
+  explain(*resources / "examples" / "tissue" / "experiment.json");
 }
 
 void EvidenceView::explain(const fs::path& experiment) {

@@ -89,7 +89,7 @@ void RegisterPage::open_example() {
          folder = own_folder() / "example-sequence"](const Progress& progress) -> BackgroundWork::Then {
           const fs::path file = folder / "sequence.json";
           const auto made =
-              fs::exists(file) ? Result<fs::path>(file) : studies::write_example_sequence(folder, progress);
+              fs::exists(file) ? Result<fs::path>(file) : studies::write_example_sequence(folder, {}, progress);
           auto opened = made.and_then(read);
           return [page, opened = std::move(opened)] {
             if (page.isNull()) return;

@@ -1,10 +1,12 @@
 """What the scripts of this folder share: where the recordings lie, and what is asked on the command line."""
 
 import argparse
+import os
 import pathlib
 import sys
 
-SHARED = pathlib.Path(__file__).resolve().parents[3].parent / "shared" / "data"
+SHARED = pathlib.Path(os.environ.get("GLISSON_SHARED_DATA",
+                                     pathlib.Path(__file__).resolve().parents[3].parent / "shared" / "data"))
 
 
 def asked_for(description, folder, more=lambda ask: None):
