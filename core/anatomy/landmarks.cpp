@@ -118,9 +118,8 @@ std::vector<Landmark> landmarks_of(const Patient& patient) {
 
   const Children portal_children = children_of(portal);
   for (int segment = 1; segment <= 8; ++segment) {
-    const auto first = std::find_if(portal.nodes.begin(), portal.nodes.end(), [&](const VesselNode& node) {
-      return node.trunk && node.segment == segment;
-    });
+    const auto first = std::find_if(portal.nodes.begin(), portal.nodes.end(),
+                                    [&](const VesselNode& node) { return node.trunk && node.segment == segment; });
     if (first == portal.nodes.end()) continue;
     const std::vector<int> pedicle =
         trunk_from(portal, portal_children, static_cast<int>(first - portal.nodes.begin()));

@@ -58,10 +58,10 @@ Result<std::vector<std::string>> cohort_patients(const std::filesystem::path& fo
 Json summary_json(const CohortSummary& summary);
 
 // Writes a SIMULATED cohort of liver maps as NRRD into the folder: a generated liver each (anatomy/patient.h; by seed 1
-// they are the generator's seeds from 1 on), slices 10 mm apart, stiffness drawn so that 64 % of the patients lie within
-// 0.5 kPa of 2.1 kPa and the upper 95 % limit is 4.8 times the atlas's, as section 4.3 reports, with the spread within a
-// liver growing from 0.95 kPa in proportion to the mean. (A mean of 2.1 kPa, which the section reports too, cannot be
-// had with both: it is taken for the typical patient's.) The same seed gives the same cohort.
+// they are the generator's seeds from 1 on), slices 10 mm apart, stiffness drawn so that 64 % of the patients lie
+// within 0.5 kPa of 2.1 kPa and the upper 95 % limit is 4.8 times the atlas's, as section 4.3 reports, with the spread
+// within a liver growing from 0.95 kPa in proportion to the mean. (A mean of 2.1 kPa, which the section reports too,
+// cannot be had with both: it is taken for the typical patient's.) The same seed gives the same cohort.
 Result<void> write_simulated_cohort(const std::filesystem::path& folder, int patients, unsigned seed = 1);
 
 // What every report on the folder's patients must say: the text of SIMULATED.txt in it, which write_simulated_cohort

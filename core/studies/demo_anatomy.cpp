@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "anatomy/landmarks.h"
 #include "base/parallel.h"
@@ -46,14 +47,12 @@ Result<DemoAnatomy> make_demo_anatomy(const anatomy::PatientOptions& options, co
 
   DemoAnatomy demo;
   demo.size = std::cbrt(patient->options.volume_ml / body_of_ml);
-  for (anatomy::NamedSurface& named : anatomy::surfaces_of(*patient)) {
-    if (named.name == "liver") demo.liver = std::move(named.surface);
-    else if (named.name == "portal-vein") demo.portal_vein = std::move(named.surface);
-    else if (named.name == "hepatic-vein") demo.hepatic_veins = std::move(named.surface);
-    else if (named.name == "vena-cava") demo.vena_cava = std::move(named.surface);
-    else if (named.name == "artery") demo.arteries = std::move(named.surface);
-    else if (named.name == "gallbladder") demo.gallbladder = std::move(named.surface);
-    else append(named.name.starts_with("tumour") ? demo.tumour : demo.cysts, named.surface);
+  const std::map<std::string, Surface*> places = {
+      {"liver", &demo.liver},         {"portal-vein", &demo.portal_vein}, {"hepatic-vein", &demo.hepatic_veins},
+      {"vena-cava", &demo.vena_cava}, {"artery", &demo.arteries},         {"gallbladder", &demo.gallbladder}};
+  for (const auto& [name, surface] : anatomy::surfaces_of(*patient)) {
+    const auto place = places.find(name);
+    append(place != places.end() ? *place->second : name.starts_with("tumour") ? demo.tumour : demo.cysts, surface);
   }
   demo.drawn_portal_vein = anatomy::tree_surface(patient->portal_vein, drawn_radius_mm, drawn_spacing_mm);
   demo.drawn_hepatic_veins = anatomy::tree_surface(patient->hepatic_vein, drawn_radius_mm, drawn_spacing_mm);

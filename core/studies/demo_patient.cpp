@@ -70,8 +70,7 @@ class Staging {
 
 }  // namespace
 
-Result<DemoPatient> write_demo_study(const fs::path& out_folder, const DemoOptions& options,
-                                     const Progress& progress) {
+Result<DemoPatient> write_demo_study(const fs::path& out_folder, const DemoOptions& options, const Progress& progress) {
   const auto anatomy = make_demo_anatomy(demo_patient_options(), progress.part(0, 0.1));
   if (!anatomy) return failure(anatomy.error());
 

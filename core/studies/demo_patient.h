@@ -47,8 +47,8 @@ struct DemoPatient {
   std::vector<DemoSeeds> seeds;
 
   // truth.json (landmarks, seeds, volumes, options), the true masks on the anatomy's grid (liver.nrrd, tumour-1.nrrd,
-  // cyst.nrrd, gallbladder.nrrd; portal-vein.nrrd and hepatic-vein.nrrd from 1.8 mm radius on) and shear_kPa.nrrd, the true shear modulus on
-  // the elastography's grid.
+  // cyst.nrrd, gallbladder.nrrd; portal-vein.nrrd and hepatic-vein.nrrd from 1.8 mm radius on) and shear_kPa.nrrd, the
+  // true shear modulus on the elastography's grid.
   std::filesystem::path truth_folder;
 };
 

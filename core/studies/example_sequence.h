@@ -20,8 +20,8 @@ struct ExampleSequenceOptions {
   double outlier_share = 0.03;  // of the landmarks, which jump half way
   double fault_mm = 20;         // of the registration that it gives, at its worst
   double fault_radius_mm = 32;
-  std::uint64_t patient = 1;    // seed of the generated liver; 1 is the demo patient's
-  std::uint64_t seed = 2026;    // of noise
+  std::uint64_t patient = 1;  // seed of the generated liver; 1 is the demo patient's
+  std::uint64_t seed = 2026;  // of noise
 };
 
 // Writes folder/sequence.json, the frames' pictures and clouds, tracks.csv, model.ply, the clouds as registered with

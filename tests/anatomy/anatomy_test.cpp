@@ -268,13 +268,11 @@ std::set<int> fed_beyond(const VesselTree& tree, std::size_t node) {
 }
 
 TEST(GeneratedLandmarks, LieWhereTheVesselsThatTheyNamePart) {
-  const std::map<std::string, std::set<int>> feeds = {{"portal-right-division", {5, 6, 7, 8}},
-                                                      {"portal-right-anterior-division", {5, 8}},
-                                                      {"portal-right-posterior-division", {6, 7}},
-                                                      {"portal-left-division", {2, 3, 4}},
-                                                      {"portal-umbilical-division", {3, 4}},
-                                                      {"portal-segment-2-division", {2}},
-                                                      {"portal-segment-6-division", {6}}};
+  const std::map<std::string, std::set<int>> feeds = {
+      {"portal-right-division", {5, 6, 7, 8}},     {"portal-right-anterior-division", {5, 8}},
+      {"portal-right-posterior-division", {6, 7}}, {"portal-left-division", {2, 3, 4}},
+      {"portal-umbilical-division", {3, 4}},       {"portal-segment-2-division", {2}},
+      {"portal-segment-6-division", {6}}};
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const Patient& patient = patient_of(seed);
     const std::vector<Landmark> landmarks = landmarks_of(patient);
@@ -283,9 +281,8 @@ TEST(GeneratedLandmarks, LieWhereTheVesselsThatTheyNamePart) {
       EXPECT_TRUE(names.insert(landmark.id).second) << landmark.id;
       EXPECT_GE(patient.liver->depth_mm(landmark.position_mm), 3) << landmark.id;
       const VesselTree& tree = landmark.structure == "portal-vein" ? patient.portal_vein : patient.hepatic_vein;
-      const auto node = std::find_if(tree.nodes.begin(), tree.nodes.end(), [&](const VesselNode& one) {
-        return one.position_mm == landmark.position_mm;
-      });
+      const auto node = std::find_if(tree.nodes.begin(), tree.nodes.end(),
+                                     [&](const VesselNode& one) { return one.position_mm == landmark.position_mm; });
       ASSERT_NE(node, tree.nodes.end()) << landmark.id << " lies on no vessel";
       const auto index = static_cast<std::size_t>(node - tree.nodes.begin());
       EXPECT_GE(tree.children_counts()[index], 2) << landmark.id << " is no division";
@@ -295,7 +292,8 @@ TEST(GeneratedLandmarks, LieWhereTheVesselsThatTheyNamePart) {
     }
     EXPECT_TRUE(names.contains("portal-right-anterior-division") && names.contains("hepatic-confluence")) << seed;
     const auto height_mm = [&](const std::string& id) {
-      const auto found = std::find_if(landmarks.begin(), landmarks.end(), [&](const auto& one) { return one.id == id; });
+      const auto found =
+          std::find_if(landmarks.begin(), landmarks.end(), [&](const auto& one) { return one.id == id; });
       return found == landmarks.end() ? -1e9 : found->position_mm.z();
     };
     if (names.contains("hepatic-right-inferior-division")) {

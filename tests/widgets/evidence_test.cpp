@@ -115,7 +115,8 @@ class EvidenceTest : public QObject {
     QCOMPARE(view_->record()->effects[1].kind, std::string("viscoelastic-creep"));
     // In plain words first: whose, what, and how much of the error it takes away; numbers are asked for.
     const QString verdict = child<QLabel>("patient_name")->text();
-    QVERIFY2(verdict.contains("SIMULATED: a sample of liver tissue in compression") && verdict.contains("Stiffens as it deforms") &&
+    QVERIFY2(verdict.contains("SIMULATED: a sample of liver tissue in compression") &&
+                 verdict.contains("Stiffens as it deforms") &&
                  QRegularExpression("takes away 9\\d %").match(verdict).hasMatch(),
              qPrintable(verdict));
     const auto* candidates = child<QTableWidget>("evidence_candidates");
@@ -220,7 +221,8 @@ class EvidenceTest : public QObject {
     QVERIFY(casefile::Case::open(folder)->find("evidence/model") == nullptr);
   }
 
-  // The sample that ships is nobody's liver; and how tissue stiffens at large strain changes nothing in a linear rehearsal.
+  // The sample that ships is nobody's liver; and how tissue stiffens at large strain changes nothing in a linear
+  // rehearsal.
   void refuses_what_is_not_of_this_patient_or_changes_nothing() {
     const fs::path kept = view_->record()->folder;
     finish([this] { QTest::mouseClick(child<QPushButton>("evidence_example"), Qt::LeftButton); });

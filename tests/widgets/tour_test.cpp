@@ -74,6 +74,7 @@ class TourTest : public QObject {
       QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
     play->click();
+    QTest::qWait(100);  // words find their room
     const QImage picture = waves->grab().toImage().convertToFormat(QImage::Format_RGB888);
     const test::PictureVerdict verdict = test::held_against_baseline(picture, "wave-window");
     QVERIFY2(verdict.alike, qPrintable(verdict.words));

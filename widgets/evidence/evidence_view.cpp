@@ -119,7 +119,8 @@ QWidget* EvidenceView::make_panel() {
     open_->setText(tr("Open an experiment..."));
     open_->setToolTip(tr("A file that says what was measured and which model was assumed (Help, Closing the loop)"));
     example_->setText(tr("Try the example"));
-    example_->setToolTip(tr("A sample of tissue, compressed: simulated, and it does something that its file does not declare"));
+    example_->setToolTip(
+        tr("A sample of tissue, compressed: simulated, and it does something that its file does not declare"));
     open_report_->setText(tr("Open a report..."));
     open_report_->setToolTip(tr("A folder with report.json and model.json, written here or by glisson-cli explain"));
     use_title->setText(tr("For the patient"));
