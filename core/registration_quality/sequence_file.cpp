@@ -3,6 +3,7 @@
 #include <charconv>
 #include <map>
 #include <string_view>
+#include <utility>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -13,6 +14,11 @@ namespace glisson::registration_quality {
 namespace {
 
 namespace fs = std::filesystem;
+
+Failure not_made(const fs::path& folder, const std::error_code& problem) {
+  return failure("folder-not-made", GLISSON_TEXT("The folder {0} cannot be made: {1}."),
+                 {folder.string(), problem.message()});
+}
 
 Failure invalid(const fs::path& file, std::string what) {
   return failure(Error{"sequence-invalid",
@@ -99,30 +105,36 @@ Result<SequenceFiles> read_sequence(const fs::path& file) {
 
 Result<NewSequenceFolder> NewSequenceFolder::make(const fs::path& folder) {
   std::error_code problem;
-  const bool was_there = fs::exists(folder, problem);
-  if (was_there && !fs::is_empty(folder, problem)) {
+  if (fs::exists(folder, problem) && !fs::is_empty(folder, problem)) {
     return failure(Error{"sequence-folder-not-empty",
                          GLISSON_TEXT("The folder {0} is not empty."),
                          {folder.string()},
                          GLISSON_TEXT("Name a new folder for the sequence."),
                          folder});
   }
-  fs::create_directories(folder, problem);
-  if (!problem) return NewSequenceFolder(folder, was_there);
-  return failure("folder-not-made", GLISSON_TEXT("The folder {0} cannot be made: {1}."),
-                 {folder.string(), problem.message()});
+  const fs::path whole = fs::absolute(folder, problem).lexically_normal();
+  const fs::path place = whole.has_filename() ? whole : whole.parent_path();
+  const fs::path beside = place.parent_path() / (".part-" + place.filename().string());
+  fs::remove_all(beside, problem);  // of one that was killed
+  fs::create_directories(beside, problem);
+  if (!problem) return NewSequenceFolder(place, beside);
+  return not_made(folder, problem);
 }
 
 NewSequenceFolder::NewSequenceFolder(NewSequenceFolder&& other) noexcept
-    : folder_(std::move(other.folder_)), was_there_(other.was_there_), kept_(other.kept_) {
-  other.kept_ = true;
+    : folder_(std::move(other.folder_)), beside_(std::exchange(other.beside_, {})) {}
+
+Result<void> NewSequenceFolder::keep() {
+  std::error_code problem;
+  fs::rename(beside_, folder_, problem);
+  if (problem) return not_made(folder_, problem);
+  beside_.clear();
+  return {};
 }
 
 NewSequenceFolder::~NewSequenceFolder() {
-  if (kept_) return;
-  std::error_code problem;
-  for (const auto& entry : fs::directory_iterator(folder_, problem)) fs::remove(entry.path(), problem);
-  if (!was_there_) fs::remove(folder_, problem);
+  std::error_code ignored;
+  if (!beside_.empty()) fs::remove_all(beside_, ignored);
 }
 
 Result<geometry::Surface> read_cloud(const fs::path& file) {

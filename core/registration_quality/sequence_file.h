@@ -40,13 +40,15 @@ class NewSequenceFolder {
   NewSequenceFolder(NewSequenceFolder&& other) noexcept;
   NewSequenceFolder& operator=(NewSequenceFolder&&) = delete;
   ~NewSequenceFolder();
-  void keep() { kept_ = true; }
+  // Where the files are written until all are there.
+  [[nodiscard]] const std::filesystem::path& beside() const { return beside_; }
+  // Puts the whole folder in its place.
+  Result<void> keep();
 
  private:
-  NewSequenceFolder(std::filesystem::path folder, bool was_there) : folder_(std::move(folder)), was_there_(was_there) {}
-  std::filesystem::path folder_;
-  bool was_there_;
-  bool kept_ = false;
+  NewSequenceFolder(std::filesystem::path folder, std::filesystem::path beside)
+      : folder_(std::move(folder)), beside_(std::move(beside)) {}
+  std::filesystem::path folder_, beside_;  // `beside_` is empty once it is kept
 };
 
 // The points of a surface or cloud file, triangles or not. PLY clouds need no triangles.

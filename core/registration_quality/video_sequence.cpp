@@ -49,8 +49,10 @@ Result<VideoSequence> make_sequence(vision::FrameSource& left, vision::FrameSour
                                     const VideoSequenceOptions& options, const Progress& progress) {
   auto made = NewSequenceFolder::make(folder);
   if (!made) return failure(made.error());
-  auto sequence = record(left, right, Recording(calibration, folder, options), options, progress);
-  if (sequence) made->keep();
+  auto sequence = record(left, right, Recording(calibration, made->beside(), options), options, progress);
+  if (!sequence) return sequence;
+  if (auto kept = made->keep(); !kept) return failure(kept.error());
+  sequence->file = folder / sequence->file.filename();
   return sequence;
 }
 

@@ -71,15 +71,15 @@ Result<fs::path> write_example_sequence(const fs::path& folder, const ExampleSeq
   auto made = registration_quality::NewSequenceFolder::make(folder);
   if (!made) return failure(made.error());
   const ExampleScene scene(*liver);
-  Recording recording(scene, folder, options);
+  Recording recording(scene, made->beside(), options);
   for (int frame = 0; frame < options.frames; ++frame) {
     if (progress.cancelled()) return cancelled();
     if (auto added = recording.add(frame); !added) return failure(added.error());
     progress.report(static_cast<double>(frame + 1) / options.frames, GLISSON_TEXT("frames"));
   }
   auto file = recording.finish();
-  if (file) made->keep();
-  return file;
+  if (!file) return file;
+  return made->keep().map([&] { return folder / file->filename(); });
 }
 
 namespace {

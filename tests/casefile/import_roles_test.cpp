@@ -68,8 +68,8 @@ TEST_F(ImportRolesTest, AMagnitudeServesAsTheAnatomyWhereThereIsNone) {
   EXPECT_TRUE(Case::open(folder_)->find("volumes/magnitude"));
 }
 
-// The mark is there before the first volume is: an import that is killed cannot lose it.
-TEST_F(ImportRolesTest, ASimulatedStudyIsMarkedBeforeAnythingIsTakenIn) {
+// The mark comes with the volumes, in one transaction: an import that is killed or cancelled cannot lose it.
+TEST_F(ImportRolesTest, ASimulatedStudyIsTakenInWithItsMarkOrNotAtAll) {
   for (imaging::Series& series : study_.series) series.description = "Simulated " + series.description;
   fs::remove_all(folder_);
   auto made = Case::create(folder_);
@@ -78,7 +78,11 @@ TEST_F(ImportRolesTest, ASimulatedStudyIsMarkedBeforeAnythingIsTakenIn) {
   const auto interrupted =
       import_series_as(*made, study_, {{uid("one.nrrd"), Role::anatomy}}, Progress({}, stop.get_token()));
   EXPECT_EQ(interrupted.error().code, "cancelled");
+  EXPECT_EQ(Case::open(folder_)->origin(), "");
+  EXPECT_TRUE(Case::open(folder_)->entries().empty());
+  ASSERT_TRUE(import_series_as(*made, study_, {{uid("one.nrrd"), Role::anatomy}}));
   EXPECT_THAT(Case::open(folder_)->origin(), testing::StartsWith("SIMULATED"));
+  EXPECT_EQ(Case::open(folder_)->entries().size(), 1u);
 }
 
 TEST_F(ImportRolesTest, RefusesWhatCannotBe) {

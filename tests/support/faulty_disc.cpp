@@ -280,6 +280,7 @@ DiscRun run_on_faulty_disc(const fs::path& folder, const std::vector<std::string
     ::setenv("TMPDIR", tmp.c_str(), 1);
     ::setenv("HOME", home.c_str(), 1);
     ::setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
+    ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // the driver's, of no patient
     for (const char* name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR"}) ::unsetenv(name);
     ::dup2(::open("/dev/null", O_RDONLY), 0);
     ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600), 1);
