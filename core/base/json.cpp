@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/json_forward.h"
 
 namespace glisson {
 namespace {

@@ -9,6 +9,7 @@
 #include "base/error_file.h"
 #include "base/files.h"
 #include "base/json.h"
+#include "base/json_forward.h"
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "base/units.h"

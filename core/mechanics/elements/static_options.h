@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/tissue.h"
 #include "base/units.h"
 #include "mechanics/elements/node_layout.h"
 #include "mechanics/materials/anisotropy.h"
@@ -12,7 +13,7 @@
 namespace glisson::mechanics {
 
 struct StaticOptions {
-  double poisson_ratio = 0.45;
+  double poisson_ratio = usual_poisson_ratio;
   double density_kg_mm3 = units::kg_mm3_from_kg_m3(1000.0);
   ElementOrder order = ElementOrder::quadratic;
   double relative_tolerance = 1e-6;  // far below any measured modulus; what is reached is usually 1e-12, and 1e-8 near

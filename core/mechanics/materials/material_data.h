@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "base/tissue.h"
 
 namespace glisson::mechanics {
 
@@ -28,7 +29,7 @@ struct StressStrain {
 };
 
 struct MaterialDataOptions {
-  double poisson_ratio = 0.45;
+  double poisson_ratio = usual_poisson_ratio;
   int neighbours = 6;    // of which the hull is taken: He and Chen's six to ten; one is the nearest-point solver
   double slope_kPa = 0;  // of the energy norm; 0: the data's own mean slope, by least squares through the origin
 };

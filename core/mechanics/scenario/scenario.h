@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/tissue.h"
 #include "base/units.h"
 #include "geometry/surface.h"
 #include "mechanics/materials/anisotropy.h"
@@ -135,7 +136,7 @@ struct Scenario {
   Engine engine = Engine::fem;
   MaterialLaw material = MaterialLaw::linear;
   double strain_stiffening = 0;  // Veronda and Westmann's c2 (isochoric.h), read by that law alone
-  double poisson_ratio = 0.45;   // what liver simulations commonly take for a nearly incompressible organ
+  double poisson_ratio = usual_poisson_ratio;
   double density_kg_mm3 = units::kg_mm3_from_kg_m3(1000.0);
   std::optional<YoungsModulus> youngs_modulus;  // absent: the mesh's own field `youngs_modulus_kPa`
   std::vector<Support> supports;
