@@ -11,7 +11,8 @@ namespace glisson::report {
 Result<void> write_explanation(const std::filesystem::path& folder, const closedloop::Explained& explained) {
   const closedloop::Observations& observations = explained.model->observations();
   return write_together([&] {
-    return write_file(folder / "report.json", closedloop::report_json(explained.explanation, observations).dump(2) + "\n")
+    return write_file(folder / "report.json",
+                      closedloop::report_json(explained.explanation, observations).dump(2) + "\n")
         .and_then([&] {
           return write_file(folder / "model.json",
                             closedloop::model_text(explained.explanation, *explained.model, explained.experiment));

@@ -117,7 +117,8 @@ bool stands(const fs::path& path) {
 TEST(Docs, NamedPathsExist) {
   const std::regex code("`([^`]+)`");
   const std::regex path("[a-z_]+(/[A-Za-z0-9_.,-]+)+/?");
-  const std::set<std::string> tops = {"app", "core", "widgets", "resources", "tests", "translations", "packaging", "docs"};
+  const std::set<std::string> tops = {"app",   "core",         "widgets",   "resources",
+                                      "tests", "translations", "packaging", "docs"};
   const std::set<std::string> rooms = folders_in(root / "core");
   const std::regex placeholder("[A-Z]{2,}");
   int checked = 0;

@@ -171,7 +171,8 @@ TEST(Floors, ThirdPartyStaysInItsRooms) {
 }
 
 // A header that other rooms include shows only the standard library, Eigen and tl::expected; base/json.h is the stated
-// exception, for .cpp files, and base/json_forward.h, a name without the type behind it, for headers. A header that shows more is its room's own business and is included nowhere else.
+// exception, for .cpp files, and base/json_forward.h, a name without the type behind it, for headers. A header that
+// shows more is its room's own business and is included nowhere else.
 TEST(Floors, HeadersThatShowThirdPartyTypesStayInTheirRoom) {
   const std::vector<Include> includes = all_includes();
   std::map<std::string, std::string> showing;  // "room/header.h" -> what it shows

@@ -40,8 +40,8 @@ TEST(SmoothBaseline, ALawThatIsWrongIsNot) {
 TEST(SmoothBaseline, OfNothingButNoiseNeitherIsEvidence) {
   const Observations all = observations_of(test::straight_line, 0.2, 1);
   const Eigen::VectorXd noise = all.measured - 20 * all.load;
-  // The baseline's function vanishes; what is left between the two is what their numbers cost: 1 amplitude and 5 lengths
-  // (load, rate, way, time, largest load) of ln 400 against none.
+  // The baseline's function vanishes; what is left between the two is what their numbers cost: 1 amplitude and 5
+  // lengths (load, rate, way, time, largest load) of ln 400 against none.
   EXPECT_NEAR(evidence_over_smooth(all, noise, noise, 0, 1), 6 * std::log(400.0), 6);
 }
 

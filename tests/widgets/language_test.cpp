@@ -30,8 +30,8 @@ namespace {
 
 // What translations/ has for an English text, in whatever context.
 std::map<QString, std::set<QString>> translations(const QString& language) {
-  QFile file(QString::fromStdString((glisson::test::source_folder() / "translations/glisson_%1.ts").string())
-                 .arg(language));
+  QFile file(
+      QString::fromStdString((glisson::test::source_folder() / "translations/glisson_%1.ts").string()).arg(language));
   if (!file.open(QIODevice::ReadOnly)) qFatal("there is no %s", qPrintable(file.fileName()));
   std::map<QString, std::set<QString>> found;
   QXmlStreamReader reader(&file);
