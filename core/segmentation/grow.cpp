@@ -10,6 +10,7 @@
 
 #include "imaging/filters.h"
 #include "segmentation/edit.h"
+#include "segmentation/outline_border.h"
 #include "segmentation/seeds.h"
 #include "segmentation/slice_holes.h"
 #include "segmentation/structures.h"
@@ -36,6 +37,8 @@ constexpr double largest_liver_ml = 3500;
 
 Result<void> check(const imaging::Volume& image, const std::vector<Vector3d>& seeds_mm, const GrowOptions& options);
 
+constexpr double much_unsure_border = 0.3;
+
 // What is known of one seed.
 struct Seed {
   Vector3d position_mm;
@@ -56,6 +59,7 @@ struct Region {
 Region region_of(const Mask& tissue, const std::vector<Seed>& seeds, const GrowOptions& options);
 
 Mask finished(const Region& region, const Grid& grid, const std::array<int, 3>& block, const GrowOptions& options);
+Mask without_crumbs(Mask mask);
 std::vector<GrowResult::Doubt> doubts_about(const GrowResult& result, const std::vector<Seed>& seeds,
                                             const Region& region);
 
@@ -129,7 +133,10 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
   if (progress.cancelled()) return cancelled();
   progress.report(static_cast<double>(most_rounds + 1) / (most_rounds + 2), GLISSON_TEXT("Smoothing the outline"));
   result.rounds = std::min(result.rounds, most_rounds);
-  result.mask = finished(region, image.grid, block, options);
+  RefinedBorder refined =
+      with_border_refined(finished(region, image.grid, block, options), image, tissue.mean, tissue.sd);
+  result.mask = without_crumbs(std::move(refined.outline));
+  result.unsure_border = refined.unsure_share;
   result.volume_ml = volume_ml(result.mask);
   result.tissue_mean = tissue.mean;
   result.tissue_sd = tissue.sd;
@@ -190,7 +197,11 @@ Mask finished(const Region& region, const Grid& grid, const std::array<int, 3>& 
   Mask mask{grid, std::vector<std::uint8_t>(grid.voxels())};
   for (std::size_t voxel = 0; voxel < fine.size(); ++voxel) mask.values[voxel] = fine[voxel] >= 0.5F ? 1 : 0;
 
-  // Crumbs that smoothing broke off go; pieces that hold seeds of their own stay.
+  return mask;
+}
+
+// Crumbs that smoothing broke off go; pieces that hold seeds of their own stay.
+Mask without_crumbs(Mask mask) {
   const imaging::ConnectedVoxels connected = imaging::connected_voxels(mask, imaging::Neighbours::faces);
   const std::size_t crumb = connected.sizes[connected.largest()] / 100;
   for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
@@ -260,6 +271,12 @@ std::vector<GrowResult::Doubt> doubts_about(const GrowResult& result, const std:
         if (i == 0 || j == 0 || i + 1 == grid.size[0] || j + 1 == grid.size[1]) other_face = true;
       }
     }
+  }
+  if (result.unsure_border > much_unsure_border) {
+    doubts.push_back({GrowthDoubt::unsure_border,
+                      {GLISSON_TEXT("On {0} % of its border the outline lies on tissue that hardly differs from it: look "
+                                    "there before you trust it, and add a point where a part is missing."),
+                       {fmt::format("{:.0f}", 100 * result.unsure_border)}}});
   }
   const std::string volume_ml = fmt::format("{:.0f}", result.volume_ml);
   if (other_face) {
