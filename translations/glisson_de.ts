@@ -4197,12 +4197,80 @@
         <translation>Bringen Sie ihn an seinen Platz zurück, oder öffnen Sie den Fall dort, wo er jetzt ist.</translation>
     </message>
     <message>
-        <source>SIMULATED, not measured</source>
-        <translation>SIMULIERT, nicht gemessen</translation>
+        <source>The landmarks in {0} cannot be read: {1}.</source>
+        <translation>Die Landmarken in {0} lassen sich nicht lesen: {1}.</translation>
     </message>
     <message>
-        <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULIERT: eine erzeugte Leber, die nach einer Formel atmet und von einem Instrument eingedrückt wird. Die „vorgegebene“ Registrierung ist die wahre, in die links im Bild ein Fehler eingebaut wurde.</translation>
+        <source>Undo the change in the window, or delete the file&apos;s entry and set them again.</source>
+        <translation>Die Änderung im Fenster rückgängig machen oder den Eintrag der Datei löschen und sie neu setzen.</translation>
+    </message>
+    <message>
+        <source>No voxel there has a grey value from {0} to {1}.</source>
+        <translation>Dort hat kein Voxel einen Grauwert von {0} bis {1}.</translation>
+    </message>
+    <message>
+        <source>This case has no structure &quot;{0}&quot;.</source>
+        <translation>Dieser Fall hat keine Struktur &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>Names are those of the folder labels in the case: liver, portal-vein, ...</source>
+        <translation>Die Namen sind die des Ordners labels im Fall: liver, portal-vein, ...</translation>
+    </message>
+    <message>
+        <source>On {0} % of its border the outline lies on tissue that hardly differs from it: look there before you trust it, and add a point where a part is missing.</source>
+        <translation>An {0} % seines Randes liegt der Umriss an Gewebe, das sich kaum unterscheidet: dort nachsehen, bevor man ihm traut, und einen Punkt setzen, wo ein Teil fehlt.</translation>
+    </message>
+    <message>
+        <source>A seed lies where there is no image value, or outside of the structure to stay in.</source>
+        <translation>Ein Saatpunkt liegt, wo das Bild keinen Wert hat, oder außerhalb der Struktur, in der zu bleiben ist.</translation>
+    </message>
+    <message>
+        <source>Forget the points, and click inside of it.</source>
+        <translation>Die Punkte vergessen und hineinklicken.</translation>
+    </message>
+    <message>
+        <source>Nothing around the seeds differs from them in brightness.</source>
+        <translation>Nichts um die Saatpunkte herum unterscheidet sich von ihnen in der Helligkeit.</translation>
+    </message>
+    <message>
+        <source>Move the seeds, or draw with the brush.</source>
+        <translation>Die Saatpunkte versetzen oder mit dem Pinsel zeichnen.</translation>
+    </message>
+    <message>
+        <source>What is as bright as the seeds and hangs together with them is more than {0} mm thick: no vessel.</source>
+        <translation>Was so hell wie die Saatpunkte ist und mit ihnen zusammenhängt, ist mehr als {0} mm dick: kein Gefäß.</translation>
+    </message>
+    <message>
+        <source>Move the seed into a vessel that stands out, or keep the growth inside of the liver.</source>
+        <translation>Den Saatpunkt in ein Gefäß setzen, das sich abhebt, oder das Wachsen in der Leber halten.</translation>
+    </message>
+    <message>
+        <source>The seeds ({0}) hardly stand out from the tissue around ({1}, scatter {2}): look at the outline.</source>
+        <translation>Die Saatpunkte ({0}) heben sich kaum vom Gewebe ringsum ab ({1}, Streuung {2}): den Umriss ansehen.</translation>
+    </message>
+    <message>
+        <source>The growth reaches the side of the image: it has probably leaked. Keep it inside of the liver, or cut it there.</source>
+        <translation>Das Wachsen erreicht den Bildrand: es ist wohl ausgelaufen. In der Leber halten oder dort abschneiden.</translation>
+    </message>
+    <message>
+        <source>Grey values for {0}</source>
+        <translation>Grauwerte für {0}</translation>
+    </message>
+    <message>
+        <source>{0} and another structure</source>
+        <translation>{0} und eine andere Struktur</translation>
+    </message>
+    <message>
+        <source>This place is not in the liver: a landmark is followed as the liver moves.</source>
+        <translation>Diese Stelle ist nicht in der Leber: einer Landmarke wird gefolgt, wenn sich die Leber bewegt.</translation>
+    </message>
+    <message>
+        <source>Click in the liver, in a slice or in 3D, and set it again.</source>
+        <translation>In die Leber klicken, in einem Schnitt oder in 3D, und sie noch einmal setzen.</translation>
+    </message>
+    <message>
+        <source>Widen the range.</source>
+        <translation>Den Bereich erweitern.</translation>
     </message>
     <message>
         <source>{0} does not hold the images that {1} was made from.</source>
@@ -4211,6 +4279,10 @@
     <message>
         <source>Name the folder that was imported.</source>
         <translation>Nennen Sie den Ordner, der importiert wurde.</translation>
+    </message>
+    <message>
+        <source>SIMULATED, not measured</source>
+        <translation>SIMULIERT, nicht gemessen</translation>
     </message>
     <message>
         <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
@@ -4243,6 +4315,10 @@
     <message>
         <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
         <translation>Die Querkontraktionszahl des Netzes muss über -1 und darf nicht über 0.5 liegen; sie ist {0}.</translation>
+    </message>
+    <message>
+        <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
+        <translation>SIMULIERT: eine erzeugte Leber, die nach einer Formel atmet und von einem Instrument eingedrückt wird. Die „vorgegebene“ Registrierung ist die wahre, in die links im Bild ein Fehler eingebaut wurde.</translation>
     </message>
     <message>
         <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
@@ -5339,6 +5415,10 @@ mm</translation>
         <source>How far the landmark moves from where the scan shows it</source>
         <translation>Wie weit sich die Landmarke von dort bewegt, wo die Aufnahme sie zeigt</translation>
     </message>
+    <message>
+        <source>%1: set by hand. A double click renames it.</source>
+        <translation>%1: von Hand gesetzt. Ein Doppelklick benennt sie um.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::LanguageMenu</name>
@@ -5617,6 +5697,10 @@ Strg+Rad: Zoom. Umschalt+Ziehen: Verschieben. Strg+Ziehen: Drehen. Griffe am Fad
     <message>
         <source>Give it up and close</source>
         <translation>Aufgeben und schließen</translation>
+    </message>
+    <message>
+        <source>Set landmark</source>
+        <translation>Landmarke setzen</translation>
     </message>
 </context>
 <context>
@@ -6525,6 +6609,46 @@ figures</source>
         <source>rejected: off by %1 mm or more</source>
         <translation>verworfen: %1 mm oder mehr daneben</translation>
     </message>
+    <message>
+        <source>the left edge</source>
+        <translation>dem linken Rand</translation>
+    </message>
+    <message>
+        <source>the right edge</source>
+        <translation>dem rechten Rand</translation>
+    </message>
+    <message>
+        <source>the upper edge</source>
+        <translation>dem oberen Rand</translation>
+    </message>
+    <message>
+        <source>the lower edge</source>
+        <translation>dem unteren Rand</translation>
+    </message>
+    <message>
+        <source>%1 is nowhere off by %2 mm or more.</source>
+        <translation>%1 liegt nirgends um %2 mm oder mehr daneben.</translation>
+    </message>
+    <message>
+        <source>Do not trust %1: on most of it landmarks are off by %2 mm or more.</source>
+        <translation>%1 nicht trauen: auf dem größten Teil liegen Landmarken um %2 mm oder mehr daneben.</translation>
+    </message>
+    <message>
+        <source>Of %1 do not trust single places: %2 % of it is off by %3 mm or more.</source>
+        <translation>Bei %1 einzelnen Stellen nicht trauen: %2 % davon liegen um %3 mm oder mehr daneben.</translation>
+    </message>
+    <message>
+        <source>Of %1 do not trust %2: landmarks are off by %3 mm or more there.</source>
+        <translation>Bei %1 %2 nicht trauen: dort liegen Landmarken um %3 mm oder mehr daneben.</translation>
+    </message>
+    <message>
+        <source>Neither %1 nor %2 is clearly better here.</source>
+        <translation>Weder %1 noch %2 ist hier deutlich besser.</translation>
+    </message>
+    <message>
+        <source>%1 is better here than %2.</source>
+        <translation>%1 ist hier besser als %2.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::RegisterWelcome</name>
@@ -6618,6 +6742,38 @@ figures</source>
     <message>
         <source>Written: %1</source>
         <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Setzen</translation>
+    </message>
+    <message>
+        <source>Sets a landmark where the crosshair is: click in a slice or in 3D first</source>
+        <translation>Setzt eine Landmarke, wo das Fadenkreuz ist: zuerst in einen Schnitt oder in 3D klicken</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes the chosen landmark away, if it was set by hand; Ctrl+Z brings it back</source>
+        <translation>Nimmt die gewählte Landmarke weg, wenn sie von Hand gesetzt wurde; Strg+Z bringt sie zurück</translation>
+    </message>
+    <message>
+        <source>A name has letters or digits.</source>
+        <translation>Ein Name hat Buchstaben oder Ziffern.</translation>
+    </message>
+    <message>
+        <source>This name is taken.</source>
+        <translation>Dieser Name ist vergeben.</translation>
+    </message>
+    <message>
+        <source>Rename landmark</source>
+        <translation>Landmarke umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove landmark</source>
+        <translation>Landmarke entfernen</translation>
     </message>
 </context>
 <context>
@@ -6801,6 +6957,22 @@ figures</source>
         <source>Separation</source>
         <translation>Trennen</translation>
     </message>
+    <message>
+        <source>On the liver as the tool holds it</source>
+        <translation>An der Leber, wie das Werkzeug sie hält</translation>
+    </message>
+    <message>
+        <source>The cut lies on the liver held aside; the slices show the scan, at rest.</source>
+        <translation>Der Schnitt liegt an der beiseite gehaltenen Leber; die Schichten zeigen die Aufnahme, in Ruhe.</translation>
+    </message>
+    <message>
+        <source>Margins, widths and places are those on the liver under the tool of Rehearse; volumes are at rest</source>
+        <translation>Abstände, Weiten und Orte sind die an der Leber unter dem Werkzeug von Proben; Volumina sind in Ruhe</translation>
+    </message>
+    <message>
+        <source>Place a tool in Rehearse first: a patch that the model bears, not a rigid tool.</source>
+        <translation>Zuerst in Proben ein Werkzeug ansetzen: eine Fläche, die das Modell trägt, kein starres Werkzeug.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ResectionResults</name>
@@ -6883,6 +7055,10 @@ figures</source>
     <message>
         <source>Caution</source>
         <translation>Vorsicht</translation>
+    </message>
+    <message>
+        <source>With the tool %1 goes by %2 mm; its margin there is %3 mm.</source>
+        <translation>Mit dem Werkzeug geht %1 um %2 mm mit; der Abstand dort ist %3 mm.</translation>
     </message>
 </context>
 <context>
@@ -7211,6 +7387,14 @@ figures</source>
         <source>How far the scissors cut before and behind this slice, in mm</source>
         <translation>Wie weit die Schere vor und hinter dieser Schicht schneidet, in mm</translation>
     </message>
+    <message>
+        <source>Click into the vessel where it stands out best. Points so far: %1</source>
+        <translation>In das Gefäß klicken, wo es sich am besten abhebt. Punkte bisher: %1</translation>
+    </message>
+    <message>
+        <source>Click into the middle of it. Points so far: %1</source>
+        <translation>In die Mitte davon klicken. Punkte bisher: %1</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SeriesTable</name>
@@ -7436,6 +7620,97 @@ figures</source>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::StructureOperations</name>
+    <message>
+        <source>Choose a structure first, or add one.</source>
+        <translation>Zuerst eine Struktur wählen oder hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Replaces the structure by the voxels of these grey values</source>
+        <translation>Ersetzt die Struktur durch die Voxel mit diesen Grauwerten</translation>
+    </message>
+    <message>
+        <source>There is no other structure.</source>
+        <translation>Es gibt keine andere Struktur.</translation>
+    </message>
+    <message>
+        <source>Changes the chosen structure; the other one stays as it is</source>
+        <translation>Ändert die gewählte Struktur; die andere bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Grey values and other structures</source>
+        <translation>Grauwerte und andere Strukturen</translation>
+    </message>
+    <message>
+        <source>Grey values from, to</source>
+        <translation>Grauwerte von, bis</translation>
+    </message>
+    <message>
+        <source>Lowest grey value</source>
+        <translation>Niedrigster Grauwert</translation>
+    </message>
+    <message>
+        <source>Highest grey value</source>
+        <translation>Höchster Grauwert</translation>
+    </message>
+    <message>
+        <source>As here</source>
+        <translation>Wie hier</translation>
+    </message>
+    <message>
+        <source>Takes the grey values that are like those under the crosshair</source>
+        <translation>Nimmt die Grauwerte, die denen unter dem Fadenkreuz gleichen</translation>
+    </message>
+    <message>
+        <source>Take these</source>
+        <translation>Diese nehmen</translation>
+    </message>
+    <message>
+        <source>The brush draws on these only</source>
+        <translation>Der Pinsel zeichnet nur auf diesen</translation>
+    </message>
+    <message>
+        <source>Inside of</source>
+        <translation>Innerhalb von</translation>
+    </message>
+    <message>
+        <source>the whole image</source>
+        <translation>dem ganzen Bild</translation>
+    </message>
+    <message>
+        <source>Structure to stay inside of</source>
+        <translation>Struktur, in der zu bleiben ist</translation>
+    </message>
+    <message>
+        <source>Grow and Take these stay inside of this structure</source>
+        <translation>Wachsen und Diese nehmen bleiben in dieser Struktur</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Keep what is also in</source>
+        <translation>Behalten, was auch darin ist</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Wegnehmen</translation>
+    </message>
+    <message>
+        <source>What to do with the other structure</source>
+        <translation>Was mit der anderen Struktur zu tun ist</translation>
+    </message>
+    <message>
+        <source>The other structure</source>
+        <translation>Die andere Struktur</translation>
+    </message>
+    <message>
+        <source>Do it</source>
+        <translation>Ausführen</translation>
     </message>
 </context>
 <context>

@@ -4197,12 +4197,80 @@
         <translation>Devuélvala a su sitio, o abra el caso donde esté ahora.</translation>
     </message>
     <message>
-        <source>SIMULATED, not measured</source>
-        <translation>SIMULADO, no medido</translation>
+        <source>The landmarks in {0} cannot be read: {1}.</source>
+        <translation>No se pueden leer las referencias de {0}: {1}.</translation>
     </message>
     <message>
-        <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULADO: un hígado generado, que respira y es presionado por un instrumento según una fórmula. El registro llamado «dado» es el verdadero con un fallo introducido a la izquierda de la imagen.</translation>
+        <source>Undo the change in the window, or delete the file&apos;s entry and set them again.</source>
+        <translation>Deshaga el cambio en la ventana, o borre la entrada del archivo y colóquelas de nuevo.</translation>
+    </message>
+    <message>
+        <source>No voxel there has a grey value from {0} to {1}.</source>
+        <translation>Allí ningún vóxel tiene un valor de gris de {0} a {1}.</translation>
+    </message>
+    <message>
+        <source>This case has no structure &quot;{0}&quot;.</source>
+        <translation>Este caso no tiene ninguna estructura &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>Names are those of the folder labels in the case: liver, portal-vein, ...</source>
+        <translation>Los nombres son los de la carpeta labels del caso: liver, portal-vein, ...</translation>
+    </message>
+    <message>
+        <source>On {0} % of its border the outline lies on tissue that hardly differs from it: look there before you trust it, and add a point where a part is missing.</source>
+        <translation>En el {0} % de su borde el contorno limita con un tejido que apenas se distingue: mire allí antes de fiarse y añada un punto donde falte una parte.</translation>
+    </message>
+    <message>
+        <source>A seed lies where there is no image value, or outside of the structure to stay in.</source>
+        <translation>Una semilla está donde la imagen no tiene valor, o fuera de la estructura en la que hay que quedarse.</translation>
+    </message>
+    <message>
+        <source>Forget the points, and click inside of it.</source>
+        <translation>Olvide los puntos y haga clic dentro.</translation>
+    </message>
+    <message>
+        <source>Nothing around the seeds differs from them in brightness.</source>
+        <translation>Nada alrededor de las semillas se distingue de ellas por el brillo.</translation>
+    </message>
+    <message>
+        <source>Move the seeds, or draw with the brush.</source>
+        <translation>Mueva las semillas o dibuje con el pincel.</translation>
+    </message>
+    <message>
+        <source>What is as bright as the seeds and hangs together with them is more than {0} mm thick: no vessel.</source>
+        <translation>Lo que es tan claro como las semillas y está unido a ellas tiene más de {0} mm de grosor: no es un vaso.</translation>
+    </message>
+    <message>
+        <source>Move the seed into a vessel that stands out, or keep the growth inside of the liver.</source>
+        <translation>Ponga la semilla en un vaso que destaque, o mantenga el crecimiento dentro del hígado.</translation>
+    </message>
+    <message>
+        <source>The seeds ({0}) hardly stand out from the tissue around ({1}, scatter {2}): look at the outline.</source>
+        <translation>Las semillas ({0}) apenas destacan del tejido de alrededor ({1}, dispersión {2}): mire el contorno.</translation>
+    </message>
+    <message>
+        <source>The growth reaches the side of the image: it has probably leaked. Keep it inside of the liver, or cut it there.</source>
+        <translation>El crecimiento llega al lado de la imagen: probablemente se ha escapado. Manténgalo dentro del hígado o córtelo allí.</translation>
+    </message>
+    <message>
+        <source>Grey values for {0}</source>
+        <translation>Valores de gris para {0}</translation>
+    </message>
+    <message>
+        <source>{0} and another structure</source>
+        <translation>{0} y otra estructura</translation>
+    </message>
+    <message>
+        <source>This place is not in the liver: a landmark is followed as the liver moves.</source>
+        <translation>Este lugar no está en el hígado: un punto de referencia se sigue cuando el hígado se mueve.</translation>
+    </message>
+    <message>
+        <source>Click in the liver, in a slice or in 3D, and set it again.</source>
+        <translation>Haga clic en el hígado, en un corte o en 3D, y colóquelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Widen the range.</source>
+        <translation>Amplíe el intervalo.</translation>
     </message>
     <message>
         <source>{0} does not hold the images that {1} was made from.</source>
@@ -4211,6 +4279,10 @@
     <message>
         <source>Name the folder that was imported.</source>
         <translation>Indique la carpeta que se importó.</translation>
+    </message>
+    <message>
+        <source>SIMULATED, not measured</source>
+        <translation>SIMULADO, no medido</translation>
     </message>
     <message>
         <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
@@ -4243,6 +4315,10 @@
     <message>
         <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
         <translation>El coeficiente de Poisson de la malla debe ser mayor que -1 y no superar 0.5; es {0}.</translation>
+    </message>
+    <message>
+        <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
+        <translation>SIMULADO: un hígado generado, que respira y es presionado por un instrumento según una fórmula. El registro llamado «dado» es el verdadero con un fallo introducido a la izquierda de la imagen.</translation>
     </message>
     <message>
         <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
@@ -5341,6 +5417,10 @@ mm</translation>
         <source>How far the landmark moves from where the scan shows it</source>
         <translation>Cuánto se aleja el punto de referencia de donde lo muestra la exploración</translation>
     </message>
+    <message>
+        <source>%1: set by hand. A double click renames it.</source>
+        <translation>%1: colocado a mano. Un doble clic lo renombra.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::LanguageMenu</name>
@@ -5619,6 +5699,10 @@ Ctrl+rueda: zoom. Mayús+arrastrar: desplazar. Ctrl+arrastrar: girar. Tiradores 
     <message>
         <source>Give it up and close</source>
         <translation>Abandonar y cerrar</translation>
+    </message>
+    <message>
+        <source>Set landmark</source>
+        <translation>Colocar punto de referencia</translation>
     </message>
 </context>
 <context>
@@ -6528,6 +6612,46 @@ supuestas</translation>
         <source>rejected: off by %1 mm or more</source>
         <translation>rechazado: desviado %1 mm o más</translation>
     </message>
+    <message>
+        <source>the left edge</source>
+        <translation>el borde izquierdo</translation>
+    </message>
+    <message>
+        <source>the right edge</source>
+        <translation>el borde derecho</translation>
+    </message>
+    <message>
+        <source>the upper edge</source>
+        <translation>el borde superior</translation>
+    </message>
+    <message>
+        <source>the lower edge</source>
+        <translation>el borde inferior</translation>
+    </message>
+    <message>
+        <source>%1 is nowhere off by %2 mm or more.</source>
+        <translation>%1 no se desvía en ningún lugar %2 mm o más.</translation>
+    </message>
+    <message>
+        <source>Do not trust %1: on most of it landmarks are off by %2 mm or more.</source>
+        <translation>No se fíe de %1: en la mayor parte las referencias se desvían %2 mm o más.</translation>
+    </message>
+    <message>
+        <source>Of %1 do not trust single places: %2 % of it is off by %3 mm or more.</source>
+        <translation>De %1 no se fíe de lugares sueltos: el %2 % se desvía %3 mm o más.</translation>
+    </message>
+    <message>
+        <source>Of %1 do not trust %2: landmarks are off by %3 mm or more there.</source>
+        <translation>De %1 no se fíe de esto: %2. Allí las referencias se desvían %3 mm o más.</translation>
+    </message>
+    <message>
+        <source>Neither %1 nor %2 is clearly better here.</source>
+        <translation>Ni %1 ni %2 es aquí claramente mejor.</translation>
+    </message>
+    <message>
+        <source>%1 is better here than %2.</source>
+        <translation>%1 es aquí mejor que %2.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::RegisterWelcome</name>
@@ -6621,6 +6745,38 @@ supuestas</translation>
     <message>
         <source>Written: %1</source>
         <translation>Escrito: %1</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Colocar</translation>
+    </message>
+    <message>
+        <source>Sets a landmark where the crosshair is: click in a slice or in 3D first</source>
+        <translation>Coloca un punto de referencia donde está la cruz: haga clic antes en un corte o en 3D</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Takes the chosen landmark away, if it was set by hand; Ctrl+Z brings it back</source>
+        <translation>Quita el punto elegido, si se colocó a mano; Ctrl+Z lo devuelve</translation>
+    </message>
+    <message>
+        <source>A name has letters or digits.</source>
+        <translation>Un nombre tiene letras o cifras.</translation>
+    </message>
+    <message>
+        <source>This name is taken.</source>
+        <translation>Este nombre ya está en uso.</translation>
+    </message>
+    <message>
+        <source>Rename landmark</source>
+        <translation>Renombrar punto de referencia</translation>
+    </message>
+    <message>
+        <source>Remove landmark</source>
+        <translation>Quitar punto de referencia</translation>
     </message>
 </context>
 <context>
@@ -6804,6 +6960,22 @@ supuestas</translation>
         <source>Separation</source>
         <translation>Separación</translation>
     </message>
+    <message>
+        <source>On the liver as the tool holds it</source>
+        <translation>En el hígado tal como lo sujeta el instrumento</translation>
+    </message>
+    <message>
+        <source>The cut lies on the liver held aside; the slices show the scan, at rest.</source>
+        <translation>El corte está en el hígado apartado; los planos muestran la exploración, en reposo.</translation>
+    </message>
+    <message>
+        <source>Margins, widths and places are those on the liver under the tool of Rehearse; volumes are at rest</source>
+        <translation>Márgenes, anchuras y lugares son los del hígado bajo el instrumento de Ensayar; los volúmenes, en reposo</translation>
+    </message>
+    <message>
+        <source>Place a tool in Rehearse first: a patch that the model bears, not a rigid tool.</source>
+        <translation>Coloque antes un instrumento en Ensayar: una zona que el modelo soporte, no un instrumento rígido.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ResectionResults</name>
@@ -6886,6 +7058,10 @@ supuestas</translation>
     <message>
         <source>Caution</source>
         <translation>Atención</translation>
+    </message>
+    <message>
+        <source>With the tool %1 goes by %2 mm; its margin there is %3 mm.</source>
+        <translation>Con el instrumento %1 se desplaza %2 mm; su margen allí es de %3 mm.</translation>
     </message>
 </context>
 <context>
@@ -7214,6 +7390,14 @@ supuestas</translation>
         <source>How far the scissors cut before and behind this slice, in mm</source>
         <translation>Hasta dónde cortan las tijeras delante y detrás de este corte, en mm</translation>
     </message>
+    <message>
+        <source>Click into the vessel where it stands out best. Points so far: %1</source>
+        <translation>Haga clic en el vaso donde mejor destaque. Puntos hasta ahora: %1</translation>
+    </message>
+    <message>
+        <source>Click into the middle of it. Points so far: %1</source>
+        <translation>Haga clic en el medio. Puntos hasta ahora: %1</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SeriesTable</name>
@@ -7439,6 +7623,97 @@ supuestas</translation>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::StructureOperations</name>
+    <message>
+        <source>Choose a structure first, or add one.</source>
+        <translation>Elija antes una estructura o añada una.</translation>
+    </message>
+    <message>
+        <source>Replaces the structure by the voxels of these grey values</source>
+        <translation>Sustituye la estructura por los vóxeles de estos valores de gris</translation>
+    </message>
+    <message>
+        <source>There is no other structure.</source>
+        <translation>No hay otra estructura.</translation>
+    </message>
+    <message>
+        <source>Changes the chosen structure; the other one stays as it is</source>
+        <translation>Cambia la estructura elegida; la otra queda como está</translation>
+    </message>
+    <message>
+        <source>Grey values and other structures</source>
+        <translation>Valores de gris y otras estructuras</translation>
+    </message>
+    <message>
+        <source>Grey values from, to</source>
+        <translation>Valores de gris de, a</translation>
+    </message>
+    <message>
+        <source>Lowest grey value</source>
+        <translation>Valor de gris más bajo</translation>
+    </message>
+    <message>
+        <source>Highest grey value</source>
+        <translation>Valor de gris más alto</translation>
+    </message>
+    <message>
+        <source>As here</source>
+        <translation>Como aquí</translation>
+    </message>
+    <message>
+        <source>Takes the grey values that are like those under the crosshair</source>
+        <translation>Toma los valores de gris parecidos a los que hay bajo la cruz</translation>
+    </message>
+    <message>
+        <source>Take these</source>
+        <translation>Tomar estos</translation>
+    </message>
+    <message>
+        <source>The brush draws on these only</source>
+        <translation>El pincel dibuja solo sobre estos</translation>
+    </message>
+    <message>
+        <source>Inside of</source>
+        <translation>Dentro de</translation>
+    </message>
+    <message>
+        <source>the whole image</source>
+        <translation>toda la imagen</translation>
+    </message>
+    <message>
+        <source>Structure to stay inside of</source>
+        <translation>Estructura en la que quedarse</translation>
+    </message>
+    <message>
+        <source>Grow and Take these stay inside of this structure</source>
+        <translation>Crecer y Tomar estos se quedan dentro de esta estructura</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Keep what is also in</source>
+        <translation>Conservar lo que también está en</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Restar</translation>
+    </message>
+    <message>
+        <source>What to do with the other structure</source>
+        <translation>Qué hacer con la otra estructura</translation>
+    </message>
+    <message>
+        <source>The other structure</source>
+        <translation>La otra estructura</translation>
+    </message>
+    <message>
+        <source>Do it</source>
+        <translation>Aplicar</translation>
     </message>
 </context>
 <context>

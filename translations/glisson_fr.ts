@@ -4197,12 +4197,80 @@
         <translation>Remettez-le à sa place, ou ouvrez le cas là où il est maintenant.</translation>
     </message>
     <message>
-        <source>SIMULATED, not measured</source>
-        <translation>SIMULÉ, non mesuré</translation>
+        <source>The landmarks in {0} cannot be read: {1}.</source>
+        <translation>Les repères dans {0} ne peuvent pas être lus : {1}.</translation>
     </message>
     <message>
-        <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
-        <translation>SIMULÉ&#xa0;: un foie engendré, qui respire et qu’un instrument enfonce selon une formule. Le recalage dit «&#xa0;fourni&#xa0;» est le vrai, dans lequel une erreur a été mise à gauche de l’image.</translation>
+        <source>Undo the change in the window, or delete the file&apos;s entry and set them again.</source>
+        <translation>Annulez la modification dans la fenêtre, ou supprimez l&apos;entrée du fichier et placez-les de nouveau.</translation>
+    </message>
+    <message>
+        <source>No voxel there has a grey value from {0} to {1}.</source>
+        <translation>Aucun voxel n&apos;y a une valeur de gris de {0} à {1}.</translation>
+    </message>
+    <message>
+        <source>This case has no structure &quot;{0}&quot;.</source>
+        <translation>Ce cas n&apos;a pas de structure &quot;{0}&quot;.</translation>
+    </message>
+    <message>
+        <source>Names are those of the folder labels in the case: liver, portal-vein, ...</source>
+        <translation>Les noms sont ceux du dossier labels du cas : liver, portal-vein, ...</translation>
+    </message>
+    <message>
+        <source>On {0} % of its border the outline lies on tissue that hardly differs from it: look there before you trust it, and add a point where a part is missing.</source>
+        <translation>Sur {0} % de son bord, le contour touche un tissu qui n&apos;en diffère guère : regardez-y avant de vous y fier, et ajoutez un point là où une partie manque.</translation>
+    </message>
+    <message>
+        <source>A seed lies where there is no image value, or outside of the structure to stay in.</source>
+        <translation>Une graine se trouve là où l&apos;image n&apos;a pas de valeur, ou hors de la structure où rester.</translation>
+    </message>
+    <message>
+        <source>Forget the points, and click inside of it.</source>
+        <translation>Oubliez les points, et cliquez à l&apos;intérieur.</translation>
+    </message>
+    <message>
+        <source>Nothing around the seeds differs from them in brightness.</source>
+        <translation>Rien autour des graines n&apos;en diffère par la luminosité.</translation>
+    </message>
+    <message>
+        <source>Move the seeds, or draw with the brush.</source>
+        <translation>Déplacez les graines, ou dessinez au pinceau.</translation>
+    </message>
+    <message>
+        <source>What is as bright as the seeds and hangs together with them is more than {0} mm thick: no vessel.</source>
+        <translation>Ce qui est aussi clair que les graines et y est relié a plus de {0} mm d&apos;épaisseur : ce n&apos;est pas un vaisseau.</translation>
+    </message>
+    <message>
+        <source>Move the seed into a vessel that stands out, or keep the growth inside of the liver.</source>
+        <translation>Placez la graine dans un vaisseau qui se détache, ou gardez la croissance à l&apos;intérieur du foie.</translation>
+    </message>
+    <message>
+        <source>The seeds ({0}) hardly stand out from the tissue around ({1}, scatter {2}): look at the outline.</source>
+        <translation>Les graines ({0}) se détachent à peine du tissu autour ({1}, dispersion {2}) : regardez le contour.</translation>
+    </message>
+    <message>
+        <source>The growth reaches the side of the image: it has probably leaked. Keep it inside of the liver, or cut it there.</source>
+        <translation>La croissance atteint le bord de l&apos;image : elle a sans doute fui. Gardez-la dans le foie, ou coupez-la là.</translation>
+    </message>
+    <message>
+        <source>Grey values for {0}</source>
+        <translation>Valeurs de gris pour {0}</translation>
+    </message>
+    <message>
+        <source>{0} and another structure</source>
+        <translation>{0} et une autre structure</translation>
+    </message>
+    <message>
+        <source>This place is not in the liver: a landmark is followed as the liver moves.</source>
+        <translation>Cet endroit n&apos;est pas dans le foie : un repère est suivi quand le foie bouge.</translation>
+    </message>
+    <message>
+        <source>Click in the liver, in a slice or in 3D, and set it again.</source>
+        <translation>Cliquez dans le foie, dans une coupe ou en 3D, et placez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>Widen the range.</source>
+        <translation>Élargissez l&apos;intervalle.</translation>
     </message>
     <message>
         <source>{0} does not hold the images that {1} was made from.</source>
@@ -4211,6 +4279,10 @@
     <message>
         <source>Name the folder that was imported.</source>
         <translation>Indiquez le dossier qui a été importé.</translation>
+    </message>
+    <message>
+        <source>SIMULATED, not measured</source>
+        <translation>SIMULÉ, non mesuré</translation>
     </message>
     <message>
         <source>The moduli in {0} were made of shear moduli by a Poisson&apos;s ratio of {1}, not {2}.</source>
@@ -4243,6 +4315,10 @@
     <message>
         <source>The mesh&apos;s Poisson&apos;s ratio must lie above -1 and not above 0.5; it is {0}.</source>
         <translation>Le coefficient de Poisson du maillage doit être supérieur à -1 et ne pas dépasser 0.5 ; il vaut {0}.</translation>
+    </message>
+    <message>
+        <source>SIMULATED: a generated liver, breathing and pressed by a tool as a formula says. The registration called &quot;given&quot; is the true one with a fault put into it on the left of the picture.</source>
+        <translation>SIMULÉ : un foie engendré, qui respire et qu’un instrument enfonce selon une formule. Le recalage dit « fourni » est le vrai, dans lequel une erreur a été mise à gauche de l’image.</translation>
     </message>
     <message>
         <source>--study serves a DICOM SEG alone (--format dicom-seg).</source>
@@ -5112,7 +5188,7 @@ L&apos;organe répété change :
     </message>
     <message>
         <source>A sample of tissue, compressed: simulated, and it does something that its file does not declare</source>
-        <translation>Un échantillon de tissu, comprimé&#xa0;: simulé, et il fait quelque chose que son fichier ne déclare pas</translation>
+        <translation>Un échantillon de tissu, comprimé : simulé, et il fait quelque chose que son fichier ne déclare pas</translation>
     </message>
     <message>
         <source>Open measurements of a palpation, a material test or a wearable computer.
@@ -5122,7 +5198,7 @@ No measurements at hand? Try the example: a simulated sample of tissue that does
         <translation>Ouvrez des mesures d’une palpation, d’un essai de matériau ou d’un ordinateur porté.
 Glisson dit de combien le modèle déclaré se trompe, ce qui lui manque et avec quelle certitude.
 
-Pas de mesures sous la main&#xa0;? Essayez l’exemple&#xa0;: un échantillon de tissu simulé qui fait quelque chose de non déclaré.</translation>
+Pas de mesures sous la main ? Essayez l’exemple : un échantillon de tissu simulé qui fait quelque chose de non déclaré.</translation>
     </message>
 </context>
 <context>
@@ -5340,6 +5416,10 @@ mm</translation>
     <message>
         <source>How far the landmark moves from where the scan shows it</source>
         <translation>De combien le repère s’éloigne de l’endroit où l’examen le montre</translation>
+    </message>
+    <message>
+        <source>%1: set by hand. A double click renames it.</source>
+        <translation>%1 : placé à la main. Un double-clic le renomme.</translation>
     </message>
 </context>
 <context>
@@ -5619,6 +5699,10 @@ Ctrl+molette&#xa0;: zoom. Maj+glisser&#xa0;: déplacer. Ctrl+glisser&#xa0;: tour
     <message>
         <source>Give it up and close</source>
         <translation>Abandonner et fermer</translation>
+    </message>
+    <message>
+        <source>Set landmark</source>
+        <translation>Placer un repère</translation>
     </message>
 </context>
 <context>
@@ -6528,6 +6612,46 @@ supposés</translation>
         <source>rejected: off by %1 mm or more</source>
         <translation>rejeté&#xa0;: décalé de %1 mm ou plus</translation>
     </message>
+    <message>
+        <source>the left edge</source>
+        <translation>le bord gauche</translation>
+    </message>
+    <message>
+        <source>the right edge</source>
+        <translation>le bord droit</translation>
+    </message>
+    <message>
+        <source>the upper edge</source>
+        <translation>le bord supérieur</translation>
+    </message>
+    <message>
+        <source>the lower edge</source>
+        <translation>le bord inférieur</translation>
+    </message>
+    <message>
+        <source>%1 is nowhere off by %2 mm or more.</source>
+        <translation>%1 n&apos;est nulle part à %2 mm ou plus.</translation>
+    </message>
+    <message>
+        <source>Do not trust %1: on most of it landmarks are off by %2 mm or more.</source>
+        <translation>Ne vous fiez pas à %1 : sur la plus grande partie, les repères sont à %2 mm ou plus.</translation>
+    </message>
+    <message>
+        <source>Of %1 do not trust single places: %2 % of it is off by %3 mm or more.</source>
+        <translation>Pour %1, ne vous fiez pas à certains endroits : %2 % sont à %3 mm ou plus.</translation>
+    </message>
+    <message>
+        <source>Of %1 do not trust %2: landmarks are off by %3 mm or more there.</source>
+        <translation>Pour %1, ne vous fiez pas à ceci : %2. Les repères y sont à %3 mm ou plus.</translation>
+    </message>
+    <message>
+        <source>Neither %1 nor %2 is clearly better here.</source>
+        <translation>Ni %1 ni %2 n&apos;est nettement meilleur ici.</translation>
+    </message>
+    <message>
+        <source>%1 is better here than %2.</source>
+        <translation>%1 est meilleur ici que %2.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::RegisterWelcome</name>
@@ -6621,6 +6745,38 @@ supposés</translation>
     <message>
         <source>Written: %1</source>
         <translation>Écrit&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Placer</translation>
+    </message>
+    <message>
+        <source>Sets a landmark where the crosshair is: click in a slice or in 3D first</source>
+        <translation>Place un repère à l&apos;endroit du réticule : cliquez d&apos;abord dans une coupe ou en 3D</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Takes the chosen landmark away, if it was set by hand; Ctrl+Z brings it back</source>
+        <translation>Retire le repère choisi, s&apos;il a été placé à la main ; Ctrl+Z le ramène</translation>
+    </message>
+    <message>
+        <source>A name has letters or digits.</source>
+        <translation>Un nom a des lettres ou des chiffres.</translation>
+    </message>
+    <message>
+        <source>This name is taken.</source>
+        <translation>Ce nom est déjà pris.</translation>
+    </message>
+    <message>
+        <source>Rename landmark</source>
+        <translation>Renommer le repère</translation>
+    </message>
+    <message>
+        <source>Remove landmark</source>
+        <translation>Retirer le repère</translation>
     </message>
 </context>
 <context>
@@ -6804,6 +6960,22 @@ supposés</translation>
         <source>Separation</source>
         <translation>Écartement</translation>
     </message>
+    <message>
+        <source>On the liver as the tool holds it</source>
+        <translation>Sur le foie tel que l&apos;outil le tient</translation>
+    </message>
+    <message>
+        <source>The cut lies on the liver held aside; the slices show the scan, at rest.</source>
+        <translation>La coupe porte sur le foie écarté ; les plans montrent l&apos;examen, au repos.</translation>
+    </message>
+    <message>
+        <source>Margins, widths and places are those on the liver under the tool of Rehearse; volumes are at rest</source>
+        <translation>Marges, largeurs et lieux sont ceux du foie sous l&apos;outil de Répéter ; les volumes sont au repos</translation>
+    </message>
+    <message>
+        <source>Place a tool in Rehearse first: a patch that the model bears, not a rigid tool.</source>
+        <translation>Placez d&apos;abord un outil dans Répéter : une surface que le modèle supporte, pas un outil rigide.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::ResectionResults</name>
@@ -6886,6 +7058,10 @@ supposés</translation>
     <message>
         <source>Caution</source>
         <translation>Attention</translation>
+    </message>
+    <message>
+        <source>With the tool %1 goes by %2 mm; its margin there is %3 mm.</source>
+        <translation>Avec l&apos;outil, %1 se déplace de %2 mm ; sa marge y est de %3 mm.</translation>
     </message>
 </context>
 <context>
@@ -7214,6 +7390,14 @@ supposés</translation>
         <source>How far the scissors cut before and behind this slice, in mm</source>
         <translation>Distance de coupe des ciseaux devant et derrière cette coupe, en mm</translation>
     </message>
+    <message>
+        <source>Click into the vessel where it stands out best. Points so far: %1</source>
+        <translation>Cliquez dans le vaisseau là où il se détache le mieux. Points jusqu&apos;ici : %1</translation>
+    </message>
+    <message>
+        <source>Click into the middle of it. Points so far: %1</source>
+        <translation>Cliquez au milieu. Points jusqu&apos;ici : %1</translation>
+    </message>
 </context>
 <context>
     <name>glisson::widgets::SeriesTable</name>
@@ -7439,6 +7623,97 @@ supposés</translation>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::widgets::StructureOperations</name>
+    <message>
+        <source>Choose a structure first, or add one.</source>
+        <translation>Choisissez d&apos;abord une structure, ou ajoutez-en une.</translation>
+    </message>
+    <message>
+        <source>Replaces the structure by the voxels of these grey values</source>
+        <translation>Remplace la structure par les voxels de ces valeurs de gris</translation>
+    </message>
+    <message>
+        <source>There is no other structure.</source>
+        <translation>Il n&apos;y a pas d&apos;autre structure.</translation>
+    </message>
+    <message>
+        <source>Changes the chosen structure; the other one stays as it is</source>
+        <translation>Modifie la structure choisie ; l&apos;autre reste telle quelle</translation>
+    </message>
+    <message>
+        <source>Grey values and other structures</source>
+        <translation>Valeurs de gris et autres structures</translation>
+    </message>
+    <message>
+        <source>Grey values from, to</source>
+        <translation>Valeurs de gris de, à</translation>
+    </message>
+    <message>
+        <source>Lowest grey value</source>
+        <translation>Valeur de gris la plus basse</translation>
+    </message>
+    <message>
+        <source>Highest grey value</source>
+        <translation>Valeur de gris la plus haute</translation>
+    </message>
+    <message>
+        <source>As here</source>
+        <translation>Comme ici</translation>
+    </message>
+    <message>
+        <source>Takes the grey values that are like those under the crosshair</source>
+        <translation>Prend les valeurs de gris semblables à celles sous le réticule</translation>
+    </message>
+    <message>
+        <source>Take these</source>
+        <translation>Les prendre</translation>
+    </message>
+    <message>
+        <source>The brush draws on these only</source>
+        <translation>Le pinceau ne dessine que sur celles-ci</translation>
+    </message>
+    <message>
+        <source>Inside of</source>
+        <translation>À l&apos;intérieur de</translation>
+    </message>
+    <message>
+        <source>the whole image</source>
+        <translation>toute l&apos;image</translation>
+    </message>
+    <message>
+        <source>Structure to stay inside of</source>
+        <translation>Structure où rester</translation>
+    </message>
+    <message>
+        <source>Grow and Take these stay inside of this structure</source>
+        <translation>Croissance et Les prendre restent dans cette structure</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Keep what is also in</source>
+        <translation>Garder ce qui est aussi dans</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>What to do with the other structure</source>
+        <translation>Que faire avec l&apos;autre structure</translation>
+    </message>
+    <message>
+        <source>The other structure</source>
+        <translation>L&apos;autre structure</translation>
+    </message>
+    <message>
+        <source>Do it</source>
+        <translation>Appliquer</translation>
     </message>
 </context>
 <context>

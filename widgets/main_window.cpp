@@ -22,6 +22,7 @@
 #include "widgets/resect/resect_panel.h"
 #include "widgets/segment/segment_panel.h"
 #include "widgets/session/load_patient.h"
+#include "widgets/session/placed_landmarks.h"
 #include "widgets/settings/settings.h"
 #include "widgets/settings/window_place.h"
 #include "widgets/study/study_page.h"
@@ -235,6 +236,8 @@ void MainWindow::show_patient(const Patient& patient) {
   study_panel_->show_patient(patient);
   view_bar_->show_patient(patient);
   patient_views_->show_patient(patient);
+  landmarks_ = kept_landmarks(patient.folder);
+  rehearse_panel_->show_placed_landmarks(landmarks_);
   if (same_case) {
     rehearsal_.exchange_body(patient.rehearsal, patient.rehearsal_setup);
   } else {
@@ -369,6 +372,12 @@ void MainWindow::connect_parts() {
   }
   connect(rehearse_panel_, &RehearsePanel::place_at_crosshair, this,
           [this, place_tool] { place_tool(patient_views_->nearest_on_liver(views_->crosshair_mm())); });
+  connect(rehearse_panel_, &RehearsePanel::landmark_wanted, this, [this](const std::string& name) {
+    std::vector<mechanics::Landmark> landmarks = landmarks_;
+    landmarks.push_back({name, views_->crosshair_mm()});
+    keep_landmarks(tr("Set landmark"), landmarks);
+  });
+  connect(rehearse_panel_, &RehearsePanel::landmarks_wanted, this, &MainWindow::keep_landmarks);
   connect(rehearse_panel_, &RehearsePanel::at_work, patient_views_, &PatientViews::set_tool_movable);
   connect(rehearse_panel_, &RehearsePanel::failed, this, &MainWindow::show_error);
   connect(rehearse_panel_, &RehearsePanel::said, status_, &StatusLine::say);
@@ -435,6 +444,7 @@ void MainWindow::show_waves() {
   auto* view = new WaveView(patient_.folder, this);
   view->setWindowFlag(Qt::Window);
   view->setAttribute(Qt::WA_DeleteOnClose);
+  view->set_guard([this] { return may_change(); });
   connect(view, &WaveView::accepted, this, [this] { open_path(patient_.folder); });
   view->show();
   view->invert();
@@ -500,10 +510,19 @@ void MainWindow::show_moved_entries(const QStringList& ids) {
   const bool outlines_alone =
       std::all_of(ids.begin(), ids.end(), [](const QString& id) { return id.startsWith("labels/"); });
   if (outlines_alone && workspace() == "segment") return;
+  const bool landmarks_alone =
+      std::all_of(ids.begin(), ids.end(), [](const QString& id) { return id.startsWith("landmarks/"); });
   load(tr("Opening %1").arg(text_of(patient_.folder.filename())),
-       [folder = patient_.folder](const Progress& progress, const FirstLook& /*first_look*/) {
-         return load_patient(folder, progress);
+       [patient = patient_, shown = landmarks_, landmarks_alone](const Progress& progress, const FirstLook& /*first_look*/) {
+         return landmarks_alone ? with_kept_landmarks(patient, shown, progress) : load_patient(patient.folder, progress);
        });
+}
+
+void MainWindow::keep_landmarks(const QString& what, const std::vector<mechanics::Landmark>& landmarks) {
+  if (patient_.folder.empty() || patient_.preparing) return;
+  change(what, [patient = patient_, shown = landmarks_, landmarks](const Progress& progress) {
+    return with_landmarks(patient, shown, landmarks, progress);
+  });
 }
 
 void MainWindow::take_next_step(NextStep step) {

@@ -102,6 +102,7 @@ class MainWindow : public QMainWindow {
   void change(const QString& title, std::function<Result<Patient>(const Progress&)> loader);
   void show_moved_entries(const QStringList& ids);
   void take_next_step(NextStep step);
+  void keep_landmarks(const QString& what, const std::vector<mechanics::Landmark>& landmarks);
   void show_error(const Error& error);
   void show_frame();
   [[nodiscard]] bool may_change();  // or says why not
@@ -113,6 +114,7 @@ class MainWindow : public QMainWindow {
   OpenWorkFile open_work_;
   std::optional<OpenWork> lost_work_;  // what a window before this one left open
   Patient patient_;
+  std::vector<mechanics::Landmark> landmarks_;  // set by hand on the patient
   CaseHold hold_;
   LiveRehearsal rehearsal_;
   Undo undo_;

@@ -1,6 +1,8 @@
-// glisson-cli segment CASE --structure NAME (--seed X,Y,Z ... | --labels FILE): one labelled structure.
+// glisson-cli segment CASE --structure NAME (--seed X,Y,Z ... | --labels FILE | --range LOW,HIGH | --unite OTHER |
+// --intersect OTHER | --subtract OTHER): one labelled structure.
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include "casefile/import.h"
 #include "casefile/structures.h"
@@ -16,20 +18,36 @@ struct Options {
   std::vector<std::string> seeds;
   std::optional<std::string> labels;
   std::optional<int> label_value;
+  std::vector<double> range;
+  std::optional<std::string> inside, unite, intersect, subtract;
 };
 
-Result<Outcome> segment(const Options& options, const Progress& progress) {
-  auto patient = casefile::Case::open(options.case_folder);
-  if (!patient) return failure(patient.error());
+Result<casefile::SavedStructure> change(casefile::Case& patient, const Options& options, const Progress& progress) {
+  using casefile::Combination;
+  const std::string& name = options.structure;
+  if (options.labels) {
+    return casefile::import_structure(patient, name, *options.labels, options.label_value, progress);
+  }
+  if (options.unite) return casefile::combine_structure(patient, name, Combination::unite, *options.unite);
+  if (options.intersect) return casefile::combine_structure(patient, name, Combination::intersect, *options.intersect);
+  if (options.subtract) return casefile::combine_structure(patient, name, Combination::subtract, *options.subtract);
+  if (!options.range.empty()) {
+    const segmentation::GreyRange range{options.range.at(0), options.range.at(1)};
+    return casefile::threshold_structure(patient, name, range, options.inside);
+  }
   std::vector<Eigen::Vector3d> seeds_mm;
   for (const std::string& seed : options.seeds) {
     const auto position = parse_position(seed, "--seed");
     if (!position) return failure(position.error());
     seeds_mm.push_back(*position);
   }
-  const auto saved = options.labels ? casefile::import_structure(*patient, options.structure, *options.labels,
-                                                                 options.label_value, progress)
-                                    : casefile::grow_structure(*patient, options.structure, seeds_mm, progress);
+  return casefile::grow_structure(patient, name, seeds_mm, progress, options.inside);
+}
+
+Result<Outcome> segment(const Options& options, const Progress& progress) {
+  auto patient = casefile::Case::open(options.case_folder);
+  if (!patient) return failure(patient.error());
+  const auto saved = change(*patient, options, progress);
   if (!saved) return failure(saved.error());
   const auto file = patient->file_of(saved->id);
   const std::vector<std::string> notes = messages(saved->notes);
@@ -45,7 +63,8 @@ Result<Outcome> segment(const Options& options, const Progress& progress) {
 }  // namespace
 
 void add_segment(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("segment", "Mark one structure: grown from seeds, or from a label file");
+  CLI::App* command = app.add_subcommand(
+      "segment", "Mark one structure: grown from seeds, from a label file, by grey values, or by another structure");
   auto options = std::make_shared<Options>();
   command->add_option("case", options->case_folder, "The case")->required();
   command->add_option("--structure", options->structure, "liver, tumour-1, portal-vein, ...")
@@ -53,14 +72,29 @@ void add_segment(CLI::App& app, Action& chosen) {
       ->check([](const std::string& name) {
         return name == casefile::structure_name(name) ? std::string() : "use lower-case letters, digits and dashes";
       });
-  CLI::Option* seed = command->add_option("--seed", options->seeds, "X,Y,Z in mm (LPS) inside it; may be repeated")
-                          ->allow_extra_args(false);
+  std::vector<CLI::Option*> ways;
+  ways.push_back(command->add_option("--seed", options->seeds, "X,Y,Z in mm (LPS) inside it; may be repeated")
+                     ->allow_extra_args(false));
   CLI::Option* labels = command->add_option("--labels", options->labels, "Label file: NRRD, NIfTI, MHA or DICOM SEG");
+  ways.push_back(labels);
   command->add_option("--label-value", options->label_value, "Which label of the file")->needs(labels);
-  command->require_option();
-  seed->excludes(labels);
-  command->callback([&chosen, options] {
-    if (options->seeds.empty() && !options->labels) throw CLI::RequiredError("--seed or --labels");
+  ways.push_back(command->add_option("--range", options->range, "LOW,HIGH: the grey values that belong to it")
+                     ->delimiter(',')
+                     ->expected(2));
+  ways.push_back(command->add_option("--unite", options->unite, "Adds what this other structure of the case holds"));
+  ways.push_back(command->add_option("--intersect", options->intersect, "Keeps only what the other one holds too"));
+  ways.push_back(command->add_option("--subtract", options->subtract, "Takes away what the other one holds"));
+  command->add_option("--inside", options->inside, "Seeds and grey values: only inside of this structure of the case");
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    for (std::size_t n = 0; n < k; ++n) ways[k]->excludes(ways[n]);
+  }
+  command->callback([&chosen, options, ways] {
+    if (std::none_of(ways.begin(), ways.end(), [](const CLI::Option* way) { return way->count() > 0; })) {
+      throw CLI::RequiredError("--seed, --labels, --range, --unite, --intersect or --subtract");
+    }
+    if (options->range.size() == 2 && !(options->range[0] <= options->range[1])) {
+      throw CLI::ValidationError("--range", "the lower value comes first");
+    }
     chosen = [options](const Progress& progress) { return segment(*options, progress); };
   });
 }

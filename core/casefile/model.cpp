@@ -5,6 +5,7 @@
 
 #include "base/tissue.h"
 #include "casefile/model_upkeep.h"
+#include "casefile/placed_landmarks.h"
 #include "casefile/structures.h"
 #include "casefile/used_entries.h"
 #include "geometry/mesh_file.h"
@@ -184,6 +185,9 @@ Result<PatientModel> read_model_before_evidence(const Case& patient) {
   const auto structures = read_structures(patient);
   if (!structures) return failure(structures.error());
   model.landmarks = landmarks_of(*structures);
+  const auto placed = placed_landmarks(patient);
+  if (!placed) return failure(placed.error());
+  model.landmarks.insert(model.landmarks.end(), placed->begin(), placed->end());
   for (const Structure& structure : *structures) {
     if (!in_liver(structure) || !patient.find("surfaces/" + structure.name)) continue;
     auto surface = patient.file_of("surfaces/" + structure.name).and_then([](const fs::path& file) {

@@ -9,7 +9,9 @@
 #include "casefile/label_map.h"
 #include "imaging/dicom_seg.h"
 #include "imaging/volume_file.h"
+#include "segmentation/edit.h"
 #include "segmentation/grow.h"
+#include "segmentation/grow_contrast.h"
 #include "segmentation/lesions.h"
 #include "segmentation/resample.h"
 
@@ -28,13 +30,29 @@ Result<std::vector<Labelled>> read_labelled(const fs::path& file);
 Result<Labelled> pick(std::vector<Labelled> found, const std::string& name, std::optional<int> label_value,
                       const fs::path& file);
 
+Result<imaging::Mask> mask_named(const Case& patient, const std::string& name);
+
+struct Grown {
+  imaging::Mask mask;
+  std::vector<Sentence> notes;
+};
+Result<Grown> grow(const imaging::Volume& anatomy, const std::string& name,
+                   const std::vector<Eigen::Vector3d>& seeds_mm, const imaging::Mask* within, const Progress& progress);
+
 }  // namespace
 
 Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
-                                      const std::vector<Eigen::Vector3d>& seeds_mm, const Progress& progress) {
+                                      const std::vector<Eigen::Vector3d>& seeds_mm, const Progress& progress,
+                                      const std::optional<std::string>& within) {
   const auto anatomy = patient.volume("volumes/anatomy");
   if (!anatomy) return failure(anatomy.error());
-  auto grown = segmentation::grow_from_seeds(*anatomy, seeds_mm, {}, progress);
+  std::optional<imaging::Mask> inside;
+  if (within) {
+    auto found = mask_named(patient, *within);
+    if (!found) return failure(found.error());
+    inside = segmentation::resample(*found, anatomy->grid);
+  }
+  auto grown = grow(*anatomy, name, seeds_mm, inside ? &*inside : nullptr, progress);
   if (!grown) return failure(grown.error());
 
   Provenance made{"segment", {{"method", "seeds"}}, {"volumes/anatomy"}, {}, {}};
@@ -42,8 +60,11 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
     const Eigen::Vector3d& seed = seeds_mm[i];
     made.options[fmt::format("seed-{}_mm", i + 1)] = fmt::format("{:.2f},{:.2f},{:.2f}", seed.x(), seed.y(), seed.z());
   }
-  std::vector<Sentence> notes;
-  for (const auto& doubt : grown->doubts) notes.push_back(doubt.sentence);
+  if (within) {
+    made.options["within"] = *within;
+    made.from.push_back("labels/" + *within);
+  }
+  std::vector<Sentence> notes = std::move(grown->notes);
   if (name == "liver") {
     const auto known = read_structures(patient);
     if (!known) return failure(known.error());
@@ -58,6 +79,61 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
   auto saved = save_structure(patient, segmentation::make_structure(name, std::move(grown->mask)), std::move(made));
   if (saved) saved->notes = std::move(notes);
   return saved;
+}
+
+Result<SavedStructure> threshold_structure(Case& patient, const std::string& name,
+                                           const segmentation::GreyRange& range,
+                                           const std::optional<std::string>& within) {
+  const auto anatomy = patient.volume("volumes/anatomy");
+  if (!anatomy) return failure(anatomy.error());
+  std::optional<imaging::Mask> inside;
+  Provenance made{"segment",
+                  {{"method", "range"}, {"from", fmt::format("{:g}", range.low)}, {"to", fmt::format("{:g}", range.high)}},
+                  {"volumes/anatomy"},
+                  {},
+                  {}};
+  if (within) {
+    auto found = mask_named(patient, *within);
+    if (!found) return failure(found.error());
+    inside = segmentation::resample(*found, anatomy->grid);
+    made.options["within"] = *within;
+    if (*within != name) made.from.push_back("labels/" + *within);
+  }
+  auto mask = segmentation::in_range(*anatomy, range, inside ? &*inside : nullptr);
+  if (segmentation::voxel_count(mask) == 0) {
+    return failure(Error{"range-empty",
+                         GLISSON_TEXT("No voxel there has a grey value from {0} to {1}."),
+                         {fmt::format("{:g}", range.low), fmt::format("{:g}", range.high)},
+                         GLISSON_TEXT("Widen the range."),
+                         {}});
+  }
+  return save_structure(patient, segmentation::make_structure(name, std::move(mask)), std::move(made));
+}
+
+Result<SavedStructure> combine_structure(Case& patient, const std::string& name, Combination how,
+                                         const std::string& other) {
+  const auto by = mask_named(patient, other);
+  if (!by) return failure(by.error());
+  imaging::Mask mask{by->grid, std::vector<std::uint8_t>(by->values.size(), 0)};
+  if (how != Combination::unite || patient.find("labels/" + name) != nullptr) {
+    auto own = mask_named(patient, name);
+    if (!own) return failure(own.error());
+    mask = std::move(*own);
+  }
+  if (!imaging::same_grid(mask.grid, by->grid)) {
+    return failure("labels-grids-differ", GLISSON_TEXT("The structures {0} and {1} lie on different voxel grids."),
+                   {name, other});
+  }
+  switch (how) {
+    case Combination::unite: mask = segmentation::united(std::move(mask), *by); break;
+    case Combination::intersect: mask = segmentation::intersected(std::move(mask), *by); break;
+    case Combination::subtract: mask = segmentation::subtracted(std::move(mask), *by); break;
+  }
+  Provenance made{"segment", {{"method", "combined"}, {"with", other}}, {}, {}, {}};
+  made.options["how"] = how == Combination::unite ? "unite" : how == Combination::intersect ? "intersect" : "subtract";
+  if (patient.find("volumes/anatomy") != nullptr) made.from.emplace_back("volumes/anatomy");
+  if (other != name) made.from.push_back("labels/" + other);
+  return save_structure(patient, segmentation::make_structure(name, std::move(mask)), std::move(made));
 }
 
 Result<SavedStructure> import_structure(Case& patient, const std::string& name, const fs::path& labels,
@@ -145,6 +221,45 @@ std::vector<Eigen::Vector3d> spread_points(const imaging::Mask& mask, const imag
     taken.push_back(voxels[static_cast<std::size_t>(farthest - squared_distance.begin())]);
   }
   return taken;
+}
+
+}  // namespace
+
+namespace {
+
+Result<imaging::Mask> mask_named(const Case& patient, const std::string& name) {
+  const Entry* entry = patient.find("labels/" + name);
+  if (entry == nullptr) {
+    return failure(Error{"structure-unknown",
+                         GLISSON_TEXT("This case has no structure \"{0}\"."),
+                         {name},
+                         GLISSON_TEXT("Names are those of the folder labels in the case: liver, portal-vein, ..."),
+                         patient.folder()});
+  }
+  auto read = imaging::read_mask_file(patient.folder() / entry->file);
+  if (!read) return failure(read.error());
+  return std::move(read->mask);
+}
+
+Result<Grown> grow(const imaging::Volume& anatomy, const std::string& name,
+                   const std::vector<Eigen::Vector3d>& seeds_mm, const imaging::Mask* within,
+                   const Progress& progress) {
+  const auto by_contrast = [&](segmentation::Contrast kind) {
+    return segmentation::grow_contrast(anatomy, seeds_mm, kind, within, {}, progress)
+        .map([](segmentation::ContrastGrowth grown) { return Grown{std::move(grown.mask), std::move(grown.doubts)}; });
+  };
+  if (const auto kind = segmentation::contrast_of(name)) return by_contrast(*kind);
+  if (within != nullptr) return by_contrast(segmentation::Contrast::lesion);
+  auto grown = segmentation::grow_from_seeds(anatomy, seeds_mm, {}, progress);
+  // A name that says nothing, at something thinner than an organ.
+  const bool may_be_small = name != "liver";
+  if (!grown && may_be_small && grown.error().code == "grow-nothing-found") {
+    return by_contrast(segmentation::Contrast::lesion);
+  }
+  if (!grown) return failure(grown.error());
+  std::vector<Sentence> notes;
+  for (auto& doubt : grown->doubts) notes.push_back(std::move(doubt.sentence));
+  return Grown{std::move(grown->mask), std::move(notes)};
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "base/sentence.h"
 #include "casefile/case.h"
 #include "mechanics/scenario/scenario.h"
+#include "segmentation/brush.h"
 #include "segmentation/structures.h"
 
 namespace glisson::casefile {
@@ -22,9 +23,25 @@ struct SavedStructure {
   std::vector<Sentence> notes;  // doubts about it
 };
 
-// Grows from points inside the structure (patient LPS, mm) on volumes/anatomy and saves the outcome.
+// Grows from points inside the structure (patient LPS, mm) on volumes/anatomy and saves the outcome. What is grown how
+// follows the name: vessels and lesions by what stands out from the tissue around (segmentation/grow_contrast.h),
+// organs as the liver is (grow.h). With `within`, the name of a structure of the case, a vessel or lesion stays inside
+// of it ("structure-unknown" where there is none of that name).
 Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
-                                      const std::vector<Eigen::Vector3d>& seeds_mm, const Progress& progress = {});
+                                      const std::vector<Eigen::Vector3d>& seeds_mm, const Progress& progress = {},
+                                      const std::optional<std::string>& within = std::nullopt);
+
+// Makes a structure of the voxels of volumes/anatomy whose grey value lies in the range, of those inside of `within`
+// alone where it is given. Fails with "structure-unknown", and with "range-empty" where there is no such voxel.
+Result<SavedStructure> threshold_structure(Case& patient, const std::string& name, const segmentation::GreyRange& range,
+                                           const std::optional<std::string>& within = std::nullopt);
+
+// Changes a structure by another one of the case, voxel by voxel; the other stays as it is. One that is not there yet
+// counts as empty in a union. Fails with "structure-unknown" and, where both lie on different grids,
+// "labels-grids-differ".
+enum class Combination { unite, intersect, subtract };
+Result<SavedStructure> combine_structure(Case& patient, const std::string& name, Combination how,
+                                         const std::string& other);
 
 // Takes a structure from a label file (NRRD, NIfTI, MetaImage, DICOM SEG), carried to the grid of volumes/anatomy.
 // Without a label value the file must hold one structure only, or name one of them so (label_map.h); else it is refused

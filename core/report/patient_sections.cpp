@@ -31,8 +31,11 @@ std::string stiffness_source(const Entry& model) {
 
 Table resection_table(const Json& json) {
   Table table{"Smallest distance to the cut. Under 1 mm counts as R1, under 5 mm is narrow; both are marked !.",
-              {"Tumour", "Side", "Margin (mm)", "Mind"},
+              {"Tumour", "Side", "Margin (mm)", "Caution"},
               {}};
+  const bool moved = std::any_of(json.at("tumours").begin(), json.at("tumours").end(),
+                                 [](const Json& tumour) { return tumour.contains("shift_mm"); });
+  if (moved) table.columns.insert(table.columns.begin() + 2, "Moved by the tools (mm)");
   for (const Json& tumour : json.at("tumours")) {
     const auto side = tumour.at("side").get<std::string>();
     const bool r1 = tumour.at("r1").get<bool>(), narrow = tumour.at("narrow").get<bool>();
@@ -47,6 +50,9 @@ Table resection_table(const Json& json) {
                                                 : "stays"},
                           {fmt::format("{:.1f}", tumour.at("margin_mm").get<double>())},
                           {mind, mind.empty() ? Cell::Emphasis::none : Cell::Emphasis::flag}});
+    if (!moved) continue;
+    auto& row = table.rows.back();
+    row.insert(row.begin() + 2, Cell{fmt::format("{:.1f}", tumour.value("shift_mm", 0.0))});
   }
   return table;
 }

@@ -165,6 +165,25 @@ Mask subtracted(Mask mask, const Mask& other) {
   return mask;
 }
 
+Mask intersected(Mask mask, const Mask& other) {
+  GLISSON_ASSERT(imaging::same_grid(mask.grid, other.grid));
+  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+    if (other.values[voxel] == 0) mask.values[voxel] = 0;
+  }
+  return mask;
+}
+
+Mask in_range(const imaging::Volume& image, const GreyRange& range, const Mask* within) {
+  GLISSON_ASSERT(within == nullptr || imaging::same_grid(image.grid, within->grid));
+  Mask mask{image.grid, std::vector<std::uint8_t>(image.values.size(), 0)};
+  for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+    const auto value = static_cast<double>(image.values[voxel]);
+    const bool looked_at = within == nullptr || within->values[voxel] != 0;
+    mask.values[voxel] = looked_at && value >= range.low && value <= range.high ? 1 : 0;
+  }
+  return mask;
+}
+
 namespace {
 
 void set_in_ball(Mask& mask, const Ball& ball, std::uint8_t value) {

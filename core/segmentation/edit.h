@@ -9,6 +9,7 @@
 
 #include "base/result.h"
 #include "imaging/filters.h"
+#include "segmentation/brush.h"
 
 namespace glisson::segmentation {
 
@@ -70,5 +71,11 @@ using imaging::fill_holes;
 // Voxel by voxel; the other mask must be on the same grid (asserts).
 [[nodiscard]] imaging::Mask united(imaging::Mask mask, const imaging::Mask& other);
 [[nodiscard]] imaging::Mask subtracted(imaging::Mask mask, const imaging::Mask& other);
+[[nodiscard]] imaging::Mask intersected(imaging::Mask mask, const imaging::Mask& other);
+
+// The voxels whose grey value lies in the range, of those of `within` alone where it is given (same grid: asserts).
+// Values that are not finite are outside.
+[[nodiscard]] imaging::Mask in_range(const imaging::Volume& image, const GreyRange& range,
+                                     const imaging::Mask* within = nullptr);
 
 }  // namespace glisson::segmentation

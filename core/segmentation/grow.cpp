@@ -10,6 +10,8 @@
 
 #include "imaging/filters.h"
 #include "segmentation/edit.h"
+#include "segmentation/outline_border.h"
+#include "segmentation/seeds.h"
 #include "segmentation/slice_holes.h"
 #include "segmentation/structures.h"
 #include "segmentation/tissue_model.h"
@@ -35,6 +37,8 @@ constexpr double largest_liver_ml = 3500;
 
 Result<void> check(const imaging::Volume& image, const std::vector<Vector3d>& seeds_mm, const GrowOptions& options);
 
+constexpr double much_unsure_border = 0.3;
+
 // What is known of one seed.
 struct Seed {
   Vector3d position_mm;
@@ -55,6 +59,7 @@ struct Region {
 Region region_of(const Mask& tissue, const std::vector<Seed>& seeds, const GrowOptions& options);
 
 Mask finished(const Region& region, const Grid& grid, const std::array<int, 3>& block, const GrowOptions& options);
+Mask without_crumbs(Mask mask);
 std::vector<GrowResult::Doubt> doubts_about(const GrowResult& result, const std::vector<Seed>& seeds,
                                             const Region& region);
 
@@ -65,7 +70,6 @@ struct Range {
 };
 Range range_of(const std::vector<float>& values);
 double changed_fraction(const std::vector<std::uint8_t>& before, const std::vector<std::uint8_t>& after);
-std::vector<std::size_t> voxels_around(const Vector3d& center_mm, double radius_mm, const Grid& grid);
 
 }  // namespace
 
@@ -129,7 +133,10 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
   if (progress.cancelled()) return cancelled();
   progress.report(static_cast<double>(most_rounds + 1) / (most_rounds + 2), GLISSON_TEXT("Smoothing the outline"));
   result.rounds = std::min(result.rounds, most_rounds);
-  result.mask = finished(region, image.grid, block, options);
+  RefinedBorder refined =
+      with_border_refined(finished(region, image.grid, block, options), image, tissue.mean, tissue.sd);
+  result.mask = without_crumbs(std::move(refined.outline));
+  result.unsure_border = refined.unsure_share;
   result.volume_ml = volume_ml(result.mask);
   result.tissue_mean = tissue.mean;
   result.tissue_sd = tissue.sd;
@@ -190,7 +197,11 @@ Mask finished(const Region& region, const Grid& grid, const std::array<int, 3>& 
   Mask mask{grid, std::vector<std::uint8_t>(grid.voxels())};
   for (std::size_t voxel = 0; voxel < fine.size(); ++voxel) mask.values[voxel] = fine[voxel] >= 0.5F ? 1 : 0;
 
-  // Crumbs that smoothing broke off go; pieces that hold seeds of their own stay.
+  return mask;
+}
+
+// Crumbs that smoothing broke off go; pieces that hold seeds of their own stay.
+Mask without_crumbs(Mask mask) {
   const imaging::ConnectedVoxels connected = imaging::connected_voxels(mask, imaging::Neighbours::faces);
   const std::size_t crumb = connected.sizes[connected.largest()] / 100;
   for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
@@ -261,6 +272,12 @@ std::vector<GrowResult::Doubt> doubts_about(const GrowResult& result, const std:
       }
     }
   }
+  if (result.unsure_border > much_unsure_border) {
+    doubts.push_back({GrowthDoubt::unsure_border,
+                      {GLISSON_TEXT("On {0} % of its border the outline lies on tissue that hardly differs from it: look "
+                                    "there before you trust it, and add a point where a part is missing."),
+                       {fmt::format("{:.0f}", 100 * result.unsure_border)}}});
+  }
   const std::string volume_ml = fmt::format("{:.0f}", result.volume_ml);
   if (other_face) {
     doubts.push_back({GrowthDoubt::leaves_image,
@@ -290,12 +307,6 @@ std::vector<GrowResult::Doubt> doubts_about(const GrowResult& result, const std:
 }
 
 Result<void> check(const imaging::Volume& image, const std::vector<Vector3d>& seeds_mm, const GrowOptions& options) {
-  if (*std::min_element(image.grid.size.begin(), image.grid.size.end()) < 3 ||
-      image.values.size() != image.grid.voxels()) {
-    return failure(
-        "grow-bad-image", GLISSON_TEXT("An image of {0} x {1} x {2} voxels is too thin to grow in."),
-        {std::to_string(image.grid.size[0]), std::to_string(image.grid.size[1]), std::to_string(image.grid.size[2])});
-  }
   for (const double value :
        {options.sample_radius_mm, options.working_spacing_mm, options.smoothing_mm, options.tolerance_sd,
         options.roughness_sd, options.drift_length_mm, options.neck_radius_mm, options.closing_radius_mm}) {
@@ -303,28 +314,7 @@ Result<void> check(const imaging::Volume& image, const std::vector<Vector3d>& se
     return failure("grow-bad-options", GLISSON_TEXT("The options of growing must be positive, and one is {0}."),
                    {fmt::format("{}", value)});
   }
-  if (seeds_mm.empty()) {
-    return failure(Error{"grow-no-seeds",
-                         GLISSON_TEXT("There is no seed to grow from."),
-                         {},
-                         GLISSON_TEXT("Give at least one point in the middle of the liver."),
-                         {}});
-  }
-  const Vector3d last(image.grid.size[0] - 1, image.grid.size[1] - 1, image.grid.size[2] - 1);
-  for (std::size_t n = 0; n < seeds_mm.size(); ++n) {
-    const Vector3d index = image.grid.index_of(seeds_mm[n]);
-    const Vector3d inside = index.cwiseMax(Vector3d::Constant(-0.5)).cwiseMin(last + Vector3d::Constant(0.5));
-    const double outside_mm = (index - inside).cwiseProduct(image.grid.spacing_mm).norm();
-    if (outside_mm <= 1e-6) continue;  // false for NaN
-    return failure(Error{"grow-seed-outside",
-                         GLISSON_TEXT("Seed {0} at ({1}) mm lies {2} mm outside the image."),
-                         {std::to_string(n + 1),
-                          fmt::format("{:.1f}, {:.1f}, {:.1f}", seeds_mm[n].x(), seeds_mm[n].y(), seeds_mm[n].z()),
-                          fmt::format("{:.1f}", outside_mm)},
-                         GLISSON_TEXT("Seeds are DICOM patient coordinates (LPS) in mm, not voxel indices."),
-                         {}});
-  }
-  return {};
+  return check_seeds(image, seeds_mm);
 }
 
 Mask mask_of_seeds(const std::vector<Seed>& seeds, const Grid& grid) {
@@ -354,26 +344,6 @@ double changed_fraction(const std::vector<std::uint8_t>& before, const std::vect
     inside += after[voxel];
   }
   return static_cast<double>(changed) / static_cast<double>(std::max<std::size_t>(inside, 1));
-}
-
-std::vector<std::size_t> voxels_around(const Vector3d& center_mm, double radius_mm, const Grid& grid) {
-  std::vector<std::size_t> voxels;
-  const Vector3d center = grid.index_of(center_mm);
-  std::array<int, 3> first{}, last{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto a = static_cast<Eigen::Index>(axis);
-    const double reach = radius_mm / grid.spacing_mm[a];
-    first[axis] = static_cast<int>(std::clamp(std::ceil(center[a] - reach), 0.0, grid.size[axis] - 1.0));
-    last[axis] = static_cast<int>(std::clamp(std::floor(center[a] + reach), 0.0, grid.size[axis] - 1.0));
-  }
-  for (int k = first[2]; k <= last[2]; ++k) {
-    for (int j = first[1]; j <= last[1]; ++j) {
-      for (int i = first[0]; i <= last[0]; ++i) {
-        if ((grid.position_mm(i, j, k) - center_mm).norm() <= radius_mm) voxels.push_back(grid.offset(i, j, k));
-      }
-    }
-  }
-  return voxels;
 }
 
 }  // namespace

@@ -21,10 +21,6 @@ bool holds(const imaging::Mask& outer, const imaging::Mask& inner) {
   return true;
 }
 
-imaging::Mask common(imaging::Mask a, const imaging::Mask& b) {
-  for (std::size_t i = 0; i < a.values.size(); ++i) a.values[i] = a.values[i] && b.values[i] ? 1 : 0;
-  return a;
-}
 
 }  // namespace
 
@@ -44,7 +40,7 @@ WithLesions with_lesions(imaging::Mask liver, const std::vector<Structure>& stru
   // Closing, but only around the lesions: elsewhere it would fill the liver's own fissures.
   const imaging::Mask closed = with_margin(with_margin(result.liver, gap_mm), -gap_mm);
   const imaging::Mask around = with_margin(lesions, gap_mm);
-  result.liver = fill_holes(united(std::move(result.liver), common(closed, around)));
+  result.liver = fill_holes(united(std::move(result.liver), intersected(closed, around)));
   return result;
 }
 

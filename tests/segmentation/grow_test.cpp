@@ -12,8 +12,11 @@
 
 #include "base/parallel.h"
 #include "imaging/filters.h"
+#include "imaging/read_series.h"
+#include "imaging/study.h"
 #include "imaging/volume_file.h"
 #include "segmentation/edit.h"
+#include "segmentation/resample.h"
 #include "segmentation/structures.h"
 #include "support/data.h"
 
@@ -120,6 +123,36 @@ INSTANTIATE_TEST_SUITE_P(Grow, RealLiver,
                                          std::pair{"example_ct_sm", "example_seg"},
                                          std::pair{"example_ct", "example_seg_fast_force_split"}),
                          [](const auto& tested) { return std::string(tested.param.first); });
+
+// Not in view when the border's options were chosen: three slices of another scanner, with a hand-made outline.
+TEST(Grow, TheBorderLiesWhereAHandDrewIt) {
+  GLISSON_NEEDS_DATA("dcmqi_liver_seg_ct3");
+  const auto folder = test::shared_data() / "dcmqi_liver_seg_ct3";
+  const Volume image =
+      imaging::read_series(imaging::scan(folder / "ct-3slice").value().series.front()).value();
+  const Mask liver =
+      resample(mask_of_label(imaging::read_labels_file(folder / "liver_seg.nrrd").value(), 1), image.grid);
+  const auto grown = grow_from_seeds(image, {deepest_point_mm(liver)});
+  ASSERT_TRUE(grown) << grown.error().message();
+  const double overlap = dice(grown->mask, liver).value();
+  std::cout << "dcmqi: Dice " << overlap << ", " << grown->volume_ml << " ml of " << volume_ml(liver) << "\n";
+  EXPECT_GT(overlap, 0.93);  // 0.914 before the border was put half-way
+  EXPECT_NEAR(grown->volume_ml, volume_ml(liver), 0.13 * volume_ml(liver));
+}
+
+// Between the arms this CT is 30 HU darker and noisier: the outline stops there, and must say that it is unsure.
+TEST(Grow, SaysWhereItIsUnsure) {
+  GLISSON_NEEDS_DATA("totalseg_abdomen_mr_ct");
+  const auto folder = test::shared_data() / "totalseg_abdomen_mr_ct";
+  const Volume image = imaging::read_series(imaging::scan(folder / "example_ct_dicom").value().series.front()).value();
+  const auto labels = imaging::read_labels_file(folder / "example_seg_dicom.nii.gz");
+  const Mask liver = resample(mask_of_label(labels.value(), liver_label), image.grid);
+  const auto grown = grow_from_seeds(image, {deepest_point_mm(liver)});
+  ASSERT_TRUE(grown) << grown.error().message();
+  ASSERT_LT(grown->volume_ml, 0.9 * volume_ml(liver));
+  EXPECT_TRUE(std::any_of(grown->doubts.begin(), grown->doubts.end(),
+                          [](const auto& doubt) { return doubt.kind == GrowthDoubt::unsure_border; }));
+}
 
 // An ellipsoid of 100 in 60, with a spread of 10 and a drift of 0.2 % a mm: 36 % from one end to the other.
 Volume drifting_phantom() {

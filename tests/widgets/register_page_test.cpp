@@ -115,6 +115,21 @@ class RegisterPageTest : public QObject {
     const auto* figures = child<FiguresTable>("figures");
     QCOMPARE(figures->horizontalHeaderItem(0)->text(), QString("Given"));
     QVERIFY(number(figures, FiguresTable::rmse, 1) < 0.5 * number(figures, FiguresTable::rmse, 0));
+    // What to conclude stands in one sentence, and follows the tolerance.
+    const auto* reading = child<QLabel>("register_reading");
+    QVERIFY2(reading->isVisible() && reading->text().contains("ICP is better here than Given."),
+             qPrintable(reading->text()));
+    const QString at_5_mm = reading->text();
+    click(child<QPushButton>("tolerance_3"));
+    QVERIFY(reading->text() != at_5_mm && reading->text().contains("3.0 mm"));
+    click(child<QPushButton>("tolerance_5"));
+    // A picture has one meaning: hatched by mm only where the colours are mm.
+    const auto hatched = [this](HeatValue value) {
+      const scene::HeatMesh mesh = heat_mesh(page_->judged(0)->quality, value, 0, 0.5);
+      return std::count(mesh.verdicts.begin(), mesh.verdicts.end(), scene::HeatMesh::Verdict::rejected);
+    };
+    QCOMPARE(hatched(HeatValue::correlation), 0);
+    QVERIFY(hatched(HeatValue::error) > 0);
     child<Timeline>("timeline")->show_frame(7);
     auto* video = child<HeatVideo>("first_video");
     QTest::mouseClick(video, Qt::LeftButton, {}, video->on_widget({161, 234}).toPoint());

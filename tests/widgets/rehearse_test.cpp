@@ -221,7 +221,22 @@ class RehearseTest : public QObject {
       return window_->findChild<LandmarkTable*>()->item(0, column)->text();
     };
     const double within_N = *rehearsal().force_within_the_model_N(20);
+    // The colour bar's upper end, which has numbers beside it.
+    const auto bar_pixels = [this] {
+      QTest::qWait(400);
+      const QImage picture = space().picture();
+      int count = 0;
+      for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+          const QColor at(picture.pixel(x, y));
+          count += std::abs(at.red() - 253) + std::abs(at.green() - 231) + std::abs(at.blue() - 37) < 30 ? 1 : 0;
+        }
+      }
+      return count;
+    };
+    child<QCheckBox>("by_displacement")->setChecked(true);
     rehearsal().set_force_N(0.9 * within_N);
+    QVERIFY(bar_pixels() > 20);
     QVERIFY(sign->text().contains("Solved"));
     QVERIFY(!trouble->isVisible());
     rehearsal().set_force_N(1.2 * within_N);
@@ -231,6 +246,8 @@ class RehearseTest : public QObject {
     rehearsal().set_force_N(40 * within_N);
     QVERIFY(rehearsal().frame()->validity.inverted_cells > 0);
     QVERIFY(sign->text().contains("Not to be used"));
+    QCOMPARE(bar_pixels(), 0);
+    child<QCheckBox>("by_displacement")->setChecked(false);
     QVERIFY(child<QLabel>("summary")->text().startsWith("– Not to be used: cells turned inside out"));
     QCOMPARE(table_text(LandmarkTable::moves_column), "–");
     QCOMPARE(table_text(LandmarkTable::apart_column), "–");

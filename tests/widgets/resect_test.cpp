@@ -3,6 +3,7 @@
 //
 // The liver is a block of 120 x 80 x 80 mm (768 ml) from the origin, its tumour a ball of 10 mm about (100, 40, 40).
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -99,6 +100,47 @@ class ResectTest : public QObject {
     }
     plane.put({600, 40, 40}, {1, 0, 0});  // it passes the box by
     QVERIFY(geometry::area_mm2(part_within(plane, box)) < 1000);
+  }
+
+  // A probe pushes the free end: the tumour goes with it, and its margin is that on the liver as it lies then. What was
+  // worked out at rest is there again when the box is cleared.
+  void plans_on_the_liver_as_the_tool_holds_it() {
+    auto* as_held = child<QCheckBox>("as_held");
+    QVERIFY(!as_held->isEnabled());
+    QVERIFY(as_held->toolTip().contains("Rehearse"));
+    LiveRehearsal& rehearsal = window_->rehearsal();
+    rehearsal.hold({"palpation-probe", {120, 40, 40}, {1, 0, 0}, 25, {-1, 0, 0}, 2.0});
+    QTRY_VERIFY_WITH_TIMEOUT(rehearsal.solving() == Solving::solved && rehearsal.frame(), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(as_held->isEnabled(), patience_ms);
+    window_->views().set_crosshair({80, 40, 40});
+    child<QComboBox>("cut_across")->setCurrentIndex(0);
+    QTest::mouseClick(child<QPushButton>("cut_through_crosshair"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->live().result() != nullptr, patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(margin_mm() - 10) < 0.2, patience_ms);  // from x = 80 to the ball at 90
+    QVERIFY(!child<QLabel>("retraction_told")->isVisible());
+
+    as_held->click();
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->live().result() && panel_->live().result()->plan.retraction, patience_ms);
+    const auto& tumour = panel_->live().result()->plan.tumours.front();
+    QVERIFY2(tumour.shift_mm > 0.3, qPrintable(QString::number(tumour.shift_mm)));
+    // It goes towards the cut along x, which is where the probe pushes.
+    QVERIFY2(std::abs(10 - tumour.margin_mm - tumour.shift_mm) < 0.2 + 0.2 * tumour.shift_mm,
+             qPrintable(QString("%1, moved by %2").arg(tumour.margin_mm).arg(tumour.shift_mm)));
+    const QString told = child<QLabel>("retraction_told")->text();
+    QVERIFY2(told.contains("goes by " + QString::number(tumour.shift_mm, 'f', 1)), qPrintable(told));
+    QCOMPARE(panel_->live().result()->cut.liver, casefile::PlannedCut::Liver::held_aside);
+
+    // Another force, another answer.
+    rehearsal.set_force_N(1.0);
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->live().result() && panel_->live().result()->plan.retraction &&
+                                 panel_->live().result()->plan.tumours.front().shift_mm < 0.7 * tumour_shift(told),
+                             patience_ms);
+    as_held->click();
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->live().result() && !panel_->live().result()->plan.retraction, patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(margin_mm() - 10) < 0.2, patience_ms);
+    rehearsal.take_tool_away();
+    QTRY_VERIFY_WITH_TIMEOUT(!as_held->isEnabled(), patience_ms);
+    QTest::mouseClick(child<QPushButton>("no_cut"), Qt::LeftButton);
   }
 
   void puts_a_plane_through_the_crosshair() {
@@ -262,6 +304,10 @@ class ResectTest : public QObject {
   void shuts_down_cleanly() { window_.reset(); }
 
  private:
+  // The first number with a dot in a sentence.
+  static double tumour_shift(const QString& told) {
+    return QRegularExpression("(\\d+\\.\\d)").match(told).captured(1).toDouble();
+  }
   static bool same(const scene::Camera& a, const scene::Camera& b) {
     return (a.focus_mm - b.focus_mm).norm() < 1e-6 && (a.sight - b.sight).norm() < 1e-9 &&
            std::abs(a.visible_height_mm - b.visible_height_mm) < 1e-6;

@@ -1,5 +1,6 @@
 // The Segment workspace, driven as a person drives it: strokes with the mouse in a slice, keys for tools, undo.
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QMenu>
@@ -187,6 +188,67 @@ class SegmentTest : public QObject {
     key(Qt::Key_H);  // nothing to fill: no step
     settle();
     QVERIFY(!window_->undo().undo_action()->isEnabled());
+  }
+
+  // The bright ball of 16 mm: by its grey values, and what the drawn one and it have in common.
+  void grey_values_and_other_structures_make_a_structure() {
+    auto* low = child<QDoubleSpinBox>("grey_low");
+    auto* high = child<QDoubleSpinBox>("grey_high");
+    child<QPushButton>("range_from_crosshair")->click();
+    QVERIFY(low->value() < high->value());
+    auto* add = child<QPushButton>("add_structure");
+    Q_EMIT add->menu()->aboutToShow();
+    add->menu()->findChild<QAction*>("tumour")->trigger();
+    settle();
+    child<QPushButton>("take_range")->click();
+    settle();
+    const std::size_t everywhere = test::voxels_of(folder_, "tumour-1");
+    QVERIFY(everywhere > start_);
+    auto* within = child<QComboBox>("within");
+    within->setCurrentIndex(within->findData("liver"));
+    child<QPushButton>("take_range")->click();
+    settle();
+    const std::size_t inside = test::voxels_of(folder_, "tumour-1");
+    QVERIFY2(inside > start_ / 2 && inside <= start_, qPrintable(QString::number(inside)));
+    undo();
+    QCOMPARE(test::voxels_of(folder_, "tumour-1"), everywhere);
+
+    auto* how = child<QComboBox>("combine_how");
+    auto* other = child<QComboBox>("combine_with");
+    QCOMPARE(other->count(), 1);  // itself is not offered
+    how->setCurrentIndex(StructureOperations::subtract);
+    child<QPushButton>("combine")->click();
+    settle();
+    QCOMPARE(test::voxels_of(folder_, "tumour-1"), everywhere - inside);
+    how->setCurrentIndex(StructureOperations::unite);
+    child<QPushButton>("combine")->click();
+    settle();
+    QCOMPARE(test::voxels_of(folder_, "tumour-1"), everywhere - inside + start_);
+    how->setCurrentIndex(StructureOperations::intersect);
+    child<QPushButton>("combine")->click();
+    settle();
+    QCOMPARE(test::voxels_of(folder_, "tumour-1"), start_);
+    within->setCurrentIndex(0);
+    for (int n = 0; n < 5; ++n) undo();
+    QCOMPARE(panel_->editor().structures().size(), std::size_t(1));
+  }
+
+  void the_brush_keeps_to_the_grey_values_when_asked() {
+    child<QPushButton>("range_from_crosshair")->click();
+    auto* only = child<QCheckBox>("range_for_brush");
+    only->setChecked(true);
+    key(Qt::Key_B);
+    stroke({13, 0}, {15, 0});  // beyond the edge of the bright ball
+    const imaging::Mask& mask = *panel_->editor().structures().front().mask;
+    const imaging::Mask bright = test::ball_mask(16);
+    std::size_t outside = 0;
+    for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
+      outside += mask.values[voxel] != 0 && bright.values[voxel] == 0 ? 1U : 0U;
+    }
+    QCOMPARE(outside, std::size_t(0));
+    QVERIFY(segmentation::voxel_count(mask) > start_);
+    undo();
+    only->setChecked(false);
   }
 
   void a_stroke_is_seen_while_it_is_drawn() {

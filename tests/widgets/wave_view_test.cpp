@@ -75,6 +75,15 @@ class WaveViewTest : public QObject {
   void leaves_the_case_alone_until_it_is_told() {
     QVERIFY(!std::filesystem::exists(case_ / "volumes" / "stiffness.nrrd"));
     QSignalSpy accepted(view_.get(), &WaveView::accepted);
+    // A window that only looks at the case takes nothing into it.
+    int asked = 0;
+    view_->set_guard([&asked] { return ++asked == 0; });
+    QTest::mouseClick(child<QPushButton>("wave_accept"), Qt::LeftButton);
+    QCOMPARE(asked, 1);
+    QTest::qWait(300);
+    QCOMPARE(accepted.count(), 0);
+    QVERIFY(!std::filesystem::exists(case_ / "volumes" / "stiffness.nrrd"));
+    view_->set_guard([] { return true; });
     QTest::mouseClick(child<QPushButton>("wave_accept"), Qt::LeftButton);
     QVERIFY(accepted.wait(patience_ms));
     const auto patient = casefile::Case::open(case_);

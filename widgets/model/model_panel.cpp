@@ -294,6 +294,7 @@ void ModelPanel::show_waves() {
   auto* view = new WaveView(patient_.folder, window());
   view->setWindowFlag(Qt::Window);
   view->setAttribute(Qt::WA_DeleteOnClose);
+  view->set_guard(context_.may_change);
   connect(view, &WaveView::accepted, this, [this] {
     context_.change(tr("Opening %1").arg(text_of(patient_.folder.filename())),
                     [folder = patient_.folder](const Progress& progress) { return load_patient(folder, progress); });

@@ -56,6 +56,7 @@ void HeatLegend::paintEvent(QPaintEvent* /*event*/) {
   painter.drawText(QRect(bar.left(), bar.bottom() + 8, width() - bar.left(), line), Qt::AlignLeft,
                    high_is_good ? bad_ : good_);
 
+  if (rejected_.isEmpty()) return;
   const QRect swatch(bar.left(), bar.bottom() + 2 * line + 8, 34, line + 4);
   painter.fillRect(swatch, QColor(150, 150, 150));
   painter.fillRect(swatch, QBrush(QColor(20, 22, 26, 190), Qt::BDiagPattern));

@@ -77,8 +77,10 @@ scene::HeatMesh heat_mesh(const Quality& quality, HeatValue value, std::size_t f
   mesh.values = values_of(quality, value);
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
     using Verdict = scene::HeatMesh::Verdict;
+    // A picture has one meaning: what is off in mm is hatched where the colours are mm.
+    const bool hatched = value == HeatValue::error && is_rejected(quality, k, tolerance_mm);
     mesh.verdicts.push_back(quality.frames_seen[k] < registration_quality::fewest_frames ? Verdict::none
-                            : is_rejected(quality, k, tolerance_mm)                      ? Verdict::rejected
+                            : hatched                                                    ? Verdict::rejected
                                                                                          : Verdict::accepted);
   }
   return mesh;

@@ -11,6 +11,7 @@
 #include "studies/example_sequence.h"
 #include "widgets/panels/ask_path.h"
 #include "widgets/panels/parts.h"
+#include "widgets/register/reading_sentence.h"
 #include "widgets/settings/settings.h"
 #include "widgets/words/paths.h"
 #include "widgets/words/told.h"
@@ -195,6 +196,8 @@ QWidget* RegisterPage::make_pictures() {
   origin_->setWordWrap(true);
   origin_->hide();
   column->addWidget(origin_);
+  reading_told_ = wrapped_label("register_reading");
+  column->addWidget(reading_told_);
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   for (std::size_t side = 0; side < 2; ++side) {
@@ -337,6 +340,12 @@ void RegisterPage::show_meshes() {
 void RegisterPage::show_figures() {
   reading_->figures().show_figures({judged(0), judged(1)}, {side_name(0), side_name(1)}, tolerance_mm(),
                                    timeline_->frame());
+  const QString reading =
+      has_sequence() ? reading_of({NamedJudgement{side_name(0), judged(0)}, NamedJudgement{side_name(1), judged(1)}},
+                                  tolerance_mm(), static_cast<std::size_t>(timeline_->frame()), sequence_->files.camera)
+                     : QString();
+  reading_told_->setText(reading);
+  reading_told_->setVisible(!reading.isEmpty());
 }
 
 void RegisterPage::choose_at(const QPointF& pixel) {
@@ -448,7 +457,9 @@ void RegisterPage::word_views() {
   legend_->set_words(value == HeatValue::correlation ? tr("Correlation")
                      : value == HeatValue::error     ? tr("Error\n(mm)")
                                                      : tr("Doubt\n(mm)"),
-                     tr("good"), tr("bad"), tr("rejected: off by %1 mm or more").arg(number(tolerance_mm())));
+                     tr("good"), tr("bad"),
+                     value == HeatValue::error ? tr("rejected: off by %1 mm or more").arg(number(tolerance_mm()))
+                                               : QString());
 }
 
 void RegisterPage::say(std::function<QString()> words) {

@@ -93,6 +93,7 @@ class RegisterPage : public QWidget {
   RegisterWelcome* welcome_;
   QLabel* file_;
   QLabel* origin_;
+  QLabel* reading_told_;  // what to conclude
   std::array<HeatVideo*, 2> videos_{};
   HeatLegend* legend_;
   Timeline* timeline_;

@@ -31,16 +31,26 @@ LandmarkTable::LandmarkTable(QWidget* parent) : QTableWidget(0, 4, parent) {
   }
   verticalHeader()->hide();
   verticalHeader()->setDefaultSectionSize(24);
-  setEditTriggers(NoEditTriggers);
+  setEditTriggers(DoubleClicked | EditKeyPressed);  // of names that were given by hand
   setSelectionBehavior(SelectRows);
   setSelectionMode(SingleSelection);
   setShowGrid(false);
   setTextElideMode(Qt::ElideMiddle);  // the number at a name's end tells it from its neighbours
   setAlternatingRowColors(true);
+  connect(this, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* changed) {
+    if (filling_ || changed->column() != name_column) return;
+    Q_EMIT rename_wanted(changed->data(Qt::UserRole).toString().toStdString(), changed->text());
+  });
   connect(this, &QTableWidget::itemSelectionChanged, this, [this] {
     const QTableWidgetItem* chosen = currentRow() >= 0 ? item(currentRow(), name_column) : nullptr;
     Q_EMIT landmark_chosen(chosen != nullptr ? chosen->data(Qt::UserRole).toString().toStdString() : std::string());
   });
+}
+
+std::string LandmarkTable::chosen_own() const {
+  const QTableWidgetItem* chosen = currentRow() >= 0 ? item(currentRow(), name_column) : nullptr;
+  const std::string id = chosen != nullptr ? chosen->data(Qt::UserRole).toString().toStdString() : std::string();
+  return own_.count(id) != 0 ? id : std::string();
 }
 
 void LandmarkTable::show_frame(const rehearsal::RehearsalFrame* frame) {
@@ -49,6 +59,7 @@ void LandmarkTable::show_frame(const rehearsal::RehearsalFrame* frame) {
     return;
   }
   setColumnHidden(apart_column, !frame->atlas);
+  filling_ = true;
   setRowCount(static_cast<int>(frame->patient.landmarks.size()));
   for (std::size_t k = 0; k < frame->patient.landmarks.size(); ++k) {
     const auto row = static_cast<int>(k);
@@ -57,6 +68,7 @@ void LandmarkTable::show_frame(const rehearsal::RehearsalFrame* frame) {
     for (const int column : {moves_column, apart_column}) item(row, column)->setText("–");
     item(row, flag_column)->setText({});
   }
+  filling_ = false;
 }
 
 void LandmarkTable::fill_row(int row, const mechanics::DisplacedLandmark& landmark,
@@ -65,7 +77,13 @@ void LandmarkTable::fill_row(int row, const mechanics::DisplacedLandmark& landma
   const bool atlas_far = difference != nullptr && difference->significant();
   QTableWidgetItem* name = ensured(*this, row, name_column);
   name->setText(structure_label(landmark.id));
-  name->setToolTip(name->text());
+  const bool own = own_.count(landmark.id) != 0;
+  name->setToolTip(own ? tr("%1: set by hand. A double click renames it.").arg(name->text()) : name->text());
+  for (int column = name_column; column <= flag_column; ++column) {
+    const bool renames = own && column == name_column;
+    QTableWidgetItem* cell = ensured(*this, row, column);
+    cell->setFlags(renames ? cell->flags() | Qt::ItemIsEditable : cell->flags() & ~Qt::ItemIsEditable);
+  }
   name->setData(Qt::UserRole, QString::fromStdString(landmark.id));
   QTableWidgetItem* moves = ensured(*this, row, moves_column);
   moves->setText(QLocale().toString(landmark.displacement_mm, 'f', 1));

@@ -1,11 +1,13 @@
 #include "widgets/rehearse/rehearse_panel.h"
 
+#include <algorithm>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QSplitter>
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "casefile/placed_landmarks.h"
 #include "widgets/panels/ask_path.h"
 #include "widgets/panels/parts.h"
 #include "widgets/words/paths.h"
@@ -51,6 +53,10 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   auto* landmarks_row = new QHBoxLayout;
   QLabel* landmarks_title = heading(this);
   landmarks_row->addWidget(landmarks_title, 1);
+  set_landmark_ = named_button("set_landmark", this);
+  landmarks_row->addWidget(set_landmark_);
+  remove_landmark_ = named_button("remove_landmark", this);
+  landmarks_row->addWidget(remove_landmark_);
   auto* save = named_button("save_landmarks", this);
   landmarks_row->addWidget(save);
   landmarks_column->addLayout(landmarks_row);
@@ -81,6 +87,18 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   connect(table_, &LandmarkTable::landmark_chosen, this, &RehearsePanel::landmark_chosen);
   connect(table_, &LandmarkTable::landmark_chosen, track_, &TrackControls::follow_landmark);
   connect(save, &QPushButton::clicked, this, &RehearsePanel::save_landmarks);
+  connect(table_, &LandmarkTable::landmark_chosen, this, &RehearsePanel::allow_for_landmarks);
+  connect(table_, &LandmarkTable::rename_wanted, this, &RehearsePanel::rename_landmark);
+  connect(remove_landmark_, &QPushButton::clicked, this, &RehearsePanel::remove_landmark);
+  connect(set_landmark_, &QPushButton::clicked, this, [this] {
+    const auto taken = [this](const std::string& name) {
+      return std::any_of(placed_landmarks_.begin(), placed_landmarks_.end(),
+                         [&](const mechanics::Landmark& one) { return one.id == name; });
+    };
+    int number = 1;
+    while (taken("landmark-" + std::to_string(number))) ++number;
+    Q_EMIT landmark_wanted("landmark-" + std::to_string(number));
+  });
   connect(track_, &TrackControls::failed, this, &RehearsePanel::failed);
   connect(track_, &TrackControls::said, this, &RehearsePanel::said);
   connect(&rehearsal_, &LiveRehearsal::frame_changed, this, &RehearsePanel::show_frame);
@@ -92,6 +110,10 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
     look_title->setText(tr("Show the liver with the stiffness of"));
     landmarks_title->setText(tr("Landmarks"));
     word_evidence();
+    set_landmark_->setText(tr("Set"));
+    set_landmark_->setToolTip(tr("Sets a landmark where the crosshair is: click in a slice or in 3D first"));
+    remove_landmark_->setText(tr("Remove"));
+    remove_landmark_->setToolTip(tr("Takes the chosen landmark away, if it was set by hand; Ctrl+Z brings it back"));
     save->setText(tr("Save..."));
     save->setToolTip(tr("Saves the landmarks as CSV, in mm"));
     time_title->setText(tr("Over time"));
@@ -115,6 +137,42 @@ void RehearsePanel::word_evidence() {
   if (!changed.isEmpty()) paragraphs << tr("Changed by evidence: %1").arg(changed.join(" "));
   if (!left_out.isEmpty()) paragraphs << tr("Evidence to bear in mind: %1").arg(left_out.join(" "));
   evidence_text_->setText(paragraphs.join("\n"));
+}
+
+void RehearsePanel::show_placed_landmarks(std::vector<mechanics::Landmark> landmarks) {
+  placed_landmarks_ = std::move(landmarks);
+  std::set<std::string> own;
+  for (const mechanics::Landmark& landmark : placed_landmarks_) own.insert(landmark.id);
+  table_->set_own(std::move(own));
+  show_frame();
+}
+
+void RehearsePanel::allow_for_landmarks() { remove_landmark_->setEnabled(!table_->chosen_own().empty()); }
+
+void RehearsePanel::rename_landmark(const std::string& id, const QString& typed) {
+  const std::string name = casefile::landmark_name(typed.trimmed().toLower().toStdString());
+  std::vector<mechanics::Landmark> landmarks = placed_landmarks_;
+  const auto of_name = [&](const std::string& wanted) {
+    return std::find_if(landmarks.begin(), landmarks.end(), [&](const auto& one) { return one.id == wanted; });
+  };
+  const auto renamed = of_name(id);
+  const auto& shown = rehearsal_.frame();
+  const bool taken = shown && std::any_of(shown->patient.landmarks.begin(), shown->patient.landmarks.end(),
+                                          [&](const auto& one) { return one.id == name; });
+  if (name == id || name.empty() || taken || renamed == landmarks.end()) {
+    if (name != id) Q_EMIT said(name.empty() ? tr("A name has letters or digits.") : tr("This name is taken."));
+    show_frame();
+    return;
+  }
+  renamed->id = name;
+  Q_EMIT landmarks_wanted(tr("Rename landmark"), landmarks);
+}
+
+void RehearsePanel::remove_landmark() {
+  std::vector<mechanics::Landmark> landmarks = placed_landmarks_;
+  const std::string gone = table_->chosen_own();
+  std::erase_if(landmarks, [&](const mechanics::Landmark& one) { return one.id == gone; });
+  if (landmarks.size() != placed_landmarks_.size()) Q_EMIT landmarks_wanted(tr("Remove landmark"), landmarks);
 }
 
 QWidget* RehearsePanel::make_look_group() {
@@ -194,6 +252,7 @@ void RehearsePanel::show_frame() {
   const auto& frame = rehearsal_.frame();
   table_->show_frame(frame ? &*frame : nullptr);
   tool_->follow();
+  allow_for_landmarks();
   if (!frame) {
     summary_->setText(tr("Place the tool to see what moves."));
     return;

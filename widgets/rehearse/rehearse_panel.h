@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QPushButton>
 #include <QWidget>
 
 #include "casefile/evidence.h"
@@ -27,6 +28,8 @@ class RehearsePanel : public QWidget {
   void show_evidence(const casefile::Evidence& evidence);
   // What stiffness was assumed, where none was measured.
   void show_assumed_stiffness(const std::optional<Sentence>& assumed);
+  // The landmarks that were set by hand.
+  void show_placed_landmarks(std::vector<mechanics::Landmark> landmarks);
   [[nodiscard]] bool placing() const { return tool_->placing(); }
   // A click on the liver, while placing, or the tool dragged over it: it goes there (at rest).
   void place_at(const Eigen::Vector3d& position_mm, const Eigen::Vector3d& outward) {
@@ -50,6 +53,9 @@ class RehearsePanel : public QWidget {
   void landmark_chosen(const std::string& id);
   void placing_changed(bool placing);
   void place_at_crosshair();
+  // A landmark at the crosshair is wanted; or these and no others are to be kept.
+  void landmark_wanted(const std::string& name);
+  void landmarks_wanted(const QString& what, const std::vector<glisson::mechanics::Landmark>& landmarks);
   void failed(const glisson::Error& error);
   void said(const QString& what);
   void at_work(bool here);
@@ -63,6 +69,9 @@ class RehearsePanel : public QWidget {
   QWidget* make_look_group();
   void show_frame();
   void save_landmarks();
+  void rename_landmark(const std::string& id, const QString& typed);
+  void remove_landmark();
+  void allow_for_landmarks();
 
   LiveRehearsal& rehearsal_;
   std::optional<bool> dragged_pulls_;  // an arrow does not change sides under the hand
@@ -77,6 +86,9 @@ class RehearsePanel : public QWidget {
   ComparisonChoice* comparison_;
   QCheckBox* by_displacement_;
   QLabel* summary_;
+  QPushButton* set_landmark_;
+  QPushButton* remove_landmark_;
+  std::vector<mechanics::Landmark> placed_landmarks_;
   LandmarkTable* table_;
   TrackControls* track_;
 };

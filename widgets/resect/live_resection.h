@@ -27,6 +27,9 @@ struct LiveResectionResult {
   Eigen::Vector3d towards_specimen{0, 0, 1};  // unit
 };
 
+// The liver and its structures where they lie under a tool.
+struct LyingPatient;
+
 class LiveResection : public QObject {
   Q_OBJECT
 
@@ -35,6 +38,16 @@ class LiveResection : public QObject {
 
   // Without a model there is nothing to cut.
   void set_patient(const Patient& patient);
+  // The tool that holds the liver aside: a cut then lies, and is measured, on the liver as it lies under it. Nothing: at
+  // rest. Failures of displaced(), and of placing the tool, are told as problem().
+  struct Holding {
+    Eigen::Vector3d center_mm{0, 0, 0};
+    double radius_mm = 0;
+    Eigen::Vector3d force_N{0, 0, 0};
+    bool operator==(const Holding&) const = default;
+  };
+  void set_holding(const std::optional<Holding>& holding);
+  [[nodiscard]] const std::optional<Holding>& holding() const { return holding_; }
   // Nothing: no cut. What came of an older one is gone at once.
   void set_cut(const std::optional<casefile::PlannedCut>& cut);
 
@@ -49,6 +62,8 @@ class LiveResection : public QObject {
 
   std::shared_ptr<const rehearsal::StaticRehearsal> body_;  // holds the mesh
   std::vector<PatientStructure> structures_;
+  std::optional<Holding> holding_;
+  std::shared_ptr<const LyingPatient> lying_;  // under that tool, once it was computed
   std::optional<casefile::PlannedCut> wanted_;
   std::shared_ptr<const LiveResectionResult> result_;
   std::optional<Error> problem_;

@@ -90,6 +90,11 @@ QWidget* ResectPanel::make_outcome() {
   auto* column = new QVBoxLayout(group);
   column->setContentsMargins(0, 6, 0, 0);
   column->setSpacing(8);
+  as_held_ = new QCheckBox(group);
+  as_held_->setObjectName("as_held");
+  column->addWidget(as_held_);
+  held_text_ = wrapped_label("faint", group);
+  column->addWidget(held_text_);
   results_ = new ResectionResults(group);
   column->addWidget(results_);
   auto* apart_name = new QLabel(group);
@@ -113,6 +118,8 @@ QWidget* ResectPanel::make_outcome() {
     pieces_.draw_apart(context_.views.space().view(), apart_mm);
     context_.views.space().redraw();
   });
+  connect(as_held_, &QCheckBox::toggled, this, &ResectPanel::hold_as_rehearsed);
+  connect(&context_.rehearsal, &LiveRehearsal::frame_changed, this, &ResectPanel::hold_as_rehearsed);
   connect(other_part_, &QPushButton::clicked, this, [this] {
     removed_ = removed_ == Removed::smaller ? Removed::larger : Removed::smaller;
     cut_changed();
@@ -125,6 +132,8 @@ QWidget* ResectPanel::make_outcome() {
   });
   connect(save_, &QPushButton::clicked, this, &ResectPanel::save);
   worded(group, [=, this] {
+    as_held_->setText(tr("On the liver as the tool holds it"));
+    held_text_->setText(tr("The cut lies on the liver held aside; the slices show the scan, at rest."));
     apart_name->setText(tr("Separation"));
     apart_->setToolTip(tr("Draws the part that is removed away from the rest"));
     other_part_->setText(tr("Remove the other part"));
@@ -140,6 +149,7 @@ void ResectPanel::show_patient(const Patient& patient) {
   missing_->setVisible(!patient.rehearsal);
   controls_->setVisible(patient.rehearsal != nullptr);
   live_->set_patient(patient);
+  hold_as_rehearsed();
   if (other) take_up_saved_plan();
   cut_changed();
 }
@@ -153,7 +163,8 @@ void ResectPanel::take_up_saved_plan() {
   cut_controls_->choose(CutControls::plane_cut);
   if (patient_.folder.empty() || !patient_.rehearsal) return;
   const auto kept = casefile::read_planned_cut(folder_of_plan(patient_));
-  if (!kept) return;
+  // A cut through a liver that was held aside means nothing at rest.
+  if (!kept || (kept->liver == casefile::PlannedCut::Liver::held_aside && !live_->holding())) return;
   removed_ = kept->removed;
   points_mm_ = kept->through_mm;
   if (points_mm_.empty()) {
@@ -166,6 +177,8 @@ void ResectPanel::take_up_saved_plan() {
 void ResectPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   handles_->set_active(true);
+  hold_as_rehearsed();
+  cut_changed();
   show_scene();
 }
 
@@ -230,6 +243,7 @@ void ResectPanel::set_drawing(bool drawing) {
 std::optional<casefile::PlannedCut> ResectPanel::cut() const {
   casefile::PlannedCut cut;
   cut.removed = removed_;
+  if (live_->holding()) cut.liver = casefile::PlannedCut::Liver::held_aside;
   if (cut_controls_->kind() == CutControls::sheet_cut) {
     if (points_mm_.size() < 3) return {};
     cut.through_mm = points_mm_;
@@ -239,6 +253,27 @@ std::optional<casefile::PlannedCut> ResectPanel::cut() const {
     cut.normal = plane_->normal();
   }
   return cut;
+}
+
+std::optional<LiveResection::Holding> ResectPanel::holding() const {
+  const LiveRehearsal& rehearsal = context_.rehearsal;
+  const auto& frame = rehearsal.frame();
+  if (!frame || !frame->validity.usable() || rehearsal.touch() != Touch::patch || !rehearsal.has_tool()) return {};
+  const PlacedTool& tool = rehearsal.tools().back();
+  return LiveResection::Holding{tool.center_mm, tool.radius_mm, frame->force_N};
+}
+
+void ResectPanel::hold_as_rehearsed() {
+  const auto held = holding();
+  as_held_->setEnabled(held.has_value());
+  as_held_->setToolTip(
+      held ? tr("Margins, widths and places are those on the liver under the tool of Rehearse; volumes are at rest")
+           : tr("Place a tool in Rehearse first: a patch that the model bears, not a rigid tool."));
+  const auto wanted = as_held_->isChecked() ? held : std::nullopt;
+  held_text_->setVisible(wanted.has_value());
+  if (wanted == live_->holding()) return;
+  live_->set_holding(wanted);
+  if (isVisible()) cut_changed();
 }
 
 void ResectPanel::cut_changed() {
@@ -265,7 +300,9 @@ void ResectPanel::show_scene() {
   WorkspaceScene scene;
   const bool drawing = cut_controls_->drawing();
   const bool in_parts = live_->result() != nullptr && !drawing;
-  scene.patient = in_parts ? WorkspaceScene::Patient::at_rest_in_slices_only : WorkspaceScene::Patient::at_rest;
+  scene.patient = in_parts            ? WorkspaceScene::Patient::at_rest_in_slices_only
+                  : live_->holding() ? WorkspaceScene::Patient::as_rehearsed
+                                     : WorkspaceScene::Patient::at_rest;
   if (in_parts) {
     pieces_.add_to(scene);
     scene.key = {{specimen_colour(), tr("Removed").toStdString()}, {remnant_colour(), tr("Stays").toStdString()}};

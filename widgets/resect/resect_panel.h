@@ -3,6 +3,7 @@
 // moves. A plane, or a smooth surface through points drawn on the liver.
 
 #include <optional>
+#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
@@ -48,6 +49,9 @@ class ResectPanel : public QWidget {
   void move_drawn_plane();
   void word_state();
   void save();
+  // How the tool in Rehearse holds the liver, where it does and this is asked for.
+  void hold_as_rehearsed();
+  [[nodiscard]] std::optional<LiveResection::Holding> holding() const;
   [[nodiscard]] std::optional<casefile::PlannedCut> cut() const;
   [[nodiscard]] QString why_nothing() const;
   [[nodiscard]] geometry::Box around_liver() const;  // within which the plane is drawn
@@ -65,6 +69,8 @@ class ResectPanel : public QWidget {
   QWidget* controls_;
   QLabel* missing_;
   CutControls* cut_controls_;
+  QCheckBox* as_held_;
+  QLabel* held_text_;
   QPushButton* other_part_;
   QPushButton* no_cut_;
   ResectionResults* results_;

@@ -90,6 +90,8 @@ ResectionResults::ResectionResults(QWidget* parent) : QWidget(parent) {
     volumes->addWidget(row == 0 ? specimen_ : remnant_, row, 1);
   }
   rows->addLayout(volumes);
+  retraction_ = wrapped_label("retraction_told", answer_);
+  rows->addWidget(retraction_);
   QLabel* margins_title = heading(answer_);
   rows->addWidget(margins_title);
   margins_ = table("margins", 4, answer_);
@@ -125,8 +127,24 @@ void ResectionResults::show(const LiveResectionResult* result, const QString& wh
   };
   specimen_->setText(volume(tr("<b>%1 ml</b> removed (%2 %)"), plan.specimen_ml, 100 - plan.remnant_percent()));
   remnant_->setText(volume(tr("<b>%1 ml</b> stay (%2 %)"), plan.remnant_ml, plan.remnant_percent()));
+  tell_retraction(plan);
   fill_margins(plan);
   fill_crossings(plan);
+}
+
+// "With the tool Tumour 1 goes by 6.1 mm; its margin there is 8.2 mm."
+void ResectionResults::tell_retraction(const rehearsal::Resection& plan) {
+  retraction_->setVisible(plan.retraction.has_value());
+  if (!plan.retraction) return;
+  QStringList sentences;
+  for (const rehearsal::TumourMargin& tumour : plan.tumours) {
+    sentences << tr("With the tool %1 goes by %2 mm; its margin there is %3 mm.")
+                     .arg(structure_label(tumour.name))
+                     .arg(tumour.shift_mm, 0, 'f', 1)
+                     .arg(tumour.margin_mm, 0, 'f', 1);
+  }
+  if (plan.retraction->state() != mechanics::AnswerState::within) sentences << told(plan.retraction->sentence());
+  retraction_->setText(sentences.join(" "));
 }
 
 void ResectionResults::fill_margins(const rehearsal::Resection& plan) {

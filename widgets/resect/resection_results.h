@@ -21,6 +21,7 @@ class ResectionResults : public QWidget {
   void show(const LiveResectionResult* result, const QString& why);
 
  private:
+  void tell_retraction(const rehearsal::Resection& plan);
   void fill_margins(const rehearsal::Resection& plan);
   void fill_crossings(const rehearsal::Resection& plan);
 
@@ -28,6 +29,7 @@ class ResectionResults : public QWidget {
   QWidget* answer_;
   QLabel* specimen_;
   QLabel* remnant_;
+  QLabel* retraction_;
   QTableWidget* margins_;
   QTableWidget* crossings_;
   QLabel* no_crossings_;

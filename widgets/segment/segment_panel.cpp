@@ -8,6 +8,8 @@
 #include "casefile/import.h"
 #include "casefile/structures.h"
 #include "scene/anatomy.h"
+#include "segmentation/grow_contrast.h"
+#include "segmentation/resample.h"
 #include "widgets/panels/parts.h"
 #include "widgets/panels/swatch.h"
 #include "widgets/session/load_patient.h"
@@ -63,6 +65,7 @@ SegmentPanel::SegmentPanel(const WorkspaceContext& context, QWidget* parent)
   column->addWidget(make_tools());
   column->addWidget(make_options());
   column->addWidget(make_filters());
+  column->addWidget(operations_ = new StructureOperations);
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
   whole->addWidget(scrolled(inner));
@@ -117,6 +120,7 @@ void SegmentPanel::connect_parts() {
   connect(grow_, &QPushButton::clicked, this, &SegmentPanel::grow);
   connect(forget_seeds_, &QPushButton::clicked, &tools_, &SliceTools::clear_seeds);
 
+  connect_operations();
   // What the controls say is read when the button is pressed; the filter itself runs on a worker.
   using segmentation::with_margin;
   filter(filters_[fill_between], GLISSON_TEXT("Fill between slices of {0}"), [this]() -> StructureEditor::Edit {
@@ -148,6 +152,48 @@ void SegmentPanel::connect_parts() {
   filter(filters_[shrink_margin], GLISSON_TEXT("Shrink {0}"), [this]() -> StructureEditor::Edit {
     return [by_mm = margin_mm_->value()](imaging::Mask mask) { return with_margin(std::move(mask), -by_mm); };
   });
+}
+
+void SegmentPanel::connect_operations() {
+  connect(operations_, &StructureOperations::brush_range_changed, this,
+          [this] { tools_.options().only = operations_->brush_range(); });
+  connect(operations_, &StructureOperations::range_wanted_from_crosshair, this, [this] {
+    if (editor_.anatomy() == nullptr) return;
+    const auto& slice = *context_.views.slices().front();
+    if (const auto range = segmentation::grey_range_at(*editor_.anatomy(), slice.crosshair_mm())) {
+      operations_->set_range(*range);
+    }
+  });
+  connect(operations_, &StructureOperations::take_asked, this, &SegmentPanel::take_grey_values);
+  connect(operations_, &StructureOperations::combine_asked, this, &SegmentPanel::combine);
+}
+
+void SegmentPanel::take_grey_values() {
+  const auto anatomy = editor_.shared_anatomy();
+  if (!anatomy) return;
+  editor_.apply(GLISSON_TEXT("Grey values for {0}"),
+                [anatomy, range = operations_->range(), within = editor_.mask_of(operations_->within())](
+                    const imaging::Mask& mask) -> Result<imaging::Mask> {
+                  std::optional<imaging::Mask> inside;
+                  if (within) inside = segmentation::resample(*within, anatomy->grid);
+                  auto taken = segmentation::in_range(*anatomy, range, inside ? &*inside : nullptr);
+                  return segmentation::resample(taken, mask.grid);
+                });
+}
+
+void SegmentPanel::combine() {
+  const auto other = editor_.mask_of(operations_->other());
+  if (!other) return;
+  editor_.apply(GLISSON_TEXT("{0} and another structure"),
+                [other, how = operations_->combination()](imaging::Mask mask) -> Result<imaging::Mask> {
+                  const imaging::Mask here = segmentation::resample(*other, mask.grid);
+                  switch (how) {
+                    case StructureOperations::unite: return segmentation::united(std::move(mask), here);
+                    case StructureOperations::intersect: return segmentation::intersected(std::move(mask), here);
+                    case StructureOperations::subtract: return segmentation::subtracted(std::move(mask), here);
+                  }
+                  return mask;
+                });
 }
 
 void SegmentPanel::filter(QAbstractButton* button, const char* what,
@@ -283,13 +329,19 @@ void SegmentPanel::show_state() {
     button->setEnabled(has_active);
     button->setToolTip(has_active ? button->property("about").toString() : why);
   }
+  operations_->list(editor_.structures(), editor_.active());
   const auto seeds = tools_.seeds_mm().size();
   grow_->setEnabled(has_active && seeds > 0);
   grow_->setToolTip(!has_active  ? why
                     : seeds == 0 ? tr("Click into the structure first, in any slice.")
                                  : tr("Replaces the outline by the tissue around the points"));
   forget_seeds_->setEnabled(seeds > 0);
-  seeds_text_->setText(tr("Click into the tissue, away from large vessels. Points so far: %1").arg(seeds));
+  const auto kind = has_active ? segmentation::contrast_of(editor_.active_structure()->name) : std::nullopt;
+  seeds_text_->setText((!kind ? tr("Click into the tissue, away from large vessels. Points so far: %1")
+                        : *kind == segmentation::Contrast::vessel
+                            ? tr("Click into the vessel where it stands out best. Points so far: %1")
+                            : tr("Click into the middle of it. Points so far: %1"))
+                           .arg(seeds));
   option_hint_->setText(tools_.tool() == Tool::piece
                             ? tr("Click on the piece that is to stay; all others go.")
                             : tr("Choose a tool to draw in the slices. Without one, clicks move the crosshair."));
@@ -299,11 +351,12 @@ void SegmentPanel::grow() {
   const EditedStructure* active = editor_.active_structure();
   if (active == nullptr) return;
   context_.change(tr("Growing: %1").arg(structure_label(active->name)),
-                  [folder = patient_.folder, name = active->name,
+                  [folder = patient_.folder, name = active->name, within = operations_->within(),
                    seeds_mm = tools_.seeds_mm()](const Progress& progress) -> Result<Patient> {
                     auto opened = casefile::Case::open(folder);
                     if (!opened) return failure(opened.error());
-                    auto grown = casefile::grow_structure(*opened, name, seeds_mm, progress.part(0, 0.9));
+                    auto grown = casefile::grow_structure(*opened, name, seeds_mm, progress.part(0, 0.9),
+                                                          within.empty() ? std::nullopt : std::optional(within));
                     if (!grown) return failure(grown.error());
                     return load_patient(folder, progress.part(0.9, 1)).map([&](Patient patient) {
                       patient.remarks = std::move(grown->notes);

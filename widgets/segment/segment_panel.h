@@ -13,6 +13,7 @@
 
 #include "widgets/panels/number_slider.h"
 #include "widgets/segment/slice_tools.h"
+#include "widgets/segment/structure_operations.h"
 #include "widgets/workspaces/workspace.h"
 
 namespace glisson::widgets {
@@ -51,6 +52,9 @@ class SegmentPanel : public QWidget {
   void show_space();
   void show_state();
   void grow();
+  void connect_operations();
+  void take_grey_values();
+  void combine();
   void read_patient_again();
   void filter(QAbstractButton* button, const char* what, const std::function<StructureEditor::Edit()>& edit);
 
@@ -83,6 +87,7 @@ class SegmentPanel : public QWidget {
   QLabel* seeds_text_ = nullptr;
   QPushButton* grow_ = nullptr;
   QPushButton* forget_seeds_ = nullptr;
+  StructureOperations* operations_ = nullptr;
   QLabel* filters_title_ = nullptr;
   QComboBox* fill_along_ = nullptr;
   std::array<QPushButton*, 7> filters_{};

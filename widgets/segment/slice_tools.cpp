@@ -121,7 +121,7 @@ bool SliceTools::press(SliceView* view, const QPointF& at, bool opposite) {
     outline_mm_ = {place_mm};
     return true;
   }
-  only_.reset();
+  only_ = options_.only;
   if (tool_ == Tool::smart_brush && editor_.anatomy() != nullptr) {
     segmentation::LikenessOptions likeness;
     likeness.spread = options_.likeness;
@@ -163,7 +163,7 @@ void SliceTools::dab(SliceView* view, const Eigen::Vector3d& to_mm) {
 void SliceTools::release(SliceView* view) {
   drawing_in_ = nullptr;
   if (tool_ == Tool::scissors) return cut(view);
-  editor_.end_stroke(only_                                ? GLISSON_TEXT("Smart brush on {0}")
+  editor_.end_stroke(tool_ == Tool::smart_brush           ? GLISSON_TEXT("Smart brush on {0}")
                      : paint_ == segmentation::Paint::add ? GLISSON_TEXT("Brush on {0}")
                                                           : GLISSON_TEXT("Eraser on {0}"));
 }

@@ -19,7 +19,8 @@ struct ToolOptions {
   enum class Depth { this_slice, all_slices, both_sides, towards_viewer, away_from_viewer };
   double radius_mm = 6;
   Shape shape = Shape::disc;
-  double likeness = 2.5;  // spreads around the grey value under the click
+  std::optional<segmentation::GreyRange> only = {};  // of brush and eraser: nothing else is changed
+  double likeness = 2.5;                             // spreads around the grey value under the click
   segmentation::CutSide cut = segmentation::CutSide::inside;
   Depth depth = Depth::all_slices;
   double depth_mm = 10;  // of both_sides: so far to each

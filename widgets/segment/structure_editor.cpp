@@ -106,6 +106,11 @@ const EditedStructure* StructureEditor::active_structure() const {
   return active_ < 0 ? nullptr : &structures_[static_cast<std::size_t>(active_)];
 }
 
+std::shared_ptr<const imaging::Mask> StructureEditor::mask_of(const std::string& name) const {
+  const int found = find(name);
+  return found < 0 ? nullptr : structures_[static_cast<std::size_t>(found)].mask;
+}
+
 void StructureEditor::set_active(int structure) {
   if (structure == active_ || structure >= static_cast<int>(structures_.size())) return;
   active_ = structure;

@@ -37,6 +37,9 @@ class StructureEditor : public QObject {
   void open(const Patient& patient);
   [[nodiscard]] const std::vector<EditedStructure>& structures() const { return structures_; }
   [[nodiscard]] const imaging::Volume* anatomy() const { return anatomy_.get(); }
+  [[nodiscard]] std::shared_ptr<const imaging::Volume> shared_anatomy() const { return anatomy_; }
+  // The mask of this name, for a worker to read while nothing is drawn; null where there is none.
+  [[nodiscard]] std::shared_ptr<const imaging::Mask> mask_of(const std::string& name) const;
   [[nodiscard]] int active() const { return active_; }  // -1: none
   [[nodiscard]] const EditedStructure* active_structure() const;
   void set_active(int structure);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <QFutureWatcher>
 #include <QtConcurrentRun>
 
@@ -40,13 +41,36 @@ void LiveRehearsal::set_body(std::shared_ptr<const rehearsal::StaticRehearsal> b
   start_anew();
 }
 
+namespace {
+
+// What was recorded, its landmarks in the order of those that there are now; one that was not there has no figure.
+RehearsalTrack renamed_to(const std::vector<mechanics::Landmark>& now, const std::vector<mechanics::Landmark>& before,
+                          const RehearsalTrack& track) {
+  RehearsalTrack renamed;
+  for (Moment moment : track.moments()) {
+    std::vector<double> figures;
+    for (const mechanics::Landmark& landmark : now) {
+      const auto same = std::find_if(before.begin(), before.end(), [&](const auto& one) { return one.id == landmark.id; });
+      const auto place = static_cast<std::size_t>(same - before.begin());
+      figures.push_back(place < moment.landmarks_mm.size() ? moment.landmarks_mm[place]
+                                                           : std::numeric_limits<double>::quiet_NaN());
+    }
+    moment.landmarks_mm = std::move(figures);
+    const double time_s = moment.time_s;
+    renamed.add(std::move(moment), time_s);
+  }
+  return renamed;
+}
+
+}  // namespace
+
 void LiveRehearsal::exchange_body(std::shared_ptr<const rehearsal::StaticRehearsal> body,
                                   std::shared_ptr<const rehearsal::RehearsalSetup> setup) {
   const bool same_mesh = body && body_ && setup && setup_ && setup->mesh.points_mm == setup_->mesh.points_mm &&
                          setup->mesh.cells == setup_->mesh.cells;
   if (!same_mesh) return set_body(std::move(body), std::move(setup));
   const std::vector<PlacedTool> tools = tools_;
-  const RehearsalTrack track = track_;
+  const RehearsalTrack track = renamed_to(setup->landmarks, setup_->landmarks, track_);
   const Touch touch = touch_;
   set_body(std::move(body), std::move(setup));
   set_touch(touch);

@@ -83,6 +83,8 @@ Result<void> prepare_rehearsal(const casefile::Case& from, Patient& patient, con
   rehearsal::RehearsalSetup setup = casefile::rehearsal_setup(*std::move(model));
   for (const PatientStructure& structure : patient.structures) setup.structures.push_back(*structure.surface);
   leave_out_lost_landmarks(setup, patient);
+  // Half the memory and half the time of a solve; answers are refined to the same residual.
+  setup.options.factor_precision = mechanics::StaticOptions::FactorPrecision::single;
   auto rehearsal = rehearsal::StaticRehearsal::create(setup, progress);
   if (!rehearsal) return failure(rehearsal.error());
   setup.models = rehearsal->models();

@@ -123,11 +123,23 @@ void PatientViews::show_patient(const Patient& patient) {
   views_.space().frame_all();
 }
 
+namespace {
+
+// Of an answer that is not to be used no length is told: neither beside a landmark nor by a colour bar.
+bool has_figures(const std::optional<rehearsal::RehearsalFrame>& frame) { return !frame || frame->validity.usable(); }
+
+}  // namespace
+
 void PatientViews::show_frame(const rehearsal::RehearsalFrame* frame, const std::vector<ToolInView>& tools) {
+  const bool had_figures = has_figures(frame_);
   frame_ = frame != nullptr ? std::optional(*frame) : std::nullopt;
   tools_ = tools;
   const double largest_mm = frame_ ? frame_->patient.max_displacement_mm : 0;
-  if (liver_colour_ == LiverColour::displacement &&
+  if (liver_colour_ == LiverColour::displacement && had_figures != has_figures(frame_)) {
+    rebuild_space();
+    return;
+  }
+  if (liver_colour_ == LiverColour::displacement && has_figures(frame_) &&
       (largest_mm > colour_range_mm_ || largest_mm < 0.2 * colour_range_mm_) &&
       round_range_mm(largest_mm) != colour_range_mm_) {
     colour_range_mm_ = round_range_mm(largest_mm);
@@ -231,7 +243,7 @@ scene::SurfaceItem PatientViews::item(std::size_t structure, const Body& body, B
     item.colour = &body == &atlas_body_ ? red : blue;
     item.opacity = structure == 0 ? 0.45 : 0.8;
     item.finish = scene::Finish::light;
-  } else if (structure == 0 && liver_colour_ == LiverColour::displacement) {
+  } else if (structure == 0 && liver_colour_ == LiverColour::displacement && has_figures(frame_)) {
     item.opacity = 0.9;
     item.colouring = scene::Colouring{
         distance_field, scene::ColourMap::viridis, {0, colour_range_mm_}, tr("Displacement (mm)").toStdString()};
@@ -347,8 +359,10 @@ void PatientViews::draw_marks(SpaceView& space, const rehearsal::RehearsalBody* 
   if (shown != nullptr) {
     for (const auto& landmark : shown->landmarks) {
       const bool named = landmark.id == marked_landmark_ || landmark.id.starts_with("tumour");
-      const bool far = landmark.displacement_mm >= rehearsal::significant_mm;
-      const QString text = tr("%1  %2 mm").arg(structure_label(landmark.id)).arg(landmark.displacement_mm, 0, 'f', 1);
+      const bool known = has_figures(frame_);
+      const bool far = known && landmark.displacement_mm >= rehearsal::significant_mm;
+      const QString name = structure_label(landmark.id);
+      const QString text = known ? tr("%1  %2 mm").arg(name).arg(landmark.displacement_mm, 0, 'f', 1) : name;
       landmarks.push_back({named ? text.toStdString() : std::string(), landmark.displaced_mm,
                            landmark.id == marked_landmark_ ? 3.5 : 2.2, far ? amber : calm});
     }
@@ -387,7 +401,7 @@ void PatientViews::move_body(const Body& body, const rehearsal::RehearsalBody* d
     const scene::Points shared_mm = moved ? std::make_shared<const std::vector<Eigen::Vector3d>>(points_mm) : nullptr;
     for (SpaceView* space : {&views_.space(), &views_.twin()}) space->view().move_surface(body[k], shared_mm);
     for (SliceView* slice : views_.slices()) slice->view().move_surface(body[k], shared_mm);
-    if (k != 0 || liver_colour_ != LiverColour::displacement || bodies_ == Bodies::both) continue;
+    if (k != 0 || liver_colour_ != LiverColour::displacement || !has_figures(frame_) || bodies_ == Bodies::both) continue;
     std::vector<double> distance_mm(points_mm.size());
     for (std::size_t p = 0; p < distance_mm.size(); ++p) distance_mm[p] = (points_mm[p] - rest_mm[p]).norm();
     for (SpaceView* space : {&views_.space(), &views_.twin()}) space->view().recolour_surface(body[k], distance_mm);

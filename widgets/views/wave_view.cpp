@@ -125,7 +125,7 @@ void WaveView::invert() {
 }
 
 void WaveView::accept() {
-  if (!has_result()) return;
+  if (!has_result() || !may_change_()) return;
   work_.start(tr("Saving the maps"), [this, folder = folder_, result = inverted_](const Progress&) {
     auto saved = std::make_shared<Result<void>>(casefile::Case::open(folder).and_then(
         [&](casefile::Case patient) { return casefile::accept_waves(patient, *result); }));

@@ -34,6 +34,8 @@ class WaveView : public QWidget {
   // On a worker thread, with what the controls say.
   void invert();
   void accept();
+  // Asked before the case is changed; it says itself why not.
+  void set_guard(std::function<bool()> may_change) { may_change_ = std::move(may_change); }
   [[nodiscard]] bool has_result() const { return inverted_ != nullptr; }
   // How far the animation is through a period, 0 to 1.
   [[nodiscard]] double instant() const { return instant_; }
@@ -55,6 +57,7 @@ class WaveView : public QWidget {
 
   std::filesystem::path folder_;
   std::shared_ptr<const casefile::InvertedWaves> inverted_;
+  std::function<bool()> may_change_ = [] { return true; };
   std::function<QString()> said_;
   double instant_ = 0;
   double wave_range_rad_ = 1, modulus_range_kPa_ = 1;
