@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(Grow, RealLiver,
                                          std::pair{"example_ct", "example_seg_fast_force_split"}),
                          [](const auto& tested) { return std::string(tested.param.first); });
 
-// Not in view when the border's options were chosen: three slices of another scanner, with a hand-made outline.
+// Three slices of another scanner, with a hand-made outline; it was in view when the options were chosen.
 TEST(Grow, TheBorderLiesWhereAHandDrewIt) {
   GLISSON_NEEDS_DATA("dcmqi_liver_seg_ct3");
   const auto folder = test::shared_data() / "dcmqi_liver_seg_ct3";
