@@ -1,6 +1,7 @@
 // Vessels and lesions from a click inside them: on real images with labels, on real vessel trees with simulated grey
 // values, and what is said where it cannot work. The portal vein of the CT slab in JPEG 2000 and the gallbladder of the CT
-// were in view when the defaults were chosen; all others judge them.
+// were in view when the defaults were chosen. What fails is no test here, so the others are a selection: CT spleen (Dice
+// 0.11 to 0.29), CT aorta (0.28 to 0.35), and portal vein and vena cava of the MR (0.02) are not found from one click.
 
 #include "segmentation/grow_contrast.h"
 
