@@ -325,7 +325,7 @@ std::vector<Command> commands() {
       {"import", {"import", "@scan.nrrd", "--case", "@new.glisson"}},
       {"import-dicom", {"import", "@study", "--case", "@new.glisson"}},
       {"import-add", {"import", "@study", "--case", "@small.glisson", "--add", "--replace"}},
-      {"segment", {"segment", "@small.glisson", "--structure", "tumour-2", "--seed", "0,0,0"}},
+      {"segment", {"segment", "@small.glisson", "--structure", "kidney-right", "--seed", "0,0,0"}},
       {"segment-again", {"segment", "@small.glisson", "--structure", "liver", "--labels", "@tumour.nrrd"}},  // old
       {"mesh", {"mesh", "@small.glisson", "--target-cells", "400"}},                                         // old
       {"stiffness", {"stiffness", "@small.glisson", "--uniform-kPa", "9"}},                                  // old

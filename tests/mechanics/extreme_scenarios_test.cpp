@@ -9,7 +9,11 @@
 
 #include "base/files.h"
 #include "mechanics/bodies.h"
+#include "mechanics/elements/body.h"
+#include "mechanics/potentials/elastic.h"
 #include "mechanics/simulation.h"
+#include "mechanics/statics/displacements.h"
+#include "mechanics/statics/equilibrium.h"
 #include "support/folders.h"
 
 namespace glisson::mechanics {
@@ -123,6 +127,19 @@ Asked moving(double step_s, int steps) {
   return asked;
 }
 
+// Where the landmark of a moving body comes to rest: Newton's equilibrium of the linear cells that motions have.
+Vector3d end_at_rest(const Asked& asked) {
+  StaticOptions options;
+  options.poisson_ratio = asked.scenario.poisson_ratio;
+  options.density_kg_mm3 = asked.scenario.density_kg_mm3;
+  options.order = ElementOrder::linear;
+  const auto youngs_kPa = youngs_modulus_of_cells(asked.mesh, asked.scenario).value();
+  const Body body = prepare_body(asked.mesh, youngs_kPa, asked.scenario.supports, options, Holding::required).value();
+  const auto rest = find_equilibrium(body, materials_of(body, asked.scenario.material), asked.scenario.loads).value();
+  const auto places = locate_landmarks(asked.mesh, asked.scenario.landmarks, 10).value();
+  return displacement_at(body, rest, places).front();
+}
+
 Asked marked(Vector3d landmark_mm) {
   Asked asked = with(standing(2, 2, 20, 20, 5), weight);
   asked.scenario.landmarks[0].position_mm = std::move(landmark_mm);
@@ -226,12 +243,10 @@ std::vector<Row> rows() {
          if (!found) return "wrong: " + found.error().message();
          return found->result.max_displacement_mm < 1e-6 ? "right: below 1e-6 mm" : "wrong";
        }},
-      {"a motion in five steps of 1e6 s", "the equilibrium", "right: within 1 %", [] { return moving(1e6, 5); },
+      {"a motion in five steps of 1e6 s", "the equilibrium of its cells", "right: within 1 %",
+       [] { return moving(1e6, 5); },
        [](const Result<Simulation>& found) -> std::string {
-         Asked still = moving(1, 1);
-         still.scenario.motion.reset();
-         const auto rest = simulate(still.mesh, still.scenario).value();
-         return moves(rest.landmarks[0].displaced_mm - rest.landmarks[0].rest_mm, 0.01, "right: within 1 %")(found);
+         return moves(end_at_rest(moving(1, 1)), 0.01, "right: within 1 %")(found);
        }},
   };
 }
