@@ -134,6 +134,7 @@ QWidget* ResectPanel::make_outcome() {
   worded(group, [=, this] {
     as_held_->setText(tr("On the liver as the tool holds it"));
     held_text_->setText(tr("The cut lies on the liver held aside; the slices show the scan, at rest."));
+    describe_holding();
     apart_name->setText(tr("Separation"));
     apart_->setToolTip(tr("Draws the part that is removed away from the rest"));
     other_part_->setText(tr("Remove the other part"));
@@ -266,14 +267,18 @@ std::optional<LiveResection::Holding> ResectPanel::holding() const {
 void ResectPanel::hold_as_rehearsed() {
   const auto held = holding();
   as_held_->setEnabled(held.has_value());
-  as_held_->setToolTip(
-      held ? tr("Margins, widths and places are those on the liver under the tool of Rehearse; volumes are at rest")
-           : tr("Place a tool in Rehearse first: a patch that the model bears, not a rigid tool."));
+  describe_holding();
   const auto wanted = as_held_->isChecked() ? held : std::nullopt;
   held_text_->setVisible(wanted.has_value());
   if (wanted == live_->holding()) return;
   live_->set_holding(wanted);
   if (isVisible()) cut_changed();
+}
+
+void ResectPanel::describe_holding() {
+  as_held_->setToolTip(
+      holding() ? tr("Margins, widths and places are those on the liver under the tool of Rehearse; volumes are at rest")
+                : tr("Place a tool in Rehearse first: a patch that the model bears, not a rigid tool."));
 }
 
 void ResectPanel::cut_changed() {

@@ -51,6 +51,7 @@ class ResectPanel : public QWidget {
   void save();
   // How the tool in Rehearse holds the liver, where it does and this is asked for.
   void hold_as_rehearsed();
+  void describe_holding();
   [[nodiscard]] std::optional<LiveResection::Holding> holding() const;
   [[nodiscard]] std::optional<casefile::PlannedCut> cut() const;
   [[nodiscard]] QString why_nothing() const;
