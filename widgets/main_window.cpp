@@ -512,10 +512,11 @@ void MainWindow::show_moved_entries(const QStringList& ids) {
   if (outlines_alone && workspace() == "segment") return;
   const bool landmarks_alone =
       std::all_of(ids.begin(), ids.end(), [](const QString& id) { return id.startsWith("landmarks/"); });
-  load(tr("Opening %1").arg(text_of(patient_.folder.filename())),
-       [patient = patient_, shown = landmarks_, landmarks_alone](const Progress& progress, const FirstLook& /*first_look*/) {
-         return landmarks_alone ? with_kept_landmarks(patient, shown, progress) : load_patient(patient.folder, progress);
-       });
+  load(tr("Opening %1").arg(text_of(patient_.folder.filename())), [patient = patient_, shown = landmarks_,
+                                                                   landmarks_alone](const Progress& progress,
+                                                                                    const FirstLook& /*first_look*/) {
+    return landmarks_alone ? with_kept_landmarks(patient, shown, progress) : load_patient(patient.folder, progress);
+  });
 }
 
 void MainWindow::keep_landmarks(const QString& what, const std::vector<mechanics::Landmark>& landmarks) {

@@ -81,17 +81,17 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
   return saved;
 }
 
-Result<SavedStructure> threshold_structure(Case& patient, const std::string& name,
-                                           const segmentation::GreyRange& range,
+Result<SavedStructure> threshold_structure(Case& patient, const std::string& name, const segmentation::GreyRange& range,
                                            const std::optional<std::string>& within) {
   const auto anatomy = patient.volume("volumes/anatomy");
   if (!anatomy) return failure(anatomy.error());
   std::optional<imaging::Mask> inside;
-  Provenance made{"segment",
-                  {{"method", "range"}, {"from", fmt::format("{:g}", range.low)}, {"to", fmt::format("{:g}", range.high)}},
-                  {"volumes/anatomy"},
-                  {},
-                  {}};
+  Provenance made{
+      "segment",
+      {{"method", "range"}, {"from", fmt::format("{:g}", range.low)}, {"to", fmt::format("{:g}", range.high)}},
+      {"volumes/anatomy"},
+      {},
+      {}};
   if (within) {
     auto found = mask_named(patient, *within);
     if (!found) return failure(found.error());
@@ -246,7 +246,9 @@ Result<Grown> grow(const imaging::Volume& anatomy, const std::string& name,
                    const Progress& progress) {
   const auto by_contrast = [&](segmentation::Contrast kind) {
     return segmentation::grow_contrast(anatomy, seeds_mm, kind, within, {}, progress)
-        .map([](segmentation::ContrastGrowth grown) { return Grown{std::move(grown.mask), std::move(grown.doubts)}; });
+        .map([](segmentation::ContrastGrowth grown) {
+          return Grown{std::move(grown.mask), std::move(grown.doubts)};
+        });
   };
   if (const auto kind = segmentation::contrast_of(name)) return by_contrast(*kind);
   if (within != nullptr) return by_contrast(segmentation::Contrast::lesion);

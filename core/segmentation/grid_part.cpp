@@ -59,8 +59,8 @@ void put_back(const Mask& piece, const Part& part, Mask& whole) {
   for (int k = 0; k < part.grid.size[2]; ++k) {
     for (int j = 0; j < part.grid.size[1]; ++j) {
       std::copy_n(piece.values.begin() + static_cast<std::ptrdiff_t>(part.grid.offset(0, j, k)), part.grid.size[0],
-                  whole.values.begin() + static_cast<std::ptrdiff_t>(whole.grid.offset(
-                                             part.first[0], j + part.first[1], k + part.first[2])));
+                  whole.values.begin() + static_cast<std::ptrdiff_t>(
+                                             whole.grid.offset(part.first[0], j + part.first[1], k + part.first[2])));
     }
   }
 }

@@ -273,10 +273,11 @@ std::vector<GrowResult::Doubt> doubts_about(const GrowResult& result, const std:
     }
   }
   if (result.unsure_border > much_unsure_border) {
-    doubts.push_back({GrowthDoubt::unsure_border,
-                      {GLISSON_TEXT("On {0} % of its border the outline lies on tissue that hardly differs from it: look "
-                                    "there before you trust it, and add a point where a part is missing."),
-                       {fmt::format("{:.0f}", 100 * result.unsure_border)}}});
+    doubts.push_back(
+        {GrowthDoubt::unsure_border,
+         {GLISSON_TEXT("On {0} % of its border the outline lies on tissue that hardly differs from it: look "
+                       "there before you trust it, and add a point where a part is missing."),
+          {fmt::format("{:.0f}", 100 * result.unsure_border)}}});
   }
   const std::string volume_ml = fmt::format("{:.0f}", result.volume_ml);
   if (other_face) {

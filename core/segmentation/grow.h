@@ -55,10 +55,10 @@ enum class GrowthDoubt {
 struct GrowResult {
   imaging::Mask mask;  // on the grid of the image
   double volume_ml = 0;
-  double tissue_mean = 0;  // brightness of the liver, in the image's unit
-  double tissue_sd = 0;    // spread of single voxels about it, the drift taken off
+  double tissue_mean = 0;    // brightness of the liver, in the image's unit
+  double tissue_sd = 0;      // spread of single voxels about it, the drift taken off
   double unsure_border = 0;  // share of the border where what lies beyond looks much like the organ
-  int rounds = 0;          // until the region stayed the same
+  int rounds = 0;            // until the region stayed the same
   struct Doubt {
     GrowthDoubt kind;
     Sentence sentence;  // what was seen and what to do
@@ -70,8 +70,8 @@ struct GrowResult {
 // Grows from the seeds (patient LPS, mm) over connected tissue of the seeds' brightness. In rounds: a voxel is tissue
 // when its surroundings are bright as expected and even; narrow bridges to heart, stomach, kidney and muscle are cut by
 // an opening; what holds the seeds is kept, and from it the expected brightness and its drift are learnt anew. In the
-// end vessels and tumours are closed, the outline is smoothed, and its border put half-way between both sides' brightness
-// (outline_border.h). Deterministic, whatever the number of threads.
+// end vessels and tumours are closed, the outline is smoothed, and its border put half-way between both sides'
+// brightness (outline_border.h). Deterministic, whatever the number of threads.
 //
 // Fails with grow-no-seeds, grow-bad-options, grow-bad-image (an axis shorter than three voxels), grow-seed-outside
 // (which, and how far), grow-seed-on-nothing (no finite value around it), grow-constant-image, grow-nothing-found,

@@ -56,9 +56,8 @@ std::optional<Contrast> contrast_of(std::string_view structure) {
   return std::nullopt;
 }
 
-Result<ContrastGrowth> grow_contrast(const imaging::Volume& image, const std::vector<Vector3d>& seeds_mm,
-                                     Contrast kind, const Mask* within, const ContrastOptions& options,
-                                     const Progress& progress) {
+Result<ContrastGrowth> grow_contrast(const imaging::Volume& image, const std::vector<Vector3d>& seeds_mm, Contrast kind,
+                                     const Mask* within, const ContrastOptions& options, const Progress& progress) {
   if (Result<void> checked = check_seeds(image, seeds_mm); !checked) return failure(checked.error());
   GLISSON_ASSERT(within == nullptr || imaging::same_grid(within->grid, image.grid));
   progress.report(0, GLISSON_TEXT("Growing"));
@@ -71,11 +70,12 @@ Result<ContrastGrowth> grow_contrast(const imaging::Volume& image, const std::ve
   }
   const std::vector<std::size_t> seeds = voxels_of_seeds(allowed, seeds_mm, 0);
   if (seeds.size() < seeds_mm.size()) {
-    return failure(Error{"grow-seed-on-nothing",
-                         GLISSON_TEXT("A seed lies where there is no image value, or outside of the structure to stay in."),
-                         {},
-                         GLISSON_TEXT("Forget the points, and click inside of it."),
-                         {}});
+    return failure(
+        Error{"grow-seed-on-nothing",
+              GLISSON_TEXT("A seed lies where there is no image value, or outside of the structure to stay in."),
+              {},
+              GLISSON_TEXT("Forget the points, and click inside of it."),
+              {}});
   }
   // Smoothed as little as the noise allows: thin vessels vanish in a wide blur.
   imaging::Image<float> smooth_image{part.grid, {}};
@@ -114,13 +114,14 @@ Result<ContrastGrowth> grow_contrast(const imaging::Volume& image, const std::ve
     grown = without_thick_parts(std::move(grown), options.widest_vessel_mm);
     std::erase_if(seeds_here, [&](std::size_t seed) { return grown.values[seed] == 0; });
     if (seeds_here.empty()) {
-      return failure(Error{"grow-only-thick",
-                           GLISSON_TEXT("What is as bright as the seeds and hangs together with them is more than {0} mm "
-                                        "thick: no vessel."),
-                           {fmt::format("{:.0f}", options.widest_vessel_mm)},
-                           GLISSON_TEXT("Move the seed into a vessel that stands out, or keep the growth inside of the "
-                                        "liver."),
-                           {}});
+      return failure(
+          Error{"grow-only-thick",
+                GLISSON_TEXT("What is as bright as the seeds and hangs together with them is more than {0} mm "
+                             "thick: no vessel."),
+                {fmt::format("{:.0f}", options.widest_vessel_mm)},
+                GLISSON_TEXT("Move the seed into a vessel that stands out, or keep the growth inside of the "
+                             "liver."),
+                {}});
     }
     grown = joined_to(seeds_here, grown);
   } else {
@@ -137,8 +138,10 @@ Result<ContrastGrowth> grow_contrast(const imaging::Volume& image, const std::ve
   result.surroundings = look->around;
   if (look->contrast() < sure_contrast_to_noise * look->noise) {
     result.doubts.push_back(
-        {GLISSON_TEXT("The seeds ({0}) hardly stand out from the tissue around ({1}, scatter {2}): look at the outline."),
-         {fmt::format("{:.0f}", look->seeds), fmt::format("{:.0f}", look->around), fmt::format("{:.0f}", look->noise)}});
+        {GLISSON_TEXT(
+             "The seeds ({0}) hardly stand out from the tissue around ({1}, scatter {2}): look at the outline."),
+         {fmt::format("{:.0f}", look->seeds), fmt::format("{:.0f}", look->around),
+          fmt::format("{:.0f}", look->noise)}});
   }
   if (within == nullptr && touches_side(result.mask)) {
     result.doubts.push_back({GLISSON_TEXT("The growth reaches the side of the image: it has probably leaked. Keep it "
@@ -151,7 +154,8 @@ Result<ContrastGrowth> grow_contrast(const imaging::Volume& image, const std::ve
 
 namespace {
 
-// The ball around the seeds is widened until what differs from them, by more than they scatter, fills a good part of it.
+// The ball around the seeds is widened until what differs from them, by more than they scatter, fills a good part of
+// it.
 std::optional<Appearance> learn_appearance(const imaging::Image<float>& image, const Mask& allowed,
                                            const std::vector<Vector3d>& seeds_mm, Contrast kind,
                                            const ContrastOptions& options) {
@@ -165,7 +169,8 @@ std::optional<Appearance> learn_appearance(const imaging::Image<float>& image, c
   look.seeds = median_of(at_seeds);
   const auto off = [&](float value) { return std::abs(static_cast<double>(value) - look.seeds); };
   for (const float value : at_seeds) scatter.push_back(static_cast<float>(off(value)));
-  const double least_contrast = std::max(least_contrast_to_noise * 1.4826 * median_of(std::move(scatter)), 1e-6 * std::abs(look.seeds));
+  const double least_contrast =
+      std::max(least_contrast_to_noise * 1.4826 * median_of(std::move(scatter)), 1e-6 * std::abs(look.seeds));
   for (const double radius_mm : {12.0, 20.0, 32.0, 50.0}) {
     std::vector<float> values;
     for (const std::size_t voxel : voxels_of_seeds(allowed, seeds_mm, radius_mm)) values.push_back(image.values[voxel]);
@@ -249,9 +254,9 @@ Mask without_necks(const Mask& mask, const std::vector<std::size_t>& seeds, doub
   const std::vector<float> depths_mm2 = imaging::squared_distances_mm2(outside);
   // Uphill from a seed by face neighbours: the middle of what it lies in.
   const auto uphill = [&](std::size_t at) {
-    const std::array<std::size_t, 3> step{1, static_cast<std::size_t>(mask.grid.size[0]),
-                                          static_cast<std::size_t>(mask.grid.size[0]) *
-                                              static_cast<std::size_t>(mask.grid.size[1])};
+    const std::array<std::size_t, 3> step{
+        1, static_cast<std::size_t>(mask.grid.size[0]),
+        static_cast<std::size_t>(mask.grid.size[0]) * static_cast<std::size_t>(mask.grid.size[1])};
     for (;;) {
       std::size_t best = at;
       for (const std::size_t by : step) {

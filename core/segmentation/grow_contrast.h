@@ -20,15 +20,15 @@ enum class Contrast { vessel, lesion };
 [[nodiscard]] std::optional<Contrast> contrast_of(std::string_view structure);
 
 struct ContrastOptions {
-  double sample_radius_mm = 3;    // around each seed its own brightness is learnt
-  double smoothing_mm = 0.8;      // standard deviation of the Gaussian that noise is averaged with
-  double widest_vessel_mm = 30;   // thicker parts are organs that the growth leaked into
-  double reach_mm = 160;          // nothing farther from every seed is looked at
-  double neck_share = 0.5;        // a lesion ends at necks thinner than this share of its own thickness
+  double sample_radius_mm = 3;   // around each seed its own brightness is learnt
+  double smoothing_mm = 0.8;     // standard deviation of the Gaussian that noise is averaged with
+  double widest_vessel_mm = 30;  // thicker parts are organs that the growth leaked into
+  double reach_mm = 160;         // nothing farther from every seed is looked at
+  double neck_share = 0.5;       // a lesion ends at necks thinner than this share of its own thickness
 };
 
 struct ContrastGrowth {
-  imaging::Mask mask;       // on the grid of the image
+  imaging::Mask mask;  // on the grid of the image
   double volume_ml = 0;
   double brightness = 0;    // of the structure, in the image's unit
   double surroundings = 0;  // of the tissue around it

@@ -21,7 +21,6 @@ bool holds(const imaging::Mask& outer, const imaging::Mask& inner) {
   return true;
 }
 
-
 }  // namespace
 
 WithLesions with_lesions(imaging::Mask liver, const std::vector<Structure>& structures, double gap_mm) {

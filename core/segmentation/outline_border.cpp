@@ -44,7 +44,8 @@ std::vector<float> local_mean(const imaging::Image<float>& image, const std::vec
 
 RefinedBorder with_border_refined(Mask outline, const imaging::Volume& image, double tissue_mean, double tissue_sd,
                                   const BorderOptions& options) {
-  const int rim = static_cast<int>(std::ceil((options.band_mm + 3 * options.local_mm) / image.grid.spacing_mm.minCoeff()));
+  const int rim =
+      static_cast<int>(std::ceil((options.band_mm + 3 * options.local_mm) / image.grid.spacing_mm.minCoeff()));
   const Part part = part_around(outline, rim);
   Mask mask = cut_out(outline, part);
   imaging::Image<float> sharp = cut_out<float>(image, part);

@@ -18,7 +18,8 @@ class Segment : public testing::Test {
     const Finished imported =
         glisson_cli({"import", (data() / "example_ct_dicom").string(), "--case", patient(), "--json", "--quiet"});
     ASSERT_EQ(imported.exit_code, 0) << imported.err;
-    const Json liver = segment("liver", {"--labels", (data() / "example_seg_dicom.nii.gz").string(), "--label-value", "5"});
+    const Json liver =
+        segment("liver", {"--labels", (data() / "example_seg_dicom.nii.gz").string(), "--label-value", "5"});
     liver_ml_ = liver.at("volume_ml").get<double>();
   }
   static std::filesystem::path data() { return shared_data() / "totalseg_abdomen_mr_ct"; }

@@ -1,7 +1,8 @@
 // Vessels and lesions from a click inside them: on real images with labels, on real vessel trees with simulated grey
-// values, and what is said where it cannot work. The portal vein of the CT slab in JPEG 2000 and the gallbladder of the CT
-// were in view when the defaults were chosen. What fails is no test here, so the others are a selection: CT spleen (Dice
-// 0.11 to 0.29), CT aorta (0.28 to 0.35), and portal vein and vena cava of the MR (0.02) are not found from one click.
+// values, and what is said where it cannot work. The portal vein of the CT slab in JPEG 2000 and the gallbladder of the
+// CT were in view when the defaults were chosen. What fails is no test here, so the others are a selection: CT spleen
+// (Dice 0.11 to 0.29), CT aorta (0.28 to 0.35), and portal vein and vena cava of the MR (0.02) are not found from one
+// click.
 
 #include "segmentation/grow_contrast.h"
 
@@ -119,9 +120,10 @@ class GrowContrastReal : public testing::TestWithParam<Organ> {};
 TEST_P(GrowContrastReal, IsFoundFromOneClick) {
   GLISSON_NEEDS_DATA("totalseg_abdomen_mr_ct");
   const Organ organ = GetParam();
-  const Volume image = organ.image == std::string("dicom")
-                           ? ct_slab()
-                           : imaging::read_volume_file(totalsegmentator() / (organ.image + std::string(".nii.gz"))).value();
+  const Volume image =
+      organ.image == std::string("dicom")
+          ? ct_slab()
+          : imaging::read_volume_file(totalsegmentator() / (organ.image + std::string(".nii.gz"))).value();
   const Mask labelled = label(organ.labels, organ.value, image.grid);
   const auto grown = grow_contrast(image, {deepest_mm(labelled)}, organ.kind);
   ASSERT_TRUE(grown) << grown.error().message();
@@ -130,19 +132,21 @@ TEST_P(GrowContrastReal, IsFoundFromOneClick) {
   EXPECT_GT(overlap, organ.least_dice);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, GrowContrastReal,
-                         testing::Values(Organ{"gallbladder", "example_ct_sm", "example_seg", 4, Contrast::lesion, 0.65},
-                                         Organ{"gallbladder", "example_mr_sm", "example_seg_mr", 4, Contrast::lesion, 0.6},
-                                         Organ{"right kidney", "example_mr_sm", "example_seg_mr", 2, Contrast::lesion, 0.8},
-                                         Organ{"left kidney", "example_mr_sm", "example_seg_mr", 3, Contrast::lesion, 0.8}));
+INSTANTIATE_TEST_SUITE_P(
+    All, GrowContrastReal,
+    testing::Values(Organ{"gallbladder", "example_ct_sm", "example_seg", 4, Contrast::lesion, 0.65},
+                    Organ{"gallbladder", "example_mr_sm", "example_seg_mr", 4, Contrast::lesion, 0.6},
+                    Organ{"right kidney", "example_mr_sm", "example_seg_mr", 2, Contrast::lesion, 0.8},
+                    Organ{"left kidney", "example_mr_sm", "example_seg_mr", 3, Contrast::lesion, 0.8}));
 
-// Shapes of a real patient's tumours and cysts; the grey values are simulated: darker than the liver, blurred and noisy.
+// Shapes of a real patient's tumours and cysts; the grey values are simulated: darker than the liver, blurred and
+// noisy.
 class GrowContrastLesions : public testing::TestWithParam<const char*> {};
 
 TEST_P(GrowContrastLesions, ARealShapeIsGrownFromOneClick) {
   GLISSON_NEEDS_DATA("liver_patient_models_ucl");
-  const auto surface =
-      geometry::read_surface(test::shared_data() / "liver_patient_models_ucl" / "models" / "Liver" / (GetParam() + std::string(".vtk")));
+  const auto surface = geometry::read_surface(test::shared_data() / "liver_patient_models_ucl" / "models" / "Liver" /
+                                              (GetParam() + std::string(".vtk")));
   ASSERT_TRUE(surface) << surface.error().message();
   Eigen::AlignedBox3d box;
   for (const Vector3d& point_mm : surface->points_mm) box.extend(point_mm);
@@ -150,8 +154,7 @@ TEST_P(GrowContrastLesions, ARealShapeIsGrownFromOneClick) {
   grid.spacing_mm = {0.8, 0.8, 2};
   grid.origin_mm = box.min() - Vector3d::Constant(30);
   for (int axis = 0; axis < 3; ++axis) {
-    grid.size[static_cast<std::size_t>(axis)] =
-        static_cast<int>((box.sizes()[axis] + 60) / grid.spacing_mm[axis]);
+    grid.size[static_cast<std::size_t>(axis)] = static_cast<int>((box.sizes()[axis] + 60) / grid.spacing_mm[axis]);
   }
   const Mask all = rasterise(*surface, grid);
   const Vector3d seed_mm = deepest_mm(all);
@@ -171,7 +174,8 @@ TEST_P(GrowContrastLesions, ARealShapeIsGrownFromOneClick) {
 
 INSTANTIATE_TEST_SUITE_P(All, GrowContrastLesions, testing::Values("liver_tumours", "liver_cysts"));
 
-// Real vessel trees; the grey values are simulated: tissue and vessels as in the portal-venous phase, blurred and noisy.
+// Real vessel trees; the grey values are simulated: tissue and vessels as in the portal-venous phase, blurred and
+// noisy.
 class GrowContrastTrees : public testing::TestWithParam<std::pair<const char*, double>> {};
 
 TEST_P(GrowContrastTrees, ARealTreeIsGrownFromItsTrunk) {
@@ -198,7 +202,7 @@ TEST_P(GrowContrastTrees, ARealTreeIsGrownFromItsTrunk) {
   EXPECT_GT(overlap, GetParam().second);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, GrowContrastTrees, 
+INSTANTIATE_TEST_SUITE_P(All, GrowContrastTrees,
                          testing::Values(std::pair{"3Dircadb-10", 0.55}, std::pair{"LiTS-48", 0.88},
                                          std::pair{"MSD-094", 0.8}));
 

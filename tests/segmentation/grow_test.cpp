@@ -128,8 +128,7 @@ INSTANTIATE_TEST_SUITE_P(Grow, RealLiver,
 TEST(Grow, TheBorderLiesWhereAHandDrewIt) {
   GLISSON_NEEDS_DATA("dcmqi_liver_seg_ct3");
   const auto folder = test::shared_data() / "dcmqi_liver_seg_ct3";
-  const Volume image =
-      imaging::read_series(imaging::scan(folder / "ct-3slice").value().series.front()).value();
+  const Volume image = imaging::read_series(imaging::scan(folder / "ct-3slice").value().series.front()).value();
   const Mask liver =
       resample(mask_of_label(imaging::read_labels_file(folder / "liver_seg.nrrd").value(), 1), image.grid);
   const auto grown = grow_from_seeds(image, {deepest_point_mm(liver)});

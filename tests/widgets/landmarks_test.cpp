@@ -1,4 +1,5 @@
-// Landmarks set by hand: where somebody clicked, with a name, kept in the case, followed as the liver moves, and undone.
+// Landmarks set by hand: where somebody clicked, with a name, kept in the case, followed as the liver moves, and
+// undone.
 
 #include <QPushButton>
 #include <QSignalSpy>

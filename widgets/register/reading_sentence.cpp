@@ -68,12 +68,13 @@ QString trust_in(const NamedJudgement& one, double tolerance_mm, std::size_t fra
   const QString mm = QLocale().toString(tolerance_mm, 'f', 1);
   if (rejected == 0) return Words::tr("%1 is nowhere off by %2 mm or more.").arg(one.name, mm);
   constexpr double most = 0.5;
-  if (rejected > most) return Words::tr("Do not trust %1: on most of it landmarks are off by %2 mm or more.").arg(one.name, mm);
+  if (rejected > most)
+    return Words::tr("Do not trust %1: on most of it landmarks are off by %2 mm or more.").arg(one.name, mm);
   const QString place = place_of_rejected(one.judged->quality, tolerance_mm, frame, camera);
-  return place.isEmpty() ? Words::tr("Of %1 do not trust single places: %2 % of it is off by %3 mm or more.")
-                               .arg(one.name, QLocale().toString(100 * rejected, 'f', 0), mm)
-                         : Words::tr("Of %1 do not trust %2: landmarks are off by %3 mm or more there.")
-                               .arg(one.name, place, mm);
+  return place.isEmpty()
+             ? Words::tr("Of %1 do not trust single places: %2 % of it is off by %3 mm or more.")
+                   .arg(one.name, QLocale().toString(100 * rejected, 'f', 0), mm)
+             : Words::tr("Of %1 do not trust %2: landmarks are off by %3 mm or more there.").arg(one.name, place, mm);
 }
 
 }  // namespace

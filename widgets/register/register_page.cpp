@@ -454,12 +454,12 @@ void RegisterPage::word_views() {
                                                   : QString());
   }
   const HeatValue value = reading_->value();
-  legend_->set_words(value == HeatValue::correlation ? tr("Correlation")
-                     : value == HeatValue::error     ? tr("Error\n(mm)")
-                                                     : tr("Doubt\n(mm)"),
-                     tr("good"), tr("bad"),
-                     value == HeatValue::error ? tr("rejected: off by %1 mm or more").arg(number(tolerance_mm()))
-                                               : QString());
+  legend_->set_words(
+      value == HeatValue::correlation ? tr("Correlation")
+      : value == HeatValue::error     ? tr("Error\n(mm)")
+                                      : tr("Doubt\n(mm)"),
+      tr("good"), tr("bad"),
+      value == HeatValue::error ? tr("rejected: off by %1 mm or more").arg(number(tolerance_mm())) : QString());
 }
 
 void RegisterPage::say(std::function<QString()> words) {

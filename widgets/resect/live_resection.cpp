@@ -75,7 +75,8 @@ Result<std::shared_ptr<const LyingPatient>> lying_under(const rehearsal::StaticR
   std::size_t next = 0;
   for (PatientStructure& structure : lying->structures) {
     if (structure.name == "liver") {
-      auto moved = rehearsal::displaced(rest, moved_mm, {{"liver", rehearsal::StructureKind::cyst, *structure.surface}});
+      auto moved =
+          rehearsal::displaced(rest, moved_mm, {{"liver", rehearsal::StructureKind::cyst, *structure.surface}});
       structure.surface = std::make_shared<geometry::Surface>(std::move(moved.front().surface));
     } else {
       structure.surface = std::make_shared<geometry::Surface>(lying->inside[next++].surface);
@@ -151,11 +152,12 @@ void LiveResection::compute() {
     problem_ = *outcome ? std::nullopt : std::optional(outcome->error());
     Q_EMIT changed();
   });
-  watcher->setFuture(QtConcurrent::run([body = body_, structures = structures_, cut = *wanted_, holding = holding_, lying = lying_] {
-    if (lying) return std::make_shared<Outcome>(planned(lying, cut));
-    auto made = lying_under(*body, structures, holding);
-    return std::make_shared<Outcome>(made ? planned(*std::move(made), cut) : Outcome(failure(made.error())));
-  }));
+  watcher->setFuture(
+      QtConcurrent::run([body = body_, structures = structures_, cut = *wanted_, holding = holding_, lying = lying_] {
+        if (lying) return std::make_shared<Outcome>(planned(lying, cut));
+        auto made = lying_under(*body, structures, holding);
+        return std::make_shared<Outcome>(made ? planned(*std::move(made), cut) : Outcome(failure(made.error())));
+      }));
 }
 
 }  // namespace glisson::widgets

@@ -38,8 +38,8 @@ class LiveResection : public QObject {
 
   // Without a model there is nothing to cut.
   void set_patient(const Patient& patient);
-  // The tool that holds the liver aside: a cut then lies, and is measured, on the liver as it lies under it. Nothing: at
-  // rest. Failures of displaced(), and of placing the tool, are told as problem().
+  // The tool that holds the liver aside: a cut then lies, and is measured, on the liver as it lies under it. Nothing:
+  // at rest. Failures of displaced(), and of placing the tool, are told as problem().
   struct Holding {
     Eigen::Vector3d center_mm{0, 0, 0};
     double radius_mm = 0;

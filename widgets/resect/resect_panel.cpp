@@ -277,8 +277,9 @@ void ResectPanel::hold_as_rehearsed() {
 
 void ResectPanel::describe_holding() {
   as_held_->setToolTip(
-      holding() ? tr("Margins, widths and places are those on the liver under the tool of Rehearse; volumes are at rest")
-                : tr("Place a tool in Rehearse first: a patch that the model bears, not a rigid tool."));
+      holding()
+          ? tr("Margins, widths and places are those on the liver under the tool of Rehearse; volumes are at rest")
+          : tr("Place a tool in Rehearse first: a patch that the model bears, not a rigid tool."));
 }
 
 void ResectPanel::cut_changed() {
@@ -305,7 +306,7 @@ void ResectPanel::show_scene() {
   WorkspaceScene scene;
   const bool drawing = cut_controls_->drawing();
   const bool in_parts = live_->result() != nullptr && !drawing;
-  scene.patient = in_parts            ? WorkspaceScene::Patient::at_rest_in_slices_only
+  scene.patient = in_parts           ? WorkspaceScene::Patient::at_rest_in_slices_only
                   : live_->holding() ? WorkspaceScene::Patient::as_rehearsed
                                      : WorkspaceScene::Patient::at_rest;
   if (in_parts) {

@@ -172,8 +172,8 @@ void SegmentPanel::take_grey_values() {
   const auto anatomy = editor_.shared_anatomy();
   if (!anatomy) return;
   editor_.apply(GLISSON_TEXT("Grey values for {0}"),
-                [anatomy, range = operations_->range(), within = editor_.mask_of(operations_->within())](
-                    const imaging::Mask& mask) -> Result<imaging::Mask> {
+                [anatomy, range = operations_->range(),
+                 within = editor_.mask_of(operations_->within())](const imaging::Mask& mask) -> Result<imaging::Mask> {
                   std::optional<imaging::Mask> inside;
                   if (within) inside = segmentation::resample(*within, anatomy->grid);
                   auto taken = segmentation::in_range(*anatomy, range, inside ? &*inside : nullptr);

@@ -87,7 +87,7 @@ void StructureOperations::list(const std::vector<EditedStructure>& structures, i
   take_->setEnabled(has_active);
   take_->setToolTip(has_active ? tr("Replaces the structure by the voxels of these grey values") : why);
   combine_->setEnabled(has_active && other_->count() > 0);
-  combine_->setToolTip(!has_active              ? why
+  combine_->setToolTip(!has_active            ? why
                        : other_->count() == 0 ? tr("There is no other structure.")
                                               : tr("Changes the chosen structure; the other one stays as it is"));
 }

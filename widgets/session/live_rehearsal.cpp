@@ -50,7 +50,8 @@ RehearsalTrack renamed_to(const std::vector<mechanics::Landmark>& now, const std
   for (Moment moment : track.moments()) {
     std::vector<double> figures;
     for (const mechanics::Landmark& landmark : now) {
-      const auto same = std::find_if(before.begin(), before.end(), [&](const auto& one) { return one.id == landmark.id; });
+      const auto same =
+          std::find_if(before.begin(), before.end(), [&](const auto& one) { return one.id == landmark.id; });
       const auto place = static_cast<std::size_t>(same - before.begin());
       figures.push_back(place < moment.landmarks_mm.size() ? moment.landmarks_mm[place]
                                                            : std::numeric_limits<double>::quiet_NaN());

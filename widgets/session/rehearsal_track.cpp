@@ -41,7 +41,8 @@ std::string RehearsalTrack::csv(const std::vector<std::string>& landmark_ids) co
     }
     const mechanics::Validity& validity = moment.validity;
     const auto figure = [&](std::optional<double> length_mm) {
-      return validity.usable() && length_mm && std::isfinite(*length_mm) ? fmt::format(",{:.4f}", *length_mm) : std::string(",");
+      return validity.usable() && length_mm && std::isfinite(*length_mm) ? fmt::format(",{:.4f}", *length_mm)
+                                                                         : std::string(",");
     };
     text += fmt::format("{:.3f},{},{:.4f}", moment.time_s, tools, moment.force_N);
     text += figure(moment.max_displacement_mm) + figure(moment.atlas_off_mm);

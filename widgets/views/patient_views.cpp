@@ -401,7 +401,8 @@ void PatientViews::move_body(const Body& body, const rehearsal::RehearsalBody* d
     const scene::Points shared_mm = moved ? std::make_shared<const std::vector<Eigen::Vector3d>>(points_mm) : nullptr;
     for (SpaceView* space : {&views_.space(), &views_.twin()}) space->view().move_surface(body[k], shared_mm);
     for (SliceView* slice : views_.slices()) slice->view().move_surface(body[k], shared_mm);
-    if (k != 0 || liver_colour_ != LiverColour::displacement || !has_figures(frame_) || bodies_ == Bodies::both) continue;
+    if (k != 0 || liver_colour_ != LiverColour::displacement || !has_figures(frame_) || bodies_ == Bodies::both)
+      continue;
     std::vector<double> distance_mm(points_mm.size());
     for (std::size_t p = 0; p < distance_mm.size(); ++p) distance_mm[p] = (points_mm[p] - rest_mm[p]).norm();
     for (SpaceView* space : {&views_.space(), &views_.twin()}) space->view().recolour_surface(body[k], distance_mm);
