@@ -138,11 +138,7 @@ std::vector<Trust> trust_in(const Volume& shear_kPa, const Reliability& reliabil
   // How deep each voxel of the organ's mask lies: the distance to the nearest voxel outside, less half a voxel for
   // the border between the two.
   std::vector<float> squared_depth_mm2;
-  if (reliability.organ) {
-    Mask outside = *reliability.organ;
-    for (std::uint8_t& value : outside.values) value = value == 0 ? 1 : 0;
-    squared_depth_mm2 = imaging::squared_distances_mm2(outside);
-  }
+  if (reliability.organ) squared_depth_mm2 = imaging::squared_depths_mm2(*reliability.organ);
   const auto voxel_at = [](const Mask& mask, const Vector3d& at_mm) {
     const Eigen::Matrix3d index_from_mm =
         mask.grid.spacing_mm.cwiseInverse().asDiagonal() * mask.grid.direction.transpose();

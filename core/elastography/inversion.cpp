@@ -161,9 +161,7 @@ VoxelModulus invert_by_local_frequency(const std::vector<Prepared>& prepared, co
       longest_mm[v] = std::max(longest_mm[v], wavelength_mm);
     }
   }
-  Mask outside = region;
-  for (std::uint8_t& value : outside.values) value = value == 0 ? 1 : 0;
-  const std::vector<float> squared_mm2 = imaging::squared_distances_mm2(outside);
+  const std::vector<float> squared_mm2 = imaging::squared_depths_mm2(region);
 
   VoxelModulus found{std::vector<std::complex<float>>(voxels, 0), std::vector<float>(voxels, 0)};
   for (std::size_t v = 0; v < voxels; ++v) {

@@ -77,6 +77,12 @@ std::vector<float> squared_distances_mm2(const Mask& mask) {
   return squared_mm2;
 }
 
+std::vector<float> squared_depths_mm2(const Mask& mask) {
+  Mask outside = mask;
+  for (std::uint8_t& value : outside.values) value = value == 0 ? 1 : 0;
+  return squared_distances_mm2(outside);
+}
+
 ConnectedVoxels connected_voxels(const Mask& mask, Neighbours neighbours) {
   auto filter = itk::ConnectedComponentImageFilter<ItkImage<std::uint8_t>, ItkImage<std::uint32_t>>::New();
   filter->SetInput(view(mask.grid, mask.values));

@@ -17,6 +17,8 @@ namespace glisson::imaging {
 // For each voxel the squared distance in mm2 from its centre to the centre of the nearest voxel of the mask, 0 inside
 // it; infinite where the mask is empty. Exact (Maurer, Qi and Raghavan, IEEE PAMI 25:265, 2003).
 [[nodiscard]] std::vector<float> squared_distances_mm2(const Mask& mask);
+// The same to the nearest voxel that is not of the mask, 0 outside it; infinite where the mask is all of the image.
+[[nodiscard]] std::vector<float> squared_depths_mm2(const Mask& mask);
 
 // Which voxels of a mask hang together.
 enum class Neighbours { faces, all };  // 6, or 26 with edges and corners

@@ -249,9 +249,7 @@ Mask without_thick_parts(Mask mask, double widest_mm) {
 
 // The balls of a share of the thickness at the seeds that fit and hang together there, and what they reach.
 Mask without_necks(const Mask& mask, const std::vector<std::size_t>& seeds, double share) {
-  Mask outside = mask;
-  for (std::uint8_t& value : outside.values) value = value == 0 ? 1 : 0;
-  const std::vector<float> depths_mm2 = imaging::squared_distances_mm2(outside);
+  const std::vector<float> depths_mm2 = imaging::squared_depths_mm2(mask);
   // Uphill from a seed by face neighbours: the middle of what it lies in.
   const auto uphill = [&](std::size_t at) {
     const std::array<std::size_t, 3> step{
@@ -280,11 +278,7 @@ Mask without_necks(const Mask& mask, const std::vector<std::size_t>& seeds, doub
     core.values[voxel] = static_cast<double>(depths_mm2[voxel]) > neck_mm * neck_mm ? 1 : 0;
   }
   core = joined_to(middles, core);
-  Mask whole = with_margin(std::move(core), neck_mm + 0.5 * voxel_mm);
-  for (std::size_t voxel = 0; voxel < whole.values.size(); ++voxel) {
-    if (mask.values[voxel] == 0) whole.values[voxel] = 0;
-  }
-  return whole;
+  return intersected(with_margin(std::move(core), neck_mm + 0.5 * voxel_mm), mask);
 }
 
 bool touches_side(const Mask& mask) {

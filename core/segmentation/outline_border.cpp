@@ -16,10 +16,8 @@ using imaging::Mask;
 
 // Signed, negative inside, in mm.
 std::vector<float> distances_mm(const Mask& mask) {
-  Mask outside = mask;
-  for (std::uint8_t& value : outside.values) value = value == 0 ? 1 : 0;
   std::vector<float> distance = imaging::squared_distances_mm2(mask);
-  const std::vector<float> depth = imaging::squared_distances_mm2(outside);
+  const std::vector<float> depth = imaging::squared_depths_mm2(mask);
   for (std::size_t voxel = 0; voxel < distance.size(); ++voxel) {
     distance[voxel] = mask.values[voxel] != 0 ? -std::sqrt(depth[voxel]) : std::sqrt(distance[voxel]);
   }

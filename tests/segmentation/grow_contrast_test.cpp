@@ -34,9 +34,7 @@ using imaging::Volume;
 fs::path totalsegmentator() { return test::shared_data() / "totalseg_abdomen_mr_ct"; }
 
 Vector3d deepest_mm(const Mask& mask) {
-  Mask outside = mask;
-  for (auto& value : outside.values) value = value == 0 ? 1 : 0;
-  const std::vector<float> depths = imaging::squared_distances_mm2(outside);
+  const std::vector<float> depths = imaging::squared_depths_mm2(mask);
   const auto at = static_cast<std::size_t>(std::max_element(depths.begin(), depths.end()) - depths.begin());
   const auto nx = static_cast<std::size_t>(mask.grid.size[0]), ny = static_cast<std::size_t>(mask.grid.size[1]);
   return mask.grid.position_mm(static_cast<int>(at % nx), static_cast<int>(at / nx % ny),
