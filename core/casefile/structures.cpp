@@ -31,6 +31,9 @@ Result<Labelled> pick(std::vector<Labelled> found, const std::string& name, std:
                       const fs::path& file);
 
 Result<imaging::Mask> mask_named(const Case& patient, const std::string& name);
+// That structure on the grid; none where none is named.
+Result<std::optional<imaging::Mask>> mask_to_stay_in(const Case& patient, const std::optional<std::string>& name,
+                                                     const imaging::Grid& grid);
 
 struct Grown {
   imaging::Mask mask;
@@ -46,13 +49,9 @@ Result<SavedStructure> grow_structure(Case& patient, const std::string& name,
                                       const std::optional<std::string>& within) {
   const auto anatomy = patient.volume("volumes/anatomy");
   if (!anatomy) return failure(anatomy.error());
-  std::optional<imaging::Mask> inside;
-  if (within) {
-    auto found = mask_named(patient, *within);
-    if (!found) return failure(found.error());
-    inside = segmentation::resample(*found, anatomy->grid);
-  }
-  auto grown = grow(*anatomy, name, seeds_mm, inside ? &*inside : nullptr, progress);
+  const auto inside = mask_to_stay_in(patient, within, anatomy->grid);
+  if (!inside) return failure(inside.error());
+  auto grown = grow(*anatomy, name, seeds_mm, *inside ? &**inside : nullptr, progress);
   if (!grown) return failure(grown.error());
 
   Provenance made{"segment", {{"method", "seeds"}}, {"volumes/anatomy"}, {}, {}};
@@ -85,7 +84,8 @@ Result<SavedStructure> threshold_structure(Case& patient, const std::string& nam
                                            const std::optional<std::string>& within) {
   const auto anatomy = patient.volume("volumes/anatomy");
   if (!anatomy) return failure(anatomy.error());
-  std::optional<imaging::Mask> inside;
+  const auto inside = mask_to_stay_in(patient, within, anatomy->grid);
+  if (!inside) return failure(inside.error());
   Provenance made{
       "segment",
       {{"method", "range"}, {"from", fmt::format("{:g}", range.low)}, {"to", fmt::format("{:g}", range.high)}},
@@ -93,13 +93,10 @@ Result<SavedStructure> threshold_structure(Case& patient, const std::string& nam
       {},
       {}};
   if (within) {
-    auto found = mask_named(patient, *within);
-    if (!found) return failure(found.error());
-    inside = segmentation::resample(*found, anatomy->grid);
     made.options["within"] = *within;
     if (*within != name) made.from.push_back("labels/" + *within);
   }
-  auto mask = segmentation::in_range(*anatomy, range, inside ? &*inside : nullptr);
+  auto mask = segmentation::in_range(*anatomy, range, *inside ? &**inside : nullptr);
   if (segmentation::voxel_count(mask) == 0) {
     return failure(Error{"range-empty",
                          GLISSON_TEXT("No voxel there has a grey value from {0} to {1}."),
@@ -239,6 +236,14 @@ Result<imaging::Mask> mask_named(const Case& patient, const std::string& name) {
   auto read = imaging::read_mask_file(patient.folder() / entry->file);
   if (!read) return failure(read.error());
   return std::move(read->mask);
+}
+
+Result<std::optional<imaging::Mask>> mask_to_stay_in(const Case& patient, const std::optional<std::string>& name,
+                                                     const imaging::Grid& grid) {
+  if (!name) return std::optional<imaging::Mask>();
+  return mask_named(patient, *name).map([&](const imaging::Mask& found) {
+    return std::optional(segmentation::resample(found, grid));
+  });
 }
 
 Result<Grown> grow(const imaging::Volume& anatomy, const std::string& name,
