@@ -157,7 +157,7 @@ Answer answer_of(const MaterialBody& prepared, StaticResult result, const Places
   const auto& [body, materials, setup_s] = prepared;
   result.setup_s = setup_s;
   auto landmarks_mm = displacement_at(body, result, places);
-  auto von_mises_kPa = von_mises_of_cells(body, materials, nodal_displacements(body, result));
+  auto von_mises_kPa = von_mises_of_cells(body, materials, nodal_displacements(body.layout, result));
   return Answer{std::move(result), std::move(landmarks_mm), std::move(von_mises_kPa), {}, {}, {}};
 }
 

@@ -59,7 +59,7 @@ TEST(NewtonImplicitEuler, ADampedMotionOfEveryLawComesToRestAtItsEquilibrium) {
     for (int i = 0; i < 60; ++i) ASSERT_TRUE(motion.step().value().converged);
     const auto rest = find_equilibrium(body, materials_of(body, law, 2.0), loads).value();
     ASSERT_TRUE(rest.may_be_used());
-    const VectorXd u = nodal_displacements(body, rest);
+    const VectorXd u = nodal_displacements(body.layout, rest);
     EXPECT_LT((motion.displacement_mm() - u).cwiseAbs().maxCoeff(), 1e-2) << u.cwiseAbs().maxCoeff();
   }
 }

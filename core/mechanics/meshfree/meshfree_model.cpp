@@ -101,7 +101,7 @@ std::vector<Eigen::Vector3d> MeshfreeModel::displacement_at(const StaticResult& 
 
 std::vector<double> MeshfreeModel::von_mises_kPa(const StaticResult& result) const {
   const Body& body = impl_->handles.body;
-  const Eigen::VectorXd u_mm = nodal_displacements(body, result);
+  const Eigen::VectorXd u_mm = nodal_displacements(body.layout, result);
   return impl_->handles.law == MaterialLaw::linear ? von_mises_of_cells(body.mesh, body.layout, body.materials, u_mm)
                                                    : von_mises_of_cells(body, impl_->handles.materials, u_mm);
 }

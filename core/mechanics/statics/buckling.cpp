@@ -10,6 +10,7 @@
 #include "mechanics/elements/quadrature.h"
 #include "mechanics/elements/shape_functions.h"
 #include "mechanics/elements/strain.h"
+#include "mechanics/statics/displacements.h"
 
 namespace glisson::mechanics {
 namespace {
@@ -21,13 +22,12 @@ using CellMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 10, 
 
 std::vector<CellMatrix> stress_stiffness(const StaticModel& model, const Eigen::VectorXd& u_mm);
 Eigen::VectorXd times_minus(const std::vector<CellMatrix>& cells, const NodeLayout& nodes, const Eigen::VectorXd& v);
-Eigen::VectorXd node_values(const StaticModel& model, const StaticResult& result);
 
 }  // namespace
 
 double load_beyond_buckling(const StaticModel& model, const StaticResult& result) {
   if (model.options().anisotropy || result.max_displacement_mm == 0) return 0;
-  const Eigen::VectorXd u_mm = node_values(model, result);
+  const Eigen::VectorXd u_mm = nodal_displacements(model.nodes(), result);
   if (!u_mm.allFinite()) return 0;
   const std::vector<CellMatrix> cells = stress_stiffness(model, u_mm);
 
@@ -103,18 +103,6 @@ Eigen::VectorXd times_minus(const std::vector<CellMatrix>& cells, const NodeLayo
     }
   }
   return product;
-}
-
-Eigen::VectorXd node_values(const StaticModel& model, const StaticResult& result) {
-  const NodeLayout& nodes = model.nodes();
-  Eigen::VectorXd u_mm = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(nodes.nodes()));
-  for (std::size_t p = 0; p < nodes.node_of_point.size(); ++p) {
-    if (nodes.node_of_point[p] >= 0) u_mm.segment<3>(3 * nodes.node_of_point[p]) = result.displacement_mm[p];
-  }
-  for (std::size_t e = 0; e < result.mid_side_displacement_mm.size(); ++e) {
-    u_mm.segment<3>(3 * (nodes.corner_nodes + static_cast<int>(e))) = result.mid_side_displacement_mm[e];
-  }
-  return u_mm;
 }
 
 }  // namespace

@@ -22,9 +22,8 @@ void set_displacements(const Body& body, const Eigen::VectorXd& u_mm, StaticResu
   }
 }
 
-Eigen::VectorXd nodal_displacements(const Body& body, const StaticResult& result) {
-  const NodeLayout& layout = body.layout;
-  Eigen::VectorXd u_mm(3 * static_cast<Eigen::Index>(layout.nodes()));
+Eigen::VectorXd nodal_displacements(const NodeLayout& layout, const StaticResult& result) {
+  Eigen::VectorXd u_mm = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(layout.nodes()));
   for (std::size_t p = 0; p < result.displacement_mm.size(); ++p) {
     if (layout.node_of_point[p] >= 0) u_mm.segment<3>(3 * layout.node_of_point[p]) = result.displacement_mm[p];
   }

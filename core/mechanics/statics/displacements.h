@@ -12,7 +12,7 @@ namespace glisson::mechanics {
 
 // Nodal displacements (3 a node) into a result's, and back.
 void set_displacements(const Body& body, const Eigen::VectorXd& u_mm, StaticResult& result);
-[[nodiscard]] Eigen::VectorXd nodal_displacements(const Body& body, const StaticResult& result);
+[[nodiscard]] Eigen::VectorXd nodal_displacements(const NodeLayout& layout, const StaticResult& result);
 
 // The displacement at places in the body, by the cells' own shape functions.
 [[nodiscard]] std::vector<Eigen::Vector3d> displacement_at(const Body& body, const StaticResult& result,

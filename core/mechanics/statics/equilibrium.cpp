@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 #include <cmath>
-#include <Eigen/Geometry>
 #include <limits>
 
 #include "base/stopwatch.h"
+#include "geometry/surface.h"
 #include "mechanics/elements/strain.h"
+#include "mechanics/potentials/follower_pressure.h"
 #include "mechanics/potentials/ligament.h"
 #include "mechanics/statics/displacements.h"
 #include "mechanics/statics/internal/unknowns.h"
@@ -16,12 +17,6 @@ namespace glisson::mechanics {
 namespace {
 
 constexpr double times_its_size = 1000, unlimited = std::numeric_limits<double>::infinity();
-
-double size_of(const Body& body) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& position : body.layout.positions_mm) box.extend(position);
-  return box.diagonal().norm();
-}
 
 }  // namespace
 
@@ -82,7 +77,9 @@ Result<CarriedLoad> carry_load(const Unknowns& unknowns, const Body& body, const
     const double scale_mN = unknowns.size_mN(force_mN(boundary_and_loads(body, now), rest_mm));
     const TotalPotential potential(body, static_potentials(body, materials, now));
     // At rest the first direction is the answer of small strain.
-    newton.longest_mm = carried.steps == 0 ? times_its_size * size_of(body) : unlimited;
+    newton.longest_mm = carried.steps == 0
+                            ? times_its_size * geometry::bounding_box(body.layout.positions_mm).diagonal_mm()
+                            : unlimited;
     auto found = unknowns.minimum_of(potential, scale_mN, carried.x_mm, newton, progress);
     if (!found) return failure(std::move(found.error()));
     carried.hopeless = found->hopeless;
@@ -114,8 +111,8 @@ StaticResult state_of(const Body& body, const std::vector<Material>& materials, 
   set_displacements(body, u_mm, result);
   const Potentials around = boundary_potentials(body, loads.follower_pressure_kPa);
   const Eigen::VectorXd around_mN = force_mN(around, u_mm);
-  const Eigen::VectorXd gas_mN = around_mN - force_mN(boundary_potentials(body, 0.0), u_mm);
-  Eigen::VectorXd ligaments_mN = Eigen::VectorXd::Zero(u_mm.size());
+  Eigen::VectorXd gas_mN = Eigen::VectorXd::Zero(u_mm.size()), ligaments_mN = gas_mN;
+  if (loads.follower_pressure_kPa != 0) FollowerPressure(body, loads.follower_pressure_kPa).add_force(u_mm, gas_mN);
   LigamentPotential(body).add_force(u_mm, ligaments_mN);
   const Eigen::VectorXd unbalanced_mN =
       loads.dead_mN + damping_mN + around_mN - internal_force_mN(body, materials, u_mm);

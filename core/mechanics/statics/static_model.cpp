@@ -174,7 +174,7 @@ std::vector<Eigen::Vector3d> StaticModel::displacement_at(const StaticResult& re
 }
 
 std::vector<double> StaticModel::von_mises_kPa(const StaticResult& result) const {
-  const Eigen::VectorXd u_mm = nodal_displacements(*impl_, result);
+  const Eigen::VectorXd u_mm = nodal_displacements(impl_->layout, result);
   if (const auto& anisotropy = impl_->options.anisotropy) {
     return von_mises_of_cells(impl_->mesh, impl_->layout, impl_->youngs_kPa,
                               unit_tangent(*anisotropy, impl_->options.poisson_ratio), u_mm);
