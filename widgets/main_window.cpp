@@ -28,10 +28,10 @@
 #include "widgets/study/study_page.h"
 #include "widgets/views/measure_list.h"
 #include "widgets/views/wave_view.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/named.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -95,7 +95,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file
   go_to("rehearse");
   offer_lost_work();
   diary_.note("The window is made.");
-  worded(this, [this] {
+  keep_translated(this, [this] {
     word_patient();
     patient_views_->reword();
     QTimer::singleShot(0, this, [this] { name_controls(*this); });  // once all of it has its words
@@ -157,7 +157,7 @@ void MainWindow::add_workspace(Workspace workspace) {
   bar_->add(workspace);
   QAction* go = go_menu_->addAction({}, QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + index)), bar_,
                                     [this, index] { bar_->choose(index); });
-  worded(go_menu_, [go, name = workspace.name] { go->setText(name()); });
+  keep_translated(go_menu_, [go, name = workspace.name] { go->setText(name()); });
   workspaces_.push_back(std::move(workspace));
 }
 
@@ -228,7 +228,7 @@ void MainWindow::show_patient(const Patient& patient) {
   if (!patient.remarks.empty()) {
     notices_->note([remarks = patient.remarks] {
       QStringList sentences;
-      for (const Sentence& remark : remarks) sentences << told(remark);
+      for (const Sentence& remark : remarks) sentences << translated(remark);
       return sentences.join(" ");
     });
   }
@@ -307,7 +307,8 @@ void MainWindow::connect_parts() {
     diary_.note("Long work began.");
   });
   connect(&work_, &BackgroundWork::progressed, this, [this](double fraction, const QString& stage) {
-    if (!stage.isEmpty()) welcome_->show_stage(tr("%1 (%2 %)").arg(told_stage(stage)).arg(100 * fraction, 0, 'f', 0));
+    if (!stage.isEmpty())
+      welcome_->show_stage(tr("%1 (%2 %)").arg(translated_stage(stage)).arg(100 * fraction, 0, 'f', 0));
   });
   connect(&work_, &BackgroundWork::finished, this, [this] {
     changing_.clear();
@@ -543,7 +544,7 @@ void MainWindow::show_error(const Error& error) {
     status_->say(tr("Cancelled."));
     return;
   }
-  const auto words = [error] { return told(error); };
+  const auto words = [error] { return translated(error); };
   if (error.code == "case-open-elsewhere") return notices_->note(words);  // nothing went wrong
   notices_->say(words);
 }

@@ -29,7 +29,7 @@
 #include "widgets/views/linked_views.h"
 #include "widgets/views/patient_views.h"
 #include "widgets/views/view_bar.h"
-#include "widgets/words/told.h"
+#include "widgets/words/translated.h"
 #include "widgets/work/background_work.h"
 #include "widgets/workspaces/workspace_bar.h"
 

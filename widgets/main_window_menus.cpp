@@ -13,9 +13,9 @@
 #include "widgets/settings/settings.h"
 #include "widgets/settings/settings_window.h"
 #include "widgets/study/study_page.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/language_menu.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 
@@ -62,7 +62,7 @@ void MainWindow::make_menus() {
   diary->setObjectName("log");
   help->addSeparator();
   QAction* about = help->addAction({}, this, &MainWindow::about);
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     file->setTitle(tr("&File"));
     open_case->setText(tr("&Open a case..."));
     open_images->setText(tr("Open &images..."));

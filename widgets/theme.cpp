@@ -76,7 +76,7 @@ void apply_theme(Theme theme) {
   QApplication::setStyle(QStyleFactory::create("Fusion"));
   QApplication::setPalette(palette_of(named));
   qApp->setStyleSheet(sheet);
-  QEvent changed(QEvent::ThemeChange);  // words/worded.h and plots/themed_plot.h listen
+  QEvent changed(QEvent::ThemeChange);  // words/keep_translated.h and plots/themed_plot.h listen
   for (QWidget* widget : QApplication::allWidgets()) QApplication::sendEvent(widget, &changed);
 }
 

@@ -58,7 +58,7 @@ void add_sequence(CLI::App& app, Action& chosen) {
   command->add_option("right", settings->right, "The right eye's")->required();
   command->add_option("--calibration", settings->calibration, "Stereo calibration, as for stereo")->required();
   command->add_option("--every", settings->options.every, "Take one frame of so many")->check(CLI::Range(1, 10000));
-  command->add_option("--frames", settings->options.most_frames, "At most so many frames")
+  command->add_option("--frames", settings->options.maximum_frames, "At most so many frames")
       ->check(CLI::Range(3, 100000))
       ->capture_default_str();
   command->add_option("--step", settings->options.stereo.step_px, "A point every so many pixels")

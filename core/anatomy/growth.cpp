@@ -60,7 +60,7 @@ class Grower {
     for (const VesselNode& node : tree_.nodes) {
       if (node.parent < 0) whole_ += node.flow;
     }
-    least_radius_mm_ = site.root_radius_mm / std::cbrt(static_cast<double>(places) + whole_);
+    minimum_radius_mm_ = site.root_radius_mm / std::cbrt(static_cast<double>(places) + whole_);
   }
 
   void join(const Vector3d& place) {
@@ -113,7 +113,7 @@ class Grower {
         const Vector3d b = a + w_end * (c - a) + w_place * (place - a);
         const double up = (b - a).norm(), down = (c - b).norm(), out = (place - b).norm();
         if (std::min({up, down, out}) < (node(piece).trunk ? 0.7 : shortest_mm)) continue;
-        if (out < radius_mm(flow) + 2 * least_radius_mm_) continue;
+        if (out < radius_mm(flow) + 2 * minimum_radius_mm_) continue;
         const double cost = share(flow + 1) * up + share(flow) * down + out - share(flow) * (c - a).norm() + upstream;
         if (!best || cost < best->cost) best = Joint{piece, b, cost};
       }
@@ -133,7 +133,7 @@ class Grower {
   }
 
   [[nodiscard]] double radius_mm(double flow) const {
-    return std::max(least_radius_mm_, site_.root_radius_mm * std::cbrt(flow / (whole_ + 1)));
+    return std::max(minimum_radius_mm_, site_.root_radius_mm * std::cbrt(flow / (whole_ + 1)));
   }
 
   [[nodiscard]] bool is_free(const Joint& joint, const Vector3d& place) const {
@@ -148,7 +148,7 @@ class Grower {
     };
     const double up = (b - start).norm(), down = (b - end.position_mm).norm();
     const std::array<Piece, 3> pieces = {
-        Piece{{b, place, least_radius_mm_}, up < down ? end.parent : joint.piece, std::min(up, down)},
+        Piece{{b, place, minimum_radius_mm_}, up < down ? end.parent : joint.piece, std::min(up, down)},
         Piece{{start, b, radius_mm(end.flow + 1)}, end.parent, 0},
         Piece{{end.position_mm, b, radius_mm(end.flow)}, joint.piece, 0}};
     const std::size_t changed = end.trunk ? 1 : 3;  // a trunk stays where it is
@@ -236,7 +236,7 @@ class Grower {
 
   VesselTree tree_;
   GrowthSite site_;
-  double whole_ = 0, least_radius_mm_ = 0;
+  double whole_ = 0, minimum_radius_mm_ = 0;
 };
 
 // Cuts what meets, the finer of two first, until nothing does; of trunks only where two of them meet.

@@ -101,10 +101,10 @@ std::vector<HepaticVein> hepatic_veins(const VesselTree& tree, const Children& c
 }  // namespace
 
 std::vector<Landmark> landmarks_of(const Patient& patient) {
-  constexpr double least_depth_mm = 3, lower_mm = 15;
+  constexpr double minimum_depth_mm = 3, lower_mm = 15;
   std::vector<Landmark> landmarks;
   const auto add = [&](const VesselTree& tree, const std::string& id, int node) {
-    if (node < 0 || patient.liver->depth_mm(node_of(tree, node).position_mm) < least_depth_mm) return;
+    if (node < 0 || patient.liver->depth_mm(node_of(tree, node).position_mm) < minimum_depth_mm) return;
     landmarks.push_back({id, system_name(tree.system), placed(patient, node_of(tree, node).position_mm)});
   };
 

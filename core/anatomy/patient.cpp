@@ -156,12 +156,12 @@ Surface surface_of(const Lesion& lesion) {
 
 }  // namespace
 
-std::vector<NamedSurface> surfaces_of(const Patient& patient, double least_radius_mm) {
+std::vector<NamedSurface> surfaces_of(const Patient& patient, double minimum_radius_mm) {
   constexpr double vessel_spacing_mm = 1.1;
   std::vector<NamedSurface> surfaces = {{"liver", patient.liver->surface}};
-  surfaces.push_back({"portal-vein", tree_surface(patient.portal_vein, least_radius_mm, vessel_spacing_mm)});
-  surfaces.push_back({"hepatic-vein", tree_surface(patient.hepatic_vein, least_radius_mm, vessel_spacing_mm)});
-  surfaces.push_back({"artery", tree_surface(patient.artery, 0.7 * least_radius_mm, 0.7 * vessel_spacing_mm)});
+  surfaces.push_back({"portal-vein", tree_surface(patient.portal_vein, minimum_radius_mm, vessel_spacing_mm)});
+  surfaces.push_back({"hepatic-vein", tree_surface(patient.hepatic_vein, minimum_radius_mm, vessel_spacing_mm)});
+  surfaces.push_back({"artery", tree_surface(patient.artery, 0.7 * minimum_radius_mm, 0.7 * vessel_spacing_mm)});
   surfaces.push_back({"gallbladder", surface_of(patient.gall_bladder, 1.5)});
   surfaces.push_back({"vena-cava", surface_of(patient.vena_cava, 2)});
   for (const Lesion& lesion : patient.lesions) surfaces.push_back({lesion.name, surface_of(lesion)});

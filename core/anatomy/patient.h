@@ -66,7 +66,7 @@ struct NamedSurface {
   std::string name;
   geometry::Surface surface;
 };
-[[nodiscard]] std::vector<NamedSurface> surfaces_of(const Patient& patient, double least_radius_mm = 1.0);
+[[nodiscard]] std::vector<NamedSurface> surfaces_of(const Patient& patient, double minimum_radius_mm = 1.0);
 
 // Mirrored left to right where the patient is turned, else as it is.
 [[nodiscard]] Eigen::Vector3d placed(const Patient& patient, const Eigen::Vector3d& position_mm);

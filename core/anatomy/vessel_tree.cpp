@@ -71,12 +71,12 @@ void set_radii(VesselTree& tree, double root_radius_mm) {
   }
 }
 
-Field tree_field(const VesselTree& tree, const imaging::Grid& grid, double least_radius_mm) {
+Field tree_field(const VesselTree& tree, const imaging::Grid& grid, double minimum_radius_mm) {
   const double spacing = grid.spacing_mm.maxCoeff();
   const auto far_mm = static_cast<float>(3 * spacing);
   Field field{grid, std::vector<float>(grid.voxels(), far_mm)};
   for (const VesselNode& node : tree.nodes) {
-    if (node.parent < 0 || node.radius_mm < least_radius_mm) continue;
+    if (node.parent < 0 || node.radius_mm < minimum_radius_mm) continue;
     const VesselNode& from = tree.nodes[static_cast<std::size_t>(node.parent)];
     // A child starts at its own width, or where it merely goes on, at its parent's.
     const double start_radius = from.parent >= 0 && from.flow == node.flow ? from.radius_mm : node.radius_mm;
@@ -104,10 +104,10 @@ Field tree_field(const VesselTree& tree, const imaging::Grid& grid, double least
   return field;
 }
 
-geometry::Surface tree_surface(const VesselTree& tree, double least_radius_mm, double spacing_mm) {
+geometry::Surface tree_surface(const VesselTree& tree, double minimum_radius_mm, double spacing_mm) {
   std::vector<Vector3d> points;
   for (const VesselNode& node : tree.nodes) {
-    if (node.radius_mm >= least_radius_mm) points.push_back(node.position_mm);
+    if (node.radius_mm >= minimum_radius_mm) points.push_back(node.position_mm);
   }
   if (points.empty()) return {};
   geometry::Box box = geometry::bounding_box(points);
@@ -115,7 +115,7 @@ geometry::Surface tree_surface(const VesselTree& tree, double least_radius_mm, d
   for (const VesselNode& node : tree.nodes) widest = std::max(widest, node.radius_mm);
   box.min_mm.array() -= widest + 4 * spacing_mm;
   box.max_mm.array() += widest + 4 * spacing_mm;
-  return level_surface(tree_field(tree, grid_over(box, spacing_mm), least_radius_mm));
+  return level_surface(tree_field(tree, grid_over(box, spacing_mm), minimum_radius_mm));
 }
 
 }  // namespace glisson::anatomy

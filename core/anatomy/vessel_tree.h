@@ -42,9 +42,9 @@ struct VesselBranch {
 void set_radii(VesselTree& tree, double root_radius_mm);
 
 // Distance to the tree's wall on a grid, for pieces of at least the given radius; `far_mm` where none is near.
-[[nodiscard]] Field tree_field(const VesselTree& tree, const imaging::Grid& grid, double least_radius_mm);
+[[nodiscard]] Field tree_field(const VesselTree& tree, const imaging::Grid& grid, double minimum_radius_mm);
 
 // The wall as a closed surface: what of the tree is at least that wide, on a grid of `spacing_mm`.
-[[nodiscard]] geometry::Surface tree_surface(const VesselTree& tree, double least_radius_mm, double spacing_mm);
+[[nodiscard]] geometry::Surface tree_surface(const VesselTree& tree, double minimum_radius_mm, double spacing_mm);
 
 }  // namespace glisson::anatomy

@@ -10,7 +10,7 @@
 namespace glisson {
 namespace {
 
-constexpr std::size_t most_columns = 256;
+constexpr std::size_t maximum_columns = 256;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 std::string_view trimmed(std::string_view cell) {
@@ -31,7 +31,7 @@ double number_in(std::string_view cell) {
 
 std::vector<std::string_view> cells_of(std::string_view line, char separator) {
   std::vector<std::string_view> cells;
-  while (cells.size() <= most_columns) {
+  while (cells.size() <= maximum_columns) {
     const std::size_t end = line.find(separator);
     cells.push_back(line.substr(0, end));
     if (end == std::string_view::npos) break;
@@ -120,14 +120,14 @@ Result<CsvTable> parse_csv(std::string_view text, const std::filesystem::path& f
       }
       continue;
     }
-    if (cells.size() > most_columns) return refuse(file, "csv-too-wide", GLISSON_TEXT("{0} has too many columns."));
+    if (cells.size() > maximum_columns) return refuse(file, "csv-too-wide", GLISSON_TEXT("{0} has too many columns."));
     if (table.columns.empty()) {
       table.names = names_from(line_before, separator, cells.size());
       table.columns.resize(cells.size());
     }
     missing += table.columns.size() - std::min(table.columns.size(), cells.size());
-    constexpr std::size_t most_missing = 1'000'000;
-    if (missing > std::max(most_missing, table.rows() * table.columns.size() / 2)) {
+    constexpr std::size_t maximum_missing = 1'000'000;
+    if (missing > std::max(maximum_missing, table.rows() * table.columns.size() / 2)) {
       return refuse(file, "csv-ragged", GLISSON_TEXT("Most rows of {0} are far shorter than its first."));
     }
     for (std::size_t c = 0; c < table.columns.size(); ++c)

@@ -192,8 +192,8 @@ namespace {
 Result<Part> Part::begin(const fs::path& target) {
   constexpr std::size_t longest_name = 200;  // a system takes 255 bytes
   const std::string name = target.filename().string().substr(0, longest_name);
-  constexpr int most_writers = 100;  // of one target at one time
-  for (int number = 0; number < most_writers; ++number) {
+  constexpr int maximum_writers = 100;  // of one target at one time
+  for (int number = 0; number < maximum_writers; ++number) {
     const std::string count = number == 0 ? "" : std::to_string(number) + "-";
     fs::path path = target.parent_path() / (part_prefix + count + name);
     int descriptor = -1;

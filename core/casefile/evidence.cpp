@@ -23,9 +23,9 @@ Failure without_effect(const closedloop::LearntEffect& effect, const fs::path& m
 
 bool is_of_patient(const closedloop::Specimen& specimen, const std::string& case_name) {
   if (specimen.this_organ) return true;
-  constexpr std::size_t least_letters = 3;  // a shorter name stands in half of all titles
+  constexpr std::size_t minimum_letters = 3;  // a shorter name stands in half of all titles
   const std::string title = "-" + structure_name(specimen.title) + "-";
-  return case_name.size() >= least_letters && title.find("-" + structure_name(case_name) + "-") != std::string::npos;
+  return case_name.size() >= minimum_letters && title.find("-" + structure_name(case_name) + "-") != std::string::npos;
 }
 
 Result<Evidence> accept_evidence(Case& patient, const fs::path& model_file, const std::vector<std::string>& kinds,

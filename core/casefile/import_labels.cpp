@@ -169,12 +169,12 @@ Result<Read> read_map(const WantedLabels& wanted) {
 }
 
 Failure nothing_named(const std::vector<WantedLabels>& wanted, const std::vector<LabelledPart>& unnamed) {
-  constexpr std::size_t most = 12;
+  constexpr std::size_t maximum = 12;
   std::string values;
-  for (std::size_t k = 0; k < std::min(most, unnamed.size()); ++k) {
+  for (std::size_t k = 0; k < std::min(maximum, unnamed.size()); ++k) {
     values += (k == 0 ? "" : ", ") + value_and_volume(unnamed[k]);
   }
-  if (unnamed.size() > most) values += ", ...";
+  if (unnamed.size() > maximum) values += ", ...";
   return failure(Error{"labels-unnamed",
                        GLISSON_TEXT("Nothing says what the values of {0} are: {1}."),
                        {wanted.front().series->files.front().string(), values},

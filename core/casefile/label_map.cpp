@@ -79,7 +79,7 @@ bool is_label_map(const imaging::Series& series) {
 }
 
 std::vector<std::size_t> label_maps_on(const imaging::Study& study, const imaging::Series& anatomy) {
-  constexpr double same = 0.98, least = 0.5;  // of the place that they share
+  constexpr double same = 0.98, minimum = 0.5;  // of the place that they share
   struct Candidate {
     std::size_t series;
     bool whole;  // both cover the same place
@@ -91,7 +91,7 @@ std::vector<std::size_t> label_maps_on(const imaging::Study& study, const imagin
     const imaging::Series& series = study.series[k];
     if (series.role != imaging::Role::segmentation || !is_label_map(series)) continue;
     const double shared = shared_place(series.grid, anatomy.grid);
-    if (shared < least) continue;
+    if (shared < minimum) continue;
     const double larger = std::max(series.grid.voxel_volume_mm3() * static_cast<double>(series.grid.voxels()),
                                    anatomy.grid.voxel_volume_mm3() * static_cast<double>(anatomy.grid.voxels()));
     const double smaller = std::min(series.grid.voxel_volume_mm3() * static_cast<double>(series.grid.voxels()),
@@ -249,12 +249,12 @@ void take_from_file(const imaging::LabelNames& names, ReadLabelMap& map) {
 void take_from_numbers(const std::map<int, Counted>& counted, ReadLabelMap& map) {
   constexpr std::array<std::string_view, 6> classes{"spleen",      "kidney-right", "kidney-left",
                                                     "gallbladder", "liver",        "stomach"};
-  constexpr std::size_t least_classes = 12;
+  constexpr std::size_t minimum_classes = 12;
   const auto right_of = [&](int right, int left) {
     return counted.contains(right) && counted.contains(left) &&
            counted.at(right).centre_mm().x() < counted.at(left).centre_mm().x();
   };
-  if (counted.size() < least_classes || !right_of(5, 1)) return;
+  if (counted.size() < minimum_classes || !right_of(5, 1)) return;
   if (counted.contains(2) && counted.contains(3) && !right_of(2, 3)) return;
   for (int value = 1; value <= static_cast<int>(classes.size()); ++value) {
     if (value != 5 && counted.contains(value) && counted.at(value).voxels >= counted.at(5).voxels) return;

@@ -83,12 +83,12 @@ void add(const Waves& waves, const LocalFitter& fitter, Sums& sums) {
     }
   }
   // Below rounding no noise is small enough to be believed.
-  const float least_noise = 1e-5F * strongest + 1e-12F;
+  const float minimum_noise = 1e-5F * strongest + 1e-12F;
   for (const ComplexField& u : waves.components) {
     const LocalFit fit = fitter.fit(u);
     for (std::size_t v = 0; v < voxels; ++v) {
       if (fitter.fitted().values[v] == 0) continue;
-      const double noise = static_cast<double>(std::max(waves.noise_rad[v], least_noise));
+      const double noise = static_cast<double>(std::max(waves.noise_rad[v], minimum_noise));
       const double variance = 2 * noise * noise;
       const LocalFitter::NoiseGain& gain = fitter.noise_gain()[v];
       const auto value = std::complex<double>(fit.value[v]);

@@ -27,7 +27,7 @@ VoxelModulus invert_direct(const std::vector<Prepared>& prepared, const Mask& re
 VoxelModulus invert_by_local_frequency(const std::vector<Prepared>& prepared, const Mask& region);
 void take_time_forwards(VoxelModulus& found, std::vector<Sentence>& notes);
 void fill_pictures(const Waves& waves, ModulusMap& map);
-Result<void> summarise(ModulusMap& map, double least_confidence);
+Result<void> summarise(ModulusMap& map, double minimum_confidence);
 
 }  // namespace
 
@@ -78,7 +78,7 @@ Result<ModulusMap> invert(const std::vector<WaveImages>& images, const std::opti
   }
   fill_pictures(prepared.front().waves, map);
   map.typical_wavelength_mm = prepared.front().wavelength_mm;
-  if (auto summarised = summarise(map, options.least_confidence); !summarised) return failure(summarised.error());
+  if (auto summarised = summarise(map, options.minimum_confidence); !summarised) return failure(summarised.error());
   progress.report(1.0, GLISSON_TEXT("Inverted"));
   return map;
 }
@@ -137,10 +137,10 @@ VoxelModulus invert_direct(const std::vector<Prepared>& prepared, const Mask& re
     waves.back().signal = region;
     const double voxel_mm = region.grid.spacing_mm.head<2>().maxCoeff();
     smoothing_mm.push_back(
-        std::max(options.smoothing_wavelengths * one.wavelength_mm, options.least_smoothing_voxels * voxel_mm));
+        std::max(options.smoothing_wavelengths * one.wavelength_mm, options.minimum_smoothing_voxels * voxel_mm));
   }
   const auto dimension =
-      region.grid.size[2] >= options.least_slices_of_a_volume ? FitDimension::volume : FitDimension::slice;
+      region.grid.size[2] >= options.minimum_slices_of_a_volume ? FitDimension::volume : FitDimension::slice;
   return invert_helmholtz(waves, smoothing_mm, dimension);
 }
 
@@ -214,14 +214,14 @@ void fill_pictures(const Waves& waves, ModulusMap& map) {
   for (float& amplitude : map.amplitude_rad.values) amplitude = std::sqrt(amplitude);
 }
 
-Result<void> summarise(ModulusMap& map, double least_confidence) {
+Result<void> summarise(ModulusMap& map, double minimum_confidence) {
   std::size_t region = 0;
   std::vector<double> magnitude;
   double storage = 0;
   double loss = 0;
   for (std::size_t v = 0; v < map.region.values.size(); ++v) {
     region += map.region.values[v] != 0 ? 1 : 0;
-    if (map.confidence.values[v] < static_cast<float>(least_confidence)) continue;
+    if (map.confidence.values[v] < static_cast<float>(minimum_confidence)) continue;
     magnitude.push_back(static_cast<double>(map.magnitude_kPa.values[v]));
     if (!map.storage_kPa) continue;
     storage += static_cast<double>(map.storage_kPa->values[v]);

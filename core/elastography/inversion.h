@@ -45,13 +45,13 @@ struct InversionOptions {
   // Standard deviation of the weights of the local fit in wavelengths, and never below that in voxels. Smaller follows
   // detail, larger suppresses noise; tests/elastography prints the trade.
   double smoothing_wavelengths = 0.10;
-  double least_smoothing_voxels = 0.8;
+  double minimum_smoothing_voxels = 0.8;
 
   // Derivatives along the normal of the slices need some slices; below this many each slice is inverted by itself,
   // which makes tissue look stiffer where waves cross the slice obliquely.
-  int least_slices_of_a_volume = 5;
+  int minimum_slices_of_a_volume = 5;
 
-  double least_confidence = 0.5;  // a voxel above it is confident
+  double minimum_confidence = 0.5;  // a voxel above it is confident
 };
 
 struct ModulusMap {

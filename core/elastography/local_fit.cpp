@@ -39,7 +39,7 @@ class MomentFilter {
   // Where moments() puts a moment.
   [[nodiscard]] std::size_t index(const Powers& powers, int order) const {
     std::size_t n = 0;
-    for (int c = 0; c <= most_in_z(order); ++c) {
+    for (int c = 0; c <= maximum_in_z(order); ++c) {
       for (int b = 0; b + c <= order; ++b) {
         for (int a = 0; a + b + c <= order; ++a, ++n) {
           if (Powers{a, b, c} == powers) return n;
@@ -51,7 +51,7 @@ class MomentFilter {
   }
 
  private:
-  [[nodiscard]] int most_in_z(int order) const { return dimension_ == FitDimension::slice ? 0 : order; }
+  [[nodiscard]] int maximum_in_z(int order) const { return dimension_ == FitDimension::slice ? 0 : order; }
   [[nodiscard]] std::vector<float> filtered(const std::vector<float>& field, std::size_t axis, int power) const;
 
   Grid grid_;
@@ -80,7 +80,7 @@ std::vector<std::vector<float>> MomentFilter::moments(const std::vector<float>& 
     }
   });
   std::vector<Wanted> wanted;
-  for (int c = 0; c <= most_in_z(order); ++c) {
+  for (int c = 0; c <= maximum_in_z(order); ++c) {
     for (std::size_t n = 0; n < planes.size(); ++n) {
       if (planes[n].first + planes[n].second + c <= order) {
         wanted.push_back({{planes[n].first, planes[n].second, c}, n});

@@ -20,9 +20,9 @@ int most_common(const std::vector<int>& values, const imaging::Mask& mask, std::
   for (std::size_t v = begin; v < end; ++v) {
     if (mask.values[v] != 0) ++count[values[v]];
   }
-  const auto most =
+  const auto maximum =
       std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  return most == count.end() ? 0 : most->first;
+  return maximum == count.end() ? 0 : maximum->first;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 using imaging::Grid;
 
-constexpr int least_slices_of_a_volume = 10;
+constexpr int minimum_slices_of_a_volume = 10;
 
 std::vector<Eigen::Vector3d> lobe_directions(bool in_volume) {
   std::vector<Eigen::Vector3d> directions;
@@ -39,7 +39,7 @@ std::vector<Eigen::Vector3d> lobe_directions(bool in_volume) {
 }  // namespace
 
 SpectrumBlock block_of(const Grid& grid) {
-  const bool in_volume = grid.size[2] >= least_slices_of_a_volume;
+  const bool in_volume = grid.size[2] >= minimum_slices_of_a_volume;
   SpectrumBlock block{grid.size, grid.size, in_volume ? 1 : grid.size[2]};
   if (!in_volume) block.size[2] = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {

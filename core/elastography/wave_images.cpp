@@ -10,8 +10,8 @@ namespace glisson::elastography {
 namespace {
 
 // Scans take 3 to 12 instants of a period, nearly always 4 or 8; 24 volumes are three directions.
-constexpr int most_instants_of_one_direction = 12;
-constexpr int least_instants = 4;
+constexpr int maximum_instants_of_one_direction = 12;
+constexpr int minimum_instants = 4;
 
 // Where a volume belongs.
 struct Place {
@@ -86,7 +86,7 @@ Result<std::vector<double>> frequencies_of(const std::vector<PhaseImage>& images
 Result<void> count_through(const std::vector<std::size_t>& series, int first_direction, const AskedFor& asked,
                            std::vector<Place>& places, std::vector<Sentence>& notes) {
   const int volumes = static_cast<int>(series.size());
-  if (!asked.directions && volumes > most_instants_of_one_direction) {
+  if (!asked.directions && volumes > maximum_instants_of_one_direction) {
     return failure(Error{"waves-no-directions",
                          GLISSON_TEXT("The headers do not say which of the {0} wave images belong to which direction."),
                          {std::to_string(volumes)},
@@ -135,25 +135,26 @@ Result<std::vector<Place>> places_of(const std::vector<PhaseImage>& images, cons
 }
 
 void scale_to_radians(std::vector<PhaseImage>& images, std::vector<Sentence>& notes) {
-  float least = std::numeric_limits<float>::max();
-  float most = std::numeric_limits<float>::lowest();
+  float minimum = std::numeric_limits<float>::max();
+  float maximum = std::numeric_limits<float>::lowest();
   for (const PhaseImage& image : images) {
     if (image.volume.unit == "rad" || !image.wrapped) return;
     for (const float value : image.volume.values) {
-      least = std::min(least, value);
-      most = std::max(most, value);
+      minimum = std::min(minimum, value);
+      maximum = std::max(maximum, value);
     }
   }
-  if (!(most > least)) return;
-  const double scale = 2 * std::numbers::pi / (static_cast<double>(most) - static_cast<double>(least));
+  if (!(maximum > minimum)) return;
+  const double scale = 2 * std::numbers::pi / (static_cast<double>(maximum) - static_cast<double>(minimum));
   for (PhaseImage& image : images) {
     for (float& value : image.volume.values) {
-      value = static_cast<float>((static_cast<double>(value) - static_cast<double>(least)) * scale - std::numbers::pi);
+      value =
+          static_cast<float>((static_cast<double>(value) - static_cast<double>(minimum)) * scale - std::numbers::pi);
     }
     image.volume.unit = "rad";
   }
   notes.push_back({GLISSON_TEXT("The phase images have no unit: their full range, {0} to {1}, was taken as one turn."),
-                   {fmt::format("{:g}", least), fmt::format("{:g}", most)}});
+                   {fmt::format("{:g}", minimum), fmt::format("{:g}", maximum)}});
 }
 
 Result<WaveImages> gather(std::vector<PhaseImage>& images, const std::vector<Place>& places, double frequency_Hz) {
@@ -173,11 +174,11 @@ Result<WaveImages> gather(std::vector<PhaseImage>& images, const std::vector<Pla
                      {fmt::format("{:g}", frequency_Hz), std::to_string(direction + 1), std::to_string(instants.size()),
                       std::to_string(by_direction.begin()->second.size())});
     }
-    if (static_cast<int>(instants.size()) < least_instants) {
+    if (static_cast<int>(instants.size()) < minimum_instants) {
       return failure("waves-too-few-offsets",
                      GLISSON_TEXT("Only {0} instants of the wave were measured; at least {1} are needed to tell the "
                                   "wave from noise."),
-                     {std::to_string(instants.size()), std::to_string(least_instants)});
+                     {std::to_string(instants.size()), std::to_string(minimum_instants)});
     }
     waves.phase_rad.emplace_back();
     for (const auto& [instant, v] : instants) {

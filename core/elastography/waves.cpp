@@ -28,10 +28,10 @@ Mask tissue_of(const WaveImages& images) {
   Mask tissue{images.grid, std::vector<std::uint8_t>(images.grid.voxels(), 1)};
   if (images.magnitude.empty()) return tissue;
   constexpr std::size_t bins = 256;
-  const float most = *std::max_element(images.magnitude.begin(), images.magnitude.end());
-  if (!(most > 0)) return tissue;
+  const float maximum = *std::max_element(images.magnitude.begin(), images.magnitude.end());
+  if (!(maximum > 0)) return tissue;
   const auto bin_of = [&](float value) {
-    return static_cast<std::size_t>(std::clamp(value / most, 0.0F, 1.0F) * static_cast<float>(bins - 1));
+    return static_cast<std::size_t>(std::clamp(value / maximum, 0.0F, 1.0F) * static_cast<float>(bins - 1));
   };
   std::vector<double> count(bins, 0);
   for (const float value : images.magnitude) count[bin_of(value)] += 1;

@@ -39,10 +39,10 @@ Result<CutSurface> CutSurface::plane(const Vector3d& point_mm, const Vector3d& n
 }
 
 Result<CutSurface> CutSurface::through(const std::vector<Vector3d>& points_mm) {
-  constexpr std::size_t most_points = 2000;  // the system is dense
-  if (points_mm.size() < 3 || points_mm.size() > most_points) {
+  constexpr std::size_t maximum_points = 2000;  // the system is dense
+  if (points_mm.size() < 3 || points_mm.size() > maximum_points) {
     return invalid(GLISSON_TEXT("A cutting sheet needs 3 to {0} points; there are {1}."),
-                   {std::to_string(most_points), std::to_string(points_mm.size())});
+                   {std::to_string(maximum_points), std::to_string(points_mm.size())});
   }
   Vector3d mean = Vector3d::Zero();
   for (const Vector3d& point : points_mm) {

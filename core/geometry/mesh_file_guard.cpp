@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 // Values a byte of file may stand for. zlib cannot do better than about 1030 to 1, and a value has at least one byte;
 // meshes compress 2 to 1, so that a hundred is generous and still keeps what a small file can ask for small.
-constexpr std::uint64_t most_values_a_byte = 100;
+constexpr std::uint64_t maximum_values_a_byte = 100;
 
 // Bytes of a binary file that may be scanned for header lines at once.
 constexpr std::size_t block_bytes = std::size_t{1} << 20;
@@ -47,7 +47,7 @@ Result<void> check_announced_counts(const fs::path& file) {
   }
   const std::string extension = file.extension().string();
   const bool is_xml = extension == ".vtp" || extension == ".vtu";
-  const std::uint64_t limit = is_xml ? most_values_a_byte * size : size;
+  const std::uint64_t limit = is_xml ? maximum_values_a_byte * size : size;
 
   std::uint64_t announced = 0;
   std::size_t line_number = 0;

@@ -302,14 +302,14 @@ Result<void> check_that_it_hangs_together(const TetMesh& mesh) {
   }
   const std::size_t parts = cells_of_part.size();
   if (parts == 1) return {};
-  constexpr std::size_t most_named = 5;
-  cells_of_part.resize(std::min(parts, most_named));
-  return failure(Error{
-      "mesh-in-parts",
-      GLISSON_TEXT("The mesh falls in {0} parts that share no face, of {1} tetrahedra."),
-      {std::to_string(parts), fmt::format("{}{}", fmt::join(cells_of_part, ", "), parts > most_named ? ", ..." : "")},
-      GLISSON_TEXT("Keep the largest part, or join them before meshing."),
-      {}});
+  constexpr std::size_t maximum_named = 5;
+  cells_of_part.resize(std::min(parts, maximum_named));
+  return failure(Error{"mesh-in-parts",
+                       GLISSON_TEXT("The mesh falls in {0} parts that share no face, of {1} tetrahedra."),
+                       {std::to_string(parts),
+                        fmt::format("{}{}", fmt::join(cells_of_part, ", "), parts > maximum_named ? ", ..." : "")},
+                       GLISSON_TEXT("Keep the largest part, or join them before meshing."),
+                       {}});
 }
 
 }  // namespace

@@ -182,12 +182,12 @@ Wrong Elements::head(std::string_view bytes, bool may_be_empty, std::uint64_t fi
   const std::uint64_t blocks = word(bytes, 0), block_bytes = word(bytes, 1), last_bytes = word(bytes, 2);
   if (!compressed_ || (blocks == 0 && may_be_empty)) return std::nullopt;
   if (blocks == 0) return GLISSON_TEXT("a compressed array has no blocks");
-  constexpr std::uint64_t most_bytes_a_byte = 1100;  // zlib cannot do better
-  const std::uint64_t most = most_bytes_a_byte * file_bytes;
+  constexpr std::uint64_t maximum_bytes_a_byte = 1100;  // zlib cannot do better
+  const std::uint64_t maximum = maximum_bytes_a_byte * file_bytes;
   if (block_bytes == 0) return GLISSON_TEXT("the blocks of a compressed array have no size");
   const std::string too_large = GLISSON_TEXT("a compressed array has more bytes than the file can hold");
-  if (blocks > file_bytes / word_bytes_ || block_bytes > std::max<std::uint64_t>(most, 1U << 20) ||
-      (blocks > 1 && block_bytes > most / (blocks - 1)) || last_bytes > block_bytes) {
+  if (blocks > file_bytes / word_bytes_ || block_bytes > std::max<std::uint64_t>(maximum, 1U << 20) ||
+      (blocks > 1 && block_bytes > maximum / (blocks - 1)) || last_bytes > block_bytes) {
     return too_large;
   }
   std::uint64_t compressed = 0;  // of the blocks whose sizes are among the bytes

@@ -38,10 +38,10 @@ constexpr double smallest_sd_mm = 0.25;
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-std::vector<Vector3d> thinned(std::vector<Vector3d> points, std::size_t most) {
+std::vector<Vector3d> thinned(std::vector<Vector3d> points, std::size_t maximum) {
   std::mt19937 random(0);
   std::shuffle(points.begin(), points.end(), random);
-  if (points.size() > most) points.resize(most);
+  if (points.size() > maximum) points.resize(maximum);
   return points;
 }
 
@@ -123,7 +123,7 @@ ElasticFit::ElasticFit(const ForceModes& modes, const SeenFrame& frame, const Is
       options_(options),
       guess_(from),
       pose_(from),
-      cloud_mm_(thinned(frame.points_mm, options.most_points)) {
+      cloud_mm_(thinned(frame.points_mm, options.maximum_points)) {
   for (const SeenCurve& curve : frame.curves) {
     curves_.push_back({mechanics::locate_points(modes.mesh(), curve.at_rest_mm), &curve});
   }

@@ -21,8 +21,8 @@ namespace glisson::guidance {
 struct RegistrationOptions {
   int rigid_rounds = 25;
   int elastic_rounds = 20;
-  std::size_t most_points = 1200;  // of the cloud; more are thinned at random
-  double guess_sd_mm = 12;         // of a pose that is given: shift and turn of the truth from it
+  std::size_t maximum_points = 1200;  // of the cloud; more are thinned at random
+  double guess_sd_mm = 12;            // of a pose that is given: shift and turn of the truth from it
   double guess_sd_deg = 8;
   double largest_rms_mm = 10;          // that forces may displace the surface by
   double independent_spacing_mm = 16;  // points of a cloud nearer than this repeat each other: the mesh errs alike

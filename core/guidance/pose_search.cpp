@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr int attempts = 400000;        // of triples; most are refused by their distances, in nanoseconds
-constexpr int most_poses = 4000;        // that are scored
+constexpr int maximum_poses = 4000;     // that are scored
 constexpr int refined = 12;             // of the best
 constexpr double far_mm = 20;           // beyond which a point counts as not explained
 constexpr double min_distance_mm = 25;  // of two points of a triple: nearer ones turn with the noise
@@ -27,10 +27,10 @@ struct Scored {
 };
 
 template <typename T>
-std::vector<T> thinned(const std::vector<T>& all, std::size_t most) {
-  if (all.size() <= most) return all;
+std::vector<T> thinned(const std::vector<T>& all, std::size_t maximum) {
+  if (all.size() <= maximum) return all;
   std::vector<T> some;
-  for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * all.size() / most]);
+  for (std::size_t i = 0; i < maximum; ++i) some.push_back(all[i * all.size() / maximum]);
   return some;
 }
 
@@ -114,7 +114,7 @@ std::vector<Scored> poses_of_triples(const Judge& judge, const SeenFrame& frame)
   std::mt19937 random(1);
   const auto any = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random); };
   std::vector<Scored> poses;
-  for (int attempt = 0; attempt < attempts && static_cast<int>(poses.size()) < most_poses; ++attempt) {
+  for (int attempt = 0; attempt < attempts && static_cast<int>(poses.size()) < maximum_poses; ++attempt) {
     std::vector<Vector3d> seen(3), at_rest(3);
     for (int k = 0; k < 3; ++k) {
       const CurvePoint& point = points[any(points.size())];

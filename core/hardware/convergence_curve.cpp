@@ -10,7 +10,7 @@
 namespace glisson::hardware {
 namespace {
 
-constexpr std::size_t most_points = 10000;
+constexpr std::size_t maximum_points = 10000;
 
 // The straight line through two points in log-log, at x between them.
 double interpolated(double x, double x0, double y0, double x1, double y1) {
@@ -23,9 +23,9 @@ Failure refuse(const std::filesystem::path& file, std::string text, std::vector<
 }
 
 Result<void> check_points(const ConvergenceCurve& curve, const std::filesystem::path& file) {
-  if (curve.points.size() < 2 || curve.points.size() > most_points) {
+  if (curve.points.size() < 2 || curve.points.size() > maximum_points) {
     return refuse(file, GLISSON_TEXT("A convergence curve has 2 to {0} points; this one has {1}."),
-                  {std::to_string(most_points), std::to_string(curve.points.size())});
+                  {std::to_string(maximum_points), std::to_string(curve.points.size())});
   }
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const auto& [resolution_mm3, error_mm] = curve.points[i];
@@ -62,7 +62,7 @@ Result<ConvergenceCurve> read_convergence_curve(const std::filesystem::path& fil
     curve.youngs_kPa = *youngs_kPa;
   }
   const auto points = document->find("points");
-  if (points == document->end() || !points->is_array() || points->size() > most_points)
+  if (points == document->end() || !points->is_array() || points->size() > maximum_points)
     return refuse(file, GLISSON_TEXT("{0} has no list of points."), {file.string()});
   for (const Json& point : *points) {
     if (const auto known = refuse_unknown_keys(point, {"resolution_mm3", "error_mm"}, "A point of the curve"); !known)

@@ -9,7 +9,7 @@
 namespace glisson::hardware {
 namespace {
 
-constexpr std::size_t most_measured_points = 10000;
+constexpr std::size_t maximum_measured_points = 10000;
 
 ProductCost roofline_cost(const KernelModel& kernel, const Workload& workload);
 ProductCost measured_cost(const KernelModel& kernel, const Workload& workload);
@@ -104,11 +104,11 @@ const std::vector<FigureSlot>& figure_slots() {
 Result<void> check(const Device& device) {
   for (const FigureSlot& slot : figure_slots()) {
     const double value = slot.of_const(device).value;
-    if (value >= slot.least && value <= slot.most) continue;
+    if (value >= slot.minimum && value <= slot.maximum) continue;
     return failure(Error{"device-invalid",
                          GLISSON_TEXT("Device {0} has {1} {2}; it must lie between {3} and {4}."),
-                         {device.id, slot.full_name(), fmt::format("{:g}", value), fmt::format("{:g}", slot.least),
-                          fmt::format("{:g}", slot.most)},
+                         {device.id, slot.full_name(), fmt::format("{:g}", value), fmt::format("{:g}", slot.minimum),
+                          fmt::format("{:g}", slot.maximum)},
                          GLISSON_TEXT("Correct that figure in the device's file."),
                          {}});
   }
@@ -159,7 +159,7 @@ ProductCost measured_cost(const KernelModel& kernel, const Workload& workload) {
 
 Result<void> check_measured(const Device& device) {
   const auto& points = device.kernel.measured;
-  bool sound = points.size() <= most_measured_points;
+  bool sound = points.size() <= maximum_measured_points;
   for (std::size_t i = 0; i < points.size() && sound; ++i) {
     const MeasuredProduct& point = points[i];
     const double joules = point.joules.value_or(1);
@@ -170,7 +170,7 @@ Result<void> check_measured(const Device& device) {
   return failure(Error{"device-invalid",
                        GLISSON_TEXT("Device {0} has measured points that are not positive, not by increasing nodes, or "
                                     "more than {1}."),
-                       {device.id, std::to_string(most_measured_points)},
+                       {device.id, std::to_string(maximum_measured_points)},
                        {},
                        {}});
 }

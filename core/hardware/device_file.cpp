@@ -11,8 +11,8 @@ namespace glisson::hardware {
 namespace {
 
 constexpr const char* format = "glisson-devices/1";
-constexpr std::size_t most_devices = 1000;
-constexpr std::size_t most_points = 10000;
+constexpr std::size_t maximum_devices = 1000;
+constexpr std::size_t maximum_points = 10000;
 
 Result<Device> read_device(const Json& object, std::size_t index, const FigureReader& reader);
 Result<void> read_figures(const Json& object, const std::string& where, const FigureReader& reader, Device& device);
@@ -30,10 +30,10 @@ Result<std::vector<Device>> read_devices(const std::filesystem::path& file) {
   const auto reader = FigureReader::open(*document, format, file);
   if (!reader) return failure(reader.error());
   const auto list = document->find("devices");
-  if (list == document->end() || !list->is_array() || list->empty() || list->size() > most_devices) {
+  if (list == document->end() || !list->is_array() || list->empty() || list->size() > maximum_devices) {
     return failure(Error{"devices-missing",
                          GLISSON_TEXT("{0} has no list \"devices\" of 1 to {1} devices."),
-                         {file.string(), std::to_string(most_devices)},
+                         {file.string(), std::to_string(maximum_devices)},
                          {},
                          file});
   }
@@ -118,7 +118,7 @@ Result<void> read_figures(const Json& object, const std::string& where, const Fi
       slot.of(device) = {*slot.ideal, Source::assumed, "not stated: taken as ideal"};
       continue;
     }
-    auto figure = reader.figure(holder, slot.name, {slot.least, slot.most}, where);
+    auto figure = reader.figure(holder, slot.name, {slot.minimum, slot.maximum}, where);
     if (!figure) return failure(figure.error());
     slot.of(device) = std::move(*figure);
   }
@@ -135,7 +135,7 @@ Result<void> read_measured(const Json& kernel, const std::string& where, const F
   if (!domain) return failure(domain.error());
   device.kernel.measured_nodes_in_domain = static_cast<int>(*domain);
   const auto points = measured->find("points");
-  if (points == measured->end() || !points->is_array() || points->size() > most_points)
+  if (points == measured->end() || !points->is_array() || points->size() > maximum_points)
     return reader.missing("points", here);
   for (const Json& point : *points) {
     if (const auto known = refuse_unknown_keys(point, {"nodes", "seconds", "joules"}, here); !known)

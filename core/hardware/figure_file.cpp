@@ -47,13 +47,13 @@ Result<double> FigureReader::number(const Json& object, const char* key, Limits 
   const auto found = object.find(key);
   if (found == object.end() || !found->is_number()) return missing(key, where);
   const double value = found->get<double>();
-  if (value >= limits.least && value <= limits.most) return value;
-  return failure(Error{
-      "figure-out-of-range",
-      GLISSON_TEXT("{0} has \"{1}\" {2}; it must lie between {3} and {4}."),
-      {where, key, fmt::format("{:g}", value), fmt::format("{:g}", limits.least), fmt::format("{:g}", limits.most)},
-      {},
-      file_});
+  if (value >= limits.minimum && value <= limits.maximum) return value;
+  return failure(Error{"figure-out-of-range",
+                       GLISSON_TEXT("{0} has \"{1}\" {2}; it must lie between {3} and {4}."),
+                       {where, key, fmt::format("{:g}", value), fmt::format("{:g}", limits.minimum),
+                        fmt::format("{:g}", limits.maximum)},
+                       {},
+                       file_});
 }
 
 Result<std::string> FigureReader::text(const Json& object, const char* key, const std::string& where) const {

@@ -105,7 +105,7 @@ std::vector<ContourSegment> contour(const GridSurface& surface, double level) {
   return segments;
 }
 
-std::vector<HotSpot> hot_spots(const GridSurface& surface, double least_rise) {
+std::vector<HotSpot> hot_spots(const GridSurface& surface, double minimum_rise) {
   const auto volumes = static_cast<long>(surface.grid.volumes_cm3.size());
   const auto resolutions = static_cast<long>(surface.grid.resolutions_mm3.size());
   std::vector<HotSpot> spots;
@@ -123,7 +123,7 @@ std::vector<HotSpot> hot_spots(const GridSurface& surface, double least_rise) {
               std::max(highest_beside, surface.at(static_cast<std::size_t>(v + dv), static_cast<std::size_t>(r + dr)));
         }
       }
-      if (value - highest_beside > least_rise) {
+      if (value - highest_beside > minimum_rise) {
         spots.push_back({static_cast<std::size_t>(v), static_cast<std::size_t>(r), value, value - highest_beside});
       }
     }

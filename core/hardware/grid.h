@@ -59,6 +59,6 @@ struct HotSpot {
   double value = 0;
   double rise = 0;  // above its highest neighbour
 };
-[[nodiscard]] std::vector<HotSpot> hot_spots(const GridSurface& surface, double least_rise);
+[[nodiscard]] std::vector<HotSpot> hot_spots(const GridSurface& surface, double minimum_rise);
 
 }  // namespace glisson::hardware

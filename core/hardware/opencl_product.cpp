@@ -82,16 +82,16 @@ std::string text_of(cl_device_id device) {
 }
 
 std::vector<FoundDevice> found_devices() {
-  constexpr cl_uint most = 64;
-  cl_platform_id platforms[most];
+  constexpr cl_uint maximum = 64;
+  cl_platform_id platforms[maximum];
   cl_uint platform_count = 0;
   std::vector<FoundDevice> found;
-  if (clGetPlatformIDs(most, platforms, &platform_count) != CL_SUCCESS) return found;
-  for (cl_uint p = 0; p < std::min(platform_count, most); ++p) {
-    cl_device_id devices[most];
+  if (clGetPlatformIDs(maximum, platforms, &platform_count) != CL_SUCCESS) return found;
+  for (cl_uint p = 0; p < std::min(platform_count, maximum); ++p) {
+    cl_device_id devices[maximum];
     cl_uint device_count = 0;
-    if (clGetDeviceIDs(platforms[p], CL_DEVICE_TYPE_ALL, most, devices, &device_count) != CL_SUCCESS) continue;
-    for (cl_uint d = 0; d < std::min(device_count, most); ++d)
+    if (clGetDeviceIDs(platforms[p], CL_DEVICE_TYPE_ALL, maximum, devices, &device_count) != CL_SUCCESS) continue;
+    for (cl_uint d = 0; d < std::min(device_count, maximum); ++d)
       found.push_back({devices[d], text_of(platforms[p]) + ": " + text_of(devices[d])});
   }
   return found;

@@ -77,16 +77,16 @@ PlatformAnswer answer_for(const Device& device, const Workload& workload, const 
 }
 
 Result<void> check(const PlanRequest& request) {
-  const auto refuse = [](const char* what, double value, double least, double most) {
+  const auto refuse = [](const char* what, double value, double minimum, double maximum) {
     return failure(Error{"request-invalid",
                          GLISSON_TEXT("{0} of {1} is not between {2} and {3}."),
-                         {what, fmt::format("{:g}", value), fmt::format("{:g}", least), fmt::format("{:g}", most)},
+                         {what, fmt::format("{:g}", value), fmt::format("{:g}", minimum), fmt::format("{:g}", maximum)},
                          GLISSON_TEXT("Correct the question."),
                          {}});
   };
   struct Bound {
     const char* what;
-    double value, least, most;
+    double value, minimum, maximum;
   };
   const Bound bounds[] = {
       {"A frame rate (1/s)", request.frames_per_s, 0.1, 240},
@@ -97,8 +97,8 @@ Result<void> check(const PlanRequest& request) {
   };
   // Written so that NaN is refused as well.
   for (const Bound& bound : bounds) {
-    if (!(bound.value >= bound.least && bound.value <= bound.most))
-      return refuse(bound.what, bound.value, bound.least, bound.most);
+    if (!(bound.value >= bound.minimum && bound.value <= bound.maximum))
+      return refuse(bound.what, bound.value, bound.minimum, bound.maximum);
   }
   if (request.limit_C <= request.ambient_C) {
     return failure(Error{"request-invalid",
@@ -216,9 +216,9 @@ std::optional<double> larger_battery_Wh(const Device& device, const PlatformAnsw
     const auto drained = drain(larger, load_W, request.ambient_C);
     return drained && drained->hours >= request.duration_h;
   };
-  const double most_Wh = 10 * load_W * request.duration_h;  // worse than that, a larger battery is not the cure
-  if (!holds(most_Wh)) return {};
-  return last_that_holds(most_Wh, given.energy_Wh(), holds);
+  const double maximum_Wh = 10 * load_W * request.duration_h;  // worse than that, a larger battery is not the cure
+  if (!holds(maximum_Wh)) return {};
+  return last_that_holds(maximum_Wh, given.energy_Wh(), holds);
 }
 
 // Warming is in proportion to the resistance. A device that no longer throttles may empty its battery: then none.

@@ -18,7 +18,7 @@ namespace {
 
 using Images = std::vector<DicomImage>;
 
-constexpr std::size_t most_problems_of_a_kind = 5;
+constexpr std::size_t maximum_problems_of_a_kind = 5;
 
 std::vector<std::string> leave_out_copies(Images& images);
 Series assemble_stack(const Images& images, const Stack& stack);
@@ -186,7 +186,7 @@ void find_role_and_unit(const Images& images, const Stack& stack, Series& series
 
 void append(std::vector<std::string>& problems, std::vector<std::string> more) {
   for (std::size_t i = 0; i < more.size(); ++i) {
-    if (i == most_problems_of_a_kind) {
+    if (i == maximum_problems_of_a_kind) {
       problems.push_back(fmt::format("And {} more of this kind.", more.size() - i));
       return;
     }

@@ -23,9 +23,9 @@ constexpr std::uint32_t sequence_end_tag = 0xFFFEE0DDu;
 // Real headers nest up to eight deep (structured reports), enhanced images with 10,000 frames have some 20 MiB and a
 // million elements.
 constexpr std::size_t deepest_nesting = 32;
-constexpr std::uint64_t most_header_bytes = std::uint64_t{64} << 20;
-constexpr std::uint64_t most_elements = 2'000'000;
-constexpr std::uint64_t most_value_bytes_kept = std::uint64_t{1} << 20;
+constexpr std::uint64_t maximum_header_bytes = std::uint64_t{64} << 20;
+constexpr std::uint64_t maximum_elements = 2'000'000;
+constexpr std::uint64_t maximum_value_bytes_kept = std::uint64_t{1} << 20;
 
 struct Element {
   std::uint32_t tag = 0;
@@ -197,7 +197,7 @@ Result<void> Walk::walk_data_set() {
   while (true) {
     leave_finished_enclosures();
     if (open_.empty() && at_ == bytes_.end()) return {};
-    if (++elements_ > most_elements || at_ - data_set_begin_ > most_header_bytes) {
+    if (++elements_ > maximum_elements || at_ - data_set_begin_ > maximum_header_bytes) {
       return error("dicom-header-too-large", GLISSON_TEXT("The header of {0} is too large to be that of an image."));
     }
     if (!open_.empty() && open_.back().is_sequence) {
@@ -253,7 +253,7 @@ Result<void> Walk::step_into(const Element& element, bool outermost) {
     at_ = value;
     return push({true, false, value + element.length, explicit_vr, little_endian});
   }
-  if (outermost && element.length > most_value_bytes_kept) {
+  if (outermost && element.length > maximum_value_bytes_kept) {
     bytes_.leave_out(at_, value + element.length);
   } else {
     at_ = value + element.length;
@@ -332,12 +332,12 @@ Result<void> Walk::locate_fragments() {
     }
     at_ += 8;
     if (length > bytes_.end() - at_) break;
-    if (++elements_ > most_elements) {
+    if (++elements_ > maximum_elements) {
       return error("dicom-header-too-large", GLISSON_TEXT("The pixels of {0} are in too many pieces."));
     }
     if (table_seen) {
       found_.pixels->fragments.push_back({bytes_.offset(at_), length});
-    } else if (length <= most_header_bytes) {
+    } else if (length <= maximum_header_bytes) {
       for (std::uint64_t i = 0; i + 4 <= length; i += 4) {
         const std::uint8_t* entry = bytes_.view_far(at_ + i, 4);
         if (entry == nullptr) break;

@@ -257,13 +257,14 @@ bool holds_only_numbers(DcmElement& element) {
   const DcmTagKey key = element.getTag().getXTag();
   const DcmEVR kind = element.ident();
   const DcmDictEntry* entry = dcmDataDict.rdlock().findEntry(key, nullptr);
-  const int most = entry == nullptr ? 0 : entry->getVMMax();
+  const int maximum = entry == nullptr ? 0 : entry->getVMMax();
   dcmDataDict.rdunlock();
   const unsigned long count = element.getVM();
-  if (most != DcmVariableVM && count > static_cast<unsigned long>(most)) return false;
+  if (maximum != DcmVariableVM && count > static_cast<unsigned long>(maximum)) return false;
   if (kind != EVR_DS && kind != EVR_IS) {
     // As many as somebody likes: a place for a text.
-    return most != DcmVariableVM || count <= 1 || key == DCM_DimensionIndexValues || key == DCM_FrameIncrementPointer;
+    return maximum != DcmVariableVM || count <= 1 || key == DCM_DimensionIndexValues ||
+           key == DCM_FrameIncrementPointer;
   }
   OFString all;
   if (element.getOFStringArray(all).bad()) return false;

@@ -22,12 +22,12 @@ struct SafePrivate {
   std::optional<Uint16> siemens_tiles;
 };
 
-std::optional<Uint16> small_number(DcmItem& item, unsigned group, const char* creator, unsigned element, int most) {
+std::optional<Uint16> small_number(DcmItem& item, unsigned group, const char* creator, unsigned element, int maximum) {
   const auto key = private_key(item, group, creator, element);
   if (!key || !item.tagExists(*key)) return std::nullopt;
   const std::string bytes = private_bytes(item, *key);
   const int number = whole_number_of(item, *key, bytes.size() == 2 ? static_cast<unsigned char>(bytes[0]) : -1);
-  if (number < 0 || number > most) return std::nullopt;
+  if (number < 0 || number > maximum) return std::nullopt;
   return static_cast<Uint16>(number);
 }
 

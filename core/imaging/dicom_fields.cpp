@@ -63,7 +63,7 @@ std::optional<double> as_number(const std::string& written) {
 }
 
 // More values than any attribute that is read here has.
-constexpr unsigned long most_values = 64;
+constexpr unsigned long maximum_values = 64;
 
 }  // namespace
 
@@ -97,7 +97,7 @@ std::vector<std::string> texts_of(DcmItem& item, const DcmTagKey& key) {
   DcmElement* element = nullptr;
   std::vector<std::string> texts;
   if (item.findAndGetElement(key, element).bad() || element == nullptr) return texts;
-  const unsigned long count = std::min(element->getVM(), most_values);
+  const unsigned long count = std::min(element->getVM(), maximum_values);
   for (unsigned long i = 0; i < count; ++i) {
     OFString text;
     if (element->getOFString(text, i).bad()) break;

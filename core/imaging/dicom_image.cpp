@@ -13,9 +13,9 @@ namespace glisson::imaging {
 namespace {
 
 // More frames than any file is known to have.
-constexpr int most_frames = 200'000;
+constexpr int maximum_frames = 200'000;
 // A side of a picture that a decoder is asked to fill; detectors for radiography reach some 5000.
-constexpr std::uint64_t most_bits_of_compressed_frame = std::uint64_t{8192} * 8192 * 32;
+constexpr std::uint64_t maximum_bits_of_compressed_frame = std::uint64_t{8192} * 8192 * 32;
 
 void read_identity(DcmItem& data_set, DicomImage& image) {
   image.sop_class_uid = text_of(data_set, DCM_SOPClassUID);
@@ -73,7 +73,8 @@ Result<void> read_format(DcmItem& data_set, DicomImage& image) {
   if (image.pixels.element == 0x0009) format.bits_allocated = format.bits_stored = 64;
 
   const bool sizes_fit = format.columns >= 1 && format.columns <= 65535 && format.rows >= 1 && format.rows <= 65535 &&
-                         format.samples >= 1 && format.samples <= 4 && image.frames >= 1 && image.frames <= most_frames;
+                         format.samples >= 1 && format.samples <= 4 && image.frames >= 1 &&
+                         image.frames <= maximum_frames;
   if (!sizes_fit) {
     return unfit(image, "dicom-size", GLISSON_TEXT("{0} declares an impossible size: {1} x {2} pixels in {3} frames."),
                  {std::to_string(format.columns), std::to_string(format.rows), std::to_string(image.frames)});
@@ -101,7 +102,7 @@ Result<void> read_format(DcmItem& data_set, DicomImage& image) {
 Result<void> compare_with_pixels(const DicomImage& image) {
   const std::uint64_t frames = static_cast<std::uint64_t>(image.frames);
   if (image.syntax.encapsulated) {
-    if (image.format.frame_bits() > most_bits_of_compressed_frame) {
+    if (image.format.frame_bits() > maximum_bits_of_compressed_frame) {
       return unfit(image, "dicom-size", GLISSON_TEXT("{0} declares compressed pictures too large to be true."));
     }
     if (image.pixels.fragments.size() < frames) {

@@ -63,9 +63,9 @@ Result<std::vector<SegmentedMask>> read_dicom_seg(const fs::path& file) {
   std::map<int, std::size_t> index_of_number;
   std::vector<SegmentedMask> segments;
   for (SegmentInfo& info : segments_of(*data_set, index_of_number)) segments.push_back({std::move(info), {}});
-  constexpr double most_bytes = 4294967296.0;
+  constexpr double maximum_bytes = 4294967296.0;
   const auto voxels = static_cast<double>(layout->grid.voxels());
-  if (segments.empty() || voxels * static_cast<double>(segments.size()) > most_bytes) {
+  if (segments.empty() || voxels * static_cast<double>(segments.size()) > maximum_bytes) {
     return refused("dicom-seg-too-large",
                    GLISSON_TEXT("The segmentation {0} names no segment, or too many for its size: {1}."), file,
                    std::to_string(segments.size()));
@@ -207,9 +207,9 @@ Result<void> place_planes(Layout& layout, double declared_spacing_mm, const fs::
   for (const double candidate : {declared_spacing_mm, smallest_step_mm}) {
     if (spacing_mm == 0 && fits(candidate)) spacing_mm = candidate;
   }
-  constexpr double most_planes = 16384;
+  constexpr double maximum_planes = 16384;
   if (sorted.back() <= same_place_mm && spacing_mm == 0) spacing_mm = 1;  // a single plane of unknown thickness
-  if (spacing_mm == 0 || sorted.back() / spacing_mm > most_planes) {
+  if (spacing_mm == 0 || sorted.back() / spacing_mm > maximum_planes) {
     return refused("dicom-seg-bad-geometry", GLISSON_TEXT("The frames of the segmentation {0} are not evenly spaced."),
                    file);
   }

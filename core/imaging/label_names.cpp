@@ -20,7 +20,7 @@ namespace {
 
 using Names = std::map<int, std::string>;
 
-constexpr std::size_t most_header_bytes = std::size_t{1} << 20;
+constexpr std::size_t maximum_header_bytes = std::size_t{1} << 20;
 
 Names slicer_segments(const fs::path& file);
 Names nifti_table(const fs::path& file);
@@ -83,7 +83,7 @@ std::optional<int> label_value(const std::string& text) {
 // The header of an NRRD ends with an empty line; "key:=value" stands on lines of their own.
 Names slicer_segments(const fs::path& file) {
   std::map<std::string, std::string> name_of, value_of;  // by the segment's number
-  std::istringstream header(unpacked_beginning(file, most_header_bytes));
+  std::istringstream header(unpacked_beginning(file, maximum_header_bytes));
   for (std::string line; std::getline(header, line);) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.empty()) break;
@@ -112,7 +112,7 @@ Names nifti_table(const fs::path& file) {
   std::memcpy(&size, header.data(), sizeof size);
   std::memcpy(&voxels_at, header.data() + offset_at, sizeof voxels_at);
   if (size != 348 || !(voxels_at > header_bytes)) return {};  // the bytes of another machine name nothing
-  const auto bytes = static_cast<std::size_t>(std::min(voxels_at, static_cast<float>(most_header_bytes)));
+  const auto bytes = static_cast<std::size_t>(std::min(voxels_at, static_cast<float>(maximum_header_bytes)));
   const std::string extension = unpacked_beginning(file, bytes).substr(header_bytes);
 
   Names names;
@@ -129,7 +129,7 @@ Names nifti_table(const fs::path& file) {
 
 // One of the map's own name, else the only one of the folder.
 Names described_beside(const fs::path& file) {
-  constexpr std::uint64_t most_bytes = std::uint64_t{1} << 18;
+  constexpr std::uint64_t maximum_bytes = std::uint64_t{1} << 18;
   const std::string own = file.filename().string().substr(0, file.filename().string().find('.'));
   std::vector<Names> found;
   std::error_code problem;
@@ -137,8 +137,8 @@ Names described_beside(const fs::path& file) {
     const std::string type = entry.path().extension().string();
     std::error_code ignored;
     if ((type != ".txt" && type != ".label") || !entry.is_regular_file(ignored)) continue;
-    if (entry.file_size(ignored) > most_bytes) continue;
-    const auto text = read_text_file(entry.path(), most_bytes);
+    if (entry.file_size(ignored) > maximum_bytes) continue;
+    const auto text = read_text_file(entry.path(), maximum_bytes);
     auto names = text ? label_descriptions(*text) : std::nullopt;
     if (!names) continue;
     if (entry.path().stem() == own) return *std::move(names);

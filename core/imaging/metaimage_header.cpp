@@ -9,7 +9,7 @@ namespace glisson::imaging {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t most_header_bytes = 1 << 20;
+constexpr std::size_t maximum_header_bytes = 1 << 20;
 
 // MetaIO's LONG has four bytes wherever it was written.
 constexpr std::array<std::pair<std::string_view, VoxelType>, 14> types{{{"MET_UCHAR", VoxelType::uint8},
@@ -111,7 +111,7 @@ Result<FoundHeader> read_metaimage_header(const fs::path& file) {
   const auto not_of_that_format = [&] {
     return volume_file_unreadable(file, GLISSON_TEXT("its header is not of that format"));
   };
-  auto lines = lines_of(beginning_of(file, most_header_bytes));
+  auto lines = lines_of(beginning_of(file, maximum_header_bytes));
   if (!lines) return not_of_that_format();
   const Fields fields(lines->values);
   bool good = true;

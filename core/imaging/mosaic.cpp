@@ -13,7 +13,7 @@
 namespace glisson::imaging {
 namespace {
 
-constexpr int most_tiles = 4096;
+constexpr int maximum_tiles = 4096;
 
 // Reads little-endian numbers from a text, and says nothing rather than reading behind its end.
 class Cursor {
@@ -71,7 +71,7 @@ std::optional<MosaicFacts> counted_tiles(DcmItem& data_set) {
   if (!count) return std::nullopt;
   MosaicFacts facts;
   facts.tiles = whole_number_of(data_set, *count, 0);
-  if (facts.tiles < 1 || facts.tiles > most_tiles) return std::nullopt;
+  if (facts.tiles < 1 || facts.tiles > maximum_tiles) return std::nullopt;
   return facts;
 }
 
@@ -100,7 +100,7 @@ std::optional<MosaicFacts> mosaic_facts_in_csa_header(std::string_view csa_heade
     const auto values = take_csa_values(cursor, *items);
     if (!values) break;
     if (up_to_zero(*name) == "NumberOfImagesInMosaic" && !values->empty() && values->front() >= 1 &&
-        values->front() <= most_tiles) {
+        values->front() <= maximum_tiles) {
       facts.tiles = static_cast<int>(values->front());
     }
     if (up_to_zero(*name) == "SliceNormalVector" && values->size() == 3) {

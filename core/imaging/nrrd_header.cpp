@@ -9,7 +9,7 @@ namespace glisson::imaging {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t most_header_bytes = 1 << 20;
+constexpr std::size_t maximum_header_bytes = 1 << 20;
 
 struct Lines {
   std::map<std::string, std::string> fields;  // names in lower case without blanks ("spaceorigin")
@@ -191,13 +191,13 @@ class Reader {
   // Without directions: spacings, and the least position along each axis, of a voxel's edge unless it says "node".
   bool place_by_spacings() {
     Grid& grid = found_.header.grid;
-    const auto spacings = numbers_in(field("spacings")), least = numbers_in(field("axismins"));
-    if (!spacings || !least) return false;
+    const auto spacings = numbers_in(field("spacings")), minimum = numbers_in(field("axismins"));
+    if (!spacings || !minimum) return false;
     const std::vector<std::string> centers = words_in(field(field("centers").empty() ? "centerings" : "centers"));
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       const std::size_t from = axes_[static_cast<std::size_t>(axis)];
       const double spacing = from < spacings->size() ? (*spacings)[from] : 1;
-      const double begin = from < least->size() ? (*least)[from] : std::nan("");
+      const double begin = from < minimum->size() ? (*minimum)[from] : std::nan("");
       const bool at_node = from < centers.size() && centers[from] == "node";
       grid.spacing_mm[axis] = std::isnan(spacing) ? 1 : spacing;
       if (!std::isnan(begin)) grid.origin_mm[axis] = begin + (at_node ? 0 : 0.5 * grid.spacing_mm[axis]);
@@ -236,7 +236,7 @@ class Reader {
     const auto bytes = whole_number_in(field("byteskip").empty() ? "0" : field("byteskip"));
     if (!lines || !bytes || *lines < 0 || *lines > 1'000'000 || *bytes < -1) return false;
     if (*lines > 0) {
-      const std::string text = beginning_of(header.data, header.begin + most_header_bytes);
+      const std::string text = beginning_of(header.data, header.begin + maximum_header_bytes);
       for (std::int64_t n = 0; n < *lines; ++n) {
         const std::size_t end = text.find('\n', header.begin);
         if (end == std::string::npos) return false;
@@ -261,7 +261,7 @@ class Reader {
 }  // namespace
 
 Result<FoundHeader> read_nrrd_header(const fs::path& file) {
-  auto lines = lines_of(beginning_of(file, most_header_bytes));
+  auto lines = lines_of(beginning_of(file, maximum_header_bytes));
   if (!lines) return volume_file_unreadable(file, GLISSON_TEXT("its header is not of that format"));
   return Reader(file, std::move(*lines)).run();
 }

@@ -16,9 +16,9 @@ using Images = std::vector<DicomImage>;
 using Slices = std::vector<PictureRef>;
 
 // Under gantry tilt slices slide sideways by tan(tilt) of the way up; below 0.005 (0.3 degrees) it is rounding.
-constexpr double least_slide = 0.005;
-constexpr double least_tilt_deg = 0.1;
-constexpr std::size_t most_gaps_named = 5;
+constexpr double minimum_slide = 0.005;
+constexpr double minimum_tilt_deg = 0.1;
+constexpr std::size_t maximum_gaps_named = 5;
 
 Grid grid_of_one_slice(const Picture& picture);
 void name_gaps(const Images& images, const Slices& slices, const EvenSlices& even, PlacedSlices& placed);
@@ -86,14 +86,14 @@ std::string gap_sentence(const std::string& before, const std::string& after, co
 }
 
 void name_gaps(const Images& images, const Slices& slices, const EvenSlices& even, PlacedSlices& placed) {
-  for (std::size_t n = 0; n < std::min(even.gaps.size(), most_gaps_named); ++n) {
+  for (std::size_t n = 0; n < std::min(even.gaps.size(), maximum_gaps_named); ++n) {
     const SliceGap& gap = even.gaps[n];
     placed.problems.push_back(gap_sentence(name_of(images, slices[gap.before]), name_of(images, slices[gap.before + 1]),
                                            gap, even.usual_gap_mm));
   }
-  if (even.gaps.size() > most_gaps_named) {
+  if (even.gaps.size() > maximum_gaps_named) {
     placed.problems.push_back(fmt::format("{} more gaps are not as wide as the usual {:.4g} mm.",
-                                          even.gaps.size() - most_gaps_named, even.usual_gap_mm));
+                                          even.gaps.size() - maximum_gaps_named, even.usual_gap_mm));
   }
 }
 
@@ -103,7 +103,7 @@ Eigen::Vector3d slide_per_mm(const Images& images, const Slices& slices, const E
       picture_of(images, slices.back()).position_mm - picture_of(images, slices.front()).position_mm;
   const double up_mm = way.dot(normal);
   const Eigen::Vector3d slide = (way - up_mm * normal) / up_mm;
-  return slide.norm() < least_slide ? Eigen::Vector3d::Zero() : slide;
+  return slide.norm() < minimum_slide ? Eigen::Vector3d::Zero() : slide;
 }
 
 // The third axis follows the slices, so that every voxel keeps its place and nothing is resampled.
@@ -111,7 +111,7 @@ void lean(const DicomImage& image, const Eigen::Vector3d& slide, PlacedSlices& p
   const Eigen::Vector3d upwards = placed.grid.direction.col(2) + slide;
   placed.grid.direction.col(2) = upwards.normalized();
   placed.grid.spacing_mm[2] *= upwards.norm();
-  const std::string in_header = std::abs(image.gantry_tilt_deg) > least_tilt_deg
+  const std::string in_header = std::abs(image.gantry_tilt_deg) > minimum_tilt_deg
                                     ? fmt::format(" (the header gives {:.1f})", image.gantry_tilt_deg)
                                     : "";
   placed.problems.push_back(fmt::format(

@@ -18,7 +18,7 @@ constexpr double spacing_tolerance = 1e-3;
 
 // Radial and rotating acquisitions have some 200 orientations. Every picture is compared with every kind, so that more
 // would let one file keep the scan busy for hours.
-constexpr std::size_t most_kinds = 512;
+constexpr std::size_t maximum_kinds = 512;
 
 bool same_kind(const std::vector<DicomImage>& images, const PictureRef& a, const PictureRef& b);
 std::string kind_of(const Picture& picture);
@@ -38,7 +38,7 @@ Stacks part_into_stacks(const std::vector<DicomImage>& images) {
       });
       if (found != alike.end()) {
         found->pictures.push_back(ref);
-      } else if (alike.size() < most_kinds) {
+      } else if (alike.size() < maximum_kinds) {
         alike.push_back({{ref}, kind_of(images[i].pictures[p])});
       } else {
         ++parted.pictures_left_out;

@@ -115,10 +115,10 @@ Result<void> check_sizes(const FoundHeader& found, const fs::path& file) {
   const auto bytes = fs::file_size(found.header.data, ignored);
   const bool could_be =
       voxels * static_cast<double>(bytes_of(found.header.type)) <= 1032.0 * static_cast<double>(bytes);
-  if (voxels <= static_cast<double>(most_voxels) || ignored || !could_be) return {};
+  if (voxels <= static_cast<double>(maximum_voxels) || ignored || !could_be) return {};
   return failure(Error{"volume-file-too-large",
                        GLISSON_TEXT("{0} has {1} million voxels; at most {2} million are read."),
-                       {file.string(), fmt::format("{:.0f}", voxels / 1e6), std::to_string(most_voxels / 1'000'000)},
+                       {file.string(), fmt::format("{:.0f}", voxels / 1e6), std::to_string(maximum_voxels / 1'000'000)},
                        GLISSON_TEXT("Cut out the part that is needed, or resample it to larger voxels."),
                        file});
 }
@@ -140,24 +140,25 @@ Result<void> check_room(const VolumeHeader& header, const fs::path& file) {
   double declared = static_cast<double>(bytes_of(header.type));
   for (const int size : header.grid.size) declared *= size;
   // Deflate's own bound is 258 bytes by two bits; a number in decimals takes a digit and a blank.
-  const double most = header.coding == VoxelCoding::deflated ? 1032 * there
-                      : header.coding == VoxelCoding::text ? there / 2 * static_cast<double>(bytes_of(header.type)) + 8
-                                                           : there;
+  const double maximum = header.coding == VoxelCoding::deflated ? 1032 * there
+                         : header.coding == VoxelCoding::text
+                             ? there / 2 * static_cast<double>(bytes_of(header.type)) + 8
+                             : there;
   // Label maps shrink to a 200th, images to a third; what shrinks more is one value, or made to fill the memory.
   constexpr double any_size = 256.0 * 1024 * 1024, most_shrunk = 500;
   if (header.coding == VoxelCoding::deflated && declared > any_size && declared > most_shrunk * there &&
-      declared <= most) {
+      declared <= maximum) {
     return failure(Error{"volume-file-hollow",
                          GLISSON_TEXT("{0} holds {1} MB of voxels in {2} MB: nearly all of them have one value."),
                          {file.string(), fmt::format("{:.0f}", declared / 1e6), fmt::format("{:.1f}", there / 1e6)},
                          GLISSON_TEXT("Cut out the part that is needed, or resample it to larger voxels."),
                          file});
   }
-  if (declared <= most) return {};
+  if (declared <= maximum) return {};
   return failure(Error{"volume-file-truncated",
                        GLISSON_TEXT("{0} is too short: its header declares {1} bytes of voxels and the file can hold "
                                     "{2} at most."),
-                       {file.string(), fmt::format("{:.0f}", declared), fmt::format("{:.0f}", most)},
+                       {file.string(), fmt::format("{:.0f}", declared), fmt::format("{:.0f}", maximum)},
                        GLISSON_TEXT("Copy the file again from where it came."),
                        file});
 }

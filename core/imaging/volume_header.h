@@ -48,7 +48,7 @@ struct VolumeHeader {
 [[nodiscard]] Result<VolumeHeader> read_volume_header(const std::filesystem::path& file);
 
 // Twice what the largest scans have (512 x 512 x 1000); as floats, 2 GiB.
-inline constexpr std::uint64_t most_voxels = std::uint64_t{1} << 29;
+inline constexpr std::uint64_t maximum_voxels = std::uint64_t{1} << 29;
 
 [[nodiscard]] bool has_volume_header_name(const std::filesystem::path& file);
 

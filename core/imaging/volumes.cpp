@@ -123,9 +123,9 @@ std::vector<Pictures> gather_by_position(const Images& images, const Stack& stac
 std::size_t usual_count(const std::vector<Pictures>& at_position) {
   std::map<std::size_t, std::size_t> positions_with;
   for (const Pictures& here : at_position) ++positions_with[here.size()];
-  const auto most = std::max_element(positions_with.begin(), positions_with.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
-  return most->first;
+  const auto maximum = std::max_element(positions_with.begin(), positions_with.end(),
+                                        [](const auto& a, const auto& b) { return a.second < b.second; });
+  return maximum->first;
 }
 
 const CountingField* field_that_counts(const Images& images, const std::vector<Pictures>& at_position,

@@ -32,8 +32,8 @@ using PatchSizes = std::map<std::pair<int, int>, double>;
 // radii, chords cost three times their depth of the volume.
 constexpr double facet_distance_share = 0.125;
 constexpr double inner_facet_distance_share = 0.08;
-constexpr double least_facet_angle_deg = 25;
-constexpr double most_radius_edge_ratio = 2.5;
+constexpr double minimum_facet_angle_deg = 25;
+constexpr double maximum_radius_edge_ratio = 2.5;
 constexpr double sliver_bound_deg = 10;
 
 // Of the body's diagonal: how exactly points are put on the boundary.
@@ -173,9 +173,9 @@ Criteria criteria_for(const Domain& domain, const PatchSizes& patches, const std
     facet_distance.set_size((inner ? inner_facet_distance_share : facet_distance_share) * radius, 2, index);
   }
   namespace parameters = CGAL::parameters;
-  return Criteria(parameters::facet_angle = least_facet_angle_deg, parameters::facet_size = facet_radius,
+  return Criteria(parameters::facet_angle = minimum_facet_angle_deg, parameters::facet_size = facet_radius,
                   parameters::facet_distance = facet_distance,
-                  parameters::cell_radius_edge_ratio = most_radius_edge_ratio, parameters::cell_size = cell_radius);
+                  parameters::cell_radius_edge_ratio = maximum_radius_edge_ratio, parameters::cell_size = cell_radius);
 }
 
 // Points that keep a distance from each other, found by the brick of space that they lie in. Bricks are as long as the

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 std::array<double, 4> window_weights(double t) { return {(1 - t) / 4, (2 - t) / 4, (1 + t) / 4, t / 4}; }
 
 // Levels nearer to 0 or 1 than this would let a piece grow or vanish on a hair's breadth of blur.
-constexpr double least_level = 0.02;
+constexpr double minimum_level = 0.02;
 
 // Values along one axis: the smallest or largest among those at -1, 0, 1, 2.
 template <typename Choose>
@@ -124,7 +124,7 @@ void LabelField::weigh_inner_pieces() {
     if (inside == 0 || inside >= of_piece.size()) continue;
     const auto border = of_piece.begin() + static_cast<std::ptrdiff_t>(inside);
     std::nth_element(of_piece.begin(), border, of_piece.end(), std::greater<>());
-    const double level = std::clamp(static_cast<double>(*border), least_level, 1 - least_level);
+    const double level = std::clamp(static_cast<double>(*border), minimum_level, 1 - minimum_level);
     weight_[number] = (1 - level) / level;
   }
 }

@@ -333,11 +333,11 @@ void cut_into_pieces(const LabelMap& body, std::uint16_t liver, const PieceOptio
     return a_is_liver != b_is_liver ? a_is_liver : parts.voxels[a] > parts.voxels[b];
   });
   // Sixteen bits number the pieces; the smallest beyond them become part of the first.
-  constexpr std::size_t most_pieces = 65535;
+  constexpr std::size_t maximum_pieces = 65535;
   std::vector<std::uint16_t> number(parts.value.size(), 0);
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    number[order[rank]] = rank < most_pieces ? static_cast<std::uint16_t>(rank + 1) : std::uint16_t{1};
-    if (rank < most_pieces) map.pieces.push_back({parts.value[order[rank]], 0, 0, 0});
+    number[order[rank]] = rank < maximum_pieces ? static_cast<std::uint16_t>(rank + 1) : std::uint16_t{1};
+    if (rank < maximum_pieces) map.pieces.push_back({parts.value[order[rank]], 0, 0, 0});
   }
   map.piece.resize(values.size());
   for (std::size_t voxel = 0; voxel < values.size(); ++voxel) {

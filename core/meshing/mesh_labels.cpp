@@ -32,12 +32,12 @@ constexpr double cells_around_a_piece = 3.0;
 
 // How much coarser than first guessed the liver may become to make up for inner pieces that cost more than guessed.
 // Beyond that the mesh has more cells than asked for, rather than a liver without its shape.
-constexpr double most_coarsening = 1.6;
+constexpr double maximum_coarsening = 1.6;
 
 constexpr double close_enough_count = 0.07;
 constexpr double promised_count = 0.15;
-constexpr int most_refinements = 5;
-constexpr double least_kept_volume = 0.5;
+constexpr int maximum_refinements = 5;
+constexpr double minimum_kept_volume = 0.5;
 
 Result<void> check_options(const MeshOptions& options);
 
@@ -116,10 +116,10 @@ namespace {
 
 Result<void> check_options(const MeshOptions& options) {
   constexpr int fewest_cells = 200;
-  constexpr int most_cells = 3'000'000;
-  if (options.target_cells < fewest_cells || options.target_cells > most_cells) {
+  constexpr int maximum_cells = 3'000'000;
+  if (options.target_cells < fewest_cells || options.target_cells > maximum_cells) {
     return failure("mesh-options", GLISSON_TEXT("A mesh of {0} cells cannot be made; from {1} to {2} can."),
-                   {std::to_string(options.target_cells), std::to_string(fewest_cells), std::to_string(most_cells)});
+                   {std::to_string(options.target_cells), std::to_string(fewest_cells), std::to_string(maximum_cells)});
   }
   if (!(options.inner_share >= 0 && options.inner_share < 1)) {
     return failure("mesh-options",
@@ -198,7 +198,7 @@ Result<DelaunayRefinement> refine_to_target(const LabelField& field, const MeshO
   for (std::size_t i = 1; i < map.pieces.size(); ++i) inner_cells += inner_cost_cells(map.pieces[i]);
   const double for_liver = std::max(options.target_cells - inner_cells, 0.3 * options.target_cells);
   double radius_mm = std::cbrt(map.pieces.front().volume_mm3 / (cell_volume_share * for_liver));
-  const double largest_radius_mm = most_coarsening * radius_mm;
+  const double largest_radius_mm = maximum_coarsening * radius_mm;
 
   // The count follows the radius by a power: -3 where the liver has nearly all cells, less steep where inner pieces
   // have.
@@ -207,8 +207,8 @@ Result<DelaunayRefinement> refine_to_target(const LabelField& field, const MeshO
   double best_miss = std::numeric_limits<double>::infinity();
   double last_excess = 0;
   double last_step = 0;
-  for (int round = 0; round < most_refinements; ++round) {
-    progress.report(static_cast<double>(round) / most_refinements, GLISSON_TEXT("Filling the body with tetrahedra"));
+  for (int round = 0; round < maximum_refinements; ++round) {
+    progress.report(static_cast<double>(round) / maximum_refinements, GLISSON_TEXT("Filling the body with tetrahedra"));
     auto refined = DelaunayRefinement::refine(field, cell_radii_mm(map, radius_mm), progress);
     if (!refined) return refined;
     const double excess = std::log(std::max(static_cast<double>(refined->cells()), 1.0) / options.target_cells);
@@ -239,7 +239,7 @@ std::vector<double> volume_by_piece_mm3(const TetMesh& local, std::size_t pieces
 Result<void> check_that_none_was_lost(const PieceMap& map, const std::vector<double>& mesh_volume_mm3,
                                       const MeshOptions& options) {
   for (std::size_t i = 0; i < map.pieces.size(); ++i) {
-    if (mesh_volume_mm3[i] >= least_kept_volume * map.pieces[i].volume_mm3) continue;
+    if (mesh_volume_mm3[i] >= minimum_kept_volume * map.pieces[i].volume_mm3) continue;
     return failure(Error{"mesh-region-lost",
                          GLISSON_TEXT("A piece of {0} has {1} ml, but its cells only {2} ml: the mesh has lost it."),
                          {display_name(map.pieces[i].label, options.names),

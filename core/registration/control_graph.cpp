@@ -77,16 +77,16 @@ std::vector<int> cells_of(const Surface& surface, const Neighbours& neighbours, 
 
 }  // namespace
 
-ControlGraph control_graph(const Surface& surface, int most) {
+ControlGraph control_graph(const Surface& surface, int maximum) {
   const Neighbours neighbours = neighbours_of(surface);
   const std::size_t points = surface.points_mm.size();
   ControlGraph graph;
-  const bool all = points <= static_cast<std::size_t>(most);
+  const bool all = points <= static_cast<std::size_t>(maximum);
   if (all) {
     graph.points.resize(points);
     std::iota(graph.points.begin(), graph.points.end(), 0);
   } else {
-    graph.points = spread_points(surface, most);
+    graph.points = spread_points(surface, maximum);
   }
   const std::vector<int> cell = cells_of(surface, neighbours, graph.points);
 

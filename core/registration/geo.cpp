@@ -128,14 +128,14 @@ std::vector<int> densify(const SurfaceMatch& match) {
       std::partial_sort(nearest.begin(), nearest.begin() + count, nearest.end(), [&](std::size_t a, std::size_t b) {
         return source_mm(source_row[a], column) < source_mm(source_row[b], column);
       });
-      double least = std::numeric_limits<double>::infinity();
+      double minimum = std::numeric_limits<double>::infinity();
       for (const int candidate : around[nearest.front()]) {
         double misfit_mm = 0;
-        for (auto i = nearest.begin(); i != nearest.begin() + count && misfit_mm < least; ++i) {
+        for (auto i = nearest.begin(); i != nearest.begin() + count && misfit_mm < minimum; ++i) {
           misfit_mm += std::abs(source_mm(source_row[*i], column) - target_mm(target_row[*i], candidate));
         }
-        if (misfit_mm < least) {
-          least = misfit_mm;
+        if (misfit_mm < minimum) {
+          minimum = misfit_mm;
           target_of[point] = candidate;
         }
       }
@@ -180,14 +180,14 @@ Eigen::MatrixXd seed_of(const MatchingProblem& problem) {
 // Matchings of the first few nodes, the extremities, that are good in different ways: the solver is started from
 // noise, again and again. Mirrored ones and those with head and tail swapped are among them, and the right one.
 std::vector<Labelling> rough_matchings(const MatchingProblem& problem) {
-  constexpr int rough_nodes = 24, starts = 40, most = 8;
+  constexpr int rough_nodes = 24, starts = 40, maximum = 8;
   constexpr double worst = 1.5;  // of the best energy
   const int nodes = std::min(rough_nodes, problem.nodes());
   MatchingProblem rough = problem;
   rough.source_mm = problem.source_mm.topLeftCorner(nodes, nodes);
   rough.seed = seed_of(problem).topRows(nodes) * (static_cast<double>(nodes) / problem.nodes());
   const MatchingEnergy energy(rough);
-  const double most_noise = 0.3 * problem.q * problem.tau_mm * (nodes - 1);
+  const double maximum_noise = 0.3 * problem.q * problem.tau_mm * (nodes - 1);
 
   struct Found {
     double energy;
@@ -195,7 +195,7 @@ std::vector<Labelling> rough_matchings(const MatchingProblem& problem) {
   };
   std::vector<Found> found;
   std::mt19937 random(20151207);  // any number; the same each time, so that the same surfaces match the same way
-  std::uniform_real_distribution<double> noise(0, most_noise);
+  std::uniform_real_distribution<double> noise(0, maximum_noise);
   TrwlsOptions solving;
   solving.starts = Starts::one;
   solving.passes = 3;
@@ -217,7 +217,7 @@ std::vector<Labelling> rough_matchings(const MatchingProblem& problem) {
   };
   std::vector<Labelling> different;
   for (const Found& candidate : found) {
-    if (candidate.energy > worst * found.front().energy || static_cast<int>(different.size()) == most) break;
+    if (candidate.energy > worst * found.front().energy || static_cast<int>(different.size()) == maximum) break;
     const bool is_new = std::none_of(different.begin(), different.end(),
                                      [&](const Labelling& known) { return is_like(candidate.labels, known); });
     if (is_new) different.push_back(candidate.labels);

@@ -43,13 +43,13 @@ class Alternation {
     rigid_[reference_] = Eigen::Isometry3d::Identity();
     place_landmarks();
     for (;;) {
-      std::size_t best = pairs_.size(), most = 3;
+      std::size_t best = pairs_.size(), maximum = 3;
       for (std::size_t t = 0; t < pairs_.size(); ++t) {
         if (rigid_[t]) continue;
         const auto shared = static_cast<std::size_t>(std::count_if(
             pairs_[t].begin(), pairs_[t].end(), [&](const Pair& pair) { return places_[pair.landmark].has_value(); }));
-        if (shared <= most) continue;
-        most = shared;
+        if (shared <= maximum) continue;
+        maximum = shared;
         best = t;
       }
       if (best == pairs_.size()) break;
@@ -310,11 +310,11 @@ void hold_across(Points& from_mm, Points& to_mm, const Eigen::Isometry3d& rigid)
 
 std::optional<FrameAlignment> fit_warp(const std::vector<Pair>& pairs, const Alternation& state, std::size_t t,
                                        const GlobalAlignmentOptions& options) {
-  constexpr double least_determinant = 0.1;  // of dS/dp: volumes there may shrink to a tenth, and never turn over
+  constexpr double minimum_determinant = 0.1;  // of dS/dp: volumes there may shrink to a tenth, and never turn over
   constexpr int stiffenings = 8;
   if (pairs.size() < 4) return std::nullopt;
   Points from_mm, to_mm;
-  for (const Pair& pair : spread(pairs, static_cast<std::size_t>(options.most_centers))) {
+  for (const Pair& pair : spread(pairs, static_cast<std::size_t>(options.maximum_centers))) {
     from_mm.push_back(pair.seen_mm);
     to_mm.push_back(*state.places()[pair.landmark]);
   }
@@ -327,8 +327,8 @@ std::optional<FrameAlignment> fit_warp(const std::vector<Pair>& pairs, const Alt
     bool folds = false;
     for (std::size_t k = 0; k < from_mm.size() && !folds; ++k) {
       const Vector3d between = 0.5 * (from_mm[k] + from_mm[(k + 1) % from_mm.size()]);
-      folds = warp->jacobian(from_mm[k]).determinant() < least_determinant ||
-              warp->jacobian(between).determinant() < least_determinant;
+      folds = warp->jacobian(from_mm[k]).determinant() < minimum_determinant ||
+              warp->jacobian(between).determinant() < minimum_determinant;
     }
     if (!folds) return FrameAlignment{*state.rigid(t), *warp, stiffness_mm};
   }

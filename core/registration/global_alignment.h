@@ -30,7 +30,7 @@ struct GlobalAlignmentOptions {
   double outlier_mm = 5;           // a sighting this far from its landmark's place after step 1 counts a quarter; twice
                                    // as far and more, next to nothing (Geman and McClure's weights)
   double stiffness_mm = 2;         // of the warps, against noise of the sightings
-  int most_centers = 400;          // of a warp
+  int maximum_centers = 400;       // of a warp
 };
 
 // How one frame comes to the model.

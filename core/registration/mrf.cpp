@@ -7,7 +7,7 @@
 namespace glisson::registration {
 namespace {
 
-constexpr int most_points = 4096;  // 16.8 million distances a surface; the message store would take 128 GB
+constexpr int maximum_points = 4096;  // 16.8 million distances a surface; the message store would take 128 GB
 
 Result<void> check_distances(const Eigen::MatrixXd& distances_mm, const char* whose) {
   if (distances_mm.rows() != distances_mm.cols()) {
@@ -17,9 +17,9 @@ Result<void> check_distances(const Eigen::MatrixXd& distances_mm, const char* wh
   if (distances_mm.rows() < 2) {
     return failure("matching-too-few-points", GLISSON_TEXT("The {0} has fewer than two points to match."), {whose});
   }
-  if (distances_mm.rows() > most_points) {
+  if (distances_mm.rows() > maximum_points) {
     return failure("matching-too-many-points", GLISSON_TEXT("The {0} has {1} points to match; {2} is the most."),
-                   {whose, std::to_string(distances_mm.rows()), std::to_string(most_points)});
+                   {whose, std::to_string(distances_mm.rows()), std::to_string(maximum_points)});
   }
   if (!distances_mm.allFinite()) {
     return failure(Error{"matching-distances",

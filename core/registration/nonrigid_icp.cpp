@@ -51,7 +51,7 @@ class Partners {
   const Surface& seeking_;
   const Surface& sought_;
   std::set<std::pair<int, int>> border_;  // edges of one triangle
-  double least_cosine_;
+  double minimum_cosine_;
   double farthest_mm_;
 };
 
@@ -64,7 +64,7 @@ Result<void> check_landmarks(const std::vector<Landmark>& landmarks, std::size_t
 class OptimalStep {
  public:
   // `covered`: which share of the source the target covers.
-  OptimalStep(const Surface& source, int most_controls, double covered);
+  OptimalStep(const Surface& source, int maximum_controls, double covered);
   // The controls' maps that are best for this pairing.
   [[nodiscard]] Result<Maps> solve(const Pairing& pairing, double stiffness, const std::vector<Landmark>& landmarks,
                                    double landmark_weight);
@@ -97,10 +97,10 @@ Result<NonrigidIcpResult> nonrigid_icp(const Surface& source, const Surface& tar
   const Overlap overlap = resolved(options.overlap, source, target);
   const bool target_is_part = overlap == Overlap::target_is_part;
   const double covered = target_is_part ? geometry::area_mm2(target) / geometry::area_mm2(source) : 1.0;
-  OptimalStep step(source, options.most_controls, covered);
+  OptimalStep step(source, options.maximum_controls, covered);
   NonrigidIcpResult result;
   result.surface = source;
-  const auto most_iterations =
+  const auto maximum_iterations =
       static_cast<double>(options.stiffness.size()) * static_cast<double>(options.iterations_each);
   for (const double stiffness : options.stiffness) {
     const double landmark_weight = options.landmark_weight * stiffness / options.stiffness.front();
@@ -128,7 +128,7 @@ Result<NonrigidIcpResult> nonrigid_icp(const Surface& source, const Surface& tar
       }
       result.surface = std::move(next);
       ++result.iterations;
-      progress.report(result.iterations / most_iterations, GLISSON_TEXT("non-rigid alignment"));
+      progress.report(result.iterations / maximum_iterations, GLISSON_TEXT("non-rigid alignment"));
       if (std::sqrt(squared_step_mm2 / static_cast<double>(source.points_mm.size())) < options.smallest_step_mm) break;
     }
   }
@@ -192,7 +192,7 @@ Vector3d barycentric(const Surface& surface, const std::array<int, 3>& triangle,
 Partners::Partners(const Surface& seeking, const Surface& sought, double largest_angle_deg, double farthest_mm)
     : seeking_(seeking),
       sought_(sought),
-      least_cosine_(std::cos(largest_angle_deg * std::numbers::pi / 180)),
+      minimum_cosine_(std::cos(largest_angle_deg * std::numbers::pi / 180)),
       farthest_mm_(farthest_mm) {
   std::map<std::pair<int, int>, int> triangles_at;
   for (const auto& [a, b, c] : sought.triangles) {
@@ -221,7 +221,7 @@ std::vector<Partners::Partner> Partners::found() const {
                                   .normalized();
       partners[i] = {i, closest};
       fits[i] =
-          closest.distance_mm <= farthest_mm_ && normals[i].dot(normal) >= least_cosine_ && !is_on_border(closest);
+          closest.distance_mm <= farthest_mm_ && normals[i].dot(normal) >= minimum_cosine_ && !is_on_border(closest);
     }
   });
   std::vector<Partner> kept;
@@ -245,8 +245,8 @@ bool Partners::is_on_border(const geometry::SurfaceDistance::Closest& closest) c
   return false;
 }
 
-OptimalStep::OptimalStep(const Surface& source, int most_controls, double covered)
-    : source_(source), graph_(control_graph(source, most_controls)), covered_(covered) {
+OptimalStep::OptimalStep(const Surface& source, int maximum_controls, double covered)
+    : source_(source), graph_(control_graph(source, maximum_controls)), covered_(covered) {
   const geometry::Box box = geometry::bounding_box(source.points_mm);
   center_mm_ = box.center_mm();
   size_mm_ = box.diagonal_mm() / 2;

@@ -28,7 +28,7 @@ struct NonrigidIcpOptions {
   double largest_angle_deg = 60;   // between the normals of a pair; a wider one is no pair
   double farthest_pair_mm = 0;     // a longer one is no pair; 0: a tenth of the source's diagonal
   Overlap overlap = Overlap::by_area;
-  int most_controls = 500;  // 2 cm apart on a liver; a solve takes hundredths of a second
+  int maximum_controls = 500;  // 2 cm apart on a liver; a solve takes hundredths of a second
   std::vector<Landmark> landmarks;
   double landmark_weight = 1;  // beta of the paper at first, for all landmarks together as for all points together;
                                // lowered with the stiffness, so that in the end the surface decides

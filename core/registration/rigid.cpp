@@ -16,8 +16,8 @@ using geometry::Surface;
 
 constexpr double degenerate = 1e-9;  // second spread over the first, below which points lie on a line
 
-std::vector<Vector3d> thinned(const std::vector<Vector3d>& points_mm, std::size_t most) {
-  const std::size_t step = std::max<std::size_t>(1, (points_mm.size() + most - 1) / most);
+std::vector<Vector3d> thinned(const std::vector<Vector3d>& points_mm, std::size_t maximum) {
+  const std::size_t step = std::max<std::size_t>(1, (points_mm.size() + maximum - 1) / maximum);
   std::vector<Vector3d> kept;
   for (std::size_t i = 0; i < points_mm.size(); i += step) kept.push_back(points_mm[i]);
   return kept;
@@ -105,11 +105,11 @@ Result<Isometry3d> align_points(const std::vector<Vector3d>& from_mm, const std:
 
 Result<RigidIcpResult> rigid_icp(const Surface& source, const Surface& target, const RigidIcpOptions& options,
                                  const Progress& progress) {
-  constexpr std::size_t most_points = 5000;
+  constexpr std::size_t maximum_points = 5000;
   if (auto good = check_surface(source); !good) return failure(good.error());
   if (auto good = check_surface(target); !good) return failure(good.error());
   const bool target_is_part = resolved(options.overlap, source, target) == Overlap::target_is_part;
-  const std::vector<Vector3d> part_mm = thinned(target_is_part ? target.points_mm : source.points_mm, most_points);
+  const std::vector<Vector3d> part_mm = thinned(target_is_part ? target.points_mm : source.points_mm, maximum_points);
   const geometry::SurfaceDistance whole(target_is_part ? source : target);
   const double reach_mm = geometry::bounding_box(part_mm).diagonal_mm();
 

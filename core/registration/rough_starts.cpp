@@ -37,13 +37,13 @@ std::vector<RoughStart> rough_starts(const MatchingProblem& problem) {
   if (problem.seed.size() > 0)
     rough.seed = problem.seed(nodes, labels) * (static_cast<double>(count) / problem.nodes());
   // As much as a third of what a node's pairs can cost: enough to lead elsewhere.
-  const double most_noise = 0.3 * problem.q * problem.tau_mm * static_cast<double>(count - 1);
+  const double maximum_noise = 0.3 * problem.q * problem.tau_mm * static_cast<double>(count - 1);
 
   std::vector<RoughStart> found(starts);
   parallel_for(found.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t start = begin; start < end; ++start) {
       std::mt19937 random(20151207 + static_cast<unsigned>(start));
-      std::uniform_real_distribution<double> noise(0, most_noise);
+      std::uniform_real_distribution<double> noise(0, maximum_noise);
       MatchingProblem noisy = rough;
       if (start > 0) {
         for (double& cost : noisy.seed.reshaped()) cost += noise(random);

@@ -58,10 +58,10 @@ struct Quantised {
   using Total = typename Arithmetic<Word>::Total;
 
   Slices<Word> slices;
-  AlignedVector<Total> seed;          // seed[node * stride + label], less each node's least
-  double least_seeds = 0;             // the sum of what was taken off
-  double energy_of_one = 0;           // the energy that a cost of 1 stands for
-  double most_added_by_rounding = 0;  // no labelling costs more in words than its energy and this
+  AlignedVector<Total> seed;             // seed[node * stride + label], less each node's least
+  double minimum_seeds = 0;              // the sum of what was taken off
+  double energy_of_one = 0;              // the energy that a cost of 1 stands for
+  double maximum_added_by_rounding = 0;  // no labelling costs more in words than its energy and this
 };
 
 template <typename Word>
@@ -116,7 +116,7 @@ class Trwls {
   void add_cost_of_neighbour(int s, int t, int label_of_t, Total* costs) const;
   bool send(const Schedule::Claim& claim, AlignedVector<Word>& scratch);
   void gather(int sweep, int position);
-  void scale_belief(const Total* belief, Total least, int node, Word* scaled) const;
+  void scale_belief(const Total* belief, Total minimum, int node, Word* scaled) const;
   [[nodiscard]] double lower_bound(int sweep) const;
   [[nodiscard]] Labelling labelling() const;
   void polish(Labelling& labels) const;
@@ -227,30 +227,30 @@ void Trwls<Word>::gather(int sweep, int position) {
   std::copy(seed, seed + stride_, belief);
   kernels_.add_messages(field_.slices, message(0, s), nodes_, belief);  // the node's message to itself stays 0
 
-  const Total least = *std::min_element(belief, belief + field_.slices.labels);
-  scale_belief(belief, least, s, scaled_beliefs_.data() + static_cast<std::size_t>(position) * stride_);
-  node_bounds_[sweep % 2][static_cast<std::size_t>(position)] = static_cast<Bound>(least);
+  const Total minimum = *std::min_element(belief, belief + field_.slices.labels);
+  scale_belief(belief, minimum, s, scaled_beliefs_.data() + static_cast<std::size_t>(position) * stride_);
+  node_bounds_[sweep % 2][static_cast<std::size_t>(position)] = static_cast<Bound>(minimum);
 }
 
 // gamma (belief - least), rounded down so that all chains through the node together take no more than there is: then
 // the bound stays one. Cut at twice the largest cost; so is the padding.
 template <typename Word>
-void Trwls<Word>::scale_belief(const Total* belief, Total least, int node, Word* scaled) const {
-  const auto most = static_cast<Word>(2 * field_.slices.largest_cost);
+void Trwls<Word>::scale_belief(const Total* belief, Total minimum, int node, Word* scaled) const {
+  const auto maximum = static_cast<Word>(2 * field_.slices.largest_cost);
   const int labels = field_.slices.labels;
   const int chains = std::max(node, nodes_ - 1 - node);
   if constexpr (sizeof(Word) < 4) {
     const std::uint64_t reciprocal = (std::uint64_t{1} << 32) / static_cast<std::uint64_t>(chains);
     for (int k = 0; k < labels; ++k) {
-      const std::uint64_t share = ((belief[k] - least) * reciprocal) >> 32;
-      scaled[k] = static_cast<Word>(std::min<std::uint64_t>(share, most));
+      const std::uint64_t share = ((belief[k] - minimum) * reciprocal) >> 32;
+      scaled[k] = static_cast<Word>(std::min<std::uint64_t>(share, maximum));
     }
   } else {
     for (int k = 0; k < labels; ++k) {
-      scaled[k] = static_cast<Word>(std::min((belief[k] - least) / static_cast<Total>(chains), Total{most}));
+      scaled[k] = static_cast<Word>(std::min((belief[k] - minimum) / static_cast<Total>(chains), Total{maximum}));
     }
   }
-  std::fill(scaled + labels, scaled + stride_, most);
+  std::fill(scaled + labels, scaled + stride_, maximum);
 }
 
 template <typename Word>
@@ -258,7 +258,7 @@ double Trwls<Word>::lower_bound(int sweep) const {
   Bound taken = 0;
   for (const Bound bound : node_bounds_[sweep % 2]) taken += bound;
   for (const Bound bound : chunk_bounds_[sweep % 2]) taken += bound;
-  return field_.least_seeds + static_cast<double>(taken) * field_.energy_of_one - field_.most_added_by_rounding;
+  return field_.minimum_seeds + static_cast<double>(taken) * field_.energy_of_one - field_.maximum_added_by_rounding;
 }
 
 // As in `trws`: node by node, given the labels fixed before it and the messages from the nodes after it.
@@ -278,10 +278,10 @@ Labelling Trwls<Word>::labelling() const {
 
 template <typename Word>
 void Trwls<Word>::polish(Labelling& labels) const {
-  constexpr int most_rounds = 20;
+  constexpr int maximum_rounds = 20;
   AlignedVector<Total> costs(stride_);
   int settled = 0;  // nodes in a row that kept their labels
-  for (int visit = 0; visit < most_rounds * nodes_ && settled < nodes_; ++visit) {
+  for (int visit = 0; visit < maximum_rounds * nodes_ && settled < nodes_; ++visit) {
     const int s = visit % nodes_;
     int& label = labels[static_cast<std::size_t>(s)];
     const Total* seed = field_.seed.data() + static_cast<std::size_t>(s) * stride_;
@@ -387,18 +387,18 @@ Quantised<Word> quantise(const MatchingProblem& problem) {
   field.energy_of_one = problem.q / (steps_per_mm * Number::cost_of_one);
   // Two distances rounded to the nearest step differ by at most one step more than the true ones; weights, tau and
   // products are rounded down.
-  field.most_added_by_rounding =
+  field.maximum_added_by_rounding =
       fixed_point ? static_cast<double>(problem.pairs_of_nodes()) * problem.q / steps_per_mm : 0.0;
 
   field.seed.resize(static_cast<std::size_t>(nodes) * static_cast<std::size_t>(slices.stride));
   if (problem.seed.size() > 0) {
     // A label that costs more than its node's cheapest by all that its pairs can cost never wins: cut there.
-    const double most = static_cast<double>(nodes) * static_cast<double>(slices.largest_cost);
+    const double maximum = static_cast<double>(nodes) * static_cast<double>(slices.largest_cost);
     for (int s = 0; s < nodes; ++s) {
-      const double least = problem.seed.row(s).minCoeff();
-      field.least_seeds += least;
+      const double minimum = problem.seed.row(s).minCoeff();
+      field.minimum_seeds += minimum;
       for (int l = 0; l < labels; ++l) {
-        const double cost = std::min((problem.seed(s, l) - least) / field.energy_of_one, most);
+        const double cost = std::min((problem.seed(s, l) - minimum) / field.energy_of_one, maximum);
         field
             .seed[static_cast<std::size_t>(s) * static_cast<std::size_t>(slices.stride) + static_cast<std::size_t>(l)] =
             static_cast<typename Number::Total>(cost);

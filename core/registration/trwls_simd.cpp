@@ -23,7 +23,7 @@ using Vector = hn::Vec<Tag>;
 using Row = Arithmetic<Word>;
 
 constexpr bool many_registers = HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL || HWY_TARGET == HWY_NEON;
-constexpr int most_together = many_registers ? 4 : 2;  // messages
+constexpr int maximum_together = many_registers ? 4 : 2;  // messages
 // Vectors of labels in flight for each of so many messages.
 constexpr int columns_of(int messages) { return std::min(4, (many_registers ? 8 : 4) / messages); }
 
@@ -44,19 +44,19 @@ HWY_INLINE int take_offset(const Slices<Word>& slices, const Word* scaled_belief
   const SignedTag signed_tag;
   const auto lanes = hn::Lanes(tag);
   const auto stride = static_cast<std::size_t>(slices.stride);
-  auto least = hn::Set(signed_tag, hwy::LimitsMax<std::int16_t>());
+  auto minimum = hn::Set(signed_tag, hwy::LimitsMax<std::int16_t>());
   for (std::size_t k = 0; k < stride; k += lanes) {
     const auto difference = hn::Sub(hn::BitCast(signed_tag, hn::Load(tag, scaled_belief + k)),
                                     hn::BitCast(signed_tag, hn::Load(tag, reverse + k)));
     hn::Store(hn::BitCast(tag, difference), tag, offset + k);
-    least = hn::Min(least, difference);
+    minimum = hn::Min(minimum, difference);
   }
-  least = hn::MinOfLanes(signed_tag, least);
-  const auto subtrahend = hn::BitCast(tag, least);
+  minimum = hn::MinOfLanes(signed_tag, minimum);
+  const auto subtrahend = hn::BitCast(tag, minimum);
   for (std::size_t k = 0; k < stride; k += lanes) {
     hn::Store(hn::Sub(hn::Load(tag, offset + k), subtrahend), tag, offset + k);
   }
-  return hn::GetLane(least);
+  return hn::GetLane(minimum);
 }
 
 // updated[m][l] = min over k of offset[m][k] + cost(k, l), for `columns` vectors of labels l from `first`.
@@ -69,11 +69,11 @@ HWY_INLINE void minimise_columns(const Slices<Word>& slices, const Message<Word>
   const Vector tau = hn::Set(tag, slices.tau);
   Vector x[messages];
   Vector x_weight[messages];
-  Vector least[messages][columns];
+  Vector minimum[messages][columns];
   for (int m = 0; m < messages; ++m) {
     x[m] = hn::Set(tag, message[m].x);
     x_weight[m] = hn::Set(tag, message[m].x_weight);
-    for (int c = 0; c < columns; ++c) least[m][c] = hn::Set(tag, Row::largest_word);
+    for (int c = 0; c < columns; ++c) minimum[m][c] = hn::Set(tag, Row::largest_word);
   }
   const Word* y = slices.y.data() + first;
   const Word* y_weight = slices.y_weight.data() + first;
@@ -85,13 +85,13 @@ HWY_INLINE void minimise_columns(const Slices<Word>& slices, const Message<Word>
       const Vector distance = hn::Load(tag, y + column);
       const Vector weight = hn::Load(tag, y_weight + column);
       for (int m = 0; m < messages; ++m) {
-        least[m][c] = hn::Min(least[m][c], hn::Add(start[m], cost(tag, distance, weight, x[m], x_weight[m], tau)));
+        minimum[m][c] = hn::Min(minimum[m][c], hn::Add(start[m], cost(tag, distance, weight, x[m], x_weight[m], tau)));
       }
     }
   }
   for (int m = 0; m < messages; ++m) {
     for (int c = 0; c < columns; ++c) {
-      hn::Store(least[m][c], tag, message[m].updated + first + static_cast<std::size_t>(c) * lanes);
+      hn::Store(minimum[m][c], tag, message[m].updated + first + static_cast<std::size_t>(c) * lanes);
     }
   }
 }
@@ -118,21 +118,22 @@ HWY_INLINE int take_minimum(const Slices<Word>& slices, Word* message) {
   const auto labels = static_cast<std::size_t>(slices.labels);
   const auto stride = static_cast<std::size_t>(slices.stride);
   const auto largest = hn::Set(tag, Row::largest_word);
-  auto least = largest;
+  auto minimum = largest;
   std::size_t l = 0;
-  for (; l + lanes <= labels; l += lanes) least = hn::Min(least, hn::Load(tag, message + l));
+  for (; l + lanes <= labels; l += lanes) minimum = hn::Min(minimum, hn::Load(tag, message + l));
   if (l < labels) {
-    least = hn::Min(least, hn::IfThenElse(hn::FirstN(tag, labels - l), hn::Load(tag, message + l), largest));
+    minimum = hn::Min(minimum, hn::IfThenElse(hn::FirstN(tag, labels - l), hn::Load(tag, message + l), largest));
   }
-  least = hn::MinOfLanes(tag, least);
-  for (l = 0; l + lanes <= labels; l += lanes) hn::Store(hn::Sub(hn::Load(tag, message + l), least), tag, message + l);
+  minimum = hn::MinOfLanes(tag, minimum);
+  for (l = 0; l + lanes <= labels; l += lanes)
+    hn::Store(hn::Sub(hn::Load(tag, message + l), minimum), tag, message + l);
   if (l < labels) {
-    const auto rest = hn::Sub(hn::Load(tag, message + l), least);
+    const auto rest = hn::Sub(hn::Load(tag, message + l), minimum);
     hn::Store(hn::IfThenElseZero(hn::FirstN(tag, labels - l), rest), tag, message + l);
     l += lanes;
   }
   for (; l < stride; l += lanes) hn::Store(hn::Zero(tag), tag, message + l);
-  return hn::GetLane(least);
+  return hn::GetLane(minimum);
 }
 
 std::int64_t send(const Slices<Word>& slices, const Word* scaled_belief, const Message<Word>* message, int count,
@@ -140,7 +141,7 @@ std::int64_t send(const Slices<Word>& slices, const Word* scaled_belief, const M
   std::int64_t taken = 0;
   for (const Message<Word>* end = message + count; message != end;) {
     const auto left = end - message;
-    const int together = left >= most_together ? most_together : left >= 2 ? 2 : 1;
+    const int together = left >= maximum_together ? maximum_together : left >= 2 ? 2 : 1;
     for (const Message<Word>* next = message + together; next != std::min(end, message + 2 * together); ++next) {
       for (int word = 0; word < slices.stride; word += words_in_cache_line) {
         hwy::Prefetch(next->reverse + word);
@@ -152,7 +153,7 @@ std::int64_t send(const Slices<Word>& slices, const Word* scaled_belief, const M
     }
     together == 1   ? minimise<1>(slices, message, scratch)
     : together == 2 ? minimise<2>(slices, message, scratch)
-                    : minimise<most_together>(slices, message, scratch);
+                    : minimise<maximum_together>(slices, message, scratch);
     for (int m = 0; m < together; ++m) taken += take_minimum(slices, message[m].updated);
     message += together;
   }

@@ -43,9 +43,9 @@ class Trws {
 };
 
 double take_minimum_off(double* values, int count) {
-  const double least = *std::min_element(values, values + count);
-  for (int i = 0; i < count; ++i) values[i] -= least;
-  return least;
+  const double minimum = *std::min_element(values, values + count);
+  for (int i = 0; i < count; ++i) values[i] -= minimum;
+  return minimum;
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ double bending_mm(const std::set<int>& around, const std::vector<Vector3d>& in_f
 }  // namespace
 
 std::vector<double> doubt_mm(const Quality& quality, const std::vector<Sightings>& placed_mm) {
-  constexpr std::size_t most_frames = 16;  // that bending is looked at in, evenly chosen
+  constexpr std::size_t maximum_frames = 16;  // that bending is looked at in, evenly chosen
   const auto& points_mm = quality.mesh.points_mm;
   const auto& triangles = quality.mesh.triangles;
   const std::size_t points = points_mm.size();
@@ -66,7 +66,7 @@ std::vector<double> doubt_mm(const Quality& quality, const std::vector<Sightings
       neighbours[static_cast<std::size_t>(corner)].insert(triangle.begin(), triangle.end());
     }
   }
-  const std::size_t step = std::max<std::size_t>(1, quality.mesh_in_frames_mm.size() / most_frames);
+  const std::size_t step = std::max<std::size_t>(1, quality.mesh_in_frames_mm.size() / maximum_frames);
   std::vector<double> wandering(points), bending(points);
   parallel_for(points, 8, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -24,7 +24,7 @@ constexpr double farthest_from_cloud = 0.5;  // of a landmark from a frame's poi
 // A frame's finite point pairs, asked which way its points went.
 class FrameMotion {
  public:
-  FrameMotion(const RegisteredFrame& frame, std::size_t most_points);
+  FrameMotion(const RegisteredFrame& frame, std::size_t maximum_points);
 
   [[nodiscard]] bool empty() const { return cloud_mm_.empty(); }
   [[nodiscard]] const Points& registered_mm() const { return registered_mm_; }
@@ -79,7 +79,7 @@ Result<Quality> sirgn(const RegisteredSequence& sequence, const SirgnOptions& op
   if (auto good = check(sequence, options); !good) return failure(good.error());
   std::vector<FrameMotion> frames;
   for (const RegisteredFrame& frame : sequence.frames) {
-    frames.emplace_back(frame, static_cast<std::size_t>(options.most_cloud_points));
+    frames.emplace_back(frame, static_cast<std::size_t>(options.maximum_cloud_points));
     if (frames.back().empty()) {
       return failure("sirgn-empty-frame", GLISSON_TEXT("Frame {0} holds no point that is finite."),
                      {std::to_string(frames.size() - 1)});
@@ -149,8 +149,8 @@ Result<void> check(const RegisteredSequence& sequence, const SirgnOptions& optio
   return {};
 }
 
-FrameMotion::FrameMotion(const RegisteredFrame& frame, std::size_t most_points) {
-  const std::size_t step = std::max<std::size_t>(1, frame.cloud_mm.size() / most_points);
+FrameMotion::FrameMotion(const RegisteredFrame& frame, std::size_t maximum_points) {
+  const std::size_t step = std::max<std::size_t>(1, frame.cloud_mm.size() / maximum_points);
   for (std::size_t i = 0; i < frame.cloud_mm.size(); i += step) {
     if (!frame.cloud_mm[i].allFinite() || !frame.registered_mm[i].allFinite()) continue;
     cloud_mm_.push_back(frame.cloud_mm[i]);
@@ -241,10 +241,10 @@ std::vector<std::array<int, 3>> triangulate(const Points& points_mm) {
 
 // Farthest points among all that any frame was registered to.
 Points spread(const std::vector<FrameMotion>& frames, int count) {
-  constexpr std::size_t most_candidates = 20000;
+  constexpr std::size_t maximum_candidates = 20000;
   std::size_t total = 0;
   for (const FrameMotion& frame : frames) total += frame.registered_mm().size();
-  const std::size_t step = std::max<std::size_t>(1, total / most_candidates);
+  const std::size_t step = std::max<std::size_t>(1, total / maximum_candidates);
   Points candidates;
   for (const FrameMotion& frame : frames) {
     for (std::size_t i = 0; i < frame.registered_mm().size(); i += step) candidates.push_back(frame.registered_mm()[i]);

@@ -48,7 +48,7 @@ struct SirgnOptions {
   std::vector<double> tolerances_mm{10, 5, 3};  // section 2.3
   int control_points = 300;                     // of the warp: one a square centimetre or so of what a scope sees
   double stiffness_mm = 2;                      // of the warp, against noise in the clouds
-  int most_cloud_points = 5000;                 // of a frame, evenly chosen: enough for a smooth warp
+  int maximum_cloud_points = 5000;              // of a frame, evenly chosen: enough for a smooth warp
 };
 
 // What a triangle's values are made of, frame by frame, mm; NaN in frames that do not hold all three corners.

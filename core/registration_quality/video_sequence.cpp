@@ -61,8 +61,8 @@ namespace {
 Result<VideoSequence> record(vision::FrameSource& left, vision::FrameSource& right, Recording recording,
                              const VideoSequenceOptions& options, const Progress& progress) {
   const double expected =
-      std::min(options.most_frames, std::max(1, left.count().value_or(options.most_frames) / options.every));
-  for (int number = 0, taken = 0; taken < options.most_frames; ++number) {
+      std::min(options.maximum_frames, std::max(1, left.count().value_or(options.maximum_frames) / options.every));
+  for (int number = 0, taken = 0; taken < options.maximum_frames; ++number) {
     if (progress.cancelled()) return cancelled();
     const auto from_left = left.next();
     if (!from_left) return failure(from_left.error());

@@ -19,7 +19,7 @@ struct VideoSequenceOptions {
   vision::StereoOptions stereo;  // a point every four pixels: a millimetre or less of tissue
   vision::TrackOptions tracks;
   int every = 1;                               // frame of the video, from the first
-  int most_frames = 600;                       // 20 seconds; clouds, pictures and geodesics of more fill disks and days
+  int maximum_frames = 600;                    // 20 seconds; clouds, pictures and geodesics of more fill disks and days
   std::optional<std::filesystem::path> model;  // a surface file; absent: the frames' own, aligned globally
   std::optional<std::filesystem::path> landmarks;  // tracks.csv that an expert made; absent: tracked features
 };

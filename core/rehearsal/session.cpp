@@ -130,10 +130,10 @@ Result<Moment> SessionEngine::Impl::moved(const Moment& from, const Tools& tools
   // A force that grows at once carries the surface past the tool that it should meet; a quarter of a newton moves a
   // liver by some millimetres.
   constexpr double push_in_a_step_mN = 250.0;
-  constexpr int most_steps = 200;
+  constexpr int maximum_steps = 200;
   const double steps_wanted = std::max(farthest_move_mm(from.tools, tools) / options.largest_move_mm,
                                        largest_change_of_push_mN(from.tools, tools) / push_in_a_step_mN);
-  const int steps = static_cast<int>(std::clamp(std::ceil(steps_wanted), 1.0, double{most_steps}));
+  const int steps = static_cast<int>(std::clamp(std::ceil(steps_wanted), 1.0, double{maximum_steps}));
   const auto all_steps = [&](const ContactBody& body, ContactState state) -> Result<ContactState> {
     for (int step = 1; step <= steps; ++step) {
       auto next = body.solve(state, between(from.tools, tools, double(step) / steps), options);

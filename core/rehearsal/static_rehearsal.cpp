@@ -238,13 +238,13 @@ RehearsalFrame PlacedTool::answer(const Vector3d& force_N) const {
 }
 
 // Strain is convex along a line of forces, so that what lies within begins at 0 and ends once.
-double PlacedTool::force_within_the_model_N(const Vector3d& direction, double most_N) const {
+double PlacedTool::force_within_the_model_N(const Vector3d& direction, double maximum_N) const {
   const auto within = [&](double force_N) {
     return impl_->patient.strain->largest(force_N * direction) <= mechanics::small_strain_limit;
   };
-  if (within(most_N)) return most_N;
-  double inside_N = 0, outside_N = most_N;
-  while (outside_N - inside_N > 0.001 * most_N) {
+  if (within(maximum_N)) return maximum_N;
+  double inside_N = 0, outside_N = maximum_N;
+  while (outside_N - inside_N > 0.001 * maximum_N) {
     const double middle_N = 0.5 * (inside_N + outside_N);
     (within(middle_N) ? inside_N : outside_N) = middle_N;
   }

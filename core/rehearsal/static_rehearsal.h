@@ -79,7 +79,7 @@ class PlacedTool {
 
   // The largest force (N, to a thousandth of `most_N`) along that unit direction which stays within the model; at most
   // `most_N`. 0 where the standing loads leave it already.
-  [[nodiscard]] double force_within_the_model_N(const Eigen::Vector3d& direction, double most_N) const;
+  [[nodiscard]] double force_within_the_model_N(const Eigen::Vector3d& direction, double maximum_N) const;
 
   // Displacement of every mesh point of the patient's body (mm), for saving a result.
   [[nodiscard]] std::vector<Eigen::Vector3d> patient_displacement_mm(const Eigen::Vector3d& force_N) const;

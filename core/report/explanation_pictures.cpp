@@ -129,7 +129,7 @@ std::vector<Drawing> on_the_specimen(const Explanation& explanation, const Obser
 }
 
 std::vector<Drawing> as_curves(const Explanation& explanation, const Observations& observations) {
-  constexpr std::size_t most_points = 150;  // a trial and line
+  constexpr std::size_t maximum_points = 150;  // a trial and line
   const bool material = observations.unit != "noise";
   std::vector<Drawing> drawings;
   for (std::size_t direction = 0; direction < observations.directions.size(); ++direction) {
@@ -144,7 +144,7 @@ std::vector<Drawing> as_curves(const Explanation& explanation, const Observation
         PlotCurve measured = measured_curve;
         PlotCurve before = before_curve;
         PlotCurve after = after_curve;
-        for (std::size_t i = 0; i < rows.size(); i += 1 + rows.size() / most_points) {
+        for (std::size_t i = 0; i < rows.size(); i += 1 + rows.size() / maximum_points) {
           const Eigen::Index row = rows[i];
           const double x = against_load ? observations.load[row] : observations.time_s[row];
           const double from = residual ? observations.measured[row] : 0;

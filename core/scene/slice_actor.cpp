@@ -88,9 +88,9 @@ std::vector<Eigen::Vector3d> outline(const imaging::Mask& mask, const Plane& pla
   const Eigen::Vector3d center_mm = middle_mm - plane.normal.dot(middle_mm - plane.center_mm) * plane.normal;
   const Eigen::Vector3d extent_mm =
       grid.spacing_mm.cwiseProduct(Eigen::Vector3d(grid.size[0], grid.size[1], grid.size[2]));
-  constexpr int most_steps = 512;
+  constexpr int maximum_steps = 512;
   const double reach_mm = 0.5 * extent_mm.norm();
-  const double step_mm = std::max(grid.spacing_mm.minCoeff(), 2 * reach_mm / most_steps);
+  const double step_mm = std::max(grid.spacing_mm.minCoeff(), 2 * reach_mm / maximum_steps);
   const int count = static_cast<int>(std::ceil(2 * reach_mm / step_mm)) + 1;
   const Eigen::Vector3d across = plane.normal.unitOrthogonal();
   const Eigen::Vector3d along = plane.normal.cross(across);

@@ -109,7 +109,7 @@ std::optional<GreyRange> grey_range_at(const imaging::Volume& image, const Vecto
   const double range = all.empty() ? 0
                                    : static_cast<double>(all[all.size() - 1 - all.size() / 100]) -
                                          static_cast<double>(all[all.size() / 100]);
-  const double half = std::max(options.spread * deviation, options.least_share * range);
+  const double half = std::max(options.spread * deviation, options.minimum_share * range);
   return GreyRange{middle - half, middle + half};
 }
 

@@ -44,7 +44,7 @@ struct GreyRange {
 struct LikenessOptions {
   double around_mm = 2.5;
   double spread = 2.5;
-  double least_share = 0.04;
+  double minimum_share = 0.04;
 };
 [[nodiscard]] std::optional<GreyRange> grey_range_at(const imaging::Volume& image, const Eigen::Vector3d& click_mm,
                                                      const LikenessOptions& options = {});

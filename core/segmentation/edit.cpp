@@ -93,11 +93,11 @@ Mask keep_largest(Mask mask) {
   return mask;
 }
 
-Mask without_small_pieces(Mask mask, double least_ml) {
+Mask without_small_pieces(Mask mask, double minimum_ml) {
   const imaging::ConnectedVoxels connected = imaging::connected_voxels(mask, imaging::Neighbours::all);
   const double voxel_ml = units::ml_from_mm3(mask.grid.voxel_volume_mm3());
   for (std::size_t voxel = 0; voxel < mask.values.size(); ++voxel) {
-    if (static_cast<double>(connected.sizes[connected.piece[voxel]]) * voxel_ml < least_ml) mask.values[voxel] = 0;
+    if (static_cast<double>(connected.sizes[connected.piece[voxel]]) * voxel_ml < minimum_ml) mask.values[voxel] = 0;
   }
   return mask;
 }

@@ -50,7 +50,7 @@ using imaging::fill_holes;
 [[nodiscard]] imaging::Mask keep_largest(imaging::Mask mask);
 
 // Takes away the pieces (26 neighbours) of less than that volume.
-[[nodiscard]] imaging::Mask without_small_pieces(imaging::Mask mask, double least_ml);
+[[nodiscard]] imaging::Mask without_small_pieces(imaging::Mask mask, double minimum_ml);
 
 // Keeps the piece (26 neighbours) that a place lies in. Fails with "edit-no-piece-there".
 [[nodiscard]] Result<imaging::Mask> keep_piece_at(imaging::Mask mask, const Eigen::Vector3d& place_mm);

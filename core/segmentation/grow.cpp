@@ -26,7 +26,7 @@ using imaging::Mask;
 
 using WorkingImage = imaging::Image<float>;  // block means of the image
 
-constexpr int most_rounds = 30;  // the region is usually the same after six to nine; a strong drift takes longer
+constexpr int maximum_rounds = 30;  // the region is usually the same after six to nine; a strong drift takes longer
 
 constexpr double settled_fraction = 1e-3;  // rounds that turn fewer of the region's voxels may go on in a circle
 
@@ -110,9 +110,9 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
   for (const Seed& seed : *seeds) tissue.sd = std::max(tissue.sd, seed.sd);
   Region region;
   std::vector<std::uint8_t> before;
-  for (result.rounds = 1; result.rounds <= most_rounds; ++result.rounds) {
+  for (result.rounds = 1; result.rounds <= maximum_rounds; ++result.rounds) {
     if (progress.cancelled()) return cancelled();
-    progress.report(static_cast<double>(result.rounds) / (most_rounds + 2), GLISSON_TEXT("Growing"));
+    progress.report(static_cast<double>(result.rounds) / (maximum_rounds + 2), GLISSON_TEXT("Growing"));
     Mask looks = looks_like(tissue, working, options);
     for (const Seed& seed : *seeds) {
       for (const std::size_t voxel : seed.voxels) looks.values[voxel] = 1;
@@ -131,8 +131,9 @@ Result<GrowResult> grow_from_seeds(const imaging::Volume& image, const std::vect
   }
 
   if (progress.cancelled()) return cancelled();
-  progress.report(static_cast<double>(most_rounds + 1) / (most_rounds + 2), GLISSON_TEXT("Smoothing the outline"));
-  result.rounds = std::min(result.rounds, most_rounds);
+  progress.report(static_cast<double>(maximum_rounds + 1) / (maximum_rounds + 2),
+                  GLISSON_TEXT("Smoothing the outline"));
+  result.rounds = std::min(result.rounds, maximum_rounds);
   RefinedBorder refined =
       with_border_refined(finished(region, image.grid, block, options), image, tissue.mean, tissue.sd);
   result.mask = without_crumbs(std::move(refined.outline));

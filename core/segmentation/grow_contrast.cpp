@@ -39,7 +39,7 @@ Mask without_thick_parts(Mask mask, double widest_mm);
 Mask without_necks(const Mask& mask, const std::vector<std::size_t>& seeds, double share);
 bool touches_side(const Mask& mask);
 
-constexpr double least_contrast_to_noise = 2.5;
+constexpr double minimum_contrast_to_noise = 2.5;
 // Half-way between the two, one voxel in 160 is taken for the other by noise.
 constexpr double sure_contrast_to_noise = 5;
 
@@ -88,7 +88,7 @@ Result<ContrastGrowth> grow_contrast(const imaging::Volume& image, const std::ve
     const bool is_sure = look && look->contrast() >= sure_contrast_to_noise * look->noise;
     if (is_sure || kind == Contrast::vessel) break;
   }
-  if (!look || look->contrast() < least_contrast_to_noise * look->noise) {
+  if (!look || look->contrast() < minimum_contrast_to_noise * look->noise) {
     return failure(Error{"grow-no-contrast",
                          GLISSON_TEXT("Nothing around the seeds differs from them in brightness."),
                          {},
@@ -159,7 +159,7 @@ namespace {
 std::optional<Appearance> learn_appearance(const imaging::Image<float>& image, const Mask& allowed,
                                            const std::vector<Vector3d>& seeds_mm, Contrast kind,
                                            const ContrastOptions& options) {
-  constexpr double least_share = 0.4;
+  constexpr double minimum_share = 0.4;
   const double sample_mm = std::max(options.sample_radius_mm, 1.5 * image.grid.spacing_mm.minCoeff());
   std::vector<float> at_seeds, scatter;
   for (const std::size_t voxel : voxels_of_seeds(allowed, seeds_mm, sample_mm)) {
@@ -169,8 +169,8 @@ std::optional<Appearance> learn_appearance(const imaging::Image<float>& image, c
   look.seeds = median_of(at_seeds);
   const auto off = [&](float value) { return std::abs(static_cast<double>(value) - look.seeds); };
   for (const float value : at_seeds) scatter.push_back(static_cast<float>(off(value)));
-  const double least_contrast =
-      std::max(least_contrast_to_noise * 1.4826 * median_of(std::move(scatter)), 1e-6 * std::abs(look.seeds));
+  const double minimum_contrast =
+      std::max(minimum_contrast_to_noise * 1.4826 * median_of(std::move(scatter)), 1e-6 * std::abs(look.seeds));
   for (const double radius_mm : {12.0, 20.0, 32.0, 50.0}) {
     std::vector<float> values;
     for (const std::size_t voxel : voxels_of_seeds(allowed, seeds_mm, radius_mm)) values.push_back(image.values[voxel]);
@@ -179,9 +179,9 @@ std::optional<Appearance> learn_appearance(const imaging::Image<float>& image, c
       return std::partition_point(values.begin(), values.end(), [&](float v) { return off(v) <= border; });
     };
     // Two classes, the seeds' held at their brightness: the border half-way to the other's, until it stays.
-    double border = least_contrast, around = look.seeds;
+    double border = minimum_contrast, around = look.seeds;
     for (int round = 0; round < 20; ++round) {
-      std::vector<float> differing(beyond(std::max(border, 0.6 * least_contrast)), values.end());
+      std::vector<float> differing(beyond(std::max(border, 0.6 * minimum_contrast)), values.end());
       if (differing.empty()) break;
       differing.resize((differing.size() + 1) / 2);  // the nearer half: fat and air around a vessel say nothing of it
       around = mode_of(differing);
@@ -189,8 +189,9 @@ std::optional<Appearance> learn_appearance(const imaging::Image<float>& image, c
       if (std::abs(next - border) < 1e-3 * next) break;
       border = next;
     }
-    if (off(static_cast<float>(around)) < least_contrast) continue;
-    if (static_cast<double>(values.end() - beyond(border)) < least_share * static_cast<double>(values.size())) continue;
+    if (off(static_cast<float>(around)) < minimum_contrast) continue;
+    if (static_cast<double>(values.end() - beyond(border)) < minimum_share * static_cast<double>(values.size()))
+      continue;
     look.around = around;
     std::vector<float> around_scatter;
     for (auto value = beyond(border); value != beyond(3 * border); ++value) {

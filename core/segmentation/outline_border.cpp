@@ -66,11 +66,11 @@ RefinedBorder with_border_refined(Mask outline, const imaging::Volume& image, do
   const auto band_mm = static_cast<float>(options.band_mm);
   const auto at_border_mm = static_cast<float>(1.01 * image.grid.spacing_mm.maxCoeff());
   std::size_t border = 0, unsure = 0;
-  const double least_contrast = options.least_contrast_sd * tissue_sd;
+  const double minimum_contrast = options.minimum_contrast_sd * tissue_sd;
   for (std::size_t voxel = 0; voxel < voxels; ++voxel) {
     if (std::abs(distance[voxel]) > band_mm || !std::isfinite(value[voxel])) continue;
     const double contrast = static_cast<double>(own[voxel]) - static_cast<double>(other[voxel]);
-    const bool differs = std::abs(contrast) >= least_contrast;  // not where there is none: NaN
+    const bool differs = std::abs(contrast) >= minimum_contrast;  // not where there is none: NaN
     if (std::abs(distance[voxel]) <= at_border_mm) {
       ++border;
       unsure += differs ? 0U : 1U;

@@ -14,7 +14,7 @@ struct BorderOptions {
   // wall, which is not the organ.
   double clamp_sd = 5;
   // With fewer standard deviations between both sides the border stays, and nobody can be sure of it.
-  double least_contrast_sd = 2;
+  double minimum_contrast_sd = 2;
 };
 
 struct RefinedBorder {

@@ -128,11 +128,11 @@ double rank_correlation(const std::vector<double>& a, const std::vector<double>&
 std::vector<CohortBin> bins_of(const std::vector<double>& means, const std::vector<double>& sds,
                                const CohortOptions& options) {
   const double width = 2 * options.atlas_half_width_kPa;
-  const double least = *std::min_element(means.begin(), means.end());
-  const double most = *std::max_element(means.begin(), means.end());
+  const double minimum = *std::min_element(means.begin(), means.end());
+  const double maximum = *std::max_element(means.begin(), means.end());
   const double first = options.atlas_kPa - options.atlas_half_width_kPa;
   std::vector<CohortBin> bins;
-  for (double low = first + width * std::floor((least - first) / width); low <= most; low += width) {
+  for (double low = first + width * std::floor((minimum - first) / width); low <= maximum; low += width) {
     CohortBin bin{low, low + width, 0, 0};
     for (std::size_t n = 0; n < means.size(); ++n) {
       if (means[n] < bin.low_kPa || means[n] >= bin.high_kPa) continue;

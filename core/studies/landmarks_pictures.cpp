@@ -66,13 +66,13 @@ std::vector<std::size_t> example_rows(const LandmarksSummary& summary, int count
   for (int n = 0; n < count; ++n) {
     const double wanted_mm = n == 0 ? mm.median : mm.mean + n * mm.sd;
     std::optional<std::size_t> nearest;
-    double least_mm = 0;
+    double minimum_mm = 0;
     for (std::size_t r = 0; r < summary.rows.size(); ++r) {
       if (!summary.rows[r].error.empty() || std::find(chosen.begin(), chosen.end(), r) != chosen.end()) continue;
       const double away_mm = std::abs(column_of({summary.rows[r]}, "atlas_near_tool_mm").front() - wanted_mm);
-      if (nearest && away_mm >= least_mm) continue;
+      if (nearest && away_mm >= minimum_mm) continue;
       nearest = r;
-      least_mm = away_mm;
+      minimum_mm = away_mm;
     }
     if (nearest) chosen.push_back(*nearest);
   }

@@ -74,10 +74,10 @@ Result<std::vector<MreRegion>> regions_of(const fs::path& map, const fs::path& l
   if (!stiffness) return failure(stiffness.error());
   const auto drawn = imaging::read_labels_file(labels);
   if (!drawn) return failure(drawn.error());
-  const std::uint16_t most =
+  const std::uint16_t maximum =
       drawn->values.empty() ? std::uint16_t{0} : *std::max_element(drawn->values.begin(), drawn->values.end());
   std::vector<MreRegion> regions;
-  for (std::uint16_t label = 1; label <= most; ++label) {
+  for (std::uint16_t label = 1; label <= maximum; ++label) {
     imaging::Mask mask{drawn->grid, {}};
     for (const std::uint16_t value : drawn->values) mask.values.push_back(value == label ? 1 : 0);
     if (!imaging::same_grid(mask.grid, stiffness->shear_kPa.grid)) {

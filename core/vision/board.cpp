@@ -19,13 +19,13 @@ BoardView whole(const std::vector<cv::Point2f>& corners, const Board& board);
 }  // namespace
 
 Result<void> check(const Board& board) {
-  constexpr int fewest = 3, most = 100;
-  const auto fits = [](int count) { return count >= fewest && count <= most; };
+  constexpr int fewest = 3, maximum = 100;
+  const auto fits = [](int count) { return count >= fewest && count <= maximum; };
   if (fits(board.columns) && fits(board.rows) && board.spacing_mm > 0 && std::isfinite(board.spacing_mm)) return {};
   return failure("board-invalid",
                  GLISSON_TEXT("A board has from {0} to {1} points a side and a positive spacing; {2} x {3} at {4} mm "
                               "were given."),
-                 {std::to_string(fewest), std::to_string(most), std::to_string(board.columns),
+                 {std::to_string(fewest), std::to_string(maximum), std::to_string(board.columns),
                   std::to_string(board.rows), fmt::format("{:g}", board.spacing_mm)});
 }
 

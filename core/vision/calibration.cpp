@@ -120,8 +120,8 @@ Result<StereoCalibration> read_opencv(const fs::path& file) {
 
 // The numbers of a text file, between spaces, commas or line ends; nothing where there is anything else.
 std::optional<std::vector<double>> numbers_in_text(const fs::path& file) {
-  constexpr std::uint64_t most_bytes = 1 << 16;
-  const auto text = read_text_file(file, most_bytes);
+  constexpr std::uint64_t maximum_bytes = 1 << 16;
+  const auto text = read_text_file(file, maximum_bytes);
   if (!text) return std::nullopt;
   std::vector<double> all;
   const char* at = text->data();

@@ -98,11 +98,11 @@ class Grid {
   // The free dot nearest to where the point is expected, within a third of a step.
   bool take(int point, const cv::Point2d& expected, double step_px) {
     int best = -1;
-    double least_px = step_px / 3;
+    double minimum_px = step_px / 3;
     for (std::size_t i = 0; i < dots_.size(); ++i) {
       const double off_px = cv::norm(dots_[i].center - expected);
-      if (taken_[i] || off_px >= least_px) continue;
-      least_px = off_px;
+      if (taken_[i] || off_px >= minimum_px) continue;
+      minimum_px = off_px;
       best = static_cast<int>(i);
     }
     if (best < 0) return false;

@@ -79,10 +79,10 @@ Result<StereoMatcher> StereoMatcher::prepare(const StereoCalibration& calibratio
     const bool half = options.size == MatchingSize::half || (options.size == MatchingSize::automatic && width > wide);
     const int shrink = half ? 2 : 1;
     const double focal_px = inside->rectified.to_depth.at<double>(2, 3);
-    const double most_px = focal_px * calibration.baseline_mm() / options.nearest_mm / shrink;
-    const int most_disparities = std::max(16, width / shrink / 3 / 16 * 16);
+    const double maximum_px = focal_px * calibration.baseline_mm() / options.nearest_mm / shrink;
+    const int maximum_disparities = std::max(16, width / shrink / 3 / 16 * 16);
     inside->matchers =
-        matchers(std::clamp(static_cast<int>(std::ceil(most_px / 16)) * 16, 16, most_disparities), shrink);
+        matchers(std::clamp(static_cast<int>(std::ceil(maximum_px / 16)) * 16, 16, maximum_disparities), shrink);
     return StereoMatcher(std::move(inside));
   } catch (const cv::Exception& problem) {
     return failure("stereo-failed", GLISSON_TEXT("The pair could not be matched: {0}."), {problem.err});
@@ -231,7 +231,7 @@ void place_points(const Rectification& rectified, const cv::Mat& left, const Dis
       ++looked_at;
       const double px = disparity.px.at<float>(y, x);
       const double confidence = disparity.confidence.at<float>(y, x);
-      if (!std::isfinite(px) || px <= 0 || confidence < options.least_confidence) continue;
+      if (!std::isfinite(px) || px <= 0 || confidence < options.minimum_confidence) continue;
       const double depth_mm = std::abs(depth_of_px) / px;
       if (depth_mm < options.nearest_mm || depth_mm > options.farthest_mm) continue;
       row[column] = static_cast<int>(cloud.points_mm.size());

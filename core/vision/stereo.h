@@ -29,7 +29,7 @@ struct StereoOptions {
   double nearest_mm = 30;              // a laparoscope is not held closer
   double farthest_mm = 300;            // nor does it see organs farther away
   double largest_disagreement_px = 1;  // between left-to-right and right-to-left, at the size that was matched
-  double least_confidence = 0.5;
+  double minimum_confidence = 0.5;
   MatchingSize size = MatchingSize::automatic;
   MaskOptions masks;
   int step_px = 1;  // one point every so many pixels

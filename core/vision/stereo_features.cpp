@@ -10,11 +10,11 @@
 
 namespace glisson::vision {
 
-Features find_features(const Frame& frame, int most) {
+Features find_features(const Frame& frame, int maximum) {
   cv::Mat grey;
   cv::cvtColor(to_opencv(frame), grey, cv::COLOR_BGR2GRAY);
   // Tissue is smooth: a lower threshold of contrast than Lowe's 0.04.
-  const auto sift = cv::SIFT::create(most, 3, 0.01, 15);
+  const auto sift = cv::SIFT::create(maximum, 3, 0.01, 15);
   std::vector<cv::KeyPoint> points;
   cv::Mat descriptors;
   sift->detectAndCompute(grey, {}, points, descriptors);

@@ -87,7 +87,7 @@ Result<void> LandmarkTracker::add(const Frame& left, const Frame& right) {
 
 std::vector<Track> LandmarkTracker::tracks() const {
   const double fewest =
-      std::max<double>(inside_->options.shortest_track, inside_->options.least_share * inside_->frames);
+      std::max<double>(inside_->options.shortest_track, inside_->options.minimum_share * inside_->frames);
   std::vector<const Followed*> kept;
   for (const Followed& landmark : inside_->followed) {
     if (static_cast<double>(landmark.sightings.size()) >= fewest) kept.push_back(&landmark);

@@ -32,7 +32,7 @@ struct TrackOptions {
   // Shorter tracks are not answered: frames, and the share of all frames. What lies between landmarks is judged in the
   // frames that show them all, and short tracks hardly ever meet.
   int shortest_track = 5;
-  double least_share = 0.4;
+  double minimum_share = 0.4;
 };
 
 struct Track {

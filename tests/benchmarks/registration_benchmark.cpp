@@ -126,27 +126,27 @@ void trwls_wolves(benchmark::State& state) {
     options.stopping = Stopping::fixed_passes;
     options.polish = Polish::none;  // as the baseline
   }
-  double least_ms = 1e9, least_cpu_ms = 1e9;
+  double minimum_ms = 1e9, minimum_cpu_ms = 1e9;
   MatchingSolution solution;
   for (auto _ : state) {
     const double before_ms = cpu_ms();
     solution = trwls(*problem, options).value();
-    least_ms = std::min(least_ms, solution.solve_ms);
-    least_cpu_ms = std::min(least_cpu_ms, cpu_ms() - before_ms);
+    minimum_ms = std::min(minimum_ms, solution.solve_ms);
+    minimum_cpu_ms = std::min(minimum_cpu_ms, cpu_ms() - before_ms);
   }
   set_thread_count(0);
   state.SetLabel(widest_instructions());
-  state.counters["least_ms"] = least_ms;
-  state.counters["least_cpu_ms"] = least_cpu_ms;  // of all threads
+  state.counters["least_ms"] = minimum_ms;
+  state.counters["least_cpu_ms"] = minimum_cpu_ms;  // of all threads
   state.counters["passes"] = static_cast<double>(solution.passes.size());
   if (const auto base = baseline(*problem)) {
     const double cells =
         0.5 * static_cast<double>(problem->nodes()) * (problem->nodes() - 1) * problem->labels() * problem->labels();
     const double evaluated_ms = base->solve_ms + base->store_ms / cells * (20 * 2 * cells);
-    state.counters["ratio_given"] = base->solve_ms / least_ms;
-    state.counters["ratio_given_cpu"] = base->solve_cpu_ms / least_cpu_ms;  // work against work, on busy machines too
-    state.counters["ratio_with_field"] = (base->store_ms + base->solve_ms) / least_ms;
-    state.counters["ratio_evaluated"] = evaluated_ms / least_ms;
+    state.counters["ratio_given"] = base->solve_ms / minimum_ms;
+    state.counters["ratio_given_cpu"] = base->solve_cpu_ms / minimum_cpu_ms;  // work against work, on busy machines too
+    state.counters["ratio_with_field"] = (base->store_ms + base->solve_ms) / minimum_ms;
+    state.counters["ratio_evaluated"] = evaluated_ms / minimum_ms;
     state.counters["energy_%"] = 100 * (solution.energy / base->energy - 1);
     state.counters["trws_ms"] = base->solve_ms;
     state.counters["field_ms"] = base->store_ms;
@@ -163,7 +163,7 @@ BENCHMARK(trwls_wolves)
 // messages of one node, 128 labels) and in registers alone. The fastest of many short runs each, so that other programs
 // hardly matter. floor_ms is what 20 passes at n = 128 would take two cores at that rate.
 #if defined(__x86_64__)
-__attribute__((target("avx512f,avx512bw"), noinline)) void costs_in_registers(int rounds, __m512i* least) {
+__attribute__((target("avx512f,avx512bw"), noinline)) void costs_in_registers(int rounds, __m512i* minimum) {
   __m512i y = _mm512_set1_epi16(1234), weight = _mm512_set1_epi16(3333), start = _mm512_set1_epi16(10);
   const __m512i x = _mm512_set1_epi16(99), x_weight = _mm512_set1_epi16(77), tau = _mm512_set1_epi16(5000);
   __m512i best[8];
@@ -177,15 +177,15 @@ __attribute__((target("avx512f,avx512bw"), noinline)) void costs_in_registers(in
       each = _mm512_min_epu16(each, _mm512_add_epi16(start, cost));
     }
   }
-  for (int i = 0; i < 8; ++i) _mm512_storeu_si512(least + i, best[i]);
+  for (int i = 0; i < 8; ++i) _mm512_storeu_si512(minimum + i, best[i]);
 }
 #endif
 
 void cost_roofline(benchmark::State& state) {
   constexpr int labels = 128, messages = 12, repeats = 20000;
   std::mt19937 random(1);
-  const auto fill = [&](auto& words, unsigned most) {
-    for (auto& word : words) word = static_cast<std::uint16_t>(random() % most);
+  const auto fill = [&](auto& words, unsigned maximum) {
+    for (auto& word : words) word = static_cast<std::uint16_t>(random() % maximum);
   };
   Slices<std::uint16_t> slices;
   slices.nodes = slices.labels = slices.stride = labels;
@@ -217,17 +217,17 @@ void cost_roofline(benchmark::State& state) {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512bw") == 0) return;
   constexpr int rounds = 1000;
-  __m512i least[8];
+  __m512i minimum[8];
   for (int i = 0; i < repeats / 4; ++i) {
     const auto start = Clock::now();
-    costs_in_registers(rounds, least);
-    benchmark::DoNotOptimize(least);
+    costs_in_registers(rounds, minimum);
+    benchmark::DoNotOptimize(minimum);
     registers_ms = std::min(registers_ms, ms_since(start));
   }
-  const double most = 8.0 * 32 * rounds / registers_ms;
-  state.counters["registers_G_a_s"] = 1e-6 * most;
-  state.counters["share_%"] = 100 * costs / kernel_ms / most;
-  state.counters["floor_ms"] = 20.0 * 128 * 127 * 128 * 128 / (2 * most);
+  const double maximum = 8.0 * 32 * rounds / registers_ms;
+  state.counters["registers_G_a_s"] = 1e-6 * maximum;
+  state.counters["share_%"] = 100 * costs / kernel_ms / maximum;
+  state.counters["floor_ms"] = 20.0 * 128 * 127 * 128 * 128 / (2 * maximum);
 #endif
 }
 BENCHMARK(cost_roofline)->Unit(benchmark::kMillisecond)->Iterations(1);

@@ -236,7 +236,7 @@ TEST(HistoryWorker, DISABLED_WorksUntilKilled) {
 TEST_F(HistoryTest, KilledAtAnyMomentCaseAndHistoryOpenTogether) {
   const auto start = contents(folder_);
   std::mt19937 random(20261121);
-  std::size_t most_steps = 0;
+  std::size_t maximum_steps = 0;
   for (int round = 0; round < 25; ++round) {
     std::error_code ignored;
     fs::remove(temporary_.path() / "ready", ignored);
@@ -268,9 +268,9 @@ TEST_F(HistoryTest, KilledAtAnyMomentCaseAndHistoryOpenTogether) {
     EXPECT_EQ(contents(folder_), start);
     for (std::size_t n = forward; n < steps; ++n) ASSERT_TRUE((*history)->redo());
     EXPECT_EQ(contents(folder_), found);
-    most_steps = std::max(most_steps, steps);
+    maximum_steps = std::max(maximum_steps, steps);
   }
-  EXPECT_GE(most_steps, 5u);  // it was killed at work, not before
+  EXPECT_GE(maximum_steps, 5u);  // it was killed at work, not before
 }
 
 }  // namespace

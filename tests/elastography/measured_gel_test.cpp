@@ -55,8 +55,8 @@ Pushes read_pushes(const std::filesystem::path& path) {
   pushes.columns = size[1];
   pushes.count = size[3];
   pushes.magnitude = values_of(file.get(), "magnitude", size);
-  const double most = *std::max_element(pushes.magnitude.begin(), pushes.magnitude.end());
-  for (double& value : pushes.magnitude) value /= most;
+  const double maximum = *std::max_element(pushes.magnitude.begin(), pushes.magnitude.end());
+  for (double& value : pushes.magnitude) value /= maximum;
   return pushes;
 }
 

@@ -17,10 +17,10 @@ namespace {
 // Takes 200 us for every 1000 nodes of a product, by the clock.
 class ClockworkKernel : public ProductKernel {
  public:
-  explicit ClockworkKernel(std::size_t most_nodes) : most_nodes_(most_nodes) {}
+  explicit ClockworkKernel(std::size_t maximum_nodes) : maximum_nodes_(maximum_nodes) {}
   [[nodiscard]] std::string name() const override { return "clockwork"; }
   Result<void> prepare(std::size_t nodes) override {
-    if (nodes > most_nodes_) return failure("batch-too-large", "Too large.");
+    if (nodes > maximum_nodes_) return failure("batch-too-large", "Too large.");
     return {};
   }
   Result<void> run(std::size_t nodes, int times) override {
@@ -31,7 +31,7 @@ class ClockworkKernel : public ProductKernel {
   }
 
  private:
-  std::size_t most_nodes_;
+  std::size_t maximum_nodes_;
 };
 
 MeasureOptions small_grid() {

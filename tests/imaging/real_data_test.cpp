@@ -173,9 +173,9 @@ TEST(RealData, MeasuredPhaseFillsTheWholeCircle) {
   const Result<Volume> phase = read_series(study->series[3]);
   ASSERT_TRUE(phase.has_value());
   EXPECT_EQ(phase->unit, "rad");
-  const auto [least, most] = std::minmax_element(phase->values.begin(), phase->values.end());
-  EXPECT_NEAR(*least, -3.1416, 0.002);  // one step of the twelve bits is 0.0015 rad
-  EXPECT_NEAR(*most, 3.1416, 0.002);
+  const auto [minimum, maximum] = std::minmax_element(phase->values.begin(), phase->values.end());
+  EXPECT_NEAR(*minimum, -3.1416, 0.002);  // one step of the twelve bits is 0.0015 rad
+  EXPECT_NEAR(*maximum, 3.1416, 0.002);
 }
 
 TEST(RealData, PublishedBrainStiffnessInPascalIsRecognisedByItsSize) {

@@ -30,7 +30,7 @@ double volume_mm3(const imaging::Mask& mask) {
 }
 
 TEST(VoronoiNodes, TheEnergyFallsInEveryRound) {
-  const auto nodes = voronoi_nodes(ball(2, 40), {.nodes = 500, .most_rounds = 40, .least_gain = 0});
+  const auto nodes = voronoi_nodes(ball(2, 40), {.nodes = 500, .maximum_rounds = 40, .minimum_gain = 0});
   ASSERT_TRUE(nodes);
   ASSERT_GT(nodes->energies_mm5.size(), 10U);
   for (std::size_t i = 1; i < nodes->energies_mm5.size(); ++i) {
@@ -52,7 +52,7 @@ TEST(VoronoiNodes, CellsTogetherAreTheBodyAndNoneIsEmpty) {
 TEST(VoronoiNodes, EachStandsAtTheCentroidOfTheVoxelsNearestToIt) {
   // Judged slowly: every voxel against every node. A settled decomposition moves no voxel worth mentioning.
   const imaging::Mask mask = ball(3, 30);
-  const auto nodes = voronoi_nodes(mask, {.nodes = 60, .most_rounds = 500, .least_gain = 0});
+  const auto nodes = voronoi_nodes(mask, {.nodes = 60, .maximum_rounds = 500, .minimum_gain = 0});
   ASSERT_TRUE(nodes);
   EXPECT_EQ(nodes->stopped, VoronoiNodes::Stopped::settled);
   std::vector<Vector3d> sums(60, Vector3d::Zero());

@@ -44,15 +44,15 @@ inline ShuffledPoints shuffled_points(int count, double noise_mm, unsigned seed)
 }
 
 // The cheapest of all labelings, by trying them all.
-inline double least_energy(const MatchingProblem& problem) {
+inline double minimum_energy(const MatchingProblem& problem) {
   const MatchingEnergy energy(problem);
   Labelling labels(static_cast<std::size_t>(problem.nodes()), 0);
-  double least = energy(labels);
+  double minimum = energy(labels);
   for (;;) {
     std::size_t node = 0;
     while (node < labels.size() && ++labels[node] == problem.labels()) labels[node++] = 0;
-    if (node == labels.size()) return least;
-    least = std::min(least, energy(labels));
+    if (node == labels.size()) return minimum;
+    minimum = std::min(minimum, energy(labels));
   }
 }
 

@@ -16,7 +16,7 @@
 namespace glisson::registration {
 namespace {
 
-using test::least_energy;
+using test::minimum_energy;
 using test::shuffled_points;
 
 constexpr SolverOptions fixed_passes{.stopping = Stopping::fixed_passes};
@@ -60,12 +60,12 @@ TEST(Trws, BracketsTheLeastEnergy) {
   int met = 0;
   for (unsigned seed = 0; seed < 20; ++seed) {
     const MatchingProblem problem = shuffled_points(5, 5, seed).problem;
-    const double least = least_energy(problem);
+    const double minimum = minimum_energy(problem);
     const MatchingSolution solution = trws(store(problem).value(), {.passes = 100, .stopping = Stopping::fixed_passes});
-    EXPECT_LE(solution.lower_bound, least + 1e-9);
-    EXPECT_GE(solution.energy, least - 1e-9);
+    EXPECT_LE(solution.lower_bound, minimum + 1e-9);
+    EXPECT_GE(solution.energy, minimum - 1e-9);
     EXPECT_NEAR(MatchingEnergy(problem)(solution.labels), solution.energy, 1e-9);
-    if (solution.energy < least + 1e-9) ++met;
+    if (solution.energy < minimum + 1e-9) ++met;
   }
   EXPECT_GE(met, 15);
 }
@@ -211,10 +211,10 @@ TEST(Trwls, BracketsTheLeastEnergyAtEveryWidth) {
        {WordWidth::bits_8, WordWidth::bits_16, WordWidth::bits_32, WordWidth::double_precision}) {
     for (unsigned seed = 0; seed < 20; ++seed) {
       const MatchingProblem problem = shuffled_points(5, 5, seed).problem;
-      const double least = least_energy(problem);
+      const double minimum = minimum_energy(problem);
       const MatchingSolution solution = trwls(problem, trwls_options(width, Instructions::widest, 50)).value();
-      EXPECT_LE(solution.lower_bound, least + 1e-9);
-      EXPECT_GE(solution.energy, least - 1e-9);
+      EXPECT_LE(solution.lower_bound, minimum + 1e-9);
+      EXPECT_GE(solution.energy, minimum - 1e-9);
       EXPECT_EQ(MatchingEnergy(problem)(solution.labels), solution.energy);
     }
   }

@@ -82,28 +82,28 @@ TEST(StaticRehearsal, CountsTheCellsTurnedInsideOutAsAFullSolveDoes) {
   const RehearsalSetup setup = slab();
   const auto rehearsal = StaticRehearsal::create(setup).value();
   const auto tool = rehearsal.place_tool(tool_center_mm, tool_radius_mm).value();
-  int most = 0;
+  int maximum = 0;
   for (const Vector3d& force_N : {Vector3d(0, 0, -4), Vector3d(0, 30, 0), Vector3d(10, 60, -20)}) {
     mechanics::Loads loads = setup.standing_loads;
     loads.push_back(mechanics::ToolLoad{tool_center_mm, tool_radius_mm, force_N.unaryExpr(&units::mN_from_N)});
     const mechanics::Validity validity = tool.answer(force_N).validity;
     EXPECT_EQ(validity.inverted_cells, rehearsal.patient().solve(loads)->inverted_cells) << force_N.transpose();
     EXPECT_EQ(validity.usable(), validity.inverted_cells == 0);
-    most = std::max(most, validity.inverted_cells);
+    maximum = std::max(maximum, validity.inverted_cells);
   }
-  EXPECT_GT(most, 0);
+  EXPECT_GT(maximum, 0);
 }
 
 TEST(StaticRehearsal, KnowsTheForceAtWhichTheModelEnds) {
   const auto rehearsal = StaticRehearsal::create(slab()).value();
   const auto tool = rehearsal.place_tool(tool_center_mm, tool_radius_mm).value();
   const Vector3d direction = Vector3d(0.2, -1, 0.5).normalized();
-  constexpr double most_N = 20;
-  const double within_N = tool.force_within_the_model_N(direction, most_N);
+  constexpr double maximum_N = 20;
+  const double within_N = tool.force_within_the_model_N(direction, maximum_N);
   ASSERT_GT(within_N, 0);
-  ASSERT_LT(within_N, most_N);
+  ASSERT_LT(within_N, maximum_N);
   EXPECT_EQ(tool.answer(within_N * direction).validity.state(), mechanics::AnswerState::within);
-  EXPECT_NE(tool.answer((within_N + 0.01 * most_N) * direction).validity.state(), mechanics::AnswerState::within);
+  EXPECT_NE(tool.answer((within_N + 0.01 * maximum_N) * direction).validity.state(), mechanics::AnswerState::within);
   EXPECT_EQ(tool.force_within_the_model_N(direction, 0.5 * within_N), 0.5 * within_N);
 }
 

@@ -111,7 +111,7 @@ struct Organ {
   const char* labels;
   int value;
   Contrast kind;
-  double least_dice;
+  double minimum_dice;
 };
 class GrowContrastReal : public testing::TestWithParam<Organ> {};
 
@@ -127,7 +127,7 @@ TEST_P(GrowContrastReal, IsFoundFromOneClick) {
   ASSERT_TRUE(grown) << grown.error().message();
   const double overlap = dice(grown->mask, labelled).value();
   tell(std::string(organ.what) + ", " + organ.image, *grown, overlap, volume_ml(labelled));
-  EXPECT_GT(overlap, organ.least_dice);
+  EXPECT_GT(overlap, organ.minimum_dice);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -23,7 +23,7 @@
 #include "widgets/main_window.h"
 #include "widgets/views/wave_view.h"
 #include "widgets/words/number_box.h"
-#include "widgets/words/told.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -141,10 +141,10 @@ class LanguageTest : public QObject {
                       {"liver.vtu", GLISSON_TEXT("it holds no tetrahedra")},
                       GLISSON_TEXT("Open it in ParaView to see whether it is damaged."),
                       {}};
-    QCOMPARE(told(error),
+    QCOMPARE(translated(error),
              QString("liver.vtu kann nicht als Netz gelesen werden: es enthält keine Tetraeder. Öffnen Sie "
                      "es in ParaView, um zu sehen, ob es beschädigt ist."));
-    QCOMPARE(told_stage("Writing: labels/liver"), QString("Schreiben: labels/liver"));
+    QCOMPARE(translated_stage("Writing: labels/liver"), QString("Schreiben: labels/liver"));
     choose("en");
   }
 

@@ -62,7 +62,7 @@ class WindowFrameTest : public QObject {
     opened.show();
     QVERIFY(QTest::qWaitForWindowExposed(&opened));
     const QRect screen = opened.screen()->availableGeometry();
-    QTRY_VERIFY2(screen.contains(opened.frameGeometry()), qPrintable(told(opened.frameGeometry())));
+    QTRY_VERIFY2(screen.contains(opened.frameGeometry()), qPrintable(translated(opened.frameGeometry())));
     const QStatusBar* line = opened.statusBar();
     QVERIFY(screen.contains(QRect(line->mapToGlobal(QPoint(0, 0)), line->size())));
   }
@@ -72,9 +72,9 @@ class WindowFrameTest : public QObject {
     const auto window = shown_window();
     for (const char* language : {"en", "de", "fr", "es"}) {
       choose_language(language);
-      const auto least = [&] { return window->minimumSizeHint(); };
-      QTRY_VERIFY2(least().width() <= 1264 && least().height() <= 680,
-                   qPrintable(QString("%1: %2 x %3").arg(language).arg(least().width()).arg(least().height())));
+      const auto minimum = [&] { return window->minimumSizeHint(); };
+      QTRY_VERIFY2(minimum().width() <= 1264 && minimum().height() <= 680,
+                   qPrintable(QString("%1: %2 x %3").arg(language).arg(minimum().width()).arg(minimum().height())));
     }
   }
 
@@ -174,7 +174,7 @@ class WindowFrameTest : public QObject {
   }
 
  private:
-  static QString told(const QRect& rect) {
+  static QString translated(const QRect& rect) {
     return QString("%1 x %2 at %3, %4").arg(rect.width()).arg(rect.height()).arg(rect.x()).arg(rect.y());
   }
 

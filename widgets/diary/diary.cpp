@@ -27,7 +27,8 @@ const char* name_of(DiaryEntry::Kind kind) {
 
 }  // namespace
 
-Diary::Diary(QString file, QObject* parent, std::size_t most) : QObject(parent), file_(std::move(file)), most_(most) {}
+Diary::Diary(QString file, QObject* parent, std::size_t maximum)
+    : QObject(parent), file_(std::move(file)), maximum_(maximum) {}
 
 void Diary::note(const Error& error) {
   if (error.code == "cancelled") return note("Cancelled.");
@@ -44,7 +45,7 @@ void Diary::note_stall(double stood_ms) { add(DiaryEntry::Kind::stall, "The wind
 void Diary::add(DiaryEntry::Kind kind, QString text, double took_ms) {
   if (took_ms >= 0) text += QString(" %1 ms").arg(took_ms, 0, 'f', 0);
   entries_.push_back({QDateTime::currentDateTime(), kind, std::move(text)});
-  if (entries_.size() > most_) entries_.pop_front();
+  if (entries_.size() > maximum_) entries_.pop_front();
   if (!file_.isEmpty()) {
     QFile file(file_);
     const bool anew = QFileInfo(file_).size() > longest_file_bytes;

@@ -24,7 +24,7 @@ class Diary : public QObject {
 
  public:
   // Keeps `most` entries and forgets the oldest; writes each to `file` too, which is begun anew at 1 MiB (empty: none).
-  explicit Diary(QString file = {}, QObject* parent = nullptr, std::size_t most = 2000);
+  explicit Diary(QString file = {}, QObject* parent = nullptr, std::size_t maximum = 2000);
 
   // A literal of this program, so that nothing else can be written by mistake; `took_ms` is left out below 0.
   template <std::size_t length>
@@ -44,7 +44,7 @@ class Diary : public QObject {
   void add(DiaryEntry::Kind kind, QString text, double took_ms = -1);
 
   QString file_;
-  std::size_t most_;
+  std::size_t maximum_;
   std::deque<DiaryEntry> entries_;
 };
 

@@ -10,9 +10,9 @@
 
 #include "base/files.h"
 #include "widgets/panels/ask_path.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 
@@ -46,7 +46,7 @@ DiaryWindow::DiaryWindow(const Diary& diary, QString graphics, QWidget* parent)
   connect(copy, &QPushButton::clicked, this,
           [this] { QApplication::clipboard()->setText(problem_report(diary_, graphics_)); });
   connect(save_report, &QPushButton::clicked, this, &DiaryWindow::save);
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     setWindowTitle(tr("Log - Glisson"));
     about->setText(
         tr("What Glisson did, in English, for those who mend it. It holds nothing about a patient: no names, "
@@ -63,7 +63,7 @@ void DiaryWindow::save() {
                         tr("Text (*.txt)"));
   if (file.isEmpty()) return;
   const auto written = write_text_file(path_of(file), problem_report(diary_, graphics_).toStdString());
-  if (!written) QMessageBox::warning(this, windowTitle(), told(written.error()));
+  if (!written) QMessageBox::warning(this, windowTitle(), translated(written.error()));
 }
 
 }  // namespace glisson::widgets

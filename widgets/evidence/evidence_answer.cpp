@@ -6,8 +6,8 @@
 
 #include "widgets/evidence/effect_words.h"
 #include "widgets/evidence/svg_view.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -60,7 +60,7 @@ EvidenceAnswer::EvidenceAnswer(QWidget* parent) : QScrollArea(parent) {
   column->addWidget(next_);
   notes_ = label("faint", page);
   column->addWidget(notes_);
-  worded(this, [this] { word(); });
+  keep_translated(this, [this] { word(); });
 }
 
 QWidget* EvidenceAnswer::make_residual() {
@@ -110,7 +110,7 @@ QWidget* EvidenceAnswer::make_numbers() {
   found_ = new FoundTree(group);
   found_->setMinimumHeight(130);
   column->addWidget(found_, 1);
-  worded(group, [title] { title->setText(tr("What was found")); });
+  keep_translated(group, [title] { title->setText(tr("What was found")); });
   group->setMinimumWidth(430);
   return group;
 }
@@ -194,7 +194,7 @@ void EvidenceAnswer::word() {
   verdict_->setToolTip(tr("The error falls from %1 to %2.").arg(before, after));
   const auto shape = [](const std::vector<std::string>& features) {
     QStringList words;
-    for (const std::string& feature : features) words << told(feature);
+    for (const std::string& feature : features) words << translated(feature);
     return words.join("; ");
   };
   shape_->setText(record.shape_before.empty()
@@ -215,7 +215,7 @@ void EvidenceAnswer::word() {
                      ? tr("No further trial is known that would tell the leading explanations apart.")
                      : QString::fromStdString(record.next_measurement));
   QStringList notes;
-  for (const std::string& note : record.notes) notes << told(note);
+  for (const std::string& note : record.notes) notes << translated(note);
   notes_->setText(notes.join("\n"));
   notes_->setVisible(!notes.isEmpty() && details_->isChecked());
   if (explained_ && has_residual_scene(*explained_)) show_residual();

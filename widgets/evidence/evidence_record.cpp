@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t most_bytes = std::uint64_t{64} << 20;
+constexpr std::uint64_t maximum_bytes = std::uint64_t{64} << 20;
 
 Failure not_a_report(const fs::path& folder, const std::string& why) {
   return failure(
@@ -160,7 +160,7 @@ Result<EvidenceRecord> read_evidence(const fs::path& folder) {
     EvidenceRecord record = record_in(*report, *model);
     record.folder = folder;
     // Without the page there are no pictures; all else is there.
-    if (const auto page = read_text_file(folder / "report.html", most_bytes)) {
+    if (const auto page = read_text_file(folder / "report.html", maximum_bytes)) {
       record.drawings = drawings_in(QString::fromStdString(*page));
     }
     return record;

@@ -5,8 +5,8 @@
 #include <QLocale>
 
 #include "widgets/evidence/effect_words.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -104,7 +104,7 @@ void FoundTree::show_record(const EvidenceRecord& record) {
   for (const EvidenceEffect& effect : record.effects) {
     auto* row = new QTreeWidgetItem(this, {effect_label(effect.kind), QString::fromStdString(effect.law), {}});
     row->setData(0, Qt::UserRole, QString::fromStdString(effect.kind));
-    row->setToolTip(0, told(effect.sentence));
+    row->setToolTip(0, translated(effect.sentence));
     row->setCheckState(0, Qt::Checked);
     QFont bold = row->font(0);
     bold.setBold(true);
@@ -132,7 +132,7 @@ void FoundTree::show_consequences(const std::vector<closedloop::LearntEffect>& e
     const std::string kind = row->data(0, Qt::UserRole).toString().toStdString();
     const auto found = std::find_if(effects.begin(), effects.end(), [&](const auto& one) { return one.kind == kind; });
     if (found == effects.end()) continue;
-    row->setToolTip(0, told(found->sentence));
+    row->setToolTip(0, translated(found->sentence));
     row->setFlags(row->flags().setFlag(Qt::ItemIsUserCheckable, found->carried));
     if (found->carried) continue;
     row->setCheckState(0, Qt::Unchecked);
@@ -177,7 +177,7 @@ void CandidatesTable::show_record(const EvidenceRecord& record) {
     if (candidate.delta_bic) item(row, delta_bic)->setToolTip(tr("ΔBIC %1").arg(*candidate.delta_bic, 0, 'f', 0));
     put(*this, row, alike,
         candidate.removed.empty() ? effect_labels(candidate.alike)
-                                  : tr("out of the running: %1").arg(told(candidate.removed)),
+                                  : tr("out of the running: %1").arg(translated(candidate.removed)),
         false);
     ++row;
   }

@@ -13,9 +13,9 @@
 #include "widgets/panels/ask_path.h"
 #include "widgets/panels/parts.h"
 #include "widgets/session/load_patient.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -51,7 +51,7 @@ EvidenceView::EvidenceView(WorkspaceContext context, QWidget* parent) : QWidget(
     time_left_->clear();
     word_state();
   });
-  worded(this, [this] { word_state(); });
+  keep_translated(this, [this] { word_state(); });
 }
 
 Workspace EvidenceView::workspace(WorkspaceContext context) {
@@ -114,7 +114,7 @@ QWidget* EvidenceView::make_panel() {
   connect(take_back_, &QPushButton::clicked, this, &EvidenceView::take_back);
   connect(compare_, &QPushButton::clicked, this, &EvidenceView::choose_trials);
   connect(save_, &QPushButton::clicked, this, &EvidenceView::save_report);
-  worded(panel, [=, this] {
+  keep_translated(panel, [=, this] {
     measurements_title->setText(tr("Measurements"));
     open_->setText(tr("Open an experiment..."));
     open_->setToolTip(tr("A file that says what was measured and which model was assumed (Help, Closing the loop)"));
@@ -144,7 +144,7 @@ QWidget* EvidenceView::make_beginning() {
   column->addStretch(2);
   column->addWidget(beginning_);
   column->addStretch(3);
-  worded(page, [this] {
+  keep_translated(page, [this] {
     beginning_->setText(
         tr("Open measurements of a palpation, a material test or a wearable computer.\n"
            "Glisson says how far the declared model is off, what it lacks, and how sure that is.\n\n"
@@ -228,7 +228,7 @@ QString EvidenceView::why_not_accept() const {
   if (weighed_) {
     const auto& effects = weighed_->effects;
     if (std::none_of(effects.begin(), effects.end(), [](const auto& effect) { return effect.carried; })) {
-      return tr("What was found would change nothing in the rehearsal: %1").arg(told(effects.front().sentence));
+      return tr("What was found would change nothing in the rehearsal: %1").arg(translated(effects.front().sentence));
     }
     if (!casefile::is_of_patient(weighed_->specimen, patient_.folder.stem().string())) {
       return tr("This was measured on \"%1\", and nothing shows that it is tissue of %2.")
@@ -259,7 +259,7 @@ void EvidenceView::word_state() {
   QStringList lines;
   if (!why_not.isEmpty()) lines << why_not;
   for (const closedloop::LearntEffect& effect : effects) {
-    lines << (effect.carried ? tr("Accepted: %1") : tr("Accepted, but left out: %1")).arg(told(effect.sentence));
+    lines << (effect.carried ? tr("Accepted: %1") : tr("Accepted, but left out: %1")).arg(translated(effect.sentence));
   }
   accepted_->setText(lines.join("\n"));
   compare_->setEnabled(record_ != nullptr && !busy);
@@ -283,7 +283,7 @@ void EvidenceView::accept() {
   QStringList what;
   for (const closedloop::LearntEffect& effect : weighed_->effects) {
     const auto kinds = answer_->found().ticked_kinds();
-    if (std::find(kinds.begin(), kinds.end(), effect.kind) != kinds.end()) what << "- " + told(effect.sentence);
+    if (std::find(kinds.begin(), kinds.end(), effect.kind) != kinds.end()) what << "- " + translated(effect.sentence);
   }
   QMessageBox question(
       QMessageBox::Question, tr("Accept for this patient?"),
@@ -353,9 +353,9 @@ void EvidenceView::show_comparison(const closedloop::Prediction& declared, const
       comparison_->setItem(row, static_cast<int>(side) + 1, cell);
     }
   }
-  constexpr int most_rows = 10;
+  constexpr int maximum_rows = 10;
   comparison_->setFixedHeight(comparison_->horizontalHeader()->sizeHint().height() +
-                              24 * std::min(most_rows, comparison_->rowCount()) + 4);
+                              24 * std::min(maximum_rows, comparison_->rowCount()) + 4);
   comparison_->show();
 }
 

@@ -6,8 +6,8 @@
 #include <QSignalBlocker>
 
 #include "widgets/theme.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 
@@ -79,7 +79,7 @@ QString limit_of(const PlatformAnswer& answer) {
 
 PlatformTable::PlatformTable(QWidget* parent) : QTableWidget(0, columns, parent) {
   setObjectName("platforms");
-  worded(this, [this] {
+  keep_translated(this, [this] {
     setHorizontalHeaderLabels({tr("Platform"), tr("Worn on\nthe"), tr("Draws idle\nW"), tr("Battery\nallows W"),
                                tr("Left to\ncompute W"), tr("Frames/s\nat most"), tr("Lasts\nh"), tr("Surface\n°C"),
                                tr("Limit"), tr("Assumed\nfigures")});
@@ -181,7 +181,7 @@ void PlatformTable::show_plan(const hardware::Plan& plan, const std::vector<Devi
     put_number(surface, answer.temperature_C,
                {"thermal_resistance_C_per_W", "thermal_time_constant_s", "idle_W", "kernel.active_W"});
     QStringList reasons;
-    for (const hardware::Reason& reason : answer.reasons) reasons << told(reason.sentence);
+    for (const hardware::Reason& reason : answer.reasons) reasons << translated(reason.sentence);
     put(limit, limit_of(answer), reasons.join("\n"))->setForeground(theme_colour(answer.feasible ? "fine" : "warning"));
     QStringList names;
     for (const std::string& figure : answer.assumed) names << QString::fromStdString(figure);

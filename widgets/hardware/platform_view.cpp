@@ -14,9 +14,9 @@
 #include "widgets/hardware/platform_words.h"
 #include "widgets/panels/ask_path.h"
 #include "widgets/panels/parts.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 
@@ -30,9 +30,9 @@ constexpr double dissertation_kPa = 12;  // where no case says
 QString number(double value, int digits = 3) { return QLocale().toString(value, 'g', digits); }
 QString whole(double value) { return QLocale().toString(value, 'f', 0); }
 
-NumberBox* number_box(double least, double most, int decimals) {
+NumberBox* number_box(double minimum, double maximum, int decimals) {
   auto* box = new NumberBox;
-  box->setRange(least, most);
+  box->setRange(minimum, maximum);
   box->setDecimals(decimals);
   return box;
 }
@@ -41,11 +41,11 @@ NumberBox* number_box(double least, double most, int decimals) {
 // costs and what fails lies at the fine end.
 hardware::ProblemGrid grid_around(double volume_cm3) {
   hardware::ProblemGrid grid = hardware::dissertation_grid();
-  const double least = std::min(grid.volumes_cm3.front(), volume_cm3);
-  const double most = std::max(grid.volumes_cm3.back(), volume_cm3);
+  const double minimum = std::min(grid.volumes_cm3.front(), volume_cm3);
+  const double maximum = std::max(grid.volumes_cm3.back(), volume_cm3);
   const auto last = static_cast<double>(grid.volumes_cm3.size() - 1);
   for (std::size_t i = 0; i < grid.volumes_cm3.size(); ++i)
-    grid.volumes_cm3[i] = least + (most - least) * static_cast<double>(i) / last;
+    grid.volumes_cm3[i] = minimum + (maximum - minimum) * static_cast<double>(i) / last;
   const double finest_mm3 = grid.resolutions_mm3.front();
   const double ratio = grid.resolutions_mm3.back() / finest_mm3;
   for (std::size_t i = 0; i < grid.resolutions_mm3.size(); ++i)
@@ -79,7 +79,7 @@ PlatformView::PlatformView(std::vector<Device> devices, hardware::ConvergenceCur
     show_picture();
   });
   connect(quantity_, &QComboBox::currentIndexChanged, this, &PlatformView::show_picture);
-  worded(this, [this] {
+  keep_translated(this, [this] {
     word_case();
     replan();
   });
@@ -94,7 +94,8 @@ QWidget* PlatformView::shipped(QWidget* parent) {
   });
   if (devices && curve) return new PlatformView(*devices, *curve, parent);
   auto* sorry = new QLabel(parent);
-  worded(sorry, [sorry, error = devices ? curve.error() : devices.error()] { sorry->setText(told(error)); });
+  keep_translated(sorry,
+                  [sorry, error = devices ? curve.error() : devices.error()] { sorry->setText(translated(error)); });
   sorry->setWordWrap(true);
   sorry->setAlignment(Qt::AlignCenter);
   return sorry;
@@ -197,7 +198,7 @@ QWidget* PlatformView::make_question() {
   connect(add, &QPushButton::clicked, this, &PlatformView::choose_devices);
   column->addWidget(add);
 
-  worded(panel, [=, this] {
+  keep_translated(panel, [=, this] {
     case_title->setText(tr("The case"));
     volume_name->setText(tr("Liver"));
     volume_->setSuffix(tr(" cm³"));
@@ -276,7 +277,7 @@ QWidget* PlatformView::make_answer() {
   notes_->setWordWrap(true);
   notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column->addWidget(notes_);
-  worded(right, [this] {
+  keep_translated(right, [this] {
     quantity_->setItemText(surface_C, tr("Surface temperature"));
     quantity_->setItemText(frames, tr("Frame rate that holds"));
     quantity_->setItemText(battery, tr("Battery life"));
@@ -292,7 +293,7 @@ void PlatformView::choose_devices() {
   if (devices) {
     add_devices(*std::move(devices));
   } else {
-    refusal_->setText(told(devices.error()));
+    refusal_->setText(translated(devices.error()));
     refusal_->show();
   }
 }
@@ -318,7 +319,7 @@ void PlatformView::replan() {
   refusal_->setVisible(!planned);
   if (!planned) {
     plan_.reset();
-    refusal_->setText(told(planned.error()));
+    refusal_->setText(translated(planned.error()));
     answer_->clear();
     table_->setRowCount(0);
     details_->clear();
@@ -339,7 +340,7 @@ void PlatformView::replan() {
                                                         : tr("Least obtrusive that holds, on the back: %1").arg(name));
   table_->show_plan(*plan_, devices_);
   QStringList notes;
-  for (const hardware::Sentence& note : plan_->notes) notes << told(note);
+  for (const hardware::Sentence& note : plan_->notes) notes << translated(note);
   notes_->setText(notes.join(" "));
   show_platform();
   show_picture();

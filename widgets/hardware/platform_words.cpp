@@ -5,7 +5,7 @@
 
 #include "widgets/hardware/platform_view.h"
 #include "widgets/theme.h"
-#include "widgets/words/told.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 
@@ -40,7 +40,7 @@ QString platform_in_full(const PlatformAnswer& answer, const Device& device, con
           "</p>";
   if (!answer.feasible) {
     QStringList reasons;
-    for (const hardware::Reason& reason : answer.reasons) reasons << told(reason.sentence).toHtmlEscaped();
+    for (const hardware::Reason& reason : answer.reasons) reasons << translated(reason.sentence).toHtmlEscaped();
     html += "<p>" + PlatformView::tr("Why it fails:") + "</p>" + listed(reasons);
     const QStringList remedies = remedies_in_words(answer.remedies);
     html += remedies.isEmpty() ? "<p>" + PlatformView::tr("No single figure would make it hold.") + "</p>"

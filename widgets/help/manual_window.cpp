@@ -11,9 +11,9 @@
 #include <QVBoxLayout>
 
 #include "base/files.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/language.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace fs = std::filesystem;
@@ -105,7 +105,7 @@ ManualWindow::ManualWindow(const fs::path& folder, QWidget* parent) : QWidget(pa
 
   connect(words_, &QLineEdit::textChanged, this, &ManualWindow::search);
   connect(titles_, &QListWidget::currentRowChanged, this, &ManualWindow::show_row);
-  worded(this, [this] {
+  keep_translated(this, [this] {
     setWindowTitle(tr("Manual - Glisson"));
     words_->setPlaceholderText(tr("Search the manual"));
     words_->setAccessibleName(tr("Words to search for"));

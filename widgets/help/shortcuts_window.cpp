@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 #include <vector>
 
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -61,7 +61,7 @@ ShortcutsWindow::ShortcutsWindow(QWidget* window) : QWidget(window, Qt::Window) 
       table->setRowHidden(row, !table->item(row, 0)->text().contains(wanted, Qt::CaseInsensitive) &&
                                    !table->item(row, 1)->text().contains(wanted, Qt::CaseInsensitive));
   });
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     setWindowTitle(tr("Keys - Glisson"));
     words->setPlaceholderText(tr("Search"));
     words->setAccessibleName(tr("Words to search for"));

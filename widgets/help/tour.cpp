@@ -3,7 +3,7 @@
 #include <QHBoxLayout>
 #include <utility>
 
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
 
@@ -41,7 +41,7 @@ TourCard::TourCard(QWidget* parent) : QFrame(parent) {
     }
   });
   hide();
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     leave->setText(tr("End the tour"));
     back_->setText(tr("Back"));
     word();

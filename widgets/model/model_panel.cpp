@@ -11,9 +11,9 @@
 #include "widgets/panels/parts.h"
 #include "widgets/session/load_patient.h"
 #include "widgets/views/wave_view.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -94,7 +94,7 @@ ModelPanel::ModelPanel(WorkspaceContext context, QWidget* parent) : QWidget(pare
   column->addWidget(notes_);
   column->addStretch(1);
   connect(update_, &QPushButton::clicked, this, [this] { rebuild({}); });
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     title->setText(tr("Model"));
     update_->setText(tr("Bring it up to date"));
     word_state();
@@ -139,7 +139,7 @@ QWidget* ModelPanel::make_shown() {
     word_state();
     show_scene();
   });
-  worded(part.group, [=, title = part.title] {
+  keep_translated(part.group, [=, title = part.title] {
     title->setText(tr("The 3D view shows"));
     choices[0]->setText(tr("Stiffness"));
     choices[1]->setText(tr("Attachments"));
@@ -155,7 +155,7 @@ QWidget* ModelPanel::make_facts() {
   quality_ = part.label("model_quality");
   dihedrals_ = new HistogramPlot(part.group);
   part.column->addWidget(dihedrals_);
-  worded(part.group, [title = part.title] { title->setText(tr("Cells")); });
+  keep_translated(part.group, [title = part.title] { title->setText(tr("Cells")); });
   return part.group;
 }
 
@@ -183,7 +183,7 @@ QWidget* ModelPanel::make_stiffness() {
   connect(source_, &QComboBox::currentIndexChanged, this, &ModelPanel::word_state);
   connect(give_, &QPushButton::clicked, this, [this] { rebuild({}); });
   connect(waves_, &QPushButton::clicked, this, &ModelPanel::show_waves);
-  worded(part.group, [=, this, title = part.title] {
+  keep_translated(part.group, [=, this, title = part.title] {
     title->setText(tr("Young's modulus"));
     source_->setItemText(mre, tr("From MR elastography"));
     source_->setItemText(atlas_own_cohort, tr("Assumed: the atlas's 2.1 kPa in shear"));
@@ -211,7 +211,7 @@ QWidget* ModelPanel::make_building() {
   row->addWidget(build_, 1);
   part.column->addLayout(row);
   connect(build_, &QPushButton::clicked, this, [this] { rebuild(static_cast<int>(target_->value())); });
-  worded(part.group, [=, this, title = part.title] {
+  keep_translated(part.group, [=, this, title = part.title] {
     title->setText(tr("Build"));
     target_->setSuffix(tr(" cells"));
     target_->setToolTip(tr("Wanted number of cells: more are finer and slower. 20 000 answer at once."));
@@ -406,7 +406,7 @@ void ModelPanel::word_state() {
                               : QString()));
   moduli_->show_values(facts.youngs_kPa, tr("Young's modulus of a cell, kPa"));
   QStringList notes;
-  for (const Sentence& note : facts.notes) notes << told(note);
+  for (const Sentence& note : facts.notes) notes << translated(note);
   notes_->setText(notes.join("\n"));
 }
 

@@ -1,8 +1,8 @@
 #include "widgets/panels/export_menu.h"
 
 #include "widgets/panels/ask_path.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 
@@ -22,7 +22,7 @@ ExportMenu::ExportMenu(const WorkspaceContext& context, QWidget* parent) : QMenu
     formats_.emplace_back(action, one.format);
     if (one.format == ExportFormat::dicom_seg || one.format == ExportFormat::vtp) addSeparator();
   }
-  worded(this, [this] { word(); });
+  keep_translated(this, [this] { word(); });
 }
 
 void ExportMenu::word() {

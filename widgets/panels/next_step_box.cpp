@@ -1,7 +1,7 @@
 #include "widgets/panels/next_step_box.h"
 
 #include "widgets/panels/parts.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
 
@@ -17,7 +17,7 @@ NextStepBox::NextStepBox(QWidget* parent) : QWidget(parent) {
   column->addWidget(button_);
   connect(button_, &QPushButton::clicked, this, [this] { Q_EMIT wanted(next_); });
   hide();
-  worded(this, [this] { word(); });
+  keep_translated(this, [this] { word(); });
 }
 
 void NextStepBox::show_case(const std::filesystem::path& folder) {

@@ -6,8 +6,8 @@
 #include <QStyle>
 
 #include "widgets/panels/parts.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 
@@ -32,11 +32,11 @@ Notices::Notices(QWidget* parent) : QWidget(parent) {
   origin_text_ = wrapped_label("origin");
   origin_text_->hide();
   column->addWidget(origin_text_);
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     dismiss->setText(tr("Close"));
     if (words_) text_->setText(words_());
     put_in_place();
-    origin_text_->setText(told(origin_));
+    origin_text_->setText(translated(origin_));
   });
 }
 
@@ -75,7 +75,7 @@ void Notices::put_in_place() {
 
 void Notices::show_origin(const std::string& origin) {
   origin_ = origin;
-  origin_text_->setText(told(origin_));
+  origin_text_->setText(translated(origin_));
   origin_text_->setVisible(origin_shown_ && !origin_.empty());
 }
 

@@ -6,7 +6,7 @@
 
 namespace glisson::widgets {
 
-NumberSlider::NumberSlider(double least, double most, double step, int decimals, QWidget* parent)
+NumberSlider::NumberSlider(double minimum, double maximum, double step, int decimals, QWidget* parent)
     : QWidget(parent), step_(step) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
@@ -18,7 +18,7 @@ NumberSlider::NumberSlider(double least, double most, double step, int decimals,
   row->addWidget(slider_, 1);
   row->addWidget(number_);
   setFocusProxy(slider_);
-  set_range(least, most);
+  set_range(minimum, maximum);
   connect(slider_, &QSlider::valueChanged, this, [this](int steps) { number_->setValue(steps * step_); });
   connect(number_, &NumberBox::valueChanged, this, [this](double value) {
     show_on_slider();
@@ -30,13 +30,13 @@ void NumberSlider::set_suffix(const QString& suffix) { number_->setSuffix(suffix
 
 void NumberSlider::set_value(double value) { number_->setValue(value); }
 
-void NumberSlider::set_range(double least, double most) {
+void NumberSlider::set_range(double minimum, double maximum) {
   {
     const QSignalBlocker quiet(slider_);
-    slider_->setRange(static_cast<int>(std::ceil(least / step_ - 1e-9)),
-                      static_cast<int>(std::floor(most / step_ + 1e-9)));
+    slider_->setRange(static_cast<int>(std::ceil(minimum / step_ - 1e-9)),
+                      static_cast<int>(std::floor(maximum / step_ + 1e-9)));
   }
-  number_->setRange(least, most);
+  number_->setRange(minimum, maximum);
   show_on_slider();
 }
 

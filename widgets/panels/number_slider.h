@@ -12,13 +12,13 @@ class NumberSlider : public QWidget {
   Q_OBJECT
 
  public:
-  NumberSlider(double least, double most, double step, int decimals, QWidget* parent = nullptr);
+  NumberSlider(double minimum, double maximum, double step, int decimals, QWidget* parent = nullptr);
 
   void set_suffix(const QString& suffix);
   [[nodiscard]] double value() const { return number_->value(); }
   void set_value(double value);
   // Keeps the value where it still fits.
-  void set_range(double least, double most);
+  void set_range(double minimum, double maximum);
 
  protected:
   // What is said of the pair holds for both.

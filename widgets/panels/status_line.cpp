@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "widgets/panels/parts.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -43,7 +43,7 @@ StatusLine::StatusLine(BackgroundWork& work, QWidget* parent) : QStatusBar(paren
     cancel_->setEnabled(false);
     work_.cancel();
   });
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     cancel_->setText(tr("Cancel"));
     standing->setText(tr("Not a medical device"));
     text_->clear();  // it told of a moment
@@ -63,7 +63,7 @@ void StatusLine::show_progress(double fraction, const QString& stage) {
   progress_->setValue(static_cast<int>(1000 * fraction));
   if (stage.isEmpty()) return;
   const QString left = time_left(fraction, since_.elapsed());
-  say(left.isEmpty() ? told_stage(stage) : tr("%1, %2").arg(told_stage(stage), left));
+  say(left.isEmpty() ? translated_stage(stage) : tr("%1, %2").arg(translated_stage(stage), left));
 }
 
 void StatusLine::end() {

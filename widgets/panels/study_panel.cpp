@@ -8,8 +8,8 @@
 #include "widgets/panels/parts.h"
 #include "widgets/panels/swatch.h"
 #include "widgets/words/grid_words.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -64,7 +64,7 @@ StudyPanel::StudyPanel(QWidget* parent) : QWidget(parent) {
     Q_EMIT structure_shown(item->data(0, Qt::UserRole).toString().toStdString(), item->checkState(0) == Qt::Checked);
   });
 
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     image_title->setText(tr("Slices show"));
     slice_image_->setItemText(0, tr("Anatomy"));
     slice_image_->setItemText(1, tr("Stiffness (MR elastography)"));

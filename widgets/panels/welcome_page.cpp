@@ -4,15 +4,15 @@
 #include <QIcon>
 
 #include "widgets/settings/settings.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_listed = 5;
+constexpr std::size_t maximum_listed = 5;
 
 QLabel* centred(const char* name) {
   auto* label = new QLabel;
@@ -70,7 +70,7 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
   connect(open_case, &QPushButton::clicked, this, &WelcomePage::case_wanted);
   connect(open_images, &QPushButton::clicked, this, &WelcomePage::images_wanted);
   connect(lost_, &QPushButton::clicked, this, &WelcomePage::lost_wanted);
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     title->setText(tr("Plan a liver operation"));
     words->setText(tr("Drop a case or a folder of DICOM images here, or begin with the demo patient."));
     demo->setText(tr("Open the demo patient"));
@@ -94,7 +94,7 @@ void WelcomePage::list_recent() {
   const auto is_one_of_several = [&](const fs::path& path) {
     return std::count_if(cases.begin(), cases.end(), [&](const auto& each) { return each.stem() == path.stem(); }) > 1;
   };
-  for (std::size_t k = 0; k < std::min(cases.size(), most_listed); ++k) {
+  for (std::size_t k = 0; k < std::min(cases.size(), maximum_listed); ++k) {
     const QString name = text_of(cases[k].stem());
     auto* button = new QPushButton(
         is_one_of_several(cases[k]) ? QString("%1  (%2)").arg(name, text_of(cases[k].parent_path())) : name);

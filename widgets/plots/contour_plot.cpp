@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/plots/themed_plot.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -60,7 +60,7 @@ ContourPlot::ContourPlot(QWidget* parent) : QWidget(parent) {
   scale_->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
   themed(plot_);
   column->addWidget(plot_);
-  worded(this, [this] {
+  keep_translated(this, [this] {
     plot_->xAxis->setLabel(tr("Liver (cm³)"));
     plot_->yAxis->setLabel(tr("Volume of a node (mm³)"));
     plot_->yAxis2->setLabel(tr("Accuracy (mm)"));

@@ -36,9 +36,9 @@ void HistogramPlot::show_values(const std::vector<double>& values, const QString
     plot.replot();
     return;
   }
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const auto [minimum, maximum] = std::minmax_element(values.begin(), values.end());
   // One value for all still has a bar.
-  const double low = *least, width = std::max((*most - low) / bars_wanted, 1e-3 * std::max(1.0, std::abs(low)));
+  const double low = *minimum, width = std::max((*maximum - low) / bars_wanted, 1e-3 * std::max(1.0, std::abs(low)));
   QVector<double> middles(bars_wanted), counts(bars_wanted);
   for (int bar = 0; bar < bars_wanted; ++bar) middles[bar] = low + (bar + 0.5) * width;
   for (const double value : values) {

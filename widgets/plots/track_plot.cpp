@@ -10,7 +10,7 @@
 #include "rehearsal/comparison.h"
 #include "widgets/plots/themed_plot.h"
 #include "widgets/theme.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
 
@@ -62,7 +62,7 @@ TrackPlot::TrackPlot(QWidget* parent) : QWidget(parent) {
   };
   connect(plot_, &QCustomPlot::mousePress, this, choose);
   connect(plot_, &QCustomPlot::mouseMove, this, choose);
-  worded(this, [this] {
+  keep_translated(this, [this] {
     plot_->xAxis->setLabel(tr("s"));
     plot_->yAxis->setLabel(tr("mm"));
     plot_->yAxis2->setLabel(tr("N"));
@@ -91,11 +91,11 @@ void TrackPlot::show_track(const RehearsalTrack& track, std::optional<std::size_
   moved_->setData(time_s, moved_mm, true);
   atlas_off_->setData(time_s, off_mm, true);
   force_->setData(time_s, force_N, true);
-  const auto top_of = [](const QVector<double>& values, double least) {
+  const auto top_of = [](const QVector<double>& values, double minimum) {
     for (const double value : values) {
-      if (value > least) least = value;
+      if (value > minimum) minimum = value;
     }
-    return least;
+    return minimum;
   };
   plot_->xAxis->setRange(0, std::max(5.0, track.length_s()));
   plot_->yAxis->setRange(0, 1.1 * std::max(top_of(moved_mm, 6), top_of(off_mm, 6)));

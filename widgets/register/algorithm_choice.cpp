@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 
 #include "widgets/panels/parts.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 
@@ -68,7 +68,7 @@ AlgorithmChoice::AlgorithmChoice(QWidget* parent) : QWidget(parent) {
   column->addWidget(stage_);
   connect(compute_, &QPushButton::clicked, this, &AlgorithmChoice::computing_wanted);
   connect(cancel_, &QPushButton::clicked, this, &AlgorithmChoice::cancel_wanted);
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     title->setText(tr("Algorithms"));
     methods_[0]->setAccessibleName(tr("First algorithm"));
     methods_[1]->setAccessibleName(tr("Second algorithm"));
@@ -115,7 +115,7 @@ void AlgorithmChoice::show_work(Work work) {
 
 void AlgorithmChoice::show_progress(double fraction, const QString& stage) {
   progress_->setValue(static_cast<int>(1000 * fraction));
-  stage_->setText(told_stage(stage));
+  stage_->setText(translated_stage(stage));
 }
 
 void AlgorithmChoice::word() {

@@ -4,7 +4,7 @@
 #include <QPushButton>
 
 #include "widgets/panels/parts.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -30,7 +30,7 @@ ReadingPanel::ReadingPanel(QWidget* parent) : QWidget(parent) {
   figures_->setObjectName("figures");
   column->addWidget(figures_);
   column->addStretch(1);
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     title->setText(tr("Reading"));
     value_->setAccessibleName(tr("What the colours show"));
     value_->setItemText(0, tr("Colours: SIRGn's correlation"));
@@ -62,7 +62,7 @@ void ReadingPanel::add_tolerance(QVBoxLayout& column) {
     presets.push_back(preset);
   }
   column.addLayout(row);
-  worded(tolerance_, [=, this] {
+  keep_translated(tolerance_, [=, this] {
     label->setText(tr("Tolerance: rejected from"));
     tolerance_->set_suffix(tr(" mm"));
     tolerance_->setAccessibleName(tr("Tolerance"));

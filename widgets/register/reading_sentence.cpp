@@ -67,8 +67,8 @@ QString trust_in(const NamedJudgement& one, double tolerance_mm, std::size_t fra
   const double rejected = rejected_fraction(one.judged->quality, tolerance_mm);
   const QString mm = QLocale().toString(tolerance_mm, 'f', 1);
   if (rejected == 0) return Words::tr("%1 is nowhere off by %2 mm or more.").arg(one.name, mm);
-  constexpr double most = 0.5;
-  if (rejected > most)
+  constexpr double maximum = 0.5;
+  if (rejected > maximum)
     return Words::tr("Do not trust %1: on most of it landmarks are off by %2 mm or more.").arg(one.name, mm);
   const QString place = place_of_rejected(one.judged->quality, tolerance_mm, frame, camera);
   return place.isEmpty()

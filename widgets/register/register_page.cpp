@@ -13,9 +13,9 @@
 #include "widgets/panels/parts.h"
 #include "widgets/register/reading_sentence.h"
 #include "widgets/settings/settings.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 
@@ -48,7 +48,7 @@ RegisterPage::RegisterPage(BackgroundWork& work, QWidget* parent) : QWidget(pare
   column->addWidget(pages_);
   connect_work();
   connect_parts();
-  worded(this, [this] { word(); });
+  keep_translated(this, [this] { word(); });
 }
 
 Workspace RegisterPage::workspace(const WorkspaceContext& context) {
@@ -79,7 +79,7 @@ void RegisterPage::open(const fs::path& file) {
     return [page, opened = std::move(opened)] {
       if (page.isNull()) return;
       if (opened) return page->take(*opened);
-      page->say([error = opened.error()] { return told(error); });
+      page->say([error = opened.error()] { return translated(error); });
     };
   });
 }
@@ -95,7 +95,7 @@ void RegisterPage::open_example() {
           return [page, opened = std::move(opened)] {
             if (page.isNull()) return;
             if (opened) return page->take(*opened);
-            page->say([error = opened.error()] { return told(error); });
+            page->say([error = opened.error()] { return translated(error); });
           };
         });
 }
@@ -127,7 +127,7 @@ void RegisterPage::compute() {
           return [page, sequence, done, problem] {
             if (page.isNull() || page->sequence_ != sequence) return;
             for (const auto& one : done) page->judged_[one->method] = one;
-            if (problem) page->say([error = *problem] { return told(error); });
+            if (problem) page->say([error = *problem] { return translated(error); });
             page->choose_none();
             page->show_meshes();
             page->word();
@@ -221,7 +221,7 @@ QWidget* RegisterPage::make_pictures() {
   notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column->addWidget(notes_);
   connect(open, &QPushButton::clicked, this, &RegisterPage::choose_file);
-  worded(pictures, [open] {
+  keep_translated(pictures, [open] {
     open->setText(tr("Open another..."));
     open->setToolTip(tr("Another sequence.json in place of this one"));
   });
@@ -298,7 +298,7 @@ QImage RegisterPage::frame_image(int frame) {
   if (file.empty()) return {};
   const auto read = vision::read_frame(file);
   if (!read) {
-    say([error = read.error()] { return told(error); });
+    say([error = read.error()] { return translated(error); });
     return {};
   }
   const QImage image =
@@ -414,7 +414,7 @@ void RegisterPage::word() {
                        .arg(text_of(sequence_->file.parent_path().filename()))
                        .arg(sequence_->files.clouds.size())
                        .arg(sequence_->files.landmarks.size()));
-    origin_->setText(told(sequence_->files.simulated));
+    origin_->setText(translated(sequence_->files.simulated));
     origin_->setVisible(!sequence_->files.simulated.empty());
   }
   const QString said = said_ ? said_() : QString();
@@ -423,7 +423,7 @@ void RegisterPage::word() {
   if (!said.isEmpty()) notes << said;
   for (const int side : {0, 1}) {
     if (judged(side) == nullptr) continue;
-    for (const Sentence& note : judged(side)->quality.notes) notes << side_name(side) + ": " + told(note) + ".";
+    for (const Sentence& note : judged(side)->quality.notes) notes << side_name(side) + ": " + translated(note) + ".";
   }
   notes_->setText(notes.join(" "));
   notes_->setVisible(!notes.isEmpty());

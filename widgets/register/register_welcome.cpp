@@ -3,7 +3,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -53,7 +53,7 @@ RegisterWelcome::RegisterWelcome(QWidget* parent) : QWidget(parent) {
   column->addStretch(3);
   connect(open, &QPushButton::clicked, this, &RegisterWelcome::file_wanted);
   connect(make, &QPushButton::clicked, this, &RegisterWelcome::example_wanted);
-  worded(this, [=] {
+  keep_translated(this, [=] {
     title->setText(tr("How good is a registration of a video?"));
     text->setText(tr(
         "This needs a sequence: a sequence.json that names the frames of a stereo video, a point cloud of each, the "

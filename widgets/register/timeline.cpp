@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <QHBoxLayout>
 
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -48,7 +48,7 @@ Timeline::Timeline(QWidget* parent) : QWidget(parent) {
     Q_EMIT moved(frame);
   });
   set_frames(0);
-  worded(this, [this] { word(); });
+  keep_translated(this, [this] { word(); });
 }
 
 void Timeline::set_frames(int frames) {

@@ -11,7 +11,7 @@
 
 #include "widgets/panels/parts.h"
 #include "widgets/plots/themed_plot.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -69,9 +69,9 @@ void add_course(QCustomPlot* plot, QCPAxisRect* rect, QCPLegend* legend, const s
   for (std::size_t t = 0; t < mm.size(); ++t) graph->addData(static_cast<double>(t + 1), mm[t]);
 }
 
-double largest(const std::vector<double>& mm, double least) {
-  for (const double value : mm) least = std::isfinite(value) ? std::max(least, value) : least;
-  return least;
+double largest(const std::vector<double>& mm, double minimum) {
+  for (const double value : mm) minimum = std::isfinite(value) ? std::max(minimum, value) : minimum;
+  return minimum;
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ TriangleHistory::TriangleHistory(QWidget* parent) : QWidget(parent) {
   show_frame(0);
   themed(plot_);
   column->addWidget(plot_, 1);
-  worded(this, [this] { word(); });
+  keep_translated(this, [this] { word(); });
 }
 
 QWidget* TriangleHistory::make_head() {
@@ -119,7 +119,7 @@ QWidget* TriangleHistory::make_head() {
   connect(triangle_, &NumberBox::valueChanged, this, [this](double number) {
     Q_EMIT triangle_chosen(number > 0 ? std::optional(static_cast<std::size_t>(number) - 1) : std::nullopt);
   });
-  worded(head, [=, this] {
+  keep_translated(head, [=, this] {
     title->setText(tr("A triangle over the frames"));
     triangle_->setAccessibleName(tr("Triangle"));
     triangle_->setSpecialValueText(tr("none"));

@@ -3,7 +3,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
 
@@ -22,7 +22,7 @@ ComparisonChoice::ComparisonChoice(QWidget* parent) : QWidget(parent), group_(ne
   add(Bodies::atlas, "middle");
   add(Bodies::both, "middle");
   add(Bodies::side_by_side, "last");
-  worded(this, [this] { word(); });
+  keep_translated(this, [this] { word(); });
   choose(Bodies::patient);
   connect(group_, &QButtonGroup::idClicked, this, [this](int id) { Q_EMIT changed(static_cast<Bodies>(id)); });
 }

@@ -4,8 +4,8 @@
 #include <QHeaderView>
 
 #include "widgets/theme.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -19,7 +19,7 @@ QTableWidgetItem* ensured(QTableWidget& table, int row, int column) {
 
 LandmarkTable::LandmarkTable(QWidget* parent) : QTableWidget(0, 4, parent) {
   setObjectName("landmarks");
-  worded(this, [this] {
+  keep_translated(this, [this] {
     setHorizontalHeaderLabels({tr("Landmark"), tr("Moves\nmm"), tr("Atlas off\nmm"), tr("From 5 mm")});
     horizontalHeaderItem(moves_column)->setToolTip(tr("How far the landmark moves from where the scan shows it"));
     horizontalHeaderItem(apart_column)->setToolTip(tr("How far from there the atlas's stiffness puts it"));

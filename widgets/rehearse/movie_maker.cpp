@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <QPainter>
 
-#include "widgets/words/told.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -20,7 +20,7 @@ vision::Frame frame_of(const QImage& picture) {
 
 // The force, and what the answer is worth: whoever sees the movie sees no panel.
 QString caption_of(const rehearsal::RehearsalFrame& frame) {
-  return MovieMaker::tr("%1 N").arg(frame.force_N.norm(), 0, 'f', 1) + "  ·  " + told(frame.validity.sentence());
+  return MovieMaker::tr("%1 N").arg(frame.force_N.norm(), 0, 'f', 1) + "  ·  " + translated(frame.validity.sentence());
 }
 
 void write_below(QImage& picture, const QString& words) {

@@ -10,9 +10,9 @@
 #include "casefile/placed_landmarks.h"
 #include "widgets/panels/ask_path.h"
 #include "widgets/panels/parts.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -104,7 +104,7 @@ RehearsePanel::RehearsePanel(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   connect(&rehearsal_, &LiveRehearsal::frame_changed, this, &RehearsePanel::show_frame);
   connect(&rehearsal_, &LiveRehearsal::solving_changed, tool_, &ToolControls::follow);
   set_ready(false);
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     title->setText(tr("Rehearse"));
     missing_->setText(tr("Open a case with a model of the liver, or the demo patient, to rehearse a retraction."));
     look_title->setText(tr("Show the liver with the stiffness of"));
@@ -130,9 +130,9 @@ void RehearsePanel::show_evidence(const casefile::Evidence& evidence) {
 void RehearsePanel::word_evidence() {
   QStringList changed, left_out;
   for (const closedloop::LearntEffect& effect : evidence_.effects) {
-    (effect.carried ? changed : left_out) << told(effect.sentence);
+    (effect.carried ? changed : left_out) << translated(effect.sentence);
   }
-  for (const Sentence& remark : evidence_.remarks) left_out << told(remark);
+  for (const Sentence& remark : evidence_.remarks) left_out << translated(remark);
   QStringList paragraphs;
   if (!changed.isEmpty()) paragraphs << tr("Changed by evidence: %1").arg(changed.join(" "));
   if (!left_out.isEmpty()) paragraphs << tr("Evidence to bear in mind: %1").arg(left_out.join(" "));
@@ -187,7 +187,7 @@ QWidget* RehearsePanel::make_look_group() {
   assumed_text_ = wrapped_label("assumed_stiffness", group);
   assumed_text_->hide();
   column->addWidget(assumed_text_);
-  worded(group, [this] {
+  keep_translated(group, [this] {
     show_assumed_stiffness(assumed_);
     by_displacement_->setText(tr("Colour the liver by how far it moves"));
   });
@@ -200,7 +200,7 @@ QWidget* RehearsePanel::make_look_group() {
 void RehearsePanel::show_assumed_stiffness(const std::optional<Sentence>& assumed) {
   assumed_ = assumed;
   assumed_text_->setVisible(assumed_.has_value());
-  assumed_text_->setText(assumed_ ? told(*assumed_) : QString());
+  assumed_text_->setText(assumed_ ? translated(*assumed_) : QString());
   comparison_->set_comparable(!assumed_);
 }
 
@@ -258,7 +258,7 @@ void RehearsePanel::show_frame() {
     return;
   }
   if (!frame->validity.usable()) {
-    summary_->setText(QString("– ") + told(frame->validity.sentence()));
+    summary_->setText(QString("– ") + translated(frame->validity.sentence()));
     return;
   }
   QString text = tr("The liver moves by up to %1 mm.").arg(frame->patient.max_displacement_mm, 0, 'f', 1);

@@ -3,8 +3,8 @@
 #include <QVBoxLayout>
 
 #include "widgets/theme.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 
@@ -25,7 +25,7 @@ SolvingLight::SolvingLight(const LiveRehearsal& rehearsal, QWidget* parent) : QW
   column->addWidget(trouble_);
   connect(&rehearsal, &LiveRehearsal::solving_changed, this, &SolvingLight::show_state);
   connect(&rehearsal, &LiveRehearsal::frame_changed, this, &SolvingLight::show_state);
-  worded(this, [this] { show_state(); });
+  keep_translated(this, [this] { show_state(); });
 }
 
 void SolvingLight::show_drawing_ms(double drawing_ms) {
@@ -69,9 +69,9 @@ void SolvingLight::show_state() {
             : QString());
   QString trouble;
   if (rehearsal_.refusal()) {
-    trouble = told(*rehearsal_.refusal()) + " " + tr("What is shown is from before.");
+    trouble = translated(*rehearsal_.refusal()) + " " + tr("What is shown is from before.");
   } else if (state != AnswerState::within) {
-    trouble = told(frame->validity.sentence()) + " " + tr("Use less force.");
+    trouble = translated(frame->validity.sentence()) + " " + tr("Use less force.");
   }
   trouble_->setText(trouble);
   trouble_->setVisible(!trouble.isEmpty());

@@ -7,8 +7,8 @@
 #include <QLabel>
 #include <QShortcut>
 
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -91,7 +91,7 @@ ToolControls::ToolControls(LiveRehearsal& rehearsal, QWidget* parent)
   });
   connect(release_, &QPushButton::clicked, &rehearsal_, &LiveRehearsal::take_tool_away);
 
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     tool_name->setText(tr("Tool"));
     direction_name->setText(tr("Direction"));
     force_name->setText(tr("Force"));
@@ -105,8 +105,8 @@ ToolControls::ToolControls(LiveRehearsal& rehearsal, QWidget* parent)
 void ToolControls::word() {
   for (int k = 0; k < tool_->count(); ++k) {
     const rehearsal::ToolPreset& preset = rehearsal::tool_presets()[static_cast<std::size_t>(k)];
-    tool_->setItemText(k, told(preset.name));
-    tool_->setItemData(k, told(preset.source), Qt::ToolTipRole);
+    tool_->setItemText(k, translated(preset.name));
+    tool_->setItemData(k, translated(preset.source), Qt::ToolTipRole);
   }
   place_->setText(tr("Place by click"));
   place_->setToolTip(tr("Then click on the liver where the tool is to touch it. By key: Ctrl+T, at the crosshair"));
@@ -221,9 +221,9 @@ void ToolControls::show_tool_in_hand() {
 }
 
 void ToolControls::mark_where_the_model_ends() {
-  const double most_N = force_->maximum();
-  const auto within_N = rehearsal_.force_within_the_model_N(most_N);
-  const bool ends = within_N && *within_N < most_N;
+  const double maximum_N = force_->maximum();
+  const auto within_N = rehearsal_.force_within_the_model_N(maximum_N);
+  const bool ends = within_N && *within_N < maximum_N;
   force_slider_->set_mark(ends ? std::optional(*within_N / force_step_N) : std::nullopt);
   force_slider_->setToolTip(ends ? tr("From %1 N on, strains are outside of the model").arg(*within_N, 0, 'f', 1)
                                  : QString());

@@ -7,9 +7,9 @@
 
 #include "base/files.h"
 #include "widgets/panels/ask_path.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -84,7 +84,7 @@ TrackControls::TrackControls(LiveRehearsal& rehearsal, QWidget* parent) : QWidge
   connect(&rehearsal, &LiveRehearsal::track_changed, this, &TrackControls::show_track);
   connect(&rehearsal, &LiveRehearsal::solving_changed, this, &TrackControls::show_state);
   connect(&rehearsal, &LiveRehearsal::frame_changed, this, &TrackControls::show_state);
-  worded(this, [this] {
+  keep_translated(this, [this] {
     freeze_->setText(tr("❚❚ Freeze"));
     freeze_->setToolTip(tr("Nothing moves the tool while you look around"));
     play_->setText(tr("▶ Play"));

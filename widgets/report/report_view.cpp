@@ -15,9 +15,9 @@
 #include "widgets/report/page_document.h"
 #include "widgets/resect/resection_scene.h"
 #include "widgets/settings/settings.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -94,7 +94,7 @@ ReportView::ReportView(WorkspaceContext context, PlanOfNow plan, QWidget* parent
   connect(refresh_, &QPushButton::clicked, this, &ReportView::refresh);
   connect(html_, &QPushButton::clicked, this, &ReportView::choose_html);
   connect(pdf_, &QPushButton::clicked, this, &ReportView::choose_pdf);
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     title->setText(tr("Report"));
     name_->setText(tr("Show the patient's name"));
     name_->setToolTip(tr("Without it the page names neither the patient nor the case; see the settings too"));

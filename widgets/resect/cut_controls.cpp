@@ -5,15 +5,15 @@
 #include <QVBoxLayout>
 
 #include "widgets/panels/parts.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
 namespace {
 
-NumberBox* number_box(double least, double most, double step, const char* name, QWidget* parent) {
+NumberBox* number_box(double minimum, double maximum, double step, const char* name, QWidget* parent) {
   auto* box = new NumberBox(parent);
   box->setObjectName(name);
-  box->setRange(least, most);
+  box->setRange(minimum, maximum);
   box->setDecimals(1);
   box->setSingleStep(step);
   return box;
@@ -40,7 +40,7 @@ CutControls::CutControls(QWidget* parent) : QWidget(parent) {
     Q_EMIT kind_chosen();
     if (kind == sheet_cut && points_ == 0) draw_->setChecked(true);
   });
-  worded(this, [this] {
+  keep_translated(this, [this] {
     kind_->setItemText(plane_cut, tr("Cut by a plane"));
     kind_->setItemText(sheet_cut, tr("Cut by a smooth surface through points"));
     word_points();
@@ -84,7 +84,7 @@ QWidget* CutControls::make_plane() {
     Q_EMIT through_crosshair(normals[static_cast<std::size_t>(across_->currentData().toInt())]);
   });
   connect(by_clicks_, &QPushButton::toggled, this, &CutControls::drawing_changed);
-  worded(group, [=, this] {
+  keep_translated(group, [=, this] {
     across_name->setText(tr("Divides"));
     across_->setItemText(across_left, tr("left from right"));
     across_->setItemText(across_front, tr("front from back"));
@@ -124,7 +124,7 @@ QWidget* CutControls::make_sheet() {
   connect(draw_, &QPushButton::toggled, this, &CutControls::drawing_changed);
   connect(drop_last_, &QPushButton::clicked, this, &CutControls::last_dropped);
   connect(clear_, &QPushButton::clicked, this, &CutControls::cleared);
-  worded(group, [this] {
+  keep_translated(group, [this] {
     draw_->setText(tr("Set points"));
     draw_->setToolTip(tr("Each click on the liver or in a slice sets a point; points can be dragged"));
     drop_last_->setText(tr("Drop the last"));

@@ -25,7 +25,8 @@ std::vector<Vector3d> square(const CutPlane& plane, double half_side_mm) {
 }
 
 // What of a convex polygon has sign * coordinate up to a limit (Sutherland and Hodgman).
-std::vector<Vector3d> cut_off(const std::vector<Vector3d>& corners_mm, Eigen::Index axis, double sign, double most_mm) {
+std::vector<Vector3d> cut_off(const std::vector<Vector3d>& corners_mm, Eigen::Index axis, double sign,
+                              double maximum_mm) {
   constexpr double same_mm = 1e-6;
   std::vector<Vector3d> left_mm;
   const auto add = [&](const Vector3d& corner_mm) {
@@ -34,7 +35,7 @@ std::vector<Vector3d> cut_off(const std::vector<Vector3d>& corners_mm, Eigen::In
   for (std::size_t k = 0; k < corners_mm.size(); ++k) {
     const Vector3d& from_mm = corners_mm[k];
     const Vector3d& to_mm = corners_mm[(k + 1) % corners_mm.size()];
-    const double from_beyond = sign * from_mm[axis] - most_mm, to_beyond = sign * to_mm[axis] - most_mm;
+    const double from_beyond = sign * from_mm[axis] - maximum_mm, to_beyond = sign * to_mm[axis] - maximum_mm;
     if (from_beyond <= 0) add(from_mm);
     if ((from_beyond < 0 && to_beyond > 0) || (from_beyond > 0 && to_beyond < 0))
       add(from_mm + from_beyond / (from_beyond - to_beyond) * (to_mm - from_mm));

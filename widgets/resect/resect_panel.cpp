@@ -5,9 +5,9 @@
 #include <QVBoxLayout>
 
 #include "widgets/panels/parts.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -67,7 +67,7 @@ ResectPanel::ResectPanel(WorkspaceContext context, QWidget* parent) : QWidget(pa
     if (isVisible()) pieces_.draw_apart(context_.views.space().view(), apart_->value());
   });
   connect(live_, &LiveResection::changed, this, &ResectPanel::show_result);
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     title->setText(tr("Plan a resection"));
     missing_->setText(tr("Needs a model of the liver. Build it first, or open the demo patient."));
     word_state();
@@ -131,7 +131,7 @@ QWidget* ResectPanel::make_outcome() {
     cut_changed();
   });
   connect(save_, &QPushButton::clicked, this, &ResectPanel::save);
-  worded(group, [=, this] {
+  keep_translated(group, [=, this] {
     as_held_->setText(tr("On the liver as the tool holds it"));
     held_text_->setText(tr("The cut lies on the liver held aside; the slices show the scan, at rest."));
     describe_holding();
@@ -295,7 +295,7 @@ void ResectPanel::cut_changed() {
 }
 
 void ResectPanel::show_result() {
-  results_->show(live_->result().get(), live_->problem() ? told(*live_->problem()) : why_nothing());
+  results_->show(live_->result().get(), live_->problem() ? translated(*live_->problem()) : why_nothing());
   pieces_ = ResectionScene(live_->result());
   show_scene();
   word_state();

@@ -9,8 +9,8 @@
 #include "widgets/panels/swatch.h"
 #include "widgets/resect/resection_scene.h"
 #include "widgets/theme.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -104,7 +104,7 @@ ResectionResults::ResectionResults(QWidget* parent) : QWidget(parent) {
   no_crossings_->setObjectName("faint");
   rows->addWidget(no_crossings_);
   column->addWidget(answer_);
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     margins_title->setText(tr("Margins"));
     margins_->setHorizontalHeaderLabels({tr("Structure"), tr("Side"), tr("mm"), tr("Caution")});
     margins_->horizontalHeaderItem(margin_column)->setToolTip(tr("Smallest distance to the cut inside the liver"));
@@ -143,7 +143,7 @@ void ResectionResults::tell_retraction(const rehearsal::Resection& plan) {
                      .arg(tumour.shift_mm, 0, 'f', 1)
                      .arg(tumour.margin_mm, 0, 'f', 1);
   }
-  if (plan.retraction->state() != mechanics::AnswerState::within) sentences << told(plan.retraction->sentence());
+  if (plan.retraction->state() != mechanics::AnswerState::within) sentences << translated(plan.retraction->sentence());
   retraction_->setText(sentences.join(" "));
 }
 

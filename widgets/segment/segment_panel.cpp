@@ -13,8 +13,8 @@
 #include "widgets/panels/parts.h"
 #include "widgets/panels/swatch.h"
 #include "widgets/session/load_patient.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -70,7 +70,7 @@ SegmentPanel::SegmentPanel(const WorkspaceContext& context, QWidget* parent)
   whole->setContentsMargins(0, 0, 0, 0);
   whole->addWidget(scrolled(inner));
   connect_parts();
-  worded(this, [this] { word(); });
+  keep_translated(this, [this] { word(); });
   choose_tool(Tool::none);
 }
 
@@ -137,8 +137,8 @@ void SegmentPanel::connect_parts() {
     return [](imaging::Mask mask) { return segmentation::keep_largest(std::move(mask)); };
   });
   filter(filters_[drop_small], GLISSON_TEXT("Remove small pieces of {0}"), [this]() -> StructureEditor::Edit {
-    return [least_ml = least_ml_->value()](imaging::Mask mask) {
-      return segmentation::without_small_pieces(std::move(mask), least_ml);
+    return [minimum_ml = minimum_ml_->value()](imaging::Mask mask) {
+      return segmentation::without_small_pieces(std::move(mask), minimum_ml);
     };
   });
   filter(filters_[smooth], GLISSON_TEXT("Smooth {0}"), [this]() -> StructureEditor::Edit {

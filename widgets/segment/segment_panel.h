@@ -91,7 +91,7 @@ class SegmentPanel : public QWidget {
   QLabel* filters_title_ = nullptr;
   QComboBox* fill_along_ = nullptr;
   std::array<QPushButton*, 7> filters_{};
-  NumberBox* least_ml_ = nullptr;
+  NumberBox* minimum_ml_ = nullptr;
   NumberBox* smooth_mm_ = nullptr;
   NumberBox* margin_mm_ = nullptr;
 };

@@ -93,7 +93,7 @@ QWidget* SegmentPanel::make_options() {
   shape_->addItems({{}, {}});
   brush->addWidget(shape_);
   brush->addWidget(radius_title_ = new QLabel);
-  radius_ = new NumberSlider(least_radius_mm, most_radius_mm, 0.5, 1);
+  radius_ = new NumberSlider(minimum_radius_mm, maximum_radius_mm, 0.5, 1);
   radius_->setObjectName("brush_radius");
   radius_->set_suffix(" mm");
   radius_->set_value(tools_.options().radius_mm);
@@ -154,10 +154,11 @@ QWidget* SegmentPanel::make_filters() {
     filters_[k] = new QPushButton;
     filters_[k]->setObjectName(names[k]);
   }
-  const auto number = [](const char* name, double value, double least, double most, double step, const char* unit) {
+  const auto number = [](const char* name, double value, double minimum, double maximum, double step,
+                         const char* unit) {
     auto* box = new NumberBox;
     box->setObjectName(name);
-    box->setRange(least, most);
+    box->setRange(minimum, maximum);
     box->setDecimals(1);
     box->setSingleStep(step);
     box->setValue(value);
@@ -167,7 +168,7 @@ QWidget* SegmentPanel::make_filters() {
   fill_along_ = new QComboBox;
   fill_along_->setObjectName("fill_along");
   fill_along_->addItems({{}, {}, {}});
-  least_ml_ = number("least_ml", 1, 0.1, 500, 0.5, " ml");
+  minimum_ml_ = number("least_ml", 1, 0.1, 500, 0.5, " ml");
   smooth_mm_ = number("smooth_mm", 2, 0.5, 20, 0.5, " mm");
   margin_mm_ = number("margin_mm", 3, 0.5, 50, 0.5, " mm");
   grid->addWidget(filters_[fill_between], 1, 0);
@@ -175,7 +176,7 @@ QWidget* SegmentPanel::make_filters() {
   grid->addWidget(filters_[fill_holes], 2, 0);
   grid->addWidget(filters_[keep_largest], 2, 1);
   grid->addWidget(filters_[drop_small], 3, 0);
-  grid->addWidget(least_ml_, 3, 1);
+  grid->addWidget(minimum_ml_, 3, 1);
   grid->addWidget(filters_[smooth], 4, 0);
   grid->addWidget(smooth_mm_, 4, 1);
   auto* margins = new QHBoxLayout;
@@ -265,7 +266,7 @@ void SegmentPanel::word() {
   fill_along_->setItemText(1, tr("Coronal"));
   fill_along_->setItemText(2, tr("Sagittal"));
   fill_along_->setToolTip(tr("The slices that were drawn in"));
-  least_ml_->setAccessibleName(tr("Least volume in ml"));
+  minimum_ml_->setAccessibleName(tr("Least volume in ml"));
   smooth_mm_->setAccessibleName(tr("Radius of smoothing in mm"));
   margin_mm_->setAccessibleName(tr("Margin in mm"));
   list_structures();

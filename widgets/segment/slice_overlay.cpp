@@ -18,7 +18,7 @@ segmentation::IndexBox whole(const imaging::Grid& grid) {
 // The part of the plane through `center_mm` that the image reaches, in squares as wide as its voxels are at the least.
 imaging::Grid grid_in_plane(const imaging::Grid& image, const Eigen::Vector3d& center_mm,
                             const Eigen::Vector3d& normal) {
-  constexpr int most_squares = 640;
+  constexpr int maximum_squares = 640;
   const Eigen::Vector3d across = normal.unitOrthogonal(), along = normal.cross(across);
   Eigen::Vector2d low(std::numeric_limits<double>::max(), std::numeric_limits<double>::max()), high = -low;
   for (int corner = 0; corner < 8; ++corner) {
@@ -29,7 +29,7 @@ imaging::Grid grid_in_plane(const imaging::Grid& image, const Eigen::Vector3d& c
     low = low.cwiseMin(place);
     high = high.cwiseMax(place);
   }
-  const double edge_mm = std::max(image.spacing_mm.minCoeff(), (high - low).maxCoeff() / most_squares);
+  const double edge_mm = std::max(image.spacing_mm.minCoeff(), (high - low).maxCoeff() / maximum_squares);
   imaging::Grid plane;
   plane.size = {static_cast<int>((high - low).x() / edge_mm) + 1, static_cast<int>((high - low).y() / edge_mm) + 1, 1};
   plane.spacing_mm = {edge_mm, edge_mm, edge_mm};

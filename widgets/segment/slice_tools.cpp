@@ -13,7 +13,7 @@ namespace glisson::widgets {
 namespace {
 
 constexpr scene::Colour pencil{1.0, 0.93, 0.35};
-constexpr std::size_t least_outline = 3;
+constexpr std::size_t minimum_outline = 3;
 
 void add_circle(std::vector<Eigen::Vector3d>& ends_mm, const Eigen::Vector3d& center_mm, const Eigen::Vector3d& normal,
                 double radius_mm) {
@@ -85,7 +85,8 @@ bool SliceTools::eventFilter(QObject* watched, QEvent* event) {
       if ((wheel->modifiers() & Qt::ShiftModifier) == 0 || !is_brush()) return false;
       // Some systems turn the wheel across under Shift.
       const int units = wheel->angleDelta().y() != 0 ? wheel->angleDelta().y() : wheel->angleDelta().x();
-      options_.radius_mm = std::clamp(options_.radius_mm * std::pow(1.0012, units), least_radius_mm, most_radius_mm);
+      options_.radius_mm =
+          std::clamp(options_.radius_mm * std::pow(1.0012, units), minimum_radius_mm, maximum_radius_mm);
       Q_EMIT radius_changed(options_.radius_mm);
       sketch(view, wheel->position());
       return true;
@@ -170,7 +171,7 @@ void SliceTools::release(SliceView* view) {
 
 void SliceTools::cut(SliceView* view) {
   overlay_.set_sketch(view, {});
-  const bool is_drawn = outline_mm_.size() >= least_outline && editor_.active_structure() != nullptr;
+  const bool is_drawn = outline_mm_.size() >= minimum_outline && editor_.active_structure() != nullptr;
   if (is_drawn) {
     editor_.apply(GLISSON_TEXT("Scissors on {0}"),
                   [outline = outline_in(*view), side = options_.cut](imaging::Mask mask) -> Result<imaging::Mask> {

@@ -26,7 +26,7 @@ struct ToolOptions {
   double depth_mm = 10;  // of both_sides: so far to each
 };
 
-inline constexpr double least_radius_mm = 0.5, most_radius_mm = 60;
+inline constexpr double minimum_radius_mm = 0.5, maximum_radius_mm = 60;
 
 class SliceTools : public QObject {
   Q_OBJECT

@@ -5,8 +5,8 @@
 #include "scene/anatomy.h"
 #include "widgets/panels/parts.h"
 #include "widgets/panels/swatch.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -76,7 +76,7 @@ StructureOperations::StructureOperations(QWidget* parent) : QWidget(parent) {
   connect(from_crosshair_, &QPushButton::clicked, this, &StructureOperations::range_wanted_from_crosshair);
   connect(take_, &QPushButton::clicked, this, &StructureOperations::take_asked);
   connect(combine_, &QPushButton::clicked, this, &StructureOperations::combine_asked);
-  worded(this, [this] { word(); });
+  keep_translated(this, [this] { word(); });
 }
 
 void StructureOperations::list(const std::vector<EditedStructure>& structures, int active) {

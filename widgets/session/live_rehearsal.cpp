@@ -9,7 +9,7 @@
 namespace glisson::widgets {
 namespace {
 
-constexpr std::size_t most_remembered = 16;  // places, some megabytes each
+constexpr std::size_t maximum_remembered = 16;  // places, some megabytes each
 constexpr int look_every_ms = 15;
 
 std::string session_id(int number) { return "tool-" + std::to_string(number); }
@@ -243,14 +243,14 @@ void LiveRehearsal::ease(const rehearsal::PlacedTool& placed) {
   force_N_ = tool.force_N;
 }
 
-std::optional<double> LiveRehearsal::force_within_the_model_N(double most_N) const {
+std::optional<double> LiveRehearsal::force_within_the_model_N(double maximum_N) const {
   if (touch_ == Touch::rigid || !has_tool()) return {};
   const rehearsal::PlacedTool* placed = remembered(tools().back());
   if (placed == nullptr) return {};
   PlacedTool asked = tools().back();
   asked.force_N = 0;
-  if (!within_ || within_->tool != asked || within_->most_N != most_N || within_->body_count != body_count_) {
-    within_ = {asked, most_N, body_count_, placed->force_within_the_model_N(asked.direction, most_N)};
+  if (!within_ || within_->tool != asked || within_->maximum_N != maximum_N || within_->body_count != body_count_) {
+    within_ = {asked, maximum_N, body_count_, placed->force_within_the_model_N(asked.direction, maximum_N)};
   }
   return within_->force_N;
 }
@@ -272,7 +272,7 @@ void LiveRehearsal::solve_for(const PlacedTool& tool) {
     const std::shared_ptr<Outcome> outcome = watcher->result();
     if (body_count == body_count_ && *outcome) {
       placed_.push_back(**outcome);
-      if (placed_.size() > most_remembered) placed_.pop_front();
+      if (placed_.size() > maximum_remembered) placed_.pop_front();
     }
     if (!to_place_) return;
     const PlacedTool wanted = *to_place_;

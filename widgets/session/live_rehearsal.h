@@ -75,7 +75,7 @@ class LiveRehearsal : public QObject {
   [[nodiscard]] const std::optional<Error>& refusal() const { return refusal_; }
   // The largest force along the present direction that stays within the model, at most `most_N`; known of a patch
   // alone.
-  [[nodiscard]] std::optional<double> force_within_the_model_N(double most_N) const;
+  [[nodiscard]] std::optional<double> force_within_the_model_N(double maximum_N) const;
 
   [[nodiscard]] const RehearsalTrack& track() const { return track_; }
   void clear_track();
@@ -131,7 +131,7 @@ class LiveRehearsal : public QObject {
   // The last answer of force_within_the_model_N, and to what.
   struct Within {
     PlacedTool tool;
-    double most_N = 0;
+    double maximum_N = 0;
     int body_count = 0;
     double force_N = 0;
   };

@@ -16,7 +16,7 @@ void RehearsalTrack::add(Moment moment, double clock_s) {
   last_clock_s_ = clock_s;
   moments_.push_back(std::move(moment));
   const auto contacts = std::count_if(moments_.begin(), moments_.end(), [](const Moment& m) { return m.contact; });
-  if (static_cast<std::size_t>(contacts) > most_contacts) moments_.erase(moments_.begin());
+  if (static_cast<std::size_t>(contacts) > maximum_contacts) moments_.erase(moments_.begin());
 }
 
 std::size_t RehearsalTrack::at(double time_s) const {

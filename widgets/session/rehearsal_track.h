@@ -26,7 +26,7 @@ struct Moment {
 class RehearsalTrack {
  public:
   static constexpr double longest_rest_s = 1.0;
-  static constexpr std::size_t most_contacts = 400;  // shapes kept, about 1 MB each; the oldest moments go first
+  static constexpr std::size_t maximum_contacts = 400;  // shapes kept, about 1 MB each; the oldest moments go first
 
   void clear();
   // `clock_s` runs from anywhere and never back.

@@ -5,7 +5,7 @@
 #include <QJsonDocument>
 #include <QtConcurrentRun>
 
-#include "widgets/words/told.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -115,8 +115,8 @@ void Undo::go(Way way) {
       QStringList ids;
       for (const std::string& id : outcome->entries) ids << QString::fromStdString(id);
       if (!ids.isEmpty()) Q_EMIT entries_moved(ids);
-      Q_EMIT moved(way == Way::back ? tr("Undone: %1").arg(told(outcome->name))
-                                    : tr("Done again: %1").arg(told(outcome->name)));
+      Q_EMIT moved(way == Way::back ? tr("Undone: %1").arg(translated(outcome->name))
+                                    : tr("Done again: %1").arg(translated(outcome->name)));
     };
   });
 }
@@ -149,8 +149,8 @@ void Undo::wait() { thread_.waitForDone(); }
 void Undo::name_actions() {
   const auto undoes = history_ ? history_->undo_name() : std::nullopt;
   const auto redoes = history_ ? history_->redo_name() : std::nullopt;
-  undo_action_->setText(undoes ? tr("&Undo: %1").arg(told(*undoes)) : tr("&Undo"));
-  redo_action_->setText(redoes ? tr("&Redo: %1").arg(told(*redoes)) : tr("&Redo"));
+  undo_action_->setText(undoes ? tr("&Undo: %1").arg(translated(*undoes)) : tr("&Undo"));
+  redo_action_->setText(redoes ? tr("&Redo: %1").arg(translated(*redoes)) : tr("&Redo"));
   undo_action_->setEnabled(undoes.has_value() && !held_up_ && !refused_);
   redo_action_->setEnabled(redoes.has_value() && !held_up_ && !refused_);
 }

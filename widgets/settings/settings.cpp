@@ -17,8 +17,8 @@ constexpr const char* names_key = "show_names_outside";
 constexpr const char* threads_key = "threads";
 constexpr const char* recent_key = "recent_cases";
 constexpr const char* windows_key = "grey_windows";
-constexpr qsizetype most_recent_cases = 8;
-constexpr qsizetype most_windows = 100;
+constexpr qsizetype maximum_recent_cases = 8;
+constexpr qsizetype maximum_windows = 100;
 
 QSettings settings() { return QSettings("glisson", "glisson"); }
 
@@ -58,7 +58,7 @@ void remember_case(const fs::path& folder) {
   QStringList folders = settings().value(recent_key).toStringList();
   folders.removeAll(text);
   folders.prepend(text);
-  settings().setValue(recent_key, folders.mid(0, most_recent_cases));
+  settings().setValue(recent_key, folders.mid(0, maximum_recent_cases));
 }
 
 void forget_recent_cases() {
@@ -83,7 +83,7 @@ void keep_window(const fs::path& case_folder, const GreyWindow& window) {
   QStringList lines = settings().value(windows_key).toStringList();
   lines.removeIf([&](const QString& line) { return line.section(' ', 2) == folder; });
   lines.prepend(QString("%1 %2 %3").arg(window.center).arg(window.width).arg(folder));
-  settings().setValue(windows_key, lines.mid(0, most_windows));
+  settings().setValue(windows_key, lines.mid(0, maximum_windows));
 }
 
 }  // namespace glisson::widgets

@@ -9,9 +9,9 @@
 
 #include "widgets/settings/settings.h"
 #include "widgets/theme.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/language.h"
 #include "widgets/words/number_box.h"
-#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 namespace {
@@ -73,7 +73,7 @@ SettingsWindow::SettingsWindow(QWidget* parent) : QDialog(parent) {
   threads_label->setBuddy(threads);
   setMinimumWidth(460);
 
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     setWindowTitle(tr("Settings - Glisson"));
     theme_label->setText(tr("&Appearance"));
     theme->setItemText(0, tr("Dark"));

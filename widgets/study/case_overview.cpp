@@ -8,8 +8,8 @@
 #include "casefile/model_upkeep.h"
 #include "widgets/panels/parts.h"
 #include "widgets/session/load_patient.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -59,7 +59,7 @@ CaseOverview::CaseOverview(const WorkspaceContext& context, QWidget* parent) : Q
   missing_->setSpacing(6);
   column->addLayout(missing_);
   column->addStretch();
-  worded(this, [this] { list(); });
+  keep_translated(this, [this] { list(); });
 }
 
 CaseOverview::~CaseOverview() { readers_.waitForDone(); }

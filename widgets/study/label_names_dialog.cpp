@@ -7,7 +7,7 @@
 
 #include "segmentation/structures.h"
 #include "widgets/panels/parts.h"
-#include "widgets/words/told.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 

@@ -11,8 +11,8 @@
 #include "segmentation/structures.h"
 #include "widgets/views/grey_window.h"
 #include "widgets/words/grid_words.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -97,12 +97,12 @@ QImage label_slice(const casefile::ReadLabelMap& map, int side) {
   const imaging::Grid& grid = map.labels.grid;
   const auto per_slice = static_cast<std::ptrdiff_t>(grid.size[0]) * grid.size[1];
   int fullest = 0;
-  std::ptrdiff_t most = -1;
+  std::ptrdiff_t maximum = -1;
   for (int k = 0; k < grid.size[2]; ++k) {
     const auto begin = map.labels.values.begin() + k * per_slice;
     const auto labelled = std::count_if(begin, begin + per_slice, [](std::uint16_t value) { return value != 0; });
-    if (labelled > most) fullest = k;
-    most = std::max(most, labelled);
+    if (labelled > maximum) fullest = k;
+    maximum = std::max(maximum, labelled);
   }
   std::map<int, QRgb> colours;
   for (const casefile::LabelledPart& part : map.parts) {
@@ -137,7 +137,7 @@ SeriesTable::SeriesTable(QWidget* parent) : QTreeWidget(parent), stop_(std::make
   header()->resizeSection(role_column, 190);
   header()->setSectionResizeMode(problems_column, QHeaderView::Stretch);
   painters_.setMaxThreadCount(1);
-  worded(this, [this] { word(); });
+  keep_translated(this, [this] { word(); });
 }
 
 SeriesTable::~SeriesTable() {
@@ -208,7 +208,7 @@ void SeriesTable::word() {
     if (series.volumes > 1) extent += "\n" + tr("%1 volumes").arg(series.volumes);
     row->setText(size_column, extent);
     QStringList remarks;
-    for (const std::string& problem : series.problems) remarks << told(problem);
+    for (const std::string& problem : series.problems) remarks << translated(problem);
     row->setText(problems_column, remarks.join("\n"));
     row->setToolTip(problems_column, remarks.join("\n"));
     row->setToolTip(what_column, QString::fromStdString(series.role_evidence));

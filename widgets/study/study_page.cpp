@@ -8,9 +8,9 @@
 #include "widgets/panels/ask_path.h"
 #include "widgets/panels/parts.h"
 #include "widgets/session/load_patient.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -94,7 +94,7 @@ StudyPage::StudyPage(const WorkspaceContext& context, QWidget* parent)
   connect(&context_.undo, &Undo::settled, this, [this] {
     if (isVisible()) overview_->show_case(case_);
   });
-  worded(this, [this] { word(); });
+  keep_translated(this, [this] { word(); });
 }
 
 // A label map alone, while a case is open, is meant for it.
@@ -176,9 +176,9 @@ void StudyPage::show_state() {
     if (!study->skipped.empty()) found += tr("; files left out: %1").arg(study->skipped.size());
     found_->setText(found);
     QStringList skipped;
-    constexpr std::size_t most = 20;
-    for (std::size_t k = 0; k < std::min(most, study->skipped.size()); ++k) {
-      skipped << text_of(study->skipped[k].path.filename()) + ": " + told(study->skipped[k].reason);
+    constexpr std::size_t maximum = 20;
+    for (std::size_t k = 0; k < std::min(maximum, study->skipped.size()); ++k) {
+      skipped << text_of(study->skipped[k].path.filename()) + ": " + translated(study->skipped[k].reason);
     }
     found_->setToolTip(skipped.join("\n"));
   }

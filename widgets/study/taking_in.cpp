@@ -8,7 +8,7 @@
 #include "widgets/session/load_patient.h"
 #include "widgets/study/label_names_dialog.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/told.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -59,8 +59,8 @@ void TakingIn::take(const imaging::Study& study, std::vector<SeriesRole> roles, 
                           if (!any) asked.unnamed.push_back({k, map->parts});
                         }
                         // Of a folder of masks those that are named are wanted; one that nobody named is then left out.
-                        constexpr std::size_t most_questions = 4;
-                        if (named > 0 && asked.unnamed.size() > most_questions) asked.unnamed.clear();
+                        constexpr std::size_t maximum_questions = 4;
+                        if (named > 0 && asked.unnamed.size() > maximum_questions) asked.unnamed.clear();
                         if (const auto patient = casefile::Case::open(asked.folder)) {
                           asked.doubts = casefile::doubts_of_belonging(*patient, asked.study, asked.roles);
                           asked.replaces = casefile::would_replace_anatomy(*patient, asked.roles);
@@ -86,7 +86,7 @@ void TakingIn::ask(Asked asked) {
                 "it then no longer fits.")
                  .arg(text_of(asked.folder.stem()));
     }
-    for (const Sentence& doubt : asked.doubts) words << told(doubt);
+    for (const Sentence& doubt : asked.doubts) words << translated(doubt);
     QMessageBox question(QMessageBox::Warning, asked.replaces ? tr("Replace the anatomy?") : tr("Is it this patient?"),
                          words.join("\n\n"), QMessageBox::Cancel, window_);
     question.setObjectName("belonging_question");

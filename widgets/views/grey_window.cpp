@@ -25,8 +25,8 @@ GreyWindow automatic_window(const imaging::Volume& volume) {
 
 bool in_hounsfield_units(const imaging::Volume& volume) {
   if (!volume.unit.empty()) return volume.unit == "HU";  // a unit, not translated
-  constexpr std::size_t most_samples = 4000;
-  const std::size_t stride = std::max<std::size_t>(1, volume.values.size() / most_samples);
+  constexpr std::size_t maximum_samples = 4000;
+  const std::size_t stride = std::max<std::size_t>(1, volume.values.size() / maximum_samples);
   std::size_t samples = 0, air = 0, tissue = 0;
   for (std::size_t k = 0; k < volume.values.size(); k += stride, ++samples) {
     const float value = volume.values[k];
@@ -46,8 +46,9 @@ WindowPreset preset_of(const GreyWindow& window, const imaging::Volume& volume) 
        {WindowPreset::liver, WindowPreset::abdomen, WindowPreset::lung, WindowPreset::bone, WindowPreset::automatic}) {
     const auto known = window_of(preset, volume);
     if (!known) continue;
-    const double most = same_share * known->width;
-    if (std::abs(known->center - window.center) < most && std::abs(known->width - window.width) < most) return preset;
+    const double maximum = same_share * known->width;
+    if (std::abs(known->center - window.center) < maximum && std::abs(known->width - window.width) < maximum)
+      return preset;
   }
   return WindowPreset::own;
 }

@@ -4,8 +4,8 @@
 
 #include "widgets/panels/ask_path.h"
 #include "widgets/panels/write_picture.h"
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/paths.h"
-#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 
@@ -57,7 +57,7 @@ LinkedViews::LinkedViews(QWidget* parent) : QWidget(parent) {
     connect(sides[k], &QToolButton::clicked, space_, [this, side] { space_->look_from(side); });
     ++k;
   }
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     frames_[0]->set_name(tr("Transverse"));
     frames_[1]->set_name(tr("Patient"));
     frames_[2]->set_name(tr("Coronal"));

@@ -4,8 +4,8 @@
 #include <QKeyEvent>
 #include <QToolButton>
 
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 
@@ -29,7 +29,7 @@ MeasureList::MeasureList(MeasureTool& tool, LinkedViews& views, QWidget* parent)
     const Measurement& chosen = tool_.measurements()[static_cast<std::size_t>(row)];
     if (!chosen.points_mm.empty()) views.set_crosshair(chosen.points_mm.front());
   });
-  worded(this, [this] {
+  keep_translated(this, [this] {
     setAccessibleName(tr("Measurements"));
     show_all();
   });
@@ -62,8 +62,8 @@ void MeasureList::show_all() {
         Qt::QueuedConnection);
     setCellWidget(row, 2, remove);
   }
-  constexpr int most_rows_seen = 4;
-  setFixedHeight(24 * std::min(most_rows_seen, rowCount()) + 4);
+  constexpr int maximum_rows_seen = 4;
+  setFixedHeight(24 * std::min(maximum_rows_seen, rowCount()) + 4);
   setVisible(rowCount() > 0);
 }
 

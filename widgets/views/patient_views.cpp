@@ -8,7 +8,7 @@
 
 #include "scene/anatomy.h"
 #include "widgets/settings/settings.h"
-#include "widgets/words/told.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -350,7 +350,7 @@ void PatientViews::apply_frame() {
   if (bodies_ == Bodies::side_by_side) draw_marks(views_.twin(), atlas != nullptr ? atlas : own);
   // On the screen that is said above the views; a picture that leaves it says it itself, by its first clause.
   static const QRegularExpression end_of_clause("[:,]");
-  views_.set_caption_of_pictures(told(patient_.origin).section(end_of_clause, 0, 0));
+  views_.set_caption_of_pictures(translated(patient_.origin).section(end_of_clause, 0, 0));
   views_.redraw();
 }
 

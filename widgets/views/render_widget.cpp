@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "scene/painter.h"
-#include "widgets/words/told.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -177,7 +177,7 @@ void RenderWidget::show_frame(const Drawn& drawn) {
   frame_ = drawn.image;
   last_frame_ms_ = drawn.took_ms;
   if (!drawn.by.isEmpty()) drawn_by_ = drawn.by;
-  if (drawn.problem) why_none_ = told(*drawn.problem);
+  if (drawn.problem) why_none_ = translated(*drawn.problem);
   update();
   Q_EMIT frame_drawn();
 }

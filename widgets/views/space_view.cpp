@@ -15,8 +15,8 @@ constexpr double grip_reach_px = 14;
 constexpr double slow_frame_ms = 16;  // drawing takes half of a thirtieth of a second; the other half is the window's
 constexpr int calm_after_ms = 250;
 // From the whole body down to a small vessel.
-constexpr double least_visible_mm = 5;
-constexpr double most_visible_mm = 3000;
+constexpr double minimum_visible_mm = 5;
+constexpr double maximum_visible_mm = 3000;
 
 }  // namespace
 
@@ -194,7 +194,7 @@ void SpaceView::wheelEvent(QWheelEvent* event) {
 
 void SpaceView::zoom(double factor) {
   scene::Camera camera = view().camera();
-  camera.visible_height_mm = std::clamp(camera.visible_height_mm * factor, least_visible_mm, most_visible_mm);
+  camera.visible_height_mm = std::clamp(camera.visible_height_mm * factor, minimum_visible_mm, maximum_visible_mm);
   view().set_camera(camera);
 }
 

@@ -5,8 +5,8 @@
 #include <QHBoxLayout>
 #include <QStandardItemModel>
 
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -110,7 +110,7 @@ ViewBar::ViewBar(LinkedViews& views, MeasureTool& measure, QWidget* parent)
   show_layout();
   save_ = add_action("save_view", "", QKeySequence("Ctrl+Shift+S"), [this] { views_.save_view_in_use(); });
 
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     measuring_[0]->setText(tr("Measure a &distance"));
     measuring_[0]->setToolTip(
         tr("A distance in mm: click its two ends, or press Enter at the crosshair; Escape gives up"));

@@ -4,7 +4,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/views/render_widget.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
 
@@ -43,7 +43,7 @@ ViewFrame::ViewFrame(const QColor& accent, QWidget* view, QWidget* parent) : QFr
   connect(maximise_, &QToolButton::clicked, this, &ViewFrame::maximise_requested);
   column->addWidget(bar);
   column->addWidget(view, 1);
-  worded(this, [this] {
+  keep_translated(this, [this] {
     picture_->setToolTip(tr("Save the picture of this view"));
     show_maximised(maximised_);
   });

@@ -8,8 +8,8 @@
 #include <QVBoxLayout>
 
 #include "widgets/views/map_picture.h"
-#include "widgets/words/told.h"
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
+#include "widgets/words/translated.h"
 
 namespace glisson::widgets {
 namespace {
@@ -84,7 +84,7 @@ WaveView::WaveView(fs::path case_folder, QWidget* parent) : QWidget(parent), fol
   connect(&work_, &BackgroundWork::broke, this, [this](const QString& what) {
     say([what] { return tr("A defect in Glisson stopped this: %1").arg(what); });
   });
-  worded(this, [this] {
+  keep_translated(this, [this] {
     setWindowTitle(tr("Elastography waves"));
     word_result();
   });
@@ -114,7 +114,7 @@ void WaveView::invert() {
                     }));
                 return [this, found] {
                   if (!*found) {
-                    say([found] { return told(found->error()); });
+                    say([found] { return translated(found->error()); });
                     return;
                   }
                   inverted_ = std::make_shared<casefile::InvertedWaves>(std::move(**found));
@@ -131,7 +131,8 @@ void WaveView::accept() {
         [&](casefile::Case patient) { return casefile::accept_waves(patient, *result); }));
     return BackgroundWork::Then([this, saved] {
       say([saved] {
-        return *saved ? tr("The case now holds this stiffness. Build its model anew to use it.") : told(saved->error());
+        return *saved ? tr("The case now holds this stiffness. Build its model anew to use it.")
+                      : translated(saved->error());
       });
       if (*saved) Q_EMIT accepted();
     });
@@ -177,7 +178,7 @@ QWidget* WaveView::make_controls() {
   progress_->hide();
   row->addWidget(progress_);
   row->addStretch();
-  worded(bar, [=, this] {
+  keep_translated(bar, [=, this] {
     frequency_name->setText(tr("&Vibration"));
     frequency_->setSuffix(tr(" Hz"));
     frequency_->setSpecialValueText(tr("as the images say"));
@@ -205,7 +206,7 @@ QWidget* WaveView::make_pictures() {
   modulus_->setObjectName("modulus_picture");
   confidence_->setObjectName("confidence_picture");
   for (MapPicture* picture : {wave_, modulus_, confidence_}) row->addWidget(picture, 1);
-  worded(pictures, [this] {
+  keep_translated(pictures, [this] {
     wave_->set_words(tr("Shear waves"), tr("rad"));
     modulus_->set_words(tr("Shear stiffness"), tr("kPa"));
     confidence_->set_words(tr("Confidence"), {});
@@ -242,7 +243,7 @@ QWidget* WaveView::make_foot() {
   notes_->setObjectName("faint");
   notes_->setWordWrap(true);
   column->addWidget(notes_);
-  worded(foot, [this] { accept_->setText(tr("Accept into the case")); });
+  keep_translated(foot, [this] { accept_->setText(tr("Accept into the case")); });
   return foot;
 }
 
@@ -268,7 +269,7 @@ void WaveView::show_result() {
   play_->setChecked(true);
   say([notes = map.notes] {
     QStringList sentences;
-    for (const Sentence& note : notes) sentences << told(note);
+    for (const Sentence& note : notes) sentences << translated(note);
     return sentences.join(" ");
   });
   word_result();

@@ -23,7 +23,8 @@ struct Language {
 // What the window speaks now, as a code of languages(); English until one is chosen or begun in.
 [[nodiscard]] QString spoken_language();
 
-// Keeps the choice and speaks that language from now on. Every widget gets QEvent::LanguageChange (see worded.h).
+// Keeps the choice and speaks that language from now on. Every widget gets QEvent::LanguageChange (see
+// keep_translated.h).
 void choose_language(const QString& code);
 
 // At the start of the program: the kept language, and numbers as below.

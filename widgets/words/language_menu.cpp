@@ -2,8 +2,8 @@
 
 #include <QActionGroup>
 
+#include "widgets/words/keep_translated.h"
 #include "widgets/words/language.h"
-#include "widgets/words/worded.h"
 
 namespace glisson::widgets {
 
@@ -23,7 +23,7 @@ LanguageMenu::LanguageMenu(QWidget* parent) : QMenu(parent) {
   for (const Language& language : languages()) add(language);
   connect(choices, &QActionGroup::triggered, this,
           [](const QAction* choice) { choose_language(choice->data().toString()); });
-  worded(this, [=, this] {
+  keep_translated(this, [=, this] {
     setTitle(tr("&Language"));
     system->setText(tr("System language"));
   });

@@ -3,7 +3,7 @@
 #include <QHBoxLayout>
 #include <QStyle>
 
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
 
 namespace glisson::widgets {
 
@@ -18,7 +18,7 @@ WorkspaceBar::WorkspaceBar(QWidget* parent) : QWidget(parent) {
   connect(group_, &QButtonGroup::idToggled, this, [this](int index, bool on) {
     if (on) Q_EMIT chosen(index);
   });
-  worded(this, [this] { word(); });
+  keep_translated(this, [this] { word(); });
 }
 
 void WorkspaceBar::add(const Workspace& workspace) {

@@ -14,16 +14,16 @@
 namespace glisson::closedloop {
 namespace {
 
-constexpr double least_p = 1e-300;  // below, doubles end
+constexpr double minimum_p = 1e-300;  // below, doubles end
 constexpr double noise_uncertainty = 1.05;
 constexpr double improbable = 1e-3;
 
 double upper_tail_of_chi_squared(double value, double degrees) {
-  return std::max(least_p, boost::math::cdf(complement(boost::math::chi_squared(degrees), value)));
+  return std::max(minimum_p, boost::math::cdf(complement(boost::math::chi_squared(degrees), value)));
 }
 
 double upper_tail_of_normal(double value) {
-  return std::max(least_p, boost::math::cdf(complement(boost::math::normal(), value)));
+  return std::max(minimum_p, boost::math::cdf(complement(boost::math::normal(), value)));
 }
 
 NoiseTest size_test(const Eigen::VectorXd& white);
@@ -107,9 +107,9 @@ ResidualDiagnostics residual_diagnostics(const Observations& observations, const
   if (observations.trial_count() > 1)
     tests.push_back(score_test("trials", GLISSON_TEXT("it differs from trial to trial"), by_trial(observations),
                                observations, white));
-  const auto least =
+  const auto minimum =
       std::min_element(tests.begin(), tests.end(), [](const auto& a, const auto& b) { return a.p_value < b.p_value; });
-  diagnostics.smallest_p = std::min(1.0, least->p_value * static_cast<double>(tests.size()));
+  diagnostics.smallest_p = std::min(1.0, minimum->p_value * static_cast<double>(tests.size()));
   diagnostics.is_noise = diagnostics.smallest_p >= improbable;
   return diagnostics;
 }
@@ -171,7 +171,7 @@ NoiseTest neighbours(const std::vector<std::pair<Eigen::Index, Eigen::Index>>& p
 
 NoiseTest place_neighbours_test(const Observations& observations, const Eigen::VectorXd& white) {
   constexpr std::size_t nearest = 4;
-  constexpr std::size_t most_in_a_group = 1500;  // of markers seen at once; more are thinned out
+  constexpr std::size_t maximum_in_a_group = 1500;  // of markers seen at once; more are thinned out
   std::map<std::array<int, 3>, std::vector<Eigen::Index>> groups;
   for (Eigen::Index row = 0; row < white.size(); ++row) {
     const auto i = static_cast<std::size_t>(row);
@@ -179,7 +179,7 @@ NoiseTest place_neighbours_test(const Observations& observations, const Eigen::V
   }
   std::vector<std::pair<Eigen::Index, Eigen::Index>> pairs;
   for (auto& [key, rows] : groups) {
-    const std::size_t stride = 1 + rows.size() / most_in_a_group;
+    const std::size_t stride = 1 + rows.size() / maximum_in_a_group;
     std::vector<Eigen::Index> kept;
     for (std::size_t i = 0; i < rows.size(); i += stride) kept.push_back(rows[i]);
     std::vector<std::pair<double, Eigen::Index>> others;

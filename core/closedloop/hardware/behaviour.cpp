@@ -104,7 +104,7 @@ class Governor {
   [[nodiscard]] double speed() const { return speed_; }
 
   void go_on_to(Eigen::Index sample) {
-    constexpr double longest_step_s = 1, least_speed = 0.05;
+    constexpr double longest_step_s = 1, minimum_speed = 0.05;
     const double passed_s = trial_.time_s[sample] - trial_.time_s[sample - 1];
     const int steps = std::clamp(static_cast<int>(std::ceil(passed_s / longest_step_s)), 1, 600);
     const double step_s = passed_s / steps;
@@ -121,7 +121,7 @@ class Governor {
                                ? std::clamp((hottest - *behaviour_.limit_C) / (hottest - coolest), 0.0, 1.0)
                                : double(hottest >= *behaviour_.limit_C);
       speed_ += step_s * ((1 - above) * behaviour_.faster_per_s - above * behaviour_.slower_per_s);
-      speed_ = std::clamp(speed_, least_speed, 1.0);
+      speed_ = std::clamp(speed_, minimum_speed, 1.0);
       temperature_C_ = next_C;
     }
   }

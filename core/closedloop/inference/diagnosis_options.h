@@ -17,7 +17,7 @@ struct SearchOptions {
   double hopeless_start = 0.1;            // one that is ten times as far off as another has ended is not fitted
 
   // Shares of what the best candidate takes of the error, to first order.
-  double least_promise = 0.3;          // what promises far less than the best is not fitted
+  double minimum_promise = 0.3;        // what promises far less than the best is not fitted
   double promise_for_slow_form = 0.6;  // slow forms are tried where a quick form of their kind does about as well
   // Half of what a finer mesh may change, squared: less cannot be told from the mesh's own error.
   double promise_over_mesh_error = 0.25;
@@ -61,7 +61,7 @@ struct EvidenceOptions {
 struct DiagnosisOptions {
   double entry_bic = 10;  // "very strong" evidence on Kass and Raftery's scale (1995), over a score of candidates
   double alike_bic = 10;  // what less than that cannot tell apart, causes from a smooth function without cause too
-  std::size_t most_effects = 3;
+  std::size_t maximum_effects = 3;
   // With effects, a rest this much above the stated noise is still called explained: noise is seldom known better.
   // Shared among them: the more effects, the closer they must come.
   double near_noise_excess = 0.15;

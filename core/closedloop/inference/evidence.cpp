@@ -95,12 +95,13 @@ Result<Fit> refitted_to(const ForwardModel& model, const Fit& fit, const CrossVa
       with_values(fit.settings, within_bounds(ranges_of(model, fit.settings),
                                               values_of(fit.settings) + first_order_change(fit, measured, fold.kept)));
   if (!model.predicts_quickly())
-    return closedloop::fit(model, start, fold.kept, {.most_iterations = options.refit_iterations}, progress);
+    return closedloop::fit(model, start, fold.kept, {.maximum_iterations = options.refit_iterations}, progress);
   const auto ahead = model.predict(start);
   if (!ahead ||
       fold.kept.whiten(measured - *ahead).squaredNorm() > fold.kept.whiten(measured - fit.predicted).squaredNorm())
     start = fit.settings;
-  return closedloop::fit(model, start, fold.kept, {.most_iterations = options.refit_iterations_where_quick}, progress);
+  return closedloop::fit(model, start, fold.kept, {.maximum_iterations = options.refit_iterations_where_quick},
+                         progress);
 }
 
 }  // namespace

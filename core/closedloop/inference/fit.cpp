@@ -149,7 +149,7 @@ Result<Fit> fit(const ForwardModel& model, const Settings& start, const Whitenin
   StopEarly stop(progress, options.relative_tolerance);
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::DENSE_QR;
-  solver.max_num_iterations = options.most_iterations;
+  solver.max_num_iterations = options.maximum_iterations;
   solver.function_tolerance = options.relative_tolerance;
   solver.max_num_consecutive_invalid_steps = 10;
   solver.logging_type = ceres::SILENT;

@@ -12,7 +12,7 @@
 namespace glisson::closedloop {
 
 struct FitOptions {
-  int most_iterations = 30;          // Levenberg-Marquardt; smooth problems of few parameters need about ten
+  int maximum_iterations = 30;       // Levenberg-Marquardt; smooth problems of few parameters need about ten
   double relative_tolerance = 1e-4;  // of chi-squared: far below what a change in evidence means
 };
 

@@ -13,7 +13,7 @@
 namespace glisson::closedloop {
 namespace {
 
-constexpr Eigen::Index most_rows = 400;  // a step of the search costs their cube
+constexpr Eigen::Index maximum_rows = 400;  // a step of the search costs their cube
 
 // Rows of one direction, which has a process of its own; lengths are shared.
 struct Block {
@@ -77,8 +77,8 @@ class StopWhenCancelled : public ceres::IterationCallback {
 };
 
 // From lengths of two spreads for all features, and from short ones: the evidence has several maxima.
-double least_bic(const std::vector<Block>& blocks, double variance, double rows, const Progress& progress) {
-  double least = std::numeric_limits<double>::infinity();
+double minimum_bic(const std::vector<Block>& blocks, double variance, double rows, const Progress& progress) {
+  double minimum = std::numeric_limits<double>::infinity();
   const std::size_t lengths = blocks.front().square_distance.size();
   for (const double length : {2.0, 0.7}) {
     std::vector<double> x;
@@ -97,9 +97,9 @@ double least_bic(const std::vector<Block>& blocks, double variance, double rows,
     ceres::GradientProblemSolver::Summary summary;
     ceres::Solve(options, problem, x.data(), &summary);
     if (std::isfinite(summary.final_cost))
-      least = std::min(least, summary.final_cost + static_cast<double>(x.size()) * std::log(rows));
+      minimum = std::min(minimum, summary.final_cost + static_cast<double>(x.size()) * std::log(rows));
   }
-  return least;
+  return minimum;
 }
 
 }  // namespace
@@ -109,7 +109,7 @@ double evidence_over_smooth(const Observations& observations, const Eigen::Vecto
                             const Progress& progress) {
   const auto independent = static_cast<Eigen::Index>(static_cast<double>(observations.rows()) / correlation);
   const Eigen::Index wanted = std::clamp<Eigen::Index>(independent, std::min<Eigen::Index>(10, observations.rows()),
-                                                       std::min(most_rows, observations.rows()));
+                                                       std::min(maximum_rows, observations.rows()));
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < wanted; ++i) rows.push_back(i * observations.rows() / wanted);
   const auto n = static_cast<double>(wanted);
@@ -119,7 +119,7 @@ double evidence_over_smooth(const Observations& observations, const Eigen::Vecto
   const double named =
       n * (std::log(variance) + mean_square / variance) + static_cast<double>(parameters) * std::log(n);
   const std::vector<Block> blocks = blocks_of(observations, declared, rows);
-  return least_bic(blocks, variance, n, progress) - named;
+  return minimum_bic(blocks, variance, n, progress) - named;
 }
 
 namespace {

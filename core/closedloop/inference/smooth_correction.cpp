@@ -8,8 +8,8 @@
 namespace glisson::closedloop {
 namespace {
 
-constexpr Eigen::Index most_rows = 600;  // the process rests on so many rows, taken evenly from all trials
-constexpr double worth_having = 0.9;     // of the sum of squares without it
+constexpr Eigen::Index maximum_rows = 600;  // the process rests on so many rows, taken evenly from all trials
+constexpr double worth_having = 0.9;        // of the sum of squares without it
 
 Eigen::MatrixXd scaled(const SmoothCorrection& smooth, const Eigen::MatrixXd& features) {
   return (features.rowwise() - smooth.center).array().rowwise() / (smooth.spread.array() * smooth.length_scale);
@@ -43,7 +43,7 @@ Rows training_rows(const Observations& observations, const Eigen::MatrixXd& feat
   for (Eigen::Index row = 0; row < observations.rows(); ++row) {
     if (observations.trial[static_cast<std::size_t>(row)] != without_trial) rows.push_back(row);
   }
-  const std::size_t stride = 1 + rows.size() / static_cast<std::size_t>(most_rows);
+  const std::size_t stride = 1 + rows.size() / static_cast<std::size_t>(maximum_rows);
   std::vector<Eigen::Index> kept;
   for (std::size_t i = 0; i < rows.size(); i += stride) kept.push_back(rows[i]);
   Rows training{features(kept, Eigen::all), {}, residual(kept), observations.noise(kept).array().square()};
@@ -109,7 +109,7 @@ std::optional<CorrectionFit> fit_smooth_correction(const Observations& observati
     return values.cwiseQuotient(observations.noise).squaredNorm();
   };
   std::optional<CorrectionFit> best;
-  double least = worth_having * sum_of_squares(residual);
+  double minimum = worth_having * sum_of_squares(residual);
   for (const double length_scale : {0.3, 0.6, 1.2, 2.5, 5.0}) {
     Eigen::VectorXd held_out(observations.rows());
     int improved = 0;
@@ -130,8 +130,8 @@ std::optional<CorrectionFit> fit_smooth_correction(const Observations& observati
       if (corrected.cwiseQuotient(noise).squaredNorm() < alone.cwiseQuotient(noise).squaredNorm()) ++improved;
     }
     const bool mostly = 3 * improved >= 2 * observations.trial_count();
-    if (const double sum = sum_of_squares(residual - held_out); mostly && sum < least) {
-      least = sum;
+    if (const double sum = sum_of_squares(residual - held_out); mostly && sum < minimum) {
+      minimum = sum;
       best = CorrectionFit{trained(observations, features, residual, length_scale, -1), std::move(held_out)};
     }
   }

@@ -13,8 +13,8 @@ struct FigureSlot {
   const char* group;  // "", "battery" or "kernel": the object that holds it in a file
   const char* name;
   Figure& (*of)(Device& device);
-  double least;
-  double most;
+  double minimum;
+  double maximum;
   std::optional<double> ideal;  // what a file may leave out, and what that means
 
   [[nodiscard]] std::string full_name() const { return *group == '\0' ? name : std::string(group) + "." + name; }

@@ -10,8 +10,8 @@
 namespace glisson::hardware {
 
 struct Limits {
-  double least;
-  double most;
+  double minimum;
+  double maximum;
 };
 
 class FigureReader {

@@ -78,11 +78,11 @@ namespace {
 
 // The matrix's entries are counted in 32 bits, as CHOLMOD's are: each cell adds at most 55 blocks of 9.
 Result<void> check_size(const geometry::TetMesh& mesh) {
-  constexpr std::size_t most_cells = std::numeric_limits<int>::max() / (55 * 9);
-  if (mesh.cells.size() <= most_cells) return {};
+  constexpr std::size_t maximum_cells = std::numeric_limits<int>::max() / (55 * 9);
+  if (mesh.cells.size() <= maximum_cells) return {};
   return failure(Error{"too-large",
                        GLISSON_TEXT("The mesh has {0} cells; at most {1} can be solved."),
-                       {std::to_string(mesh.cells.size()), std::to_string(most_cells)},
+                       {std::to_string(mesh.cells.size()), std::to_string(maximum_cells)},
                        GLISSON_TEXT("Mesh with fewer cells."),
                        {}});
 }

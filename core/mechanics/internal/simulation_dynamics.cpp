@@ -173,10 +173,10 @@ void press(Mover& mover, const AugmentedLagrangian& lagrangian, const std::vecto
 }
 
 Result<void> check_speed(const Scenario& scenario) {
-  const double most_mm = 0.5 * thinnest_rod_mm(scenario.tools);
+  const double maximum_mm = 0.5 * thinnest_rod_mm(scenario.tools);
   for (const ScenarioTool& tool : scenario.tools) {
     const auto* rigid = std::get_if<ScenarioRigidTool>(&tool.what);
-    if (rigid == nullptr || rigid->push_mN || rigid->advance_mm / scenario.motion->steps <= most_mm) continue;
+    if (rigid == nullptr || rigid->push_mN || rigid->advance_mm / scenario.motion->steps <= maximum_mm) continue;
     return failure(Error{"tool-too-fast",
                          GLISSON_TEXT("Tool {0} would move by {1} mm a step, past a surface that it should meet."),
                          {tool.id, fmt::format("{:.1f}", rigid->advance_mm / scenario.motion->steps)},

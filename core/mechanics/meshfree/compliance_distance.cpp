@@ -63,7 +63,7 @@ void Front::start(float width) {
 
 void Front::put(float distance, std::size_t voxel) {
   const float place = (distance - first_) / width_;
-  if (!(place < static_cast<float>(most_buckets))) {
+  if (!(place < static_cast<float>(maximum_buckets))) {
     beyond_.push_back({distance, static_cast<std::uint32_t>(voxel)});
     return;
   }
@@ -97,7 +97,7 @@ ComplianceDistance::ComplianceDistance(const VoxelBody& body, const std::vector<
   across_.assign(grid().voxels(), unreached);
   for (std::size_t voxel = 0; voxel < across_.size(); ++voxel) {
     if (inside(voxel)) across_[voxel] = static_cast<float>(grid().spacing_mm.x() / body.youngs_kPa[voxel]);
-    least_across_ = std::min(least_across_, across_[voxel]);
+    minimum_across_ = std::min(minimum_across_, across_[voxel]);
   }
   if (cuts.empty()) return;
   blocked_.assign(grid().voxels(), 0);
@@ -125,7 +125,7 @@ ComplianceDistance::ComplianceDistance(const VoxelBody& body, const std::vector<
 
 ComplianceDistance::Voronoi ComplianceDistance::voronoi(const std::vector<Vector3d>& seeds_mm) const {
   Workspace workspace(grid().voxels());
-  workspace.front_.start(least_across_ / buckets_across);
+  workspace.front_.start(minimum_across_ / buckets_across);
   for (std::size_t s = 0; s < seeds_mm.size(); ++s) offer_around(seeds_mm[s], static_cast<int>(s), workspace);
   march(unreached, workspace, [](std::size_t, float) {});
   return {std::move(workspace.owner_), std::move(workspace.fixed_)};
@@ -134,7 +134,7 @@ ComplianceDistance::Voronoi ComplianceDistance::voronoi(const std::vector<Vector
 std::vector<ComplianceDistance::Reached> ComplianceDistance::within(const Vector3d& seed_mm, float limit,
                                                                     Workspace& workspace) const {
   std::vector<Reached> reached;
-  workspace.front_.start(least_across_ / buckets_across);
+  workspace.front_.start(minimum_across_ / buckets_across);
   offer_around(seed_mm, 0, workspace);
   march(limit, workspace, [&](std::size_t voxel, float distance) { reached.push_back({voxel, distance}); });
   for (const std::size_t voxel : workspace.touched_) {

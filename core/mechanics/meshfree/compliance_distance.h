@@ -45,7 +45,7 @@ class Front {
   bool take(Waiting& next);
 
  private:
-  static constexpr std::size_t most_buckets = 4096;  // what is farther waits apart
+  static constexpr std::size_t maximum_buckets = 4096;  // what is farther waits apart
 
   float width_ = 1, first_ = 0;  // the first bucket begins at `first_`
   std::size_t bucket_ = 0;       // being emptied
@@ -117,7 +117,7 @@ class ComplianceDistance {
 
   const VoxelBody* body_;
   std::vector<float> across_;  // what it costs to cross a voxel (mm/kPa); unreached outside the body
-  float least_across_ = unreached;
+  float minimum_across_ = unreached;
   std::vector<CutInSpace> cuts_;
   std::array<std::ptrdiff_t, 3> stride_;
   std::vector<std::uint8_t> blocked_;  // bit a: the way from a voxel to the next along axis a is cut; empty: no cuts

@@ -22,7 +22,7 @@ struct MeshfreeModel::Impl {
 namespace {
 
 // Conjugate gradients go this far where they go without a factor; 200, the dissertation's limit, is for steps in time.
-constexpr int most_iterations = 5000;
+constexpr int maximum_iterations = 5000;
 
 StaticResult result_of(const MeshfreeBody& handles, const Eigen::VectorXd& q_mm, const AppliedLoads& loads);
 
@@ -62,7 +62,7 @@ Result<StaticResult> MeshfreeModel::solve(const AppliedLoads& loads, const Newto
     const Eigen::VectorXd force_mN = handles.basis->reduce(loads.dead_mN);
     const ReducedSolution solution =
         conjugate_gradients(handles.rest_stiffness, impl_->preconditioner, force_mN,
-                            Eigen::VectorXd::Zero(force_mN.size()), tolerance, most_iterations);
+                            Eigen::VectorXd::Zero(force_mN.size()), tolerance, maximum_iterations);
     result = result_of(handles, solution.x, loads);
     result.external_work_uJ *= 0.5;
     result.status = solution.converged ? SolveStatus::converged : SolveStatus::not_converged;

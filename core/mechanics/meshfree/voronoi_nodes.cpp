@@ -63,9 +63,9 @@ std::vector<Vector3d> centroids(const Voxels& voxels, const Assignment& assignme
 }  // namespace
 
 Result<VoronoiNodes> voronoi_nodes(const imaging::Mask& body, const VoronoiOptions& options, const Progress& progress) {
-  if (options.nodes < 1 || options.most_rounds < 1 || !(options.least_gain >= 0)) {
+  if (options.nodes < 1 || options.maximum_rounds < 1 || !(options.minimum_gain >= 0)) {
     return failure("voronoi-options", GLISSON_TEXT("{0} nodes in {1} rounds cannot be made; both must be at least 1."),
-                   {std::to_string(options.nodes), std::to_string(options.most_rounds)});
+                   {std::to_string(options.nodes), std::to_string(options.maximum_rounds)});
   }
   const Voxels voxels = voxels_of(body);
   if (voxels.offsets.empty()) return failure("mask-empty", GLISSON_TEXT("The body holds no voxels."));
@@ -83,7 +83,7 @@ Result<VoronoiNodes> voronoi_nodes(const imaging::Mask& body, const VoronoiOptio
   result.energies_mm5.push_back(energy_mm5(voxels, assignment));
   for (int round = 0;; ++round) {
     if (progress.cancelled()) return cancelled();
-    progress.report(std::min(1.0, static_cast<double>(round) / options.most_rounds),
+    progress.report(std::min(1.0, static_cast<double>(round) / options.maximum_rounds),
                     GLISSON_TEXT("Spreading the nodes"));
     result.positions_mm = centroids(voxels, assignment, nodes);
     assignment = assign(voxels, blocks, result.positions_mm);
@@ -92,9 +92,9 @@ Result<VoronoiNodes> voronoi_nodes(const imaging::Mask& body, const VoronoiOptio
     result.energies_mm5.push_back(energy_mm5(voxels, assignment));
 
     if (std::find(counts.begin(), counts.end(), 0) != counts.end()) continue;
-    const bool settled = before - result.energies_mm5.back() <= options.least_gain * before;
+    const bool settled = before - result.energies_mm5.back() <= options.minimum_gain * before;
     result.stopped = settled ? VoronoiNodes::Stopped::settled : VoronoiNodes::Stopped::rounds_spent;
-    if (settled || round + 1 >= options.most_rounds) break;
+    if (settled || round + 1 >= options.maximum_rounds) break;
   }
 
   result.positions_mm = centroids(voxels, assignment, nodes);

@@ -24,10 +24,10 @@ struct VoronoiOptions {
 
   // Most of what there is to gain is gained in the first ten rounds; the energy then falls by less than a thousandth a
   // round.
-  int most_rounds = 50;
+  int maximum_rounds = 50;
 
   // Stops when a round lowers the energy by less than this share of it.
-  double least_gain = 1e-3;
+  double minimum_gain = 1e-3;
 };
 
 struct VoronoiNodes {

@@ -15,7 +15,7 @@
 namespace glisson::mechanics {
 namespace {
 
-constexpr int most_solves = 12;
+constexpr int maximum_solves = 12;
 
 // K_sigma of each cell, the same for the three axes.
 using CellMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 10, 10>;
@@ -37,9 +37,9 @@ double load_beyond_buckling(const StaticModel& model, const StaticResult& result
   Eigen::VectorXd start_mN = Eigen::VectorXd::NullaryExpr(u_mm.size(), [&] { return even(random); });
   std::vector<Eigen::VectorXd> directions, forces;  // q, and K q, with q_i.K q_j = 1 or 0
   Eigen::VectorXd force = std::move(start_mN);
-  Eigen::MatrixXd projected = Eigen::MatrixXd::Zero(most_solves, most_solves);
+  Eigen::MatrixXd projected = Eigen::MatrixXd::Zero(maximum_solves, maximum_solves);
   double largest = 0;
-  for (int n = 0; n < most_solves; ++n) {
+  for (int n = 0; n < maximum_solves; ++n) {
     const auto answer = model.respond(force);
     Eigen::VectorXd direction = answer.displacement_mm.col(0);
     if (!direction.allFinite()) return largest;

@@ -21,6 +21,6 @@ struct ControlGraph {
 
 // At most `most` controls, spread evenly; with enough of them every point is its own control, and edges are the
 // surface's. Cells are found along the surface's edges, so that what is near through space alone stays apart.
-ControlGraph control_graph(const geometry::Surface& surface, int most);
+ControlGraph control_graph(const geometry::Surface& surface, int maximum);
 
 }  // namespace glisson::registration

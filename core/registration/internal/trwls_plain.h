@@ -31,14 +31,14 @@ struct PlainKernels {
 
   static Bound send_one(const Slices<Word>& slices, const Word* scaled_belief, const Message<Word>& message,
                         Word* offset) {
-    Difference least_offset = std::numeric_limits<Difference>::max();
+    Difference minimum_offset = std::numeric_limits<Difference>::max();
     for (int k = 0; k < slices.labels; ++k) {
-      least_offset = std::min(least_offset,
-                              static_cast<Difference>(scaled_belief[k]) - static_cast<Difference>(message.reverse[k]));
+      minimum_offset = std::min(
+          minimum_offset, static_cast<Difference>(scaled_belief[k]) - static_cast<Difference>(message.reverse[k]));
     }
     for (int k = 0; k < slices.labels; ++k) {
       offset[k] = static_cast<Word>(static_cast<Difference>(scaled_belief[k]) -
-                                    static_cast<Difference>(message.reverse[k]) - least_offset);
+                                    static_cast<Difference>(message.reverse[k]) - minimum_offset);
     }
 
     Word* updated = message.updated;
@@ -50,9 +50,9 @@ struct PlainKernels {
             std::min(updated[l], static_cast<Word>(offset[k] + cost(slices, message.x, message.x_weight, cell)));
       }
     }
-    const Word least = *std::min_element(updated, updated + slices.labels);
-    for (int l = 0; l < slices.labels; ++l) updated[l] = static_cast<Word>(updated[l] - least);
-    return static_cast<Bound>(least_offset) + static_cast<Bound>(least);
+    const Word minimum = *std::min_element(updated, updated + slices.labels);
+    for (int l = 0; l < slices.labels; ++l) updated[l] = static_cast<Word>(updated[l] - minimum);
+    return static_cast<Bound>(minimum_offset) + static_cast<Bound>(minimum);
   }
 
   static void add_messages(const Slices<Word>& slices, const Word* first, int count, Total* totals) {

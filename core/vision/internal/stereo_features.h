@@ -18,7 +18,7 @@ struct Features {
 };
 
 // SIFT (Lowe 2004), the strongest `most` of them.
-Features find_features(const Frame& frame, int most);
+Features find_features(const Frame& frame, int maximum);
 
 // Pairs (row of a, row of b) of which each is the other's best, clearly better than the second best: the ratio of
 // their distances is below `ratio` (Lowe 2004). `may_pair`, where given, says which pairs are possible at all.

@@ -95,18 +95,18 @@ std::optional<NextMeasurement> next_measurement(const ForwardModel& model, const
     const auto expected = model.predict_further(trial, chosen);
     if (!expected || !expected->allFinite()) continue;
     std::vector<std::string> separated;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const Rival& rival : rivals) {
       const auto otherwise = model.predict_further(trial, rival.settings);
       if (!otherwise || !otherwise->allFinite()) continue;
       const double separation = (*expected - *otherwise).norm();
       if (separation < options.clear_separation) continue;
-      least = std::min(least, separation);
+      minimum = std::min(minimum, separation);
       if (std::count(separated.begin(), separated.end(), rival.kind) == 0) separated.push_back(rival.kind);
     }
     if (separated.empty()) continue;
-    if (std::pair(separated.size(), least) > std::pair(next.rivals.size(), next.expected_separation))
-      next = {sentences[trial], separated, least};
+    if (std::pair(separated.size(), minimum) > std::pair(next.rivals.size(), next.expected_separation))
+      next = {sentences[trial], separated, minimum};
   }
   return next.rivals.empty() ? std::nullopt : std::optional(std::move(next));
 }

@@ -69,7 +69,7 @@ std::vector<const Effect*> Search::additions(const Settings& active) const {
     const bool is_active = std::any_of(active.begin(), active.end(), [&](const Setting& setting) {
       return setting.kind == effect.kind && setting.form == effect.form;
     });
-    const bool has_room = active.size() < options_.most_effects || has_kind(active, effect.kind);
+    const bool has_room = active.size() < options_.maximum_effects || has_kind(active, effect.kind);
     if (!is_active && has_room) effects.push_back(&effect);
   }
   return effects;
@@ -109,7 +109,7 @@ Candidate Search::fit_from(const Attempt& attempt) const {
   for (const auto& [chi2, start] : starts) {
     if (best && best->chi2 < options.hopeless_start * chi2) continue;
     const int iterations = model_.predicts_quickly() ? options.first_iterations_where_quick : options.first_iterations;
-    auto fitted = fit(model_, *start, whitening_, {.most_iterations = iterations}, progress_);
+    auto fitted = fit(model_, *start, whitening_, {.maximum_iterations = iterations}, progress_);
     if (!fitted) {
       problem = fitted.error().message();
     } else if (!best || fitted->chi2 < best->chi2) {
@@ -174,12 +174,12 @@ Result<std::vector<Candidate>> Search::fit_each(const Settings& active, const st
     progress.report(static_cast<double>(++done) / static_cast<double>(effects.size()), GLISSON_TEXT("trying effects"));
   };
   const auto is_fitted = [&](std::size_t i) { return candidates[i].fit.predicted.size() > 0; };
-  const auto most_taken = [&] {
-    double most = 0;
+  const auto maximum_taken = [&] {
+    double maximum = 0;
     for (std::size_t i = 0; i < effects.size(); ++i) {
-      if (is_fitted(i)) most = std::max(most, square - plain_square(candidates[i].fit.predicted));
+      if (is_fitted(i)) maximum = std::max(maximum, square - plain_square(candidates[i].fit.predicted));
     }
-    return most;
+    return maximum;
   };
 
   for (std::size_t i = 0; i < effects.size(); ++i) {
@@ -190,11 +190,11 @@ Result<std::vector<Candidate>> Search::fit_each(const Settings& active, const st
   each([&](std::size_t i) { return !effects[i]->late; },
        [&](std::size_t i) { attempts[i] = begin(active, *effects[i], residual); });
   each([&](std::size_t i) { return !effects[i]->late && std::isinf(attempts[i].promise); }, try_one);
-  double worth_trying = most_taken();
+  double worth_trying = maximum_taken();
   for (const Attempt& attempt : attempts) {
     if (std::isfinite(attempt.promise)) worth_trying = std::max(worth_trying, attempt.promise);
   }
-  worth_trying *= options_.search.least_promise;
+  worth_trying *= options_.search.minimum_promise;
   if (!active.empty()) {
     worth_trying = std::max(worth_trying, options_.search.promise_over_mesh_error * indistinct() * indistinct() *
                                               static_cast<double>(residual.size()));
@@ -209,7 +209,7 @@ Result<std::vector<Candidate>> Search::fit_each(const Settings& active, const st
       try_one);
   if (progress_.cancelled()) return cancelled();
 
-  const double did_well = options_.search.promise_for_slow_form * most_taken();
+  const double did_well = options_.search.promise_for_slow_form * maximum_taken();
   const auto kind_did_well = [&](const Effect& effect) {
     for (std::size_t i = 0; i < effects.size(); ++i) {
       if (effects[i]->kind == effect.kind && is_fitted(i) &&
@@ -306,7 +306,7 @@ Result<Candidate> Search::select(const Candidate& declared, std::vector<Candidat
 
 Result<Candidate> Search::forward(Candidate current, std::vector<Candidate>* singles) {
   const double at_first = excess(current);
-  for (std::size_t step = 0; step < 2 * options_.most_effects; ++step) {
+  for (std::size_t step = 0; step < 2 * options_.maximum_effects; ++step) {
     const bool in_vain =
         current.fit.settings.size() >= 2 && excess(current) > options_.search.excess_worth_a_third_effect * at_first;
     if (in_vain && !model_.predicts_quickly()) return current;

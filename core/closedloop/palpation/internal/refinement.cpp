@@ -56,7 +56,7 @@ Eigen::MatrixXd discretisation_error_mm(const PalpationSolver& solver,
                                         const std::vector<FaceLoad>& loads) {
   const SpecimenBody& specimen = solver.specimen();
   const mechanics::NodeLayout& coarse = specimen.body.layout;
-  if (specimen.body.mesh.cells.size() > most_cells_refined || loads.empty()) return {};
+  if (specimen.body.mesh.cells.size() > maximum_cells_refined || loads.empty()) return {};
   const auto declared = solver.solution({});
   const auto fine = fine_body(solver, loads);
   if (!declared || !fine) return {};

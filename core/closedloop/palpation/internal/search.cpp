@@ -49,7 +49,7 @@ bool bends_with_the_load(const ResidualField& left, double noise_mm, const Palpa
       line << Eigen::VectorXd::Ones(amount.size()), amount;
       const Eigen::VectorXd square = amount.cwiseAbs2();
       const Eigen::VectorXd bend = square - line * line.colPivHouseholderQr().solve(square);
-      if (bend.squaredNorm() < options.least_curvature) continue;
+      if (bend.squaredNorm() < options.minimum_curvature) continue;
       const double along = bend.dot(left.residual_mm.row(row)(shots).transpose());
       gain_mm2 += along * along / bend.squaredNorm();
       looked_at += 1;
@@ -83,7 +83,7 @@ std::vector<Start> compliance_starts(const Effect& effect, const PalpationSolver
   const auto after = solver.at_markers(soft);
   if (!before || !after) return {};
   const Match found = match_response(left, *after - *before);
-  const double compliance = usual * std::clamp(found.amount, options.least_compliance, options.most_compliance);
+  const double compliance = usual * std::clamp(found.amount, options.minimum_compliance, options.maximum_compliance);
   return {{one(clamped(1.0 / compliance, effect.parameters[0])), found.gain_mm2}};
 }
 
@@ -92,8 +92,8 @@ std::vector<Start> capsule_starts(const Effect& effect, const PalpationSolver& s
   const auto slope = solver.derivatives_at_markers(state.scaled_structure(), {StructureParameter::capsule});
   if (!slope) return {};
   const Match found = match_response(left, slope->front());
-  const double least = options.least_capsule * effect.starts.front()[0];
-  const double size_N_per_mm = std::max(least, units::N_from_mN(found.amount * state.stiffness_factor));
+  const double minimum = options.minimum_capsule * effect.starts.front()[0];
+  const double size_N_per_mm = std::max(minimum, units::N_from_mN(found.amount * state.stiffness_factor));
   return {{one(clamped(size_N_per_mm, effect.parameters[0])), found.gain_mm2}};
 }
 
@@ -142,12 +142,12 @@ std::vector<Start> anisotropy_starts(const Effect& effect, const PalpationSolver
             [&](std::size_t a, std::size_t b) { return matches[a].gain_mm2 > matches[b].gain_mm2; });
   std::vector<Start> starts;
   for (const std::size_t a : order) {
-    if (starts.size() == options.most_axes ||
+    if (starts.size() == options.maximum_axes ||
         matches[a].gain_mm2 < options.worth_of_axis * matches[order.front()].gain_mm2)
       break;
     Eigen::VectorXd start(4);
     start << axes[a],
-        clamped(std::clamp(std::exp(matches[a].amount), options.least_fibre_ratio, options.most_fibre_ratio),
+        clamped(std::clamp(std::exp(matches[a].amount), options.minimum_fibre_ratio, options.maximum_fibre_ratio),
                 effect.parameters[3]);
     const double away = options.away_from_isotropic;
     if (std::abs(start[3] - 1.0) < away) start[3] = matches[a].amount > 0 ? 1 + away : 1 - away;
@@ -164,7 +164,7 @@ struct Influence {
   std::vector<Eigen::MatrixXf> of_cell;  // rows x loads
 };
 Influence influence(const PalpationSolver& solver, const PalpationSolver::Solution& solution, const ResidualField& left,
-                    Eigen::Index most_places);
+                    Eigen::Index maximum_places);
 
 struct Ball {
   Eigen::Vector3d center_mm;
@@ -176,7 +176,7 @@ std::vector<Start> inclusion_starts(const Effect& effect, const PalpationSolver&
                                     const ResidualField& left, const PalpationStartOptions& options) {
   const auto solution = solver.solution(state.scaled_structure());
   if (!solution) return {};
-  const Influence on = influence(solver, **solution, left, options.most_places);
+  const Influence on = influence(solver, **solution, left, options.maximum_places);
   const auto rows = static_cast<Eigen::Index>(on.rows.size()), loads = static_cast<Eigen::Index>(on.loads.size());
   if (rows == 0 || loads == 0) return {};
 
@@ -230,7 +230,7 @@ std::vector<Start> inclusion_starts(const Effect& effect, const PalpationSolver&
   std::sort(balls.begin(), balls.end(), [&](const Ball& a, const Ball& b) { return worth_mm2(a) > worth_mm2(b); });
   std::vector<Ball> best;
   for (const Ball& ball : balls) {
-    if (best.size() == options.most_balls || ball.radius_mm == 0 ||
+    if (best.size() == options.maximum_balls || ball.radius_mm == 0 ||
         worth_mm2(ball) < options.worth_of_ball * worth_mm2(balls.front()))
       break;
     const bool apart = std::all_of(best.begin(), best.end(), [&](const Ball& other) {
@@ -241,7 +241,7 @@ std::vector<Start> inclusion_starts(const Effect& effect, const PalpationSolver&
   std::vector<Start> starts;
   for (const Ball& ball : best) {
     Eigen::VectorXd start(5);
-    const double ratio = std::exp(std::clamp(ball.match.amount, options.least_log_ratio, options.most_log_ratio));
+    const double ratio = std::exp(std::clamp(ball.match.amount, options.minimum_log_ratio, options.maximum_log_ratio));
     start << ball.center_mm, clamped(ball.radius_mm, effect.parameters[3]),
         clamped(ball.match.amount > 0 ? std::max(options.stiff_from, ratio) : std::min(options.soft_to, ratio),
                 effect.parameters[4]);
@@ -252,22 +252,22 @@ std::vector<Start> inclusion_starts(const Effect& effect, const PalpationSolver&
 }
 
 // Places that tell most: up to `most` of those seen, spread evenly.
-std::vector<Eigen::Index> places_looked_at(const ResidualField& left, Eigen::Index most) {
+std::vector<Eigen::Index> places_looked_at(const ResidualField& left, Eigen::Index maximum) {
   std::vector<Eigen::Index> seen;
   for (Eigen::Index p = 0; p < left.seen.rows() / 3; ++p) {
     if (left.seen.row(3 * p).maxCoeff() > 0) seen.push_back(p);
   }
   const auto count = static_cast<Eigen::Index>(seen.size());
-  if (count <= most) return seen;
+  if (count <= maximum) return seen;
   std::vector<Eigen::Index> spread;
-  for (Eigen::Index i = 0; i < most; ++i) spread.push_back(seen[static_cast<std::size_t>(i * count / most)]);
+  for (Eigen::Index i = 0; i < maximum; ++i) spread.push_back(seen[static_cast<std::size_t>(i * count / maximum)]);
   return spread;
 }
 
 Influence influence(const PalpationSolver& solver, const PalpationSolver::Solution& solution, const ResidualField& left,
-                    Eigen::Index most_places) {
+                    Eigen::Index maximum_places) {
   Influence on;
-  for (const Eigen::Index place : places_looked_at(left, most_places)) {
+  for (const Eigen::Index place : places_looked_at(left, maximum_places)) {
     for (int d = 0; d < 3; ++d) on.rows.push_back(3 * place + d);
   }
   for (Eigen::Index l = 0; l < left.amounts.rows(); ++l) {

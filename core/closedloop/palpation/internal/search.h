@@ -17,28 +17,28 @@ namespace glisson::closedloop {
 // Where starts are looked for, and how many are worth a fit.
 struct PalpationStartOptions {
   // What bends with the load.
-  std::size_t fewest_shots = 4;   // of a marker: they leave something to a square beside a line
-  double bend_in_deviations = 4;  // of what noise would show: one alarm in some ten thousand
-  double least_curvature = 1e-6;  // of a square beside a line: below it the loads are too alike to tell
+  std::size_t fewest_shots = 4;     // of a marker: they leave something to a square beside a line
+  double bend_in_deviations = 4;    // of what noise would show: one alarm in some ten thousand
+  double minimum_curvature = 1e-6;  // of a square beside a line: below it the loads are too alike to tell
   // Supports: the amount that the first order gives, held near to where it can be believed.
-  double least_compliance = 1e-2;  // of the usual one: less is a support that holds
-  double most_compliance = 30;     // of the usual one: far beyond what the first order can say
-  double least_capsule = 0.1;      // of the usual one: from no capsule at all the search finds no way
+  double minimum_compliance = 1e-2;  // of the usual one: less is a support that holds
+  double maximum_compliance = 30;    // of the usual one: far beyond what the first order can say
+  double minimum_capsule = 0.1;      // of the usual one: from no capsule at all the search finds no way
   // Fibres.
-  std::size_t most_axes = 6;          // a strong fibre direction does not act as a weak one: several are looked at
+  std::size_t maximum_axes = 6;       // a strong fibre direction does not act as a weak one: several are looked at
   double worth_of_axis = 0.4;         // of the best one's gain: below it another is not mistaken for it
-  double least_fibre_ratio = 0.5;     // the first order says little beyond twofold ...
-  double most_fibre_ratio = 4;        // ... and tissue is seldom more anisotropic
+  double minimum_fibre_ratio = 0.5;   // the first order says little beyond twofold ...
+  double maximum_fibre_ratio = 4;     // ... and tissue is seldom more anisotropic
   double away_from_isotropic = 0.02;  // at a ratio of 1 the axis does nothing, and its slope vanishes
   // Inclusions: balls about the centroids of cells. Lengths are shares of the largest radius that is looked for.
   double ball_spacing = 0.25;                        // no further apart than the smallest is wide
   std::array<double, 3> ball_radii{0.25, 0.4, 0.6};  // a ball's gain changes slowly with its radius
-  std::size_t most_balls = 3;                        // each costs a fit of five numbers
+  std::size_t maximum_balls = 3;                     // each costs a fit of five numbers
   double worth_of_ball = 0.6;                        // of the best one's gain: below it another is not mistaken for it
   double worth_if_soft = 0.5;  // lumps are stiff before they are soft: a soft one must explain twice as much
-  double least_log_ratio = -1, most_log_ratio = 1.5;  // Born's approximation holds for small changes only
-  double stiff_from = 1.3, soft_to = 0.8;             // away from 1, where place and size do nothing
-  Eigen::Index most_places = 60;  // an adjoint solve for each coordinate of each; more add little to a start
+  double minimum_log_ratio = -1, maximum_log_ratio = 1.5;  // Born's approximation holds for small changes only
+  double stiff_from = 1.3, soft_to = 0.8;                  // away from 1, where place and size do nothing
+  Eigen::Index maximum_places = 60;  // an adjoint solve for each coordinate of each; more add little to a start
 };
 
 // What a state leaves unexplained, in the specimen's frame.

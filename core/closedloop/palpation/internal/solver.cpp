@@ -25,7 +25,7 @@ struct PalpationSolver::Memory {
       return found == derivatives.end() ? nullptr : &found->second;
     }
   };
-  static constexpr std::size_t most_entries = 1024, most_factors = 4;
+  static constexpr std::size_t maximum_entries = 1024, maximum_factors = 4;
 
   std::mutex guard;
   std::deque<Entry> entries;
@@ -53,13 +53,13 @@ struct PalpationSolver::Memory {
     Entry* entry = find(solution->structure);
     if (entry == nullptr) {
       entries.push_front({solution->structure, {}, markers.at_places(solution->u_mm), {}});
-      if (entries.size() > most_entries) entries.pop_back();
+      if (entries.size() > maximum_entries) entries.pop_back();
       entry = &entries.front();
     }
     entry->solution = solution;
     std::size_t kept = 0;
     for (Entry& other : entries) {
-      if (other.solution && other.solution != declared && ++kept > most_factors) other.solution.reset();
+      if (other.solution && other.solution != declared && ++kept > maximum_factors) other.solution.reset();
     }
     return *entry;
   }

@@ -169,7 +169,7 @@ struct StiffenedResponse::Memory {
     Eigen::MatrixXd at_markers;
     std::vector<Eigen::MatrixXd> by_parameter;  // empty where not asked for
   };
-  static constexpr std::size_t most_entries = 512, most_nodal = 8;
+  static constexpr std::size_t maximum_entries = 512, maximum_nodal = 8;
   std::mutex guard;
   std::deque<Entry> entries;
   std::deque<std::shared_ptr<const Nodal>> nodal;
@@ -182,7 +182,7 @@ struct StiffenedResponse::Memory {
   void note(Entry entry) {
     std::erase_if(entries, [&](const Entry& other) { return same_settings(other.settings, entry.settings); });
     entries.push_front(std::move(entry));
-    if (entries.size() > most_entries) entries.pop_back();
+    if (entries.size() > maximum_entries) entries.pop_back();
   }
   void note(std::shared_ptr<const Nodal> solved) {
     // Of the same effects two are kept: the last with slopes, from where the next begins best, and the last.
@@ -192,7 +192,7 @@ struct StiffenedResponse::Memory {
               same_settings(other->settings, solved->settings));
     });
     nodal.push_front(std::move(solved));
-    if (nodal.size() > most_nodal) nodal.pop_back();
+    if (nodal.size() > maximum_nodal) nodal.pop_back();
   }
 };
 

@@ -164,14 +164,14 @@ struct NewtonResult {
 NewtonResult conjugate_gradients(const StiffeningBody& body, const Preconditioner& precondition,
                                  const std::vector<StiffeningBody::State>& states,
                                  const std::vector<Eigen::Index>& state_of_column, const Eigen::MatrixXd& forces,
-                                 double relative_tolerance, int most_steps) {
+                                 double relative_tolerance, int maximum_steps) {
   const Eigen::Index columns = forces.cols();
   Eigen::MatrixXd residual = precondition.free_values(forces);
   NewtonResult result{Eigen::MatrixXd::Zero(forces.rows(), columns)};
   const Eigen::VectorXd scale = residual.colwise().norm();
   Eigen::MatrixXd direction = precondition(residual), product(forces.rows(), columns);
   Eigen::VectorXd energy = residual.cwiseProduct(direction).colwise().sum();
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < maximum_steps; ++step) {
     std::vector<int> going;
     result.worst = 0;
     for (Eigen::Index c = 0; c < columns; ++c) {
@@ -231,7 +231,7 @@ Result<Eigen::MatrixXd> stiffened_equilibria(const SpecimenBody& specimen, const
                                              const Stiffening& stiffening, const Eigen::MatrixXd& forces_mN,
                                              const Eigen::MatrixXd& start_mm) {
   constexpr double tolerance = 1e-6;  // of the load: some 1e-5 mm
-  constexpr int most_steps = 40, most_halvings = 12;
+  constexpr int maximum_steps = 40, maximum_halvings = 12;
   const StiffeningBody body(specimen, linear.structure, stiffening);
   const Preconditioner precondition(specimen, linear);
   const Eigen::Index columns = forces_mN.cols();
@@ -248,14 +248,14 @@ Result<Eigen::MatrixXd> stiffened_equilibria(const SpecimenBody& specimen, const
   std::iota(all.begin(), all.end(), 0);
   Eigen::MatrixXd residual = residual_of(u_mm, all);
   // A linear start may turn cells inside out: a part of it does not.
-  for (int halving = 0; halving < most_halvings && !residual.allFinite(); ++halving) {
+  for (int halving = 0; halving < maximum_halvings && !residual.allFinite(); ++halving) {
     for (Eigen::Index c = 0; c < columns; ++c) {
       if (!residual.col(c).allFinite()) u_mm.col(c) *= 0.5;
     }
     residual = residual_of(u_mm, all);
   }
   const Eigen::VectorXd scale = precondition.free_values(forces_mN).colwise().norm();
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < maximum_steps; ++step) {
     std::vector<int> going;
     double worst = 0;
     for (Eigen::Index c = 0; c < columns; ++c) {
@@ -278,7 +278,7 @@ Result<Eigen::MatrixXd> stiffened_equilibria(const SpecimenBody& specimen, const
     std::vector<int> trying = going;
     Eigen::MatrixXd move = newton.u, from = here;
     for (int halving = 0; !trying.empty(); ++halving) {
-      if (halving > most_halvings) return diverged();
+      if (halving > maximum_halvings) return diverged();
       const Eigen::MatrixXd trial = from + move;
       const Eigen::MatrixXd trial_residual = residual_of(trial, trying);
       std::vector<int> again, again_index;

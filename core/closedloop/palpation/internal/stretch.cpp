@@ -39,8 +39,8 @@ struct Modes {
 Modes modes_of(Eigen::Matrix3d a) {
   Eigen::Matrix3d vectors = Eigen::Matrix3d::Identity();
   const double small = 1e-32 * a.squaredNorm();
-  constexpr int most_sweeps = 20;  // three or four are usual
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+  constexpr int maximum_sweeps = 20;  // three or four are usual
+  for (int sweep = 0; sweep < maximum_sweeps; ++sweep) {
     if (a(0, 1) * a(0, 1) + a(0, 2) * a(0, 2) + a(1, 2) * a(1, 2) <= small) break;
     for (int p = 0; p < 2; ++p) {
       for (int q = p + 1; q < 3; ++q) {

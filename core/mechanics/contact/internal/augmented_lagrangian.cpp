@@ -112,8 +112,8 @@ Result<bool> AugmentedLagrangian::equilibrate(const std::vector<ContactTool>& to
   }
 
   // The more a tool advances the more it meets: secants, kept between what was too little and too much.
-  constexpr int most_attempts = 30;
-  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+  constexpr int maximum_attempts = 30;
+  for (int attempt = 0; attempt < maximum_attempts; ++attempt) {
     const auto rested = rest_at_advances(tools, problem);
     if (!rested || !*rested) return rested;
     bool as_pushed = true;
@@ -150,8 +150,8 @@ Result<bool> AugmentedLagrangian::rest_at_advances(const std::vector<ContactTool
     const Pose pose = pose_of(constraint.place.tool, tools);
     constraint.from_mm = pose.rotation * constraint.from_on_tool_mm + pose.position_mm;
   }
-  constexpr int most_rounds = 40, rounds_that_wander = 6;
-  for (int round = 0; round < most_rounds; ++round) {
+  constexpr int maximum_rounds = 40, rounds_that_wander = 6;
+  for (int round = 0; round < maximum_rounds; ++round) {
     update_multipliers(tools);
     for (ContactConstraint& constraint : constraints_) limit_drag(constraint, u_mm_);
     walls_.find(u_mm_, round == 0                   ? CutSelfContact::Search::anew

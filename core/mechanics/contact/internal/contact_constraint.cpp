@@ -29,21 +29,21 @@ Gap gap_of(const ContactConstraint& constraint, const VectorXd& u_mm) {
 }
 
 void limit_drag(ContactConstraint& constraint, const VectorXd& u_mm) {
-  constraint.most_drag_mN = constraint.friction * constraint.force_mN;
-  if (constraint.most_drag_mN == 0) return;
+  constraint.maximum_drag_mN = constraint.friction * constraint.force_mN;
+  if (constraint.maximum_drag_mN == 0) return;
   constraint.normal = gap_of(constraint, u_mm).normal;
   constraint.drag_mN -= constraint.drag_mN.dot(constraint.normal) * constraint.normal;
 }
 
 Drag drag_of(const ContactConstraint& constraint, double k_mN_mm, const VectorXd& u_mm) {
-  if (constraint.most_drag_mN == 0) return {Vector3d::Zero(), Matrix3d::Zero(), 0.0, true};
+  if (constraint.maximum_drag_mN == 0) return {Vector3d::Zero(), Matrix3d::Zero(), 0.0, true};
   const Matrix3d tangential = Matrix3d::Identity() - constraint.normal * constraint.normal.transpose();
   const Vector3d y = constraint.drag_mN - k_mN_mm * tangential * (place_of(constraint, u_mm) - constraint.from_mm);
-  const double most = constraint.most_drag_mN, size = y.norm(), known = constraint.drag_mN.squaredNorm();
-  if (size <= most) return {y, k_mN_mm * tangential, (size * size - known) / (2 * k_mN_mm), false};
+  const double maximum = constraint.maximum_drag_mN, size = y.norm(), known = constraint.drag_mN.squaredNorm();
+  if (size <= maximum) return {y, k_mN_mm * tangential, (size * size - known) / (2 * k_mN_mm), false};
   const Vector3d way = y / size;
-  return {most * way, k_mN_mm * most / size * (tangential - way * way.transpose()),
-          (2 * most * size - most * most - known) / (2 * k_mN_mm), true};
+  return {maximum * way, k_mN_mm * maximum / size * (tangential - way * way.transpose()),
+          (2 * maximum * size - maximum * maximum - known) / (2 * k_mN_mm), true};
 }
 
 }  // namespace glisson::mechanics

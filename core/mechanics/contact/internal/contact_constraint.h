@@ -20,7 +20,7 @@ struct ContactConstraint {
   // it, and where on the tool it came from, in the tool's frame and where that is now.
   double friction = 0;
   Eigen::Vector3d drag_mN{0, 0, 0};
-  double most_drag_mN = 0;
+  double maximum_drag_mN = 0;
   Eigen::Vector3d normal{0, 0, 1};
   Eigen::Vector3d from_on_tool_mm{0, 0, 0}, from_mm{0, 0, 0};
   bool slips = false;

@@ -79,8 +79,8 @@ ContactForces solve_contact(const ContactProblem& problem) {
   std::size_t fewest = std::numeric_limits<std::size_t>::max();
   const double length = problem.start.cwiseAbs().maxCoeff() + 1.0;
   const double rounding_gap = 1e-9 * length;
-  const int most_exchanges = 50 + 10 * static_cast<int>(contacts);
-  for (; answer.exchanges < most_exchanges; ++answer.exchanges) {
+  const int maximum_exchanges = 50 + 10 * static_cast<int>(contacts);
+  for (; answer.exchanges < maximum_exchanges; ++answer.exchanges) {
     const Trial trial = with_touching(problem, touching);
     const double rounding_force = 1e-9 * (trial.force.cwiseAbs().maxCoeff() + 1e-9);
     std::vector<Eigen::Index> wrong;

@@ -56,7 +56,7 @@ SurfaceResponses::SurfaceResponses(StaticModel model, const StaticResult& standi
 // one. Cells of a grid, cut into runs of at most eight.
 void SurfaceResponses::make_groups() {
   constexpr double cell_mm = 15.0;
-  constexpr std::size_t most = 8;
+  constexpr std::size_t maximum = 8;
   std::map<std::array<long, 3>, std::vector<int>> cells;
   for (std::size_t p = 0; p < surface_.points_mm.size(); ++p) {
     if (mutual_of_point_[p] >= 0) continue;
@@ -65,8 +65,8 @@ void SurfaceResponses::make_groups() {
   }
   group_of_point_.resize(surface_.points_mm.size());
   for (const auto& [cell, points] : cells) {
-    for (std::size_t begin = 0; begin < points.size(); begin += most) {
-      const std::size_t end = std::min(points.size(), begin + most);
+    for (std::size_t begin = 0; begin < points.size(); begin += maximum) {
+      const std::size_t end = std::min(points.size(), begin + maximum);
       for (std::size_t i = begin; i < end; ++i) group_of_point_[points[i]] = static_cast<int>(groups_.size());
       groups_.emplace_back(points.begin() + static_cast<long>(begin), points.begin() + static_cast<long>(end));
     }

@@ -30,7 +30,7 @@ void ToolContactPotential::add_tangent(const VectorXd& u_mm, Tangent which, Tang
   for (const ContactConstraint& constraint : constraints_) {
     const Gap gap = gap_of(constraint, u_mm);
     const double force = normal_force_mN(constraint, k_, gap);
-    if (force == 0 && constraint.most_drag_mN == 0) continue;
+    if (force == 0 && constraint.maximum_drag_mN == 0) continue;
     Matrix3d block = drag_of(constraint, k_, u_mm).stiffness;
     if (force > 0) block += k_ * gap.normal * gap.normal.transpose();
     if (force > 0 && which == Tangent::exact) block -= force * gap.bend;

@@ -136,8 +136,8 @@ StepReport MeshfreeMotion::Impl::described(StepReport report, const Stopwatch& w
 
 // With the factor there is; where that has aged, with a fresh one.
 ReducedSolution MeshfreeMotion::Impl::solve(const Eigen::VectorXd& b) {
-  const auto attempt = [&](int most) {
-    return conjugate_gradients(system, preconditioner, b, last_dv_mm_s, options.relative_tolerance, most);
+  const auto attempt = [&](int maximum) {
+    return conjugate_gradients(system, preconditioner, b, last_dv_mm_s, options.relative_tolerance, maximum);
   };
   ReducedSolution solution =
       attempt(is_linear() ? options.max_iterations : std::min(preconditioner.patience(), options.max_iterations));

@@ -19,7 +19,7 @@ Eigen::VectorXd times(const BlockMatrix<Scalar>& matrix, const Eigen::VectorXd& 
 }  // namespace
 
 ReducedOperator::Form ReducedOperator::form_for(const Lists& handles_meeting, std::uint64_t memory_limit_bytes) {
-  constexpr double most_operations = 1e11;  // five seconds or so, on one core
+  constexpr double maximum_operations = 1e11;  // five seconds or so, on one core
   const auto handles = static_cast<int>(handles_meeting.starts.size()) - 1;
   std::vector<Eigen::Triplet<double>> entries;
   for (int row = 0; row < handles; ++row) {
@@ -32,7 +32,7 @@ ReducedOperator::Form ReducedOperator::form_for(const Lists& handles_meeting, st
   const FillIn of_handles = fill_in_of(pattern);  // each of its entries is a block
   constexpr double block = handle_size * handle_size;
   const bool fits = 8.0 * block * of_handles.entries <= static_cast<double>(memory_limit_bytes) &&
-                    handle_size * block * of_handles.operations <= most_operations;
+                    handle_size * block * of_handles.operations <= maximum_operations;
   return fits ? Form::assembled : Form::product;
 }
 

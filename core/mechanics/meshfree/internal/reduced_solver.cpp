@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<double, 3> raises{1e-13, 1e-11, 1e-9};
 
 // Leaders at the points of a lattice, trilinear between them; and one for each anchor, alone.
-HandleLead lead_on_lattice(const AffineBasis& basis, int most_leaders);
+HandleLead lead_on_lattice(const AffineBasis& basis, int maximum_leaders);
 // Leaders for a given spacing, anchors apart.
 HandleLead lead_by_spacing(const AffineBasis& basis, double spacing_mm);
 
@@ -28,7 +28,7 @@ std::vector<Eigen::Matrix<float, handle_size, handle_size>> inverted(const std::
 }  // namespace
 
 ReducedPreconditioner ReducedPreconditioner::of(const ReducedOperator& matrix, std::uint64_t memory_limit_bytes) {
-  constexpr int most_leaders = 300;
+  constexpr int maximum_leaders = 300;
   ReducedPreconditioner preconditioner;
   if (matrix.assembled() != nullptr) {
     preconditioner.factor_ = factor_of(matrix.assembled()->lower(), memory_limit_bytes);
@@ -37,7 +37,7 @@ ReducedPreconditioner ReducedPreconditioner::of(const ReducedOperator& matrix, s
   preconditioner.inverses_ = inverted(matrix.diagonal());
   if (matrix.of_places() == nullptr) return preconditioner;
   preconditioner.basis_ = matrix.basis();
-  HandleLead lead = lead_on_lattice(*matrix.basis(), most_leaders);
+  HandleLead lead = lead_on_lattice(*matrix.basis(), maximum_leaders);
   const ReducedMatrix of_leaders = reduced(*matrix.of_places(), matrix.basis()->led_by(lead));
   preconditioner.factor_ = factor_of(of_leaders.lower(), memory_limit_bytes);
   if (preconditioner.factor_) preconditioner.lead_ = std::move(lead);
@@ -88,10 +88,10 @@ ReducedSolution conjugate_gradients(const ReducedOperator& matrix, const Reduced
   }
   // Products are rough and what they leave is formed anew: a round ends where its own residual is small enough, or as
   // small as rough products can tell.
-  constexpr double least_of_a_round = 1e-4;
+  constexpr double minimum_of_a_round = 1e-4;
   double norm = r.norm();
   for (bool gains = true; gains && norm > tolerance * scale && solution.iterations < max_iterations;) {
-    const double target = std::max(0.9 * tolerance * scale, least_of_a_round * norm);
+    const double target = std::max(0.9 * tolerance * scale, minimum_of_a_round * norm);
     Eigen::VectorXd z = preconditioner.apply(r);
     Eigen::VectorXd p = z;
     double r_dot_z = r.dot(z);
@@ -129,7 +129,7 @@ std::optional<CholeskyFactor> factor_of(const Eigen::SparseMatrix<double>& lower
   return std::nullopt;
 }
 
-HandleLead lead_on_lattice(const AffineBasis& basis, int most_leaders) {
+HandleLead lead_on_lattice(const AffineBasis& basis, int maximum_leaders) {
   geometry::Box box = geometry::Box{basis.position_mm(0), basis.position_mm(0)};
   for (int i = 0; i < basis.handles(); ++i) {
     box.min_mm = box.min_mm.cwiseMin(basis.position_mm(i));
@@ -140,7 +140,7 @@ HandleLead lead_on_lattice(const AffineBasis& basis, int most_leaders) {
   for (int refinements = 0; refinements < 60; ++refinements) {
     spacing_mm *= 0.92;
     HandleLead finer = lead_by_spacing(basis, spacing_mm);
-    if (static_cast<int>(finer.leaders_mm.size()) > most_leaders) break;
+    if (static_cast<int>(finer.leaders_mm.size()) > maximum_leaders) break;
     lead = std::move(finer);
   }
   const int led = basis.handles() - basis.anchors();

@@ -134,11 +134,11 @@ void LatticePreconditioner::refresh_diagonal(const BlockCsr& matrix) {
 void LatticePreconditioner::refresh_lattices(const BlockCsr& matrix) {
   refresh_narrow(matrix);
   auto factor = CholeskyFactor::create(wide_matrix(matrix), std::uint64_t{1} << 30);
-  constexpr Eigen::Index most_unknowns_to_invert = 1536;
+  constexpr Eigen::Index maximum_unknowns_to_invert = 1536;
   factor_.reset();
   wide_inverse_.resize(0, 0);
   if (!factor) return;
-  if (wide_values_.size() > most_unknowns_to_invert) {
+  if (wide_values_.size() > maximum_unknowns_to_invert) {
     factor_ = std::move(*factor);
   } else {
     wide_inverse_ = factor->solve(Eigen::MatrixXd::Identity(wide_values_.size(), wide_values_.size())).cast<float>();

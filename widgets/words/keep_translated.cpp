@@ -1,4 +1,4 @@
-#include "widgets/words/worded.h"
+#include "widgets/words/keep_translated.h"
 
 #include <QEvent>
 #include <utility>
@@ -24,6 +24,6 @@ class Rewording : public QObject {
 
 }  // namespace
 
-void worded(QWidget* owner, std::function<void()> set_texts) { new Rewording(owner, std::move(set_texts)); }
+void keep_translated(QWidget* owner, std::function<void()> set_texts) { new Rewording(owner, std::move(set_texts)); }
 
 }  // namespace glisson::widgets

@@ -1,7 +1,7 @@
 #pragma once
 // Texts that follow the language of the window:
 //
-//   worded(this, [=, this] {
+//   keep_translated(this, [=, this] {
 //     title->setText(tr("Structures"));
 //     open->setToolTip(tr("Opens a case"));
 //   });
@@ -14,6 +14,6 @@
 
 namespace glisson::widgets {
 
-void worded(QWidget* owner, std::function<void()> set_texts);
+void keep_translated(QWidget* owner, std::function<void()> set_texts);
 
 }  // namespace glisson::widgets

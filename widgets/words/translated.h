@@ -12,15 +12,15 @@
 namespace glisson::widgets {
 
 // An error: the sentence, then what to do.
-[[nodiscard]] QString told(const Error& error);
+[[nodiscard]] QString translated(const Error& error);
 
-[[nodiscard]] QString told(const Sentence& sentence);
+[[nodiscard]] QString translated(const Sentence& sentence);
 
 // A marked sentence or name; anything else stays as it is.
-[[nodiscard]] QString told(const std::string& sentence);
+[[nodiscard]] QString translated(const std::string& sentence);
 
 // A stage of a long computation: a marked sentence, or one and what it is about ("Writing: labels/liver").
-[[nodiscard]] QString told_stage(const QString& stage);
+[[nodiscard]] QString translated_stage(const QString& stage);
 
 // "portal-vein-2" -> "Portal vein 2": a structure or landmark. Names that people gave stay theirs.
 [[nodiscard]] QString structure_label(const std::string& name);

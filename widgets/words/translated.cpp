@@ -1,4 +1,4 @@
-#include "widgets/words/told.h"
+#include "widgets/words/translated.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -46,23 +46,23 @@ QString translated(const char* context, const QString& text) {
 
 }  // namespace
 
-QString told(const std::string& sentence) { return translated("errors", QString::fromStdString(sentence)); }
+QString translated(const std::string& sentence) { return translated("errors", QString::fromStdString(sentence)); }
 
-QString told(const Sentence& sentence) {
+QString translated(const Sentence& sentence) {
   // An argument may be a marked phrase of its own ("it is empty").
   std::vector<std::string> arguments;
-  for (const std::string& argument : sentence.arguments) arguments.push_back(told(argument).toStdString());
-  return QString::fromStdString(fill_in(told(sentence.text).toStdString(), arguments));
+  for (const std::string& argument : sentence.arguments) arguments.push_back(translated(argument).toStdString());
+  return QString::fromStdString(fill_in(translated(sentence.text).toStdString(), arguments));
 }
 
-QString told(const Error& error) {
-  QString text = told(Sentence{error.text, error.arguments});
+QString translated(const Error& error) {
+  QString text = translated(Sentence{error.text, error.arguments});
   text += QString::fromStdString(file_behind(text.toStdString(), error));
-  if (!error.hint.empty()) text += " " + told(Sentence{error.hint, error.arguments});
+  if (!error.hint.empty()) text += " " + translated(Sentence{error.hint, error.arguments});
   return text;
 }
 
-QString told_stage(const QString& stage) {
+QString translated_stage(const QString& stage) {
   const qsizetype colon = stage.indexOf(": ");
   return colon < 0 ? translated("errors", stage) : translated("errors", stage.left(colon)) + stage.mid(colon);
 }
