@@ -122,7 +122,7 @@ class RehearseTest : public QObject {
     const TemporaryFolder folder;
     const double length_s = rehearsal().track().length_s();
     auto* panel = window_->findChild<RehearsePanel*>();
-    QSignalSpy translated(panel, &RehearsePanel::said);
+    QSignalSpy told(panel, &RehearsePanel::said);
     panel->track().make_movie(folder.path() / "rehearsal.mp4");
     QVERIFY(told.wait(patience_ms));
     auto movie = vision::FrameSource::open(folder.path() / "rehearsal.mp4").value();
