@@ -8,6 +8,7 @@
 
 #include "base/files.h"
 #include "casefile/model.h"
+#include "casefile/structure_landmarks.h"
 #include "casefile/structures.h"
 #include "imaging/read_series.h"
 #include "imaging/stiffness_map.h"
