@@ -62,7 +62,8 @@ const std::vector<ThirdParty> third_parties = {
     {"zlib", std::regex("zlib\\.h"), {"imaging"}},
     {"OpenCL", std::regex("CL/.*"), {"hardware"}},
 };
-const std::set<std::string> json_headers = {"base/json.h", "base/json_value.h", "base/json_forward.h"};
+const std::set<std::string> json_headers = {"base/json.h", "base/json_reading.h", "base/json_value.h",
+                                            "base/json_forward.h"};
 const std::regex allowed_in_any_public_header("Eigen/.*|tl/expected\\.hpp|[a-z_]+|[a-z_]+\\.h");
 
 struct Include {
