@@ -38,10 +38,11 @@ class NewtonImplicitEuler {
   // moves nothing. Failures: "too-large", "factorisation-failed", "cancelled".
   Result<StepReport> step(const Progress& progress = {});
 
-  // The same where tools press: `rest_under` brings the body to the step's minimum with them
-  // (augmented_lagrangian.h). Failures: those of `rest_under`.
-  using RestUnder = std::function<Result<bool>(const BodyProblem& problem)>;
-  Result<StepReport> step(const AppliedLoads& loads, const RestUnder& rest_under, const Progress& progress = {});
+  // The same in contact: `minimise_with_tools` finds the minimum of the step's potential energy with the tools' terms
+  // (augmented_lagrangian.h). Failures: those of `minimise_with_tools`.
+  using MinimiseWithTools = std::function<Result<bool>(const BodyProblem& problem)>;
+  Result<StepReport> step(const AppliedLoads& loads, const MinimiseWithTools& minimise_with_tools,
+                          const Progress& progress = {});
 
   void set_velocity(const Eigen::VectorXd& velocity_mm_s);
   [[nodiscard]] const Eigen::VectorXd& displacement_mm() const { return u_mm_; }

@@ -1,4 +1,4 @@
-#include "scene/furniture.h"
+#include "scene/annotations.h"
 
 #include <fmt/format.h>
 #include <algorithm>
