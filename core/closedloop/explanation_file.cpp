@@ -83,9 +83,10 @@ Json report_json(const Explanation& explanation, const Observations& observation
   json["residual"] = {{"before", json_of(explanation.residual_before)}, {"after", json_of(explanation.residual_after)}};
   json["next_measurement"] = nullptr;
   if (explanation.next) {
-    std::string rivals;
-    for (const std::string& rival : explanation.next->rivals) rivals += (rivals.empty() ? "" : ", ") + rival;
-    json["next_measurement"] = explanation.next->sentence + " It would tell what was found from: " + rivals + ".";
+    std::string alternatives;
+    for (const std::string& alternative : explanation.next->alternatives)
+      alternatives += (alternatives.empty() ? "" : ", ") + alternative;
+    json["next_measurement"] = explanation.next->sentence + " It would tell what was found from: " + alternatives + ".";
   }
   json["notes"] = explanation.notes;
   return null_where_not_finite(std::move(json));
