@@ -90,8 +90,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), diary_(diary_file
   });
 }
 
-// Workspaces, and the windows that they opened, go before what they share, and after the work that they began; going,
-// they tell this window nothing more.
+// In this order: the work that workspaces began, the workspaces with their windows, then what they share. A workspace
+// that goes tells this window nothing more.
 MainWindow::~MainWindow() {
   hide();
   work_.end();
