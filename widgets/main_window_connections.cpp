@@ -77,7 +77,7 @@ void MainWindow::connect_rehearsal() {
   const auto place_tool = [this](const std::optional<PatientViews::PlaceOnLiver>& place) {
     if (place) rehearse_panel_->place_at(place->at_rest_mm, place->outward);
   };
-  for (SpaceView* space : {&views_->space(), &views_->twin()}) {
+  for (SpaceView* space : {&views_->space(), &views_->second_space()}) {
     connect(space, &SpaceView::clicked, this, [this, place_tool](const scene::View::Pick& pick) {
       if (rehearse_panel_->placing()) {
         place_tool(patient_views_->place_on_liver(pick));
