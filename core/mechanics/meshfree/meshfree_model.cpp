@@ -119,10 +119,10 @@ StaticResult result_of(const MeshfreeBody& handles, const Eigen::VectorXd& q_mm,
   result.fixed_reaction_mN = sum_of(handles.penalty_force_mN(u_mm));
   const double points_a_node = static_cast<double>(handles.body.mesh.points_mm.size()) / handles.basis->handles();
   if (points_a_node < 4) {
-    result.notes.push_back(fmt::format(
-        "The mesh has {:.1f} points for each meshfree node: frames then describe one motion in many ways, and solving "
-        "takes far longer. A finer mesh or fewer nodes would do.",
-        points_a_node));
+    result.notes.push_back(
+        fmt::format("The mesh has {:.1f} points for each meshfree node: their handles then describe one motion in many "
+                    "ways, and solving takes far longer. A finer mesh or fewer nodes would do.",
+                    points_a_node));
   }
   double slip_mm = 0;
   for (std::size_t i = 0; i < handles.penalty_mN_mm.size(); ++i) {
