@@ -103,18 +103,13 @@ std::vector<Target> targets_from(const fs::path& file) {
 
 Eigen::Isometry3d pose_from(const Json& json, const std::string& where) {
   if (!json.is_array() || json.size() != 16) refuse_in(where, "\"pose_guess\" must be 16 numbers, row by row");
-  Eigen::Matrix4d matrix;
-  for (int i = 0; i < 16; ++i)
-    matrix(i / 4, i % 4) = number_in(json[static_cast<std::size_t>(i)], where + ", pose_guess");
-  const Eigen::Matrix3d turn = matrix.topLeftCorner<3, 3>();
-  const bool rotation = (turn.transpose() * turn - Eigen::Matrix3d::Identity()).norm() < 1e-3;
-  if (!rotation || turn.determinant() < 0 || (matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).norm() > 1e-6) {
-    refuse_in(where, turn.determinant() < 0 ? "\"pose_guess\" mirrors the organ" : "\"pose_guess\" is no rigid motion");
-  }
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = Eigen::Quaterniond(turn).normalized().toRotationMatrix();
-  pose.translation() = matrix.topRightCorner<3, 1>();
-  return pose;
+  std::vector<double> numbers;
+  for (const Json& number : json) numbers.push_back(number_in(number, where + ", pose_guess"));
+  const auto pose = rigid_pose(numbers);
+  if (pose) return *pose;
+  const Eigen::Matrix4d matrix = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>(numbers.data());
+  refuse_in(where, matrix.topLeftCorner<3, 3>().determinant() < 0 ? "\"pose_guess\" mirrors the organ"
+                                                                  : "\"pose_guess\" is no rigid motion");
 }
 
 struct CurveAtRest {
@@ -160,7 +155,8 @@ void add_tools(const Json& json, const std::string& where, SeenFrame& frame) {
   }
 }
 
-SeenFrame frame_from(const Json& json, const std::vector<CurveAtRest>& at_rest, const fs::path& folder) {
+// `follows`: a frame before it has a time too.
+SeenFrame frame_from(const Json& json, const std::vector<CurveAtRest>& at_rest, const fs::path& folder, bool follows) {
   SeenFrame frame;
   frame.id = text_under(json, "id", "frames");
   const std::string where = "frame " + frame.id;
@@ -172,9 +168,14 @@ SeenFrame frame_from(const Json& json, const std::vector<CurveAtRest>& at_rest, 
   if (const Json* guess = value_in(json, "pose_guess"); guess != nullptr && !guess->is_null()) {
     frame.pose_guess = pose_from(*guess, where);
   }
+  if (const Json* time = value_in(json, "time_s"); time != nullptr && !time->is_null()) {
+    frame.time_s = number_in(*time, where + ", time_s");
+  }
   add_curves(json, at_rest, folder, where, frame);
   add_tools(json, where, frame);
-  if (!frame.pose_guess && frame.curves.empty()) refuse_in(where, "neither \"pose_guess\" nor \"features\" are given");
+  if (!frame.pose_guess && frame.curves.empty() && !(follows && frame.time_s)) {
+    refuse_in(where, "neither \"pose_guess\" nor \"features\" are given, nor a time after that of another frame");
+  }
   return frame;
 }
 
@@ -211,12 +212,33 @@ GuidanceCase guidance_from(const Json& json, const fs::path& folder) {
   const std::vector<CurveAtRest> at_rest = curves_at_rest(json, folder);
   const Json& frames = required(json, "frames", "the document");
   if (!frames.is_array() || frames.empty()) refuse_in("the document", "\"frames\" must name at least one");
-  for (const Json& frame : frames) guidance.frames.push_back(frame_from(frame, at_rest, folder));
+  std::optional<double> time_s;
+  for (const Json& frame : frames) {
+    guidance.frames.push_back(frame_from(frame, at_rest, folder, time_s.has_value()));
+    const std::optional<double> now_s = guidance.frames.back().time_s;
+    if (time_s && now_s && *now_s <= *time_s) {
+      refuse_in("frame " + guidance.frames.back().id, "\"time_s\" must grow from frame to frame");
+    }
+    if (now_s) time_s = now_s;
+  }
   guidance.targets = targets_from(folder / text_under(json, "targets", "the document"));
   return guidance;
 }
 
 }  // namespace
+
+std::optional<Eigen::Isometry3d> rigid_pose(const std::vector<double>& numbers) {
+  if (numbers.size() != 16) return std::nullopt;
+  const Eigen::Matrix4d matrix = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>(numbers.data());
+  const Eigen::Matrix3d turn = matrix.topLeftCorner<3, 3>();
+  const bool is_rigid = matrix.allFinite() && (turn.transpose() * turn - Eigen::Matrix3d::Identity()).norm() < 1e-3 &&
+                        turn.determinant() > 0 && (matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).norm() < 1e-6;
+  if (!is_rigid) return std::nullopt;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = Eigen::Quaterniond(turn).normalized().toRotationMatrix();
+  pose.translation() = matrix.topRightCorner<3, 1>();
+  return pose;
+}
 
 Result<GuidanceCase> read_guidance(const fs::path& file) {
   auto document = read_json_file(file);

@@ -32,12 +32,16 @@ SeenEquations::SeenEquations(const ForceModes& modes, const SeenFrame& frame, co
   for (const SeenCurve& curve : frame.curves) {
     curves_.push_back({mechanics::locate_points(modes.mesh(), curve.at_rest_mm), &curve});
   }
+  std::vector<Vector3d> at_rest_mm;
+  for (const SeenPoint& point : frame.known_points) at_rest_mm.push_back(point.at_rest_mm);
+  known_points_ = mechanics::locate_points(modes.mesh(), at_rest_mm);
 }
 
 SeenRows SeenEquations::rows(const Isometry3d& pose, const std::vector<Vector3d>& now_mm, double coarsest_mm) const {
   SeenRows seen;
   add_cloud_rows(pose.inverse(), now_mm, coarsest_mm, seen);
   add_curve_rows(pose.inverse(), now_mm, seen);
+  add_point_rows(pose.inverse(), now_mm, coarsest_mm, seen);
   return seen;
 }
 
@@ -88,6 +92,29 @@ void SeenEquations::add_curve_rows(const Isometry3d& back, const std::vector<Vec
         seen.rows.push_back({modes_.mesh().cells[static_cast<std::size_t>(place.cell)], place.barycentric, direction,
                              back * point, noise_mm, robust_weight(std::sqrt(on_line.squared_distance_mm2), noise_mm)});
       }
+    }
+  }
+}
+
+// A point whose place on the organ is known: a row in each direction.
+void SeenEquations::add_point_rows(const Isometry3d& back, const std::vector<Vector3d>& now_mm, double coarsest_mm,
+                                   SeenRows& seen) const {
+  if (known_points_.empty()) return;
+  std::vector<double> off_mm;
+  for (std::size_t p = 0; p < known_points_.size(); ++p) {
+    const auto& cell = modes_.mesh().cells[static_cast<std::size_t>(known_points_[p].cell)];
+    off_mm.push_back(
+        (back * frame_.known_points[p].seen_mm - between(now_mm, cell, known_points_[p].barycentric)).norm());
+  }
+  // Of a coordinate, from the median of three-dimensional distances (chi with three degrees of freedom: 1.538).
+  const double found_mm = median(off_mm) / 1.538;
+  const double noise_mm = std::max(frame_.tracking_noise_mm, std::min(found_mm, coarsest_mm));
+  for (std::size_t p = 0; p < known_points_.size(); ++p) {
+    const mechanics::PointInMesh& place = known_points_[p];
+    const double trust = robust_weight(off_mm[p] / std::sqrt(3.0), noise_mm);
+    for (int axis = 0; axis < 3; ++axis) {
+      seen.rows.push_back({modes_.mesh().cells[static_cast<std::size_t>(place.cell)], place.barycentric,
+                           Vector3d::Unit(axis), back * frame_.known_points[p].seen_mm, noise_mm, trust});
     }
   }
 }

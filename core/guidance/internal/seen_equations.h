@@ -57,6 +57,8 @@ class SeenEquations {
 
   void add_cloud_rows(const Eigen::Isometry3d& back, const std::vector<Eigen::Vector3d>& now_mm, double coarsest_mm,
                       SeenRows& seen) const;
+  void add_point_rows(const Eigen::Isometry3d& back, const std::vector<Eigen::Vector3d>& now_mm, double coarsest_mm,
+                      SeenRows& seen) const;
   void add_curve_rows(const Eigen::Isometry3d& back, const std::vector<Eigen::Vector3d>& now_mm, SeenRows& seen) const;
 
   const ForceModes& modes_;
@@ -64,6 +66,7 @@ class SeenEquations {
   const RegistrationOptions& options_;
   std::vector<Eigen::Vector3d> cloud_mm_;
   std::vector<PlacedCurve> curves_;
+  std::vector<mechanics::PointInMesh> known_points_;  // at rest
 };
 
 // Between points of the mesh, wherever they are.

@@ -10,6 +10,7 @@
 #include "base/json.h"
 #include "geometry/manifold.h"
 #include "geometry/mesh_file.h"
+#include "geometry/nearest.h"
 #include "registration_quality/sequence_file.h"
 #include "studies/review/internal/example_scene.h"
 #include "vision/draw.h"
@@ -34,9 +35,12 @@ struct Fault {
   }
 };
 
+constexpr std::size_t hidden_places = 12;  // whose truth is told
+
 class Recording {
  public:
-  Recording(const ExampleScene& scene, const fs::path& folder, const ExampleSequenceOptions& options);
+  Recording(const ExampleScene& scene, const geometry::Surface& liver_lps, const fs::path& folder,
+            const ExampleSequenceOptions& options);
   Result<void> add(int frame);
   Result<fs::path> finish();
 
@@ -54,9 +58,10 @@ class Recording {
   std::normal_distribution<double> normal_{0, 1};
   std::uniform_real_distribution<double> uniform_{0, 1};
   Fault fault_;
+  std::vector<Vector3d> hidden_mm_;     // inside the liver, patient coordinates
   std::vector<Vector3d> landmarks_mm_;  // at rest
   std::vector<bool> outlier_;
-  std::string tracks_ = "landmark,frame,x_mm,y_mm,z_mm\n";
+  std::string tracks_ = "landmark,frame,x_mm,y_mm,z_mm\n", hidden_truth_ = "id,frame,x_mm,y_mm,z_mm\n";
   Json frames_ = Json::array(), registered_ = Json::array();
 };
 
@@ -71,7 +76,7 @@ Result<fs::path> write_example_sequence(const fs::path& folder, const ExampleSeq
   auto made = registration_quality::NewSequenceFolder::make(folder);
   if (!made) return failure(made.error());
   const ExampleScene scene(*liver);
-  Recording recording(scene, made->beside(), options);
+  Recording recording(scene, *liver, made->beside(), options);
   for (int frame = 0; frame < options.frames; ++frame) {
     if (progress.cancelled()) return cancelled();
     if (auto added = recording.add(frame); !added) return failure(added.error());
@@ -83,6 +88,23 @@ Result<fs::path> write_example_sequence(const fs::path& folder, const ExampleSeq
 }
 
 namespace {
+
+// On a grid of 12 mm, at least 12 mm under the surface.
+std::vector<Vector3d> places_inside(const geometry::Surface& surface) {
+  constexpr double apart_mm = 12;
+  const geometry::SurfaceDistance distance(surface);
+  const geometry::Box box = geometry::bounding_box(surface.points_mm);
+  std::vector<Vector3d> places;
+  for (double z = box.min_mm.z(); z < box.max_mm.z(); z += apart_mm) {
+    for (double y = box.min_mm.y(); y < box.max_mm.y(); y += apart_mm) {
+      for (double x = box.min_mm.x(); x < box.max_mm.x(); x += apart_mm) {
+        const Vector3d place(x, y, z);
+        if (distance.closest(place).distance_mm >= apart_mm && distance.is_inside(place)) places.push_back(place);
+      }
+    }
+  }
+  return places;
+}
 
 // Points of the list, each as far as can be from those before it.
 std::vector<Vector3d> spread(const std::vector<Vector3d>& among, std::size_t count) {
@@ -99,8 +121,13 @@ std::vector<Vector3d> spread(const std::vector<Vector3d>& among, std::size_t cou
   return chosen;
 }
 
-Recording::Recording(const ExampleScene& scene, const fs::path& folder, const ExampleSequenceOptions& options)
-    : scene_(scene), folder_(folder), options_(options), random_(options.seed) {
+Recording::Recording(const ExampleScene& scene, const geometry::Surface& liver_lps, const fs::path& folder,
+                     const ExampleSequenceOptions& options)
+    : scene_(scene),
+      folder_(folder),
+      options_(options),
+      random_(options.seed),
+      hidden_mm_(spread(places_inside(liver_lps), hidden_places)) {
   // Features are found where the first frame shows the liver well.
   const ExampleScene::View first = scene.view(0);
   std::vector<Vector3d> seen_mm;
@@ -131,6 +158,10 @@ Result<void> Recording::add(int frame) {
   for (std::size_t i = 0; i < rest_mm.size(); ++i) seen.points_mm[i] = rest_mm[i] + fault_.at(rest_mm[i], frame);
   if (auto written = geometry::write_surface(folder_ / registered, seen); !written) return written;
   sight_landmarks(view, frame);
+  for (std::size_t k = 0; k < hidden_mm_.size(); ++k) {
+    const Vector3d place = scene_.moved(scene_.pose() * hidden_mm_[k], frame);
+    hidden_truth_ += fmt::format("hidden-{},{},{:.4f},{:.4f},{:.4f}\n", k + 1, frame, place.x(), place.y(), place.z());
+  }
   frames_.push_back({{"image", image}, {"cloud", cloud}});
   registered_.push_back(registered);
   return {};
@@ -206,7 +237,18 @@ Result<fs::path> Recording::finish() {
   for (std::size_t k = 0; k < outlier_.size(); ++k) {
     if (outlier_[k]) outliers.push_back(fmt::format("g{}", k));
   }
-  if (auto written = write_json_file(folder_ / "truth.json", {{"fault_center_mm", list(fault_.center_mm)},
+  std::string hidden = "id,x_mm,y_mm,z_mm\n";
+  for (std::size_t k = 0; k < hidden_mm_.size(); ++k) {
+    hidden +=
+        fmt::format("hidden-{},{:.4f},{:.4f},{:.4f}\n", k + 1, hidden_mm_[k].x(), hidden_mm_[k].y(), hidden_mm_[k].z());
+  }
+  for (const auto& [name, text] : {std::pair("hidden.csv", &hidden), std::pair("hidden-truth.csv", &hidden_truth_)}) {
+    if (auto written = write_text_file(folder_ / name, *text); !written) return failure(written.error());
+  }
+  Json pose = Json::array();
+  for (int i = 0; i < 16; ++i) pose.push_back(scene_.pose().matrix()(i / 4, i % 4));
+  if (auto written = write_json_file(folder_ / "truth.json", {{"patient_to_camera", pose},
+                                                              {"fault_center_mm", list(fault_.center_mm)},
                                                               {"fault_radius_mm", fault_.radius_mm},
                                                               {"fault_largest_mm", fault_.largest_mm},
                                                               {"landmarks_that_jump", outliers}});

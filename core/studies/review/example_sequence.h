@@ -25,7 +25,9 @@ struct ExampleSequenceOptions {
 };
 
 // Writes folder/sequence.json, the frames' pictures and clouds, tracks.csv, model.ply, the clouds as registered with
-// one known fault that comes and goes (for the method "given"), and truth.json, which says where it is. The folder must
+// one known fault that comes and goes (for the method "given"), and truth.json, which says where it is, and how
+// the patient lies in the camera's frame at rest. hidden.csv has places inside the liver (patient coordinates), which
+// no picture shows, and hidden-truth.csv where each is in each frame (camera). The folder must
 // not exist or be empty ("sequence-folder-not-empty"). Other failures: those of writing files; "cancelled". After a
 // failure the folder is gone, or as empty as it was. Returns sequence.json.
 Result<std::filesystem::path> write_example_sequence(const std::filesystem::path& folder,

@@ -97,7 +97,9 @@ ExampleScene::ExampleScene(const geometry::Surface& liver_lps) {
     ++facing;
   }
   facing_mm /= std::max(1, facing);
-  for (Vector3d& point : liver.points_mm) point += Vector3d(0, 0, camera_distance_mm) - facing_mm;
+  pose_.linear() = axes;
+  pose_.translation() = Vector3d(0, 0, camera_distance_mm) - facing_mm;
+  for (Vector3d& point : liver.points_mm) point += pose_.translation();
 
   geometry::Surface front = liver;
   std::erase_if(front.triangles, [&](const std::array<int, 3>& corners) {

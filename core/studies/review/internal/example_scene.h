@@ -4,7 +4,7 @@
 //
 // All places are in the camera's space, mm: x to the right of the picture, y down, z away from the camera.
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <optional>
 #include <vector>
 
@@ -23,6 +23,8 @@ class ExampleScene {
   explicit ExampleScene(const geometry::Surface& liver_lps);
 
   [[nodiscard]] const vision::Camera& camera() const { return camera_; }
+  // From patient coordinates to where the liver lies at rest.
+  [[nodiscard]] const Eigen::Isometry3d& pose() const { return pose_; }
   // The side of the liver that faces the camera, as it lies at rest.
   [[nodiscard]] const geometry::Surface& model() const { return model_; }
   // Where a point of the liver that lies there at rest is in a frame.
@@ -44,6 +46,7 @@ class ExampleScene {
   void draw_tool(double frame, View& view) const;
 
   vision::Camera camera_;
+  Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
   geometry::Surface model_;
   Eigen::Vector3d headwards_{0, 0, 0};  // in the camera's space
   Eigen::Vector3d pressed_mm_{0, 0, 0};
